@@ -1,0 +1,111 @@
+//! The paper's structure (section 3.4.1, after Žalik 2005): a hash table over intervals of x.
+//!
+//! Every interval remembers the node that was inserted in it last. A search looks into the interval of
+//! x and, where it is empty or its node has left the front, into the intervals around; the node found
+//! is near, since a node only leaves the front when one beside it was inserted.
+//!
+//! Cost: O(1) expected a search with about 0.7 sqrt(n) intervals, which is some two front vertices
+//! each. Equal intervals are defeated by a dense cluster in a wide domain; a sample of the points shows
+//! that beforehand, and then the intervals end at quantiles of the sample, found in O(log n).
+//!
+//! Differs from the paper: removals are not written but noticed when read; quantiles.
+
+use super::{Domain, Front, FrontNode, FrontSearch};
+
+/// Intervals of x that remember their last insertion: O(1) expected. The default.
+#[derive(Clone, Debug)]
+pub struct HashTable {
+    intervals: Intervals,
+    table: Vec<Option<FrontNode>>,
+    last: Option<FrontNode>,
+}
+
+#[derive(Clone, Debug)]
+enum Intervals {
+    /// Number `(x - low) * factor`.
+    Equal { low: f64, factor: f64 },
+    /// Ends of the intervals but the last, ascending.
+    Quantiles(Vec<f64>),
+}
+
+/// How many intervals are searched on either side before the last insertion is taken.
+const REACH: usize = 16;
+/// How many points a sample has at most, and how many cells judge it.
+const SAMPLE: usize = 4096;
+const CELLS: usize = 64;
+
+impl FrontSearch for HashTable {
+    fn new(domain: Domain<'_>) -> Self {
+        let n = domain.len();
+        let size = (0.7 * (n as f64).sqrt()) as usize + 1;
+        let (low, high) = (0..n).map(|v| domain.x(v)).fold(
+            (f64::INFINITY, f64::NEG_INFINITY),
+            |(low, high): (f64, f64), x| (low.min(x), high.max(x)),
+        );
+        let mut sample: Vec<f64> = (0..n)
+            .step_by(n.div_ceil(SAMPLE).max(1))
+            .map(|v| domain.x(v))
+            .collect();
+        sample.sort_unstable_by(f64::total_cmp);
+        let intervals = if is_skewed(&sample, low, high) {
+            let ends = (1..size).map(|i| sample[i * sample.len() / size]);
+            Intervals::Quantiles(ends.collect())
+        } else {
+            let factor = size as f64 / (high - low);
+            Intervals::Equal {
+                low,
+                factor: if factor.is_finite() { factor } else { 0.0 },
+            }
+        };
+        HashTable {
+            intervals,
+            table: vec![None; size],
+            last: None,
+        }
+    }
+
+    #[inline]
+    fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
+        let live = |entry: &Option<FrontNode>| entry.filter(|&node| front.contains(node));
+        let at = self.interval(x);
+        if let Some(node) = live(&self.table[at]) {
+            return node;
+        }
+        let around = (1..=REACH).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
+        around
+            .filter_map(|i| self.table.get(i?).and_then(live))
+            .next()
+            .or(self.last)
+            .unwrap_or(front.left_end())
+    }
+
+    #[inline]
+    fn inserted(&mut self, node: FrontNode, x: f64) {
+        let at = self.interval(x);
+        self.table[at] = Some(node);
+        self.last = Some(node);
+    }
+}
+
+impl HashTable {
+    #[inline]
+    fn interval(&self, x: f64) -> usize {
+        let last = self.table.len() - 1;
+        match &self.intervals {
+            Intervals::Equal { low, factor } => (((x - low) * factor) as usize).min(last),
+            Intervals::Quantiles(ends) => ends.partition_point(|&end| end <= x),
+        }
+    }
+}
+
+/// Whether equal intervals would be crowded: whether a point shares its one of [`CELLS`] cells with
+/// four times as many others as it would if all cells held the same.
+fn is_skewed(sample: &[f64], low: f64, high: f64) -> bool {
+    let mut cells = [0_usize; CELLS];
+    let factor = CELLS as f64 / (high - low);
+    for &x in sample {
+        cells[(((x - low) * factor) as usize).min(CELLS - 1)] += 1;
+    }
+    let pairs: usize = cells.iter().map(|count| count * count).sum();
+    pairs * CELLS > 4 * sample.len() * sample.len().max(CELLS)
+}

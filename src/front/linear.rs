@@ -1,0 +1,25 @@
+//! No structure at all: the walk starts where the last point went in.
+//!
+//! Cost: O(n) a search at worst, a step or two where the points come along the front.
+
+use super::{Domain, Front, FrontNode, FrontSearch};
+
+/// Starts at the node inserted last: O(n), and the documentation of what [`FrontSearch`] asks.
+#[derive(Clone, Copy, Debug)]
+pub struct Linear {
+    last: Option<FrontNode>,
+}
+
+impl FrontSearch for Linear {
+    fn new(_: Domain<'_>) -> Self {
+        Linear { last: None }
+    }
+
+    fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
+        self.last.unwrap_or(front.left_end())
+    }
+
+    fn inserted(&mut self, node: FrontNode, _: f64) {
+        self.last = Some(node);
+    }
+}

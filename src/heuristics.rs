@@ -1,0 +1,62 @@
+//! Which triangles a point event adds beyond the necessary ones (section 3.4.1, figures 9 and 10).
+
+/// Settings of the two heuristics of the point event: they change the work, never the result.
+///
+/// Without them the front undulates and many badly shaped triangles are made first and flipped later.
+/// Both test angles in plain floating point; whether a triangle may be made at all is decided exactly.
+///
+/// ```
+/// use sweep_cdt::{Heuristics, Triangulator};
+///
+/// let points = [[0.0, 0.0], [4.0, 0.0], [5.0, 3.0], [1.0, 2.0], [2.0, 1.0]];
+/// let fast = Triangulator::new().triangulate(&points, &[])?;
+/// let paper = Triangulator::new().heuristics(Heuristics::PAPER).triangulate(&points, &[])?;
+/// assert_eq!(fast.canonical_triangles(), paper.canonical_triangles());
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Heuristics {
+    /// How wide the angle between a new triangle's edge and the next front edge may be for a further
+    /// triangle to be added there (figure 9).
+    pub fill: Fill,
+    /// Whether basins are filled: stretches of the front that fall away from the new point more
+    /// steeply than 45 degrees, an angle of more than 3pi/4 with the vertical (figure 10).
+    pub basin: bool,
+}
+
+/// Up to which angle the point event adds triangles left and right of the new point (figure 9).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Fill {
+    /// None are added.
+    Off,
+    /// Below pi/2, the paper's angle.
+    RightAngle,
+    /// Below about 110 degrees, which measured fastest.
+    Wide,
+}
+
+impl Heuristics {
+    /// The fastest setting measured; the default.
+    pub const FAST: Heuristics = Heuristics {
+        fill: Fill::Wide,
+        basin: true,
+    };
+    /// The paper's setting: pi/2 and 3pi/4.
+    pub const PAPER: Heuristics = Heuristics {
+        fill: Fill::RightAngle,
+        basin: true,
+    };
+    /// Neither heuristic: only the triangles that the point event needs.
+    pub const OFF: Heuristics = Heuristics {
+        fill: Fill::Off,
+        basin: false,
+    };
+}
+
+impl Default for Heuristics {
+    fn default() -> Self {
+        Heuristics::FAST
+    }
+}

@@ -1,0 +1,77 @@
+//! The only door to arithmetic: exact predicates on coordinates, by reference, signs out.
+//!
+//! The sweep asks four things of a coordinate type: is it a number, which of two is larger, on which
+//! side of a line is a point, and is a point inside a circle. All answers are exact. A fifth function,
+//! [`Scalar::approx`], gives a double near the value; it filters (most signs are certain from the
+//! doubles alone) and steers (hash buckets, angles of the heuristics), and never decides alone.
+//!
+//! | type | how it is exact |
+//! |---|---|
+//! | `f64` | filter, then small integers, then adaptive expansions (crate `robust`), then big integers where exponents are extreme |
+//! | `f32` | as `f64`, which holds every `f32` |
+//! | `i32`, `i64` | 128-bit integers where they suffice, else big integers |
+//! | any [`Unbounded`] number (`BigInt`, `BigRational`, ...) | its own arithmetic |
+//! | `rug::Rational` (feature `rug`) | GMP's arithmetic |
+
+mod f32;
+mod f64;
+pub(crate) mod filter;
+mod integer;
+#[cfg(feature = "rug")]
+mod rug;
+mod unbounded;
+mod wide;
+
+use std::cmp::Ordering;
+
+pub use unbounded::Unbounded;
+
+/// A coordinate type with exact predicates.
+///
+/// Neither `Copy` nor `Clone` nor any operator is asked for, so that big rationals fit as well as
+/// doubles do. Implement it for a type of your own with four functions; a type whose arithmetic may
+/// overflow silently or round must not implement it that way.
+///
+/// A predicate answers with an [`Ordering`]: the sign of the determinant compared with zero.
+///
+/// ```
+/// use std::cmp::Ordering;
+/// use sweep_cdt::Scalar;
+///
+/// let (a, b, c) = ([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]);
+/// assert_eq!(Scalar::orient2d(&a, &b, &c), Ordering::Greater);
+/// assert_eq!(Scalar::in_circle(&a, &b, &c, &[1.0, 1.0]), Ordering::Equal);
+/// ```
+pub trait Scalar: Sized {
+    /// Whether [`approx`](Scalar::approx) always returns the value itself.
+    const APPROX_IS_EXACT: bool = false;
+
+    /// Whether this is a number at all; the sweep refuses points for which it is not.
+    fn is_finite(&self) -> bool {
+        true
+    }
+
+    /// A double near the value.
+    ///
+    /// It must be monotone (`a <= b` gives `a.approx() <= b.approx()`), never NaN, and within a
+    /// relative error of 2^-52 of every value that lies in the range of normal doubles. Larger values
+    /// may become infinite, and smaller ones may lose digits as doubles do or become zero.
+    fn approx(&self) -> f64;
+
+    /// The exact order of two coordinates.
+    fn compare(&self, other: &Self) -> Ordering;
+
+    /// `Greater` if `a`, `b`, `c` make a left turn (counter-clockwise), `Less` for a right turn,
+    /// `Equal` if they lie on one line.
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering;
+
+    /// For a counter-clockwise triangle `a`, `b`, `c`: `Greater` if `d` lies inside its circumcircle,
+    /// `Less` outside, `Equal` on it. Two of the first three points swapped turn the sign round.
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering;
+}
+
+/// The sign of a finite number compared with zero.
+pub(crate) fn sign(x: f64) -> Ordering {
+    x.partial_cmp(&0.0)
+        .expect("a predicate's value is a number")
+}

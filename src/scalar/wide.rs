@@ -1,0 +1,76 @@
+//! Exact signs from integers: machine integers of 64, 128 and 256 bits where they hold the
+//! determinant, big integers where they do not.
+//!
+//! Arguments are differences of coordinates. Why nothing overflows: with differences below 2^k a lift
+//! and a cross product are below 2^(2k+1) and their products, three of which are summed, below
+//! 2^(4k+2); so k = 30 fits lifts in 64 and the sum in 128 bits, and k = 62 in 128 and 256.
+//!
+//! Cost: about 3 ns for k = 30, 10 ns for k = 62, a microsecond beyond.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+
+use super::unbounded;
+
+/// The sign of the turn from `a` to `b`, two differences to the same point.
+pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> Ordering {
+    match (a[0].checked_mul(b[1]), a[1].checked_mul(b[0])) {
+        (Some(left), Some(right)) => left.cmp(&right),
+        _ => {
+            let [a, b] = [a, b].map(|row| row.map(BigInt::from));
+            unbounded::turn(&a, &b)
+        }
+    }
+}
+
+/// The sign of the in-circle determinant whose rows are the differences of three points to a fourth.
+pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> Ordering {
+    let span = rows
+        .iter()
+        .flatten()
+        .fold(0, |span, x| span | x.unsigned_abs());
+    if span < 1 << 30 {
+        narrow(rows)
+    } else if span < 1 << 62 {
+        middle(rows)
+    } else {
+        unbounded::lifted(&rows.map(|row| row.map(BigInt::from)))
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the caller checked that all are below 2^30"
+)]
+fn narrow(rows: [[i128; 2]; 3]) -> Ordering {
+    let [[ax, ay], [bx, by], [cx, cy]] = rows.map(|row| row.map(|x| x as i64));
+    let det = i128::from(ax * ax + ay * ay) * i128::from(bx * cy - cx * by)
+        + i128::from(bx * bx + by * by) * i128::from(cx * ay - ax * cy)
+        + i128::from(cx * cx + cy * cy) * i128::from(ax * by - bx * ay);
+    det.cmp(&0)
+}
+
+fn middle([[ax, ay], [bx, by], [cx, cy]]: [[i128; 2]; 3]) -> Ordering {
+    let products = [
+        product(ax * ax + ay * ay, bx * cy - cx * by),
+        product(bx * bx + by * by, cx * ay - ax * cy),
+        product(cx * cx + cy * cy, ax * by - bx * ay),
+    ];
+    let (high, low) = products.into_iter().fold((0, 0), add);
+    high.cmp(&0).then(low.cmp(&0))
+}
+
+/// `a * b` as (high, low), meaning high * 2^128 + low; both factors are below 2^125.
+fn product(a: i128, b: i128) -> (i128, u128) {
+    const HALF: i128 = (1 << 64) - 1;
+    let (a1, a0, b1, b0) = (a >> 64, a & HALF, b >> 64, b & HALF);
+    let middle = a1 * b0 + a0 * b1;
+    let shifted = (a1 * b1 + (middle >> 64), (middle << 64).cast_unsigned());
+    add(shifted, (0, a0.unsigned_abs() * b0.unsigned_abs()))
+}
+
+fn add(a: (i128, u128), b: (i128, u128)) -> (i128, u128) {
+    let (low, carry) = a.1.overflowing_add(b.1);
+    (a.0 + b.0 + i128::from(carry), low)
+}

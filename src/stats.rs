@@ -1,0 +1,69 @@
+//! Numbers about one run: what there was, what was done, how long it took.
+
+use std::time::Duration;
+
+/// What one run of the sweep met and did.
+///
+/// All but the times are the same for every run on the same input with the same settings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Stats {
+    /// Input points.
+    pub points: usize,
+    /// Input points equal to one of a lower index.
+    pub duplicates: usize,
+    /// Input edges.
+    pub edges: usize,
+    /// Triangles of the result.
+    pub triangles: usize,
+    /// Vertices on the border of the hull.
+    pub hull: usize,
+    /// Time of the initialization (section 3.3; table 2).
+    pub initialization: Duration,
+    /// Time of the sweeping (section 3.4; table 2).
+    pub sweeping: Duration,
+    /// Time of the finalization (section 3.5; table 2).
+    pub finalization: Duration,
+    /// Bytes of the largest arrays held at one time, beyond the input.
+    pub memory: usize,
+    /// The work done.
+    pub counters: Counters,
+}
+
+/// How often the sweep did what.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Counters {
+    /// Orientation tests decided by the floating-point filter.
+    pub orient2d_filtered: u64,
+    /// Orientation tests that needed exact arithmetic.
+    pub orient2d_exact: u64,
+    /// In-circle tests decided by the floating-point filter.
+    pub in_circle_filtered: u64,
+    /// In-circle tests that needed exact arithmetic.
+    pub in_circle_exact: u64,
+    /// Tests with an artificial vertex, decided by rule.
+    pub symbolic: u64,
+    /// In-circle tests that found four points on one circle.
+    pub cocircular: u64,
+    /// Edges swapped by the legalization.
+    pub flips: u64,
+    /// Steps along the front after the search structure's answer (3.4.1).
+    pub front_steps: u64,
+    /// Point events of the left case (figure 8).
+    pub left_cases: u64,
+    /// Triangles added by the pi/2 heuristic (figure 9).
+    pub fills: u64,
+    /// Triangles added below the front by the basin heuristic (figure 10).
+    pub basin_triangles: u64,
+    /// Edges (or pieces) that were there already (section 3.4.2).
+    pub edges_present: u64,
+    /// Edges (or pieces) inserted by removing triangles.
+    pub edges_inserted: u64,
+    /// Triangles removed because an edge pierced them.
+    pub pierced: u64,
+    /// Triangles added in pockets of the front under an edge (figures 13 and 14).
+    pub pocket_triangles: u64,
+    /// Triangles added by the finalization (figure 15).
+    pub hull_triangles: u64,
+}

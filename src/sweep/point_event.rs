@@ -1,0 +1,200 @@
+//! The point event (section 3.4.1): the new vertex joins the front.
+//!
+//! Its vertical projection falls on a segment of the front, strictly inside (middle case, figure 7) or
+//! on the left end of it (left case, figure 8). The segment and the vertex make a triangle; the left
+//! case makes a second one, since two vertices above one another cannot both stay on the front. Then
+//! the heuristics add triangles where the front would be steep (figures 9 and 10).
+//!
+//! Why it is right: the vertex comes after all others in sweep order, so it lies strictly above the
+//! segment under it, and no test of orientation is needed. Beyond the first triangle every further one
+//! closes a corner of the front that turns left by exact sign; it lies above the front, where nothing
+//! is. Its outer side is legalized in the fan of the new vertex as if the spoke beside it were fixed,
+//! then the spoke.
+//!
+//! Cost: a search, a few walk steps, and a constant number of triangles and flips on average.
+//!
+//! Differs from the paper: the left case is the middle case and one forced corner; angles are compared
+//! by dot products; [`Fill::Wide`] goes a little beyond pi/2; only the stretch of a basin from its
+//! steep side to the other rim is filled, up to its own upper hull.
+
+use std::cmp::Ordering::{Equal, Greater, Less};
+
+use super::Sweep;
+use crate::Scalar;
+use crate::front::{Front, FrontSearch};
+use crate::heuristics::Fill;
+use crate::mesh::{Link, TriangleId, VertexId, next};
+use crate::probe::Probe;
+
+/// Square of the cosine of 110 degrees.
+const WIDE: f64 = 0.117;
+/// A basin is searched for at most this many nodes either way, so that the search stays O(1).
+const BASIN_REACH: usize = 32;
+
+impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+    /// Adds vertex `p`, the next one in sweep order.
+    pub(super) fn point_event(&mut self, p: VertexId) {
+        let left = self.segment_under(p);
+        let right = self.front.next(left);
+        let above = self.predicates.compare_x(left, p) == Equal;
+
+        let below = self.mesh.open(left);
+        let t = self
+            .mesh
+            .add([p, left, right], [below, Link::open(p), Link::open(left)]);
+        self.put_on_front(p, left);
+        self.legalize_fan(t, right);
+        if above {
+            self.predicates.probe.count(|c| c.left_cases += 1);
+            self.close_left(p);
+        }
+        if self.heuristics.fill != Fill::Off {
+            self.fill_beside(p);
+        }
+        if self.heuristics.basin {
+            self.fill_basins(p);
+        }
+    }
+
+    /// The left end of the front segment under the projection of `p`: the last node whose x is at most
+    /// that of `p`. The search structure says where to start.
+    #[inline(always)]
+    fn segment_under(&mut self, p: VertexId) -> VertexId {
+        let x = self.predicates.near(p)[0];
+        let start = self.search.locate(x, &self.front);
+        assert!(
+            self.front.contains(start),
+            "the search structure named a node off the front"
+        );
+        let mut at = start.rank() as VertexId;
+        while self.predicates.compare_x(at, p) == Greater {
+            at = self.front.prev(at);
+            self.predicates.probe.count(|c| c.front_steps += 1);
+        }
+        loop {
+            let right = self.front.next(at);
+            if self.predicates.compare_x(right, p) == Greater {
+                return at;
+            }
+            at = right;
+            self.predicates.probe.count(|c| c.front_steps += 1);
+        }
+    }
+
+    /// Heuristic (i), figure 9: closes the corners right and left of `p` while they are narrow.
+    #[inline(always)]
+    fn fill_beside(&mut self, p: VertexId) {
+        loop {
+            let corner = self.front.next(p);
+            let far = self.front.next(corner);
+            if !self.is_narrow(p, corner, far)
+                || self.predicates.orient2d(p, corner, far) != Greater
+            {
+                break;
+            }
+            self.close_right(p);
+            self.predicates.probe.count(|c| c.fills += 1);
+        }
+        loop {
+            let corner = self.front.prev(p);
+            let far = self.front.prev(corner);
+            if !self.is_narrow(p, corner, far) || self.predicates.orient2d(p, corner, far) != Less {
+                break;
+            }
+            self.close_left(p);
+            self.predicates.probe.count(|c| c.fills += 1);
+        }
+    }
+
+    /// Whether the angle at `corner` between `p` and `far` is small, by plain floating point; never if
+    /// one of them is artificial.
+    #[inline(always)]
+    fn is_narrow(&self, p: VertexId, corner: VertexId, far: VertexId) -> bool {
+        if far >= self.predicates.left || corner >= self.predicates.left {
+            return false;
+        }
+        let [[px, py], [cx, cy], [fx, fy]] = [p, corner, far].map(|v| self.predicates.near(v));
+        let (ax, ay, bx, by) = (px - cx, py - cy, fx - cx, fy - cy);
+        let dot = ax * bx + ay * by;
+        dot > 0.0
+            || self.heuristics.fill == Fill::Wide
+                && dot * dot < WIDE * (ax * ax + ay * ay) * (bx * bx + by * by)
+    }
+
+    /// Covers the node right of `p`: triangle of `p`, that node and the one after.
+    #[inline(always)]
+    fn close_right(&mut self, p: VertexId) {
+        let corner = self.front.next(p);
+        let far = self.front.next(corner);
+        let (outer, spoke) = (self.mesh.open(corner), self.mesh.open(p));
+        let t = self
+            .mesh
+            .add([p, corner, far], [outer, Link::open(p), spoke]);
+        self.take_off_front(corner);
+        self.legalize_fan(t, far);
+        self.legalize_side(Link::new(t, 2));
+    }
+
+    /// Covers the node left of `p`: triangle of `p`, the node before that one, and it.
+    #[inline(always)]
+    fn close_left(&mut self, p: VertexId) {
+        let corner = self.front.prev(p);
+        let far = self.front.prev(corner);
+        let (outer, spoke) = (self.mesh.open(far), self.mesh.open(corner));
+        let t: TriangleId = self
+            .mesh
+            .add([p, far, corner], [outer, spoke, Link::open(far)]);
+        self.take_off_front(corner);
+        let rightmost = self.legalize_fan(t, corner);
+        self.legalize_side(Link::new(rightmost.triangle(), next(rightmost.corner())));
+    }
+
+    /// Heuristic (ii), figure 10: fills the basins that begin right and left of `p`.
+    #[inline(always)]
+    fn fill_basins(&mut self, p: VertexId) {
+        if self.falls_away(p, Front::next) {
+            self.fill_basin(p, Front::next);
+        }
+        if self.falls_away(p, Front::prev) {
+            self.fill_basin(p, Front::prev);
+        }
+    }
+
+    /// Whether the front falls from `p` over the next two nodes by more than 45 degrees: an angle of
+    /// more than 3pi/4 with the vertical. False if one of them is artificial.
+    #[inline(always)]
+    fn falls_away(&self, p: VertexId, step: fn(&Front, VertexId) -> VertexId) -> bool {
+        let first = step(&self.front, p);
+        if first >= self.predicates.left {
+            return false;
+        }
+        let [[px, py], [x, y]] = [p, step(&self.front, first)].map(|v| self.predicates.near(v));
+        py - y > (px - x).abs()
+    }
+
+    /// Fills a basin: from the node beside `p` down to the bottom and up to the other rim.
+    fn fill_basin(&mut self, p: VertexId, step: fn(&Front, VertexId) -> VertexId) {
+        let height = |sweep: &Self, v: VertexId| sweep.predicates.near(v)[1];
+        let near_rim = step(&self.front, p);
+        let (mut at, mut y) = (near_rim, height(self, near_rim));
+        for falling in [true, false] {
+            for _ in 0..BASIN_REACH {
+                let beyond = step(&self.front, at);
+                let next_y = height(self, beyond);
+                let goes_on = if falling { next_y < y } else { next_y > y };
+                // False for an artificial node, whose height is no number.
+                if !goes_on {
+                    break;
+                }
+                (at, y) = (beyond, next_y);
+            }
+        }
+        let (from, to) = if self.predicates.compare_x(p, at) == Less {
+            (near_rim, at)
+        } else {
+            (at, near_rim)
+        };
+        let added = self.fill_front(from, to);
+        self.predicates.probe.count(|c| c.basin_triangles += added);
+    }
+}

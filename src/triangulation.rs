@@ -1,0 +1,180 @@
+//! The result: triangles, their neighbours, which sides are constrained, the hull, what became of each
+//! input vertex and edge. Everything is an index into the caller's input.
+
+use crate::mesh::{self, Link, Triangle, TriangleId};
+
+/// A constrained Delaunay triangulation: plain indices, no coordinates.
+///
+/// Triangles are numbered `0..len()`, in the order in which the sweep left them; as a *set* they are
+/// the same for every order of the input, front, scalar and heuristic setting, and
+/// [`canonical_triangles`](Triangulation::canonical_triangles) lists them in an order that is the same
+/// too. The vertices of a triangle run counter-clockwise. Side `i` of a triangle lies opposite its
+/// vertex `i`. Of equal input points only the one with the lowest index, their
+/// [`representative`](Triangulation::representative), occurs in triangles, hull and chains.
+///
+/// ```
+/// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0], [2.0, 1.0]];
+/// let result = sweep_cdt::triangulate(&points, &[[0, 2]])?;
+/// assert_eq!(result.len(), 4);
+/// assert_eq!(result.canonical_triangles()[0], [0, 1, 4]);
+/// assert_eq!(result.hull().collect::<Vec<_>>(), [3, 0, 1, 2]);
+/// assert_eq!(result.edge_chain(0).collect::<Vec<_>>(), [2, 0]);
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Triangulation {
+    pub(crate) triangles: Vec<Triangle>,
+    pub(crate) hull: Vec<u32>,
+    /// `(vertex, representative)` of each duplicate, by vertex.
+    pub(crate) duplicates: Vec<(u32, u32)>,
+    pub(crate) chains: Chains,
+}
+
+/// For each input edge the vertices along it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Chains {
+    /// The ends of each edge (representatives), upper end first.
+    pub(crate) ends: Vec<[u32; 2]>,
+    /// `(edge, from, to)`: the vertices inside the edge are `inside[from..to]`; by edge, only edges
+    /// that have some.
+    pub(crate) split: Vec<(u32, u32, u32)>,
+    pub(crate) inside: Vec<u32>,
+}
+
+impl Triangulation {
+    /// How many triangles there are; none if fewer than three points are distinct or all lie on a line.
+    pub fn len(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Whether there is no triangle.
+    pub fn is_empty(&self) -> bool {
+        self.triangles.is_empty()
+    }
+
+    /// The vertices of triangle `t`, counter-clockwise.
+    ///
+    /// # Panics
+    /// If there is no triangle `t`.
+    pub fn triangle(&self, t: usize) -> [usize; 3] {
+        corners(&self.triangles[t])
+    }
+
+    /// All triangles, by number.
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = [usize; 3]> + Clone + '_ {
+        self.triangles.iter().map(corners)
+    }
+
+    /// The triangles in one order for all runs on the same input: each begins with its lowest vertex,
+    /// and the list is sorted.
+    pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
+        let mut list: Vec<[usize; 3]> = self.triangles().map(lowest_first).collect();
+        list.sort_unstable();
+        list
+    }
+
+    /// The triangle across side `side` (0, 1 or 2) of triangle `t`, or `None` on the hull.
+    ///
+    /// # Panics
+    /// If there is no triangle `t` or `side` is above 2.
+    pub fn neighbor(&self, t: usize, side: usize) -> Option<usize> {
+        let link = self.link(t, side);
+        (!link.is_open()).then(|| link.triangle() as usize)
+    }
+
+    /// The triangles across the three sides of triangle `t`.
+    ///
+    /// # Panics
+    /// If there is no triangle `t`.
+    pub fn neighbors(&self, t: usize) -> [Option<usize>; 3] {
+        [0, 1, 2].map(|side| self.neighbor(t, side))
+    }
+
+    /// Whether side `side` of triangle `t` is an input edge or a piece of one.
+    ///
+    /// # Panics
+    /// If there is no triangle `t` or `side` is above 2.
+    pub fn is_constrained(&self, t: usize, side: usize) -> bool {
+        self.link(t, side).is_fixed()
+    }
+
+    /// The sides that are input edges or pieces of them, each once, as pairs of vertices (the triangle
+    /// that lists it lies to the left).
+    pub fn constrained_edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        self.triangles.iter().enumerate().flat_map(|(t, triangle)| {
+            (0..3).filter_map(move |side| {
+                let link = triangle.link(side);
+                let listed = link.is_open() || (link.triangle() as usize) > t;
+                (link.is_fixed() && listed).then(|| {
+                    [mesh::next(side), mesh::prev(side)].map(|i| triangle.vertex(i) as usize)
+                })
+            })
+        })
+    }
+
+    /// The vertices on the border of the convex hull, counter-clockwise, from the leftmost one (the
+    /// upper one of several); those inside a straight stretch are listed too. Empty if there is no
+    /// triangle.
+    pub fn hull(&self) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
+        self.hull.iter().map(|&v| v as usize)
+    }
+
+    /// The lowest index of a point equal to point `v`: `v` itself unless it is a duplicate.
+    pub fn representative(&self, v: usize) -> usize {
+        let found = self
+            .duplicates
+            .binary_search_by_key(&v, |&(duplicate, _)| duplicate as usize);
+        found.map_or(v, |at| self.duplicates[at].1 as usize)
+    }
+
+    /// The points that equal one of a lower index, each with its representative, by index.
+    pub fn duplicates(&self) -> impl ExactSizeIterator<Item = [usize; 2]> + Clone + '_ {
+        self.duplicates
+            .iter()
+            .map(|&(vertex, of)| [vertex as usize, of as usize])
+    }
+
+    /// The vertices along input edge `e` as representatives, from its upper end (the one that is last
+    /// by y, then x) to its lower end: two, or more where vertices lie on the edge, or one where its
+    /// ends are equal. Each two that follow each other are a side of the triangulation.
+    ///
+    /// # Panics
+    /// If there is no edge `e`.
+    pub fn edge_chain(&self, e: usize) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
+        let chains = &self.chains;
+        let [upper, lower] = chains.ends[e];
+        let inside = match chains
+            .split
+            .binary_search_by_key(&e, |&(edge, ..)| edge as usize)
+        {
+            Ok(at) => &chains.inside[chains.split[at].1 as usize..chains.split[at].2 as usize],
+            Err(_) => &[],
+        };
+        let length = inside.len() + if upper == lower { 1 } else { 2 };
+        (0..length).map(move |at| match at {
+            0 => upper as usize,
+            at if at + 1 == length => lower as usize,
+            at => inside[at - 1] as usize,
+        })
+    }
+
+    fn link(&self, t: usize, side: usize) -> Link {
+        assert!(side < 3, "a triangle has sides 0, 1 and 2");
+        self.triangles[t].link(side as TriangleId)
+    }
+}
+
+fn corners(triangle: &Triangle) -> [usize; 3] {
+    [0, 1, 2].map(|i| triangle.vertex(i) as usize)
+}
+
+/// The same triangle, its lowest vertex first.
+fn lowest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
+    if a < b && a < c {
+        [a, b, c]
+    } else if b < c {
+        [b, c, a]
+    } else {
+        [c, a, b]
+    }
+}
