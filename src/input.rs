@@ -6,19 +6,17 @@
 //! one with the lowest input index. An edge is listed at its endpoint of higher rank, where the sweep
 //! line has passed all of it.
 //!
-//! Why it is right: a coarse key, monotone in y, is sorted by counting; then every run of equal keys
-//! is sorted exactly. Since the key never decreases where y grows, that is the exact order.
+//! Why it is right: the order is exact ([`crate::order`]), so equal points are neighbours in it, and
+//! the lowest index comes first.
 //!
-//! Cost: O(n) where the points spread over y, O(n log n) at worst (all in one run); 40 bytes a point
-//! for a moment.
+//! Cost: that of the order, and O(n) for n points and edges: both are counted into place.
 //!
 //! Differs from the paper: the upper end of a horizontal edge is the one with larger x, since it is
 //! swept last (the paper says smaller, against its own sort); the artificial points have no
 //! coordinates (see [`crate::predicates`]).
 
-use std::cmp::Ordering;
-
-use crate::mesh::{Link, VertexId};
+use crate::mesh::{Link, VertexId, index};
+use crate::order::{self, Site};
 use crate::predicates::Scale;
 use crate::{Error, Scalar};
 
@@ -32,13 +30,6 @@ pub(crate) struct Vertices {
     /// `(point, representative)` of each duplicate, by point.
     pub(crate) duplicates: Vec<(u32, u32)>,
     pub(crate) scale: Scale,
-}
-
-/// A point on its way to its rank.
-#[derive(Clone, Copy)]
-struct Site {
-    near: [f64; 2],
-    input: u32,
 }
 
 /// The input edges at their upper endpoints.
@@ -66,7 +57,7 @@ impl Edges {
 
     /// All edges: upper end, lower end, input index.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (VertexId, VertexId, u32)> + '_ {
-        let uppers = 0..self.first.len().saturating_sub(1) as VertexId;
+        let uppers = 0..index(self.first.len().saturating_sub(1));
         uppers.flat_map(|v| {
             self.at(v)
                 .iter()
@@ -84,16 +75,20 @@ pub(crate) fn vertices<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> 
     {
         return Err(Error::NonFiniteCoordinate { vertex });
     }
-    let scale = Scale::of(points);
-    let sites = sort(points, &scale);
+    let mut near: Vec<[f64; 2]> = points
+        .iter()
+        .map(|[x, y]| [x.approx(), y.approx()])
+        .collect();
+    let scale = Scale::apply(&mut near, S::APPROX_IS_EXACT);
+    let sites = order::sort(points, &near, scale);
 
-    let mut near = Vec::with_capacity(sites.len() + 2);
+    near.clear();
     let mut input = Vec::with_capacity(sites.len());
     let mut duplicates = Vec::new();
     let mut before: Option<Site> = None;
     for site in sites {
         match before {
-            Some(first) if compare_sites(points, &scale, &first, &site).is_eq() => {
+            Some(first) if order::compare(points, scale, &first, &site).is_eq() => {
                 duplicates.push((site.input, first.input));
             }
             _ => {
@@ -103,6 +98,7 @@ pub(crate) fn vertices<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> 
             }
         }
     }
+    near.reserve_exact(2);
     duplicates.sort_unstable();
     Ok(Vertices {
         near,
@@ -113,7 +109,6 @@ pub(crate) fn vertices<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> 
 }
 
 /// Lists the edges at their upper ends, by rank, and their ends by input edge.
-#[expect(clippy::type_complexity, reason = "one use")]
 pub(crate) fn edges(
     vertices: &Vertices,
     points: usize,
@@ -151,7 +146,7 @@ pub(crate) fn edges(
     let mut list = vec![(0, 0); edges.len()];
     for (edge, &[upper, lower]) in ends.iter().enumerate().rev() {
         first[upper as usize] -= 1;
-        list[first[upper as usize] as usize] = (lower, edge as u32);
+        list[first[upper as usize] as usize] = (lower, index(edge));
     }
     for end in ends.as_flattened_mut() {
         *end = vertices.input[*end as usize];
@@ -167,77 +162,4 @@ fn check_count(given: usize) -> Result<(), Error> {
     } else {
         Ok(())
     }
-}
-
-/// Exact sweep order of two sites, equal ones by input index.
-fn compare_sites<S: Scalar>(points: &[[S; 2]], scale: &Scale, a: &Site, b: &Site) -> Ordering {
-    let axis = |i: usize| match a.near[i].partial_cmp(&b.near[i]) {
-        Some(Ordering::Equal) | None if !scale.is_exact() => {
-            points[a.input as usize][i].compare(&points[b.input as usize][i])
-        }
-        order => order.unwrap_or(Ordering::Equal),
-    };
-    axis(1).then_with(|| axis(0))
-}
-
-/// All points in exact sweep order; of equal ones the lowest index first.
-fn sort<S: Scalar>(points: &[[S; 2]], scale: &Scale) -> Vec<Site> {
-    let site = |input: u32| {
-        let point = &points[input as usize];
-        Site {
-            near: [scale.near(&point[0]), scale.near(&point[1])],
-            input,
-        }
-    };
-    let keyed = counting_sort(points, scale);
-    let mut sites: Vec<Site> = keyed.iter().map(|&packed| site(packed as u32)).collect();
-    let order =
-        |a: &Site, b: &Site| compare_sites(points, scale, a, b).then_with(|| a.input.cmp(&b.input));
-    let mut from = 0;
-    for run in keyed.chunk_by(|a, b| a >> 32 == b >> 32) {
-        if run.len() > 1 {
-            sites[from..from + run.len()].sort_unstable_by(order);
-        }
-        from += run.len();
-    }
-    sites
-}
-
-/// The points by a coarse key that never decreases with y: `key << 32 | index`.
-///
-/// About two keys a point, so that runs of equal keys are short where y is spread; two counting
-/// passes of half the key's bits each.
-fn counting_sort<S: Scalar>(points: &[[S; 2]], scale: &Scale) -> Vec<u64> {
-    let half = (usize::BITS - points.len().leading_zeros()).div_ceil(2) + 1;
-    let mask = (1_u64 << half) - 1;
-    let (low, high) = points
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-            let y = scale.near(&p[1]);
-            (low.min(y), high.max(y))
-        });
-    let keys = (1_u64 << (2 * half)) as f64;
-    let factor = keys / (high - low);
-    // Differences, products and the cast never decrease where y grows; NaN, for no extent, casts to 0.
-    let key = |p: &[S; 2]| (((scale.near(&p[1]) - low) * factor) as u64).min(keys as u64 - 1);
-    let mut packed: Vec<u64> = (0..).zip(points).map(|(i, p)| key(p) << 32 | i).collect();
-    let mut sorted = vec![0; packed.len()];
-    for shift in [32, 32 + half] {
-        let mut place = vec![0_u32; 1 << half];
-        for item in &packed {
-            place[(item >> shift & mask) as usize] += 1;
-        }
-        let mut sum = 0;
-        for count in &mut place {
-            sum += *count;
-            *count = sum - *count;
-        }
-        for &item in &packed {
-            let at = &mut place[(item >> shift & mask) as usize];
-            sorted[*at as usize] = item;
-            *at += 1;
-        }
-        std::mem::swap(&mut packed, &mut sorted);
-    }
-    packed
 }

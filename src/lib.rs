@@ -4,6 +4,7 @@ mod front;
 mod heuristics;
 mod input;
 mod mesh;
+mod order;
 mod predicates;
 mod probe;
 pub mod scalar;

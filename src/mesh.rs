@@ -25,6 +25,12 @@ pub(crate) type TriangleId = u32;
 /// Rank of a vertex in the sweep order, or an artificial vertex after all of them.
 pub(crate) type VertexId = u32;
 
+/// The one place where a count or position becomes an index of 32 bits; the input's size was checked.
+#[inline(always)]
+pub(crate) fn index(n: usize) -> u32 {
+    u32::try_from(n).expect("the input's size was checked")
+}
+
 const FIXED: u32 = 1 << 31;
 const OPEN: u32 = 1 << 30;
 const MARK: VertexId = VertexId::MAX;
@@ -205,7 +211,7 @@ impl Mesh {
             t
         } else {
             self.triangles.push(record);
-            self.triangles.len() as TriangleId - 1
+            index(self.triangles.len() - 1)
         };
         self.relink(links[0], Link::new(t, 0));
         self.relink(links[1], Link::new(t, 1));
@@ -261,7 +267,7 @@ impl Mesh {
 
     /// Opens a new side; closed again by [`Mesh::close`].
     pub(crate) fn open_side(&mut self) -> u32 {
-        let number = u32::try_from(self.open.len()).expect("the input was small enough");
+        let number = index(self.open.len());
         self.open.push(Link::OUTSIDE);
         number
     }

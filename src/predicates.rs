@@ -30,7 +30,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use crate::Scalar;
 use crate::input::Vertices;
-use crate::mesh::VertexId;
+use crate::mesh::{VertexId, index};
 use crate::probe::Probe;
 
 const IN_CIRCLE_BOUND: f64 = 1.2e-15;
@@ -40,11 +40,10 @@ const UNDERFLOW: f64 = f64::from_bits((1023 - 660) << 52);
 
 /// How the doubles that filter and steer relate to the coordinates.
 ///
-/// They are the scalar's approximations, multiplied by a power of two where the largest is outside
-/// 2^-120 to 2^200, so that no product overflows. `error` bounds what each may be off by.
+/// They are the scalar's approximations, all multiplied by one power of two where the largest is
+/// outside 2^-120 to 2^200, so that no product overflows. `error` bounds what each may be off by.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
-    factor: f64,
     error: f64,
 }
 
@@ -54,50 +53,37 @@ impl Scale {
         f64::from_bits(u64::try_from(exponent + 1023).expect("a normal exponent") << 52)
     }
 
-    pub(crate) fn of<S: Scalar>(points: &[[S; 2]]) -> Scale {
-        let coordinates = || points.iter().flatten().map(|c| c.approx().abs());
-        let (small, large) = coordinates().fold((f64::INFINITY, 0.0), |(small, large), c| {
-            (
-                if c > 0.0 && c < small { c } else { small },
-                if c > large { c } else { large },
-            )
-        });
+    /// Scales approximations, which are the values themselves if `exact`.
+    pub(crate) fn apply(near: &mut [[f64; 2]], exact: bool) -> Scale {
+        let (small, large) = near
+            .as_flattened()
+            .iter()
+            .map(|c| c.abs())
+            .fold((f64::INFINITY, 0.0_f64), |(small, large), c| {
+                (if c > 0.0 { small.min(c) } else { small }, large.max(c))
+            });
         if large.is_infinite() {
             return Scale {
-                factor: 1.0,
                 error: f64::INFINITY,
             };
         }
-        let usual = Scale::power(-120)..=Scale::power(200);
-        let factor = if large == 0.0 || usual.contains(&large) {
-            1.0
-        } else {
+        let mut factor = 1.0;
+        if large > 0.0 && !(Scale::power(-120)..=Scale::power(200)).contains(&large) {
             // Brings the largest near 1, as far as one factor can.
-            let exponent = (large.to_bits() >> 52) as i64 - 1023;
-            Scale::power((-exponent).clamp(-1022, 1000))
-        };
-        // Below 2^-960 the scaled value may have lost digits.
-        let exact = S::APPROX_IS_EXACT && (factor == 1.0 || small * factor > Scale::power(-960));
-        // One unit in the last place of the largest covers rounding and, far below, underflow.
-        let error = if exact {
-            0.0
-        } else {
-            large * factor * f64::EPSILON
-        };
-        Scale {
-            factor,
-            error: if exact {
-                0.0
-            } else {
-                error.max(f64::MIN_POSITIVE)
-            },
+            let exponent = (large.to_bits() >> 52).cast_signed() - 1023;
+            factor = Scale::power((-exponent).clamp(-1022, 1000));
+            for c in near.as_flattened_mut() {
+                *c *= factor;
+            }
         }
-    }
-
-    /// The double for a coordinate.
-    #[inline(always)]
-    pub(crate) fn near<S: Scalar>(&self, coordinate: &S) -> f64 {
-        coordinate.approx() * self.factor
+        // Below 2^-960 a scaled value may have lost digits.
+        if exact && (factor.to_bits() == 1.0_f64.to_bits() || small * factor > Scale::power(-960)) {
+            return Scale { error: 0.0 };
+        }
+        // One unit in the last place of the largest covers rounding and, far below, underflow.
+        Scale {
+            error: (large * factor * f64::EPSILON).max(f64::MIN_POSITIVE),
+        }
     }
 
     /// Whether the doubles are the coordinates, up to the factor.
@@ -119,7 +105,7 @@ pub(crate) struct Predicates<'a, S, P> {
 
 impl<'a, S: Scalar, P: Probe> Predicates<'a, S, P> {
     pub(crate) fn new(points: &'a [[S; 2]], mut vertices: Vertices, probe: P) -> Self {
-        let left = vertices.input.len() as VertexId;
+        let left = index(vertices.input.len());
         vertices.near.push([f64::NEG_INFINITY, f64::NAN]);
         vertices.near.push([f64::INFINITY, f64::NAN]);
         Predicates {
@@ -225,7 +211,11 @@ impl<'a, S: Scalar, P: Probe> Predicates<'a, S, P> {
             // The ray points below the tilted sweep line, whose ends P-1 and P-2 are.
             return if v == self.left { Less } else { Greater };
         }
-        self.orient2d(from, to, v)
+        if v == to {
+            Equal
+        } else {
+            self.orient2d(from, to, v)
+        }
     }
 
     /// Whether the side `a`-`b` between the counter-clockwise triangle `p`, `a`, `b` and the vertex `q`

@@ -1,7 +1,7 @@
 //! The result: triangles, their neighbours, which sides are constrained, the hull, what became of each
 //! input vertex and edge. Everything is an index into the caller's input.
 
-use crate::mesh::{self, Link, Triangle, TriangleId};
+use crate::mesh::{self, Link, Triangle, index};
 
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
 ///
@@ -160,7 +160,7 @@ impl Triangulation {
 
     fn link(&self, t: usize, side: usize) -> Link {
         assert!(side < 3, "a triangle has sides 0, 1 and 2");
-        self.triangles[t].link(side as TriangleId)
+        self.triangles[t].link(index(side))
     }
 }
 

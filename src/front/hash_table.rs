@@ -4,13 +4,14 @@
 //! x and, where it is empty or its node has left the front, into the intervals around; the node found
 //! is near, since a node only leaves the front when one beside it was inserted.
 //!
-//! Cost: O(1) expected a search with about 0.7 sqrt(n) intervals, which is some two front vertices
-//! each. Equal intervals are defeated by a dense cluster in a wide domain; a sample of the points shows
+//! Cost: O(1) expected a search with 2 sqrt(n) intervals, about as many as the front has vertices where
+//! the points are spread evenly. Equal intervals are defeated by a dense cluster in a wide domain; a sample of the points shows
 //! that beforehand, and then the intervals end at quantiles of the sample, found in O(log n).
 //!
 //! Differs from the paper: removals are not written but noticed when read; quantiles.
 
 use super::{Domain, Front, FrontNode, FrontSearch};
+use crate::order::interval;
 
 /// Intervals of x that remember their last insertion: O(1) expected. The default.
 #[derive(Clone, Debug)]
@@ -37,7 +38,7 @@ const CELLS: usize = 64;
 impl FrontSearch for HashTable {
     fn new(domain: Domain<'_>) -> Self {
         let n = domain.len();
-        let size = (0.7 * (n as f64).sqrt()) as usize + 1;
+        let size = 2 * n.isqrt() + 1;
         let (low, high) = (0..n).map(|v| domain.x(v)).fold(
             (f64::INFINITY, f64::NEG_INFINITY),
             |(low, high): (f64, f64), x| (low.min(x), high.max(x)),
@@ -90,9 +91,8 @@ impl FrontSearch for HashTable {
 impl HashTable {
     #[inline]
     fn interval(&self, x: f64) -> usize {
-        let last = self.table.len() - 1;
         match &self.intervals {
-            Intervals::Equal { low, factor } => (((x - low) * factor) as usize).min(last),
+            Intervals::Equal { low, factor } => interval((x - low) * factor, self.table.len()),
             Intervals::Quantiles(ends) => ends.partition_point(|&end| end <= x),
         }
     }
@@ -104,7 +104,7 @@ fn is_skewed(sample: &[f64], low: f64, high: f64) -> bool {
     let mut cells = [0_usize; CELLS];
     let factor = CELLS as f64 / (high - low);
     for &x in sample {
-        cells[(((x - low) * factor) as usize).min(CELLS - 1)] += 1;
+        cells[interval((x - low) * factor, CELLS)] += 1;
     }
     let pairs: usize = cells.iter().map(|count| count * count).sum();
     pairs * CELLS > 4 * sample.len() * sample.len().max(CELLS)

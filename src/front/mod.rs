@@ -25,13 +25,21 @@ pub use hash_table::HashTable;
 pub use linear::Linear;
 pub use skip_list::SkipList;
 
-use crate::mesh::VertexId;
+use crate::mesh::{VertexId, index};
 
 /// A vertex of the advancing front, by its rank in the sweep order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FrontNode(VertexId);
 
 impl FrontNode {
+    pub(crate) fn new(vertex: VertexId) -> Self {
+        FrontNode(vertex)
+    }
+
+    pub(crate) fn vertex(self) -> VertexId {
+        self.0
+    }
+
     /// The rank in the sweep order: 0 for the first vertex swept.
     pub fn rank(self) -> usize {
         self.0 as usize
@@ -122,6 +130,7 @@ struct Neighbors {
 #[derive(Debug)]
 pub struct Front {
     nodes: Vec<Neighbors>,
+    left_end: VertexId,
 }
 
 impl Front {
@@ -134,20 +143,20 @@ impl Front {
             };
             vertices + 2
         ];
-        let left = vertices as VertexId;
-        nodes[vertices].next = left + 1;
-        nodes[vertices + 1].prev = left;
-        Front { nodes }
+        let left_end = index(vertices);
+        nodes[vertices].next = left_end + 1;
+        nodes[vertices + 1].prev = left_end;
+        Front { nodes, left_end }
     }
 
     /// The artificial left end P-1, which is always on the front; its x is minus infinity.
     pub fn left_end(&self) -> FrontNode {
-        FrontNode(self.nodes.len() as VertexId - 2)
+        FrontNode(self.left_end)
     }
 
     /// The artificial right end P-2, which is always on the front; its x is infinity.
     pub fn right_end(&self) -> FrontNode {
-        FrontNode(self.nodes.len() as VertexId - 1)
+        FrontNode(self.left_end + 1)
     }
 
     /// Whether a node is on the front now.
@@ -200,10 +209,6 @@ impl Front {
         };
         self.nodes[prev as usize].next = next;
         self.nodes[next as usize].prev = prev;
-    }
-
-    pub(crate) fn node(v: VertexId) -> FrontNode {
-        FrontNode(v)
     }
 
     /// Bytes held.

@@ -8,6 +8,7 @@
 //! for each vertex on the front at one time.
 
 use super::{Domain, Front, FrontNode, FrontSearch};
+use crate::mesh::index;
 
 /// A skip list by x: O(log n) expected on any front.
 #[derive(Clone, Debug)]
@@ -57,9 +58,9 @@ impl FrontSearch for SkipList {
             node: Some(node),
             next: [END; LEVELS],
         };
-        let place = self.free.pop().unwrap_or(self.towers.len() as u32);
-        for level in 0..height(node) {
-            let link = &mut self.towers[before[level] as usize].next[level];
+        let place = self.free.pop().unwrap_or(index(self.towers.len()));
+        for (level, &tower_before) in before.iter().enumerate().take(height(node)) {
+            let link = &mut self.towers[tower_before as usize].next[level];
             tower.next[level] = *link;
             *link = place;
         }
@@ -72,8 +73,8 @@ impl FrontSearch for SkipList {
     fn removed(&mut self, node: FrontNode, x: f64) {
         let before = self.path(|tower| (tower.x, tower.node) < (x, Some(node)));
         let place = self.towers[before[0] as usize].next[0];
-        for level in 0..height(node) {
-            self.towers[before[level] as usize].next[level] =
+        for (level, &tower_before) in before.iter().enumerate().take(height(node)) {
+            self.towers[tower_before as usize].next[level] =
                 self.towers[place as usize].next[level];
         }
         self.free.push(place);

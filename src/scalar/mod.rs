@@ -10,13 +10,15 @@
 //! | `f64` | filter, then small integers, then adaptive expansions (crate `robust`), then big integers where exponents are extreme |
 //! | `f32` | as `f64`, which holds every `f32` |
 //! | `i32`, `i64` | 128-bit integers where they suffice, else big integers |
-//! | any [`Unbounded`] number (`BigInt`, `BigRational`, ...) | its own arithmetic |
-//! | `rug::Rational` (feature `rug`) | GMP's arithmetic |
+//! | `BigRational` | filter, then integers over a common denominator |
+//! | any [`Unbounded`] number (`BigInt`, your own, ...) | filter, then its own arithmetic |
+//! | `rug::Rational` (feature `rug`) | filter, then GMP's arithmetic |
 
 mod f32;
 mod f64;
 pub(crate) mod filter;
 mod integer;
+mod rational;
 #[cfg(feature = "rug")]
 mod rug;
 mod unbounded;

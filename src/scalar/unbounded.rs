@@ -1,9 +1,8 @@
-//! Numbers whose arithmetic is exact and without bounds: big integers, big rationals, and whatever else
-//! says so by implementing [`Unbounded`].
+//! Numbers whose arithmetic is exact and without bounds: big integers, and whatever else says so by
+//! implementing [`Unbounded`].
 //!
 //! Why it is right: a sign is taken from doubles only if the [`filter`] is certain of it for the
-//! numbers that they approximate, or if every one of them equals its number, so that the exact
-//! predicates of `f64` decide; else the determinant is computed in the number's own arithmetic.
+//! numbers that they approximate, else from the determinant in the number's own arithmetic.
 //!
 //! Cost: six or eight conversions to doubles, then a few nanoseconds; where the filter is silent,
 //! about 20 operations of the number.
@@ -12,7 +11,6 @@ use std::cmp::Ordering;
 use std::ops::{Mul, Sub};
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::{Scalar, filter};
@@ -20,63 +18,27 @@ use super::{Scalar, filter};
 /// Says that a number's `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a
 /// [`Scalar`].
 ///
-/// Implement it for your own exact numbers (one line, if you have neither numbers that are none nor
-/// wishes for speed). `to_f64` must return what [`Scalar::approx`] demands: monotone, never `None` or
-/// NaN, within a relative error of 2^-52, infinite only for what is too large.
+/// Implement it for exact numbers of your own; it has no functions. `to_f64` must return what
+/// [`Scalar::approx`] demands: monotone, never `None` or NaN, within a relative error of 2^-52,
+/// infinite only for what is too large.
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use num_rational::BigRational;
+/// use num_bigint::BigInt;
 /// use sweep_cdt::Scalar;
 ///
-/// let third = |n: i32, m: i32| [n, m].map(|n| BigRational::new(n.into(), 3.into()));
-/// let (a, b, c) = (third(0, 0), third(1, 2), third(2, 4));
+/// let point = |x: i32, y: i32| [BigInt::from(x).pow(99), BigInt::from(y).pow(99)];
+/// let (a, b, c) = (point(-3, -5), point(0, 0), point(3, 5));
 /// assert_eq!(Scalar::orient2d(&a, &b, &c), Ordering::Equal);
 /// ```
 pub trait Unbounded:
     Clone + Ord + Zero + Sub<Output = Self> + Mul<Output = Self> + ToPrimitive
 {
-    /// Whether the value is a number at all (a fraction with denominator zero is none). The predicates
-    /// are asked about numbers only.
-    fn is_number(&self) -> bool {
-        true
-    }
-
-    /// Whether `to_f64` returns the value itself; then the predicates of `f64` decide, which is faster.
-    /// `false` is always right.
-    fn is_double(&self) -> bool {
-        false
-    }
 }
 
-/// Integers up to this many bits, and quotients of two of them, are within the normal doubles.
-const NORMAL_BITS: u64 = 1000;
-
-impl Unbounded for BigInt {
-    fn is_double(&self) -> bool {
-        self.bits() <= NORMAL_BITS && self.bits() <= 53 + self.trailing_zeros().unwrap_or(0)
-    }
-}
-
-impl Unbounded for BigRational {
-    fn is_number(&self) -> bool {
-        !self.denom().is_zero()
-    }
-
-    fn is_double(&self) -> bool {
-        let power_of_two = |n: &BigInt| {
-            n.trailing_zeros()
-                .is_some_and(|zeros| n.bits() == zeros + 1)
-        };
-        self.numer().is_double() && self.denom().bits() <= NORMAL_BITS && power_of_two(self.denom())
-    }
-}
+impl Unbounded for BigInt {}
 
 impl<T: Unbounded> Scalar for T {
-    fn is_finite(&self) -> bool {
-        self.is_number()
-    }
-
     fn approx(&self) -> f64 {
         self.to_f64().expect("a number has a double near it")
     }
@@ -86,25 +48,18 @@ impl<T: Unbounded> Scalar for T {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        let points = [a, b, c];
-        let near @ [x, y, z] = points.map(approx);
-        let are_doubles = || points.iter().all(|p| p.iter().all(T::is_double));
-        filter::orient2d(x, y, z, false)
-            .or_else(|| are_doubles().then(|| f64::orient2d(&near[0], &near[1], &near[2])))
-            .unwrap_or_else(|| turn(&minus(a, c), &minus(b, c)))
+        let [x, y, z] = [a, b, c].map(approx);
+        filter::orient2d(x, y, z, false).unwrap_or_else(|| turn(&minus(a, c), &minus(b, c)))
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        let points = [a, b, c, d];
-        let [w, x, y, z] = points.map(approx);
-        let are_doubles = || points.iter().all(|p| p.iter().all(T::is_double));
+        let [w, x, y, z] = [a, b, c, d].map(approx);
         filter::in_circle(w, x, y, z, false)
-            .or_else(|| are_doubles().then(|| f64::in_circle(&w, &x, &y, &z)))
             .unwrap_or_else(|| lifted(&[a, b, c].map(|p| minus(p, d))))
     }
 }
 
-fn approx<T: Scalar>(point: &[T; 2]) -> [f64; 2] {
+pub(super) fn approx<T: Scalar>(point: &[T; 2]) -> [f64; 2] {
     [point[0].approx(), point[1].approx()]
 }
 

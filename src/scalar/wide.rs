@@ -25,26 +25,26 @@ pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> Ordering {
 }
 
 /// The sign of the in-circle determinant whose rows are the differences of three points to a fourth.
+#[expect(clippy::cast_possible_truncation, reason = "only what is below 2^30")]
 pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> Ordering {
     let span = rows
         .iter()
         .flatten()
         .fold(0, |span, x| span | x.unsigned_abs());
-    if span < 1 << 30 {
-        narrow(rows)
-    } else if span < 1 << 62 {
+    // A factor of two that all have in common says nothing.
+    let zeros = span.trailing_zeros() & 127;
+    let rows = rows.map(|row| row.map(|x| x >> zeros));
+    if span >> zeros < 1 << 30 {
+        in_circle_narrow(rows.map(|row| row.map(|x| x as i64)))
+    } else if span >> zeros < 1 << 62 {
         middle(rows)
     } else {
         unbounded::lifted(&rows.map(|row| row.map(BigInt::from)))
     }
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the caller checked that all are below 2^30"
-)]
-fn narrow(rows: [[i128; 2]; 3]) -> Ordering {
-    let [[ax, ay], [bx, by], [cx, cy]] = rows.map(|row| row.map(|x| x as i64));
+/// The same for differences below 2^30.
+pub(super) fn in_circle_narrow([[ax, ay], [bx, by], [cx, cy]]: [[i64; 2]; 3]) -> Ordering {
     let det = i128::from(ax * ax + ay * ay) * i128::from(bx * cy - cx * by)
         + i128::from(bx * bx + by * by) * i128::from(cx * ay - ax * cy)
         + i128::from(cx * cx + cy * cy) * i128::from(ax * by - bx * ay);

@@ -21,7 +21,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use super::Sweep;
 use super::traverse::{Crossed, Part, Spoke};
 use crate::front::FrontSearch;
-use crate::mesh::VertexId;
+use crate::mesh::{VertexId, index};
 use crate::probe::Probe;
 use crate::{Error, Scalar};
 
@@ -61,7 +61,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             Some(part) => part,
             None => self.traverse(upper, lower, *around)?,
         };
-        let first_inside = self.chains.inside.len() as u32;
+        let first_inside = index(self.chains.inside.len());
         let mut onward;
         [*around, onward] = self.insert_part(upper, part);
         while part.end != lower {
@@ -72,7 +72,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             part = self.traverse(at, lower, onward)?;
             [_, onward] = self.insert_part(at, part);
         }
-        let inside = self.chains.inside.len() as u32;
+        let inside = index(self.chains.inside.len());
         if inside > first_inside {
             self.chains.split.push((edge, first_inside, inside));
         }

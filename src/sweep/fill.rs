@@ -25,7 +25,7 @@ use std::cmp::Ordering::Greater;
 use super::Sweep;
 use crate::Scalar;
 use crate::front::FrontSearch;
-use crate::mesh::{Link, VertexId};
+use crate::mesh::{Link, VertexId, index};
 use crate::probe::Probe;
 
 /// A vertex of a chain and the open side from it to the next one (of the last: none).
@@ -58,12 +58,12 @@ impl Filling {
         let inner = 1..len - 1;
         self.order.clear();
         self.order.extend(inner);
-        let mut random = 0x2545_F491_4F6C_DD1D_u64;
+        let mut random = 0x2545_F491_u32;
         for i in (1..self.order.len()).rev() {
             random ^= random << 13;
-            random ^= random >> 7;
-            random ^= random << 17;
-            self.order.swap(i, (random % (i as u64 + 1)) as usize);
+            random ^= random >> 17;
+            random ^= random << 5;
+            self.order.swap(i, random as usize % (i + 1));
         }
         self.prev.clear();
         self.prev.extend((0..len).map(|i| i.saturating_sub(1)));
@@ -191,7 +191,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     fn fill_convex(&mut self, stretch: &[Corner]) -> u32 {
         let sides = &stretch[..stretch.len() - 1];
         let mut work = std::mem::take(&mut self.filling);
-        work.draw(stretch.len() as u32);
+        work.draw(index(stretch.len()));
 
         let chord = self.mesh.open_side();
         let mut top = Link::open(chord);

@@ -13,7 +13,7 @@
 
 use super::Sweep;
 use crate::front::FrontSearch;
-use crate::mesh::{Link, Mesh, Triangle, TriangleId, VertexId, next, prev};
+use crate::mesh::{Link, Mesh, Triangle, VertexId, index, next, prev};
 use crate::probe::Probe;
 use crate::{Scalar, Triangulation};
 
@@ -106,7 +106,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             triangles.swap_remove(t);
             if let Some(&moved) = triangles.get(t) {
                 for i in 0..3 {
-                    relink(triangles, moved.link(i), Link::new(t as TriangleId, i));
+                    relink(triangles, moved.link(i), Link::new(index(t), i));
                 }
             }
         }

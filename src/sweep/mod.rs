@@ -22,9 +22,9 @@ mod traverse;
 
 use std::time::Instant;
 
-use crate::front::{Domain, Front, FrontSearch};
+use crate::front::{Domain, Front, FrontNode, FrontSearch};
 use crate::input::{self, Edges};
-use crate::mesh::{Link, Mesh, VertexId};
+use crate::mesh::{Link, Mesh, VertexId, index};
 use crate::predicates::Predicates;
 use crate::probe::Probe;
 use crate::triangulation::Chains;
@@ -61,7 +61,7 @@ pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
     let start = Instant::now();
     let vertices = input::vertices(points)?;
     let (listed, ends) = input::edges(&vertices, points.len(), edges)?;
-    let n = vertices.input.len() as VertexId;
+    let n = index(vertices.input.len());
     let search = F::new(Domain::new(&vertices.near));
     let mut sweep = Sweep {
         predicates: Predicates::new(points, vertices, probe),
@@ -129,7 +129,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     fn put_on_front(&mut self, v: VertexId, left: VertexId) {
         self.front.insert(v, left);
         self.search
-            .inserted(Front::node(v), self.predicates.near(v)[0]);
+            .inserted(FrontNode::new(v), self.predicates.near(v)[0]);
     }
 
     /// Takes `v`, which triangles now cover, off the front.
@@ -137,7 +137,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     fn take_off_front(&mut self, v: VertexId) {
         self.front.remove(v);
         self.search
-            .removed(Front::node(v), self.predicates.near(v)[0]);
+            .removed(FrontNode::new(v), self.predicates.near(v)[0]);
     }
 
     /// Bytes of the arrays that grow with the input.

@@ -66,7 +66,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.front.contains(start),
             "the search structure named a node off the front"
         );
-        let mut at = start.rank() as VertexId;
+        let mut at = start.vertex();
         while self.predicates.compare_x(at, p) == Greater {
             at = self.front.prev(at);
             self.predicates.probe.count(|c| c.front_steps += 1);

@@ -219,11 +219,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let (left, right) = (next(corner), prev(corner));
         let traversal = &mut self.traversal;
         traversal.pierced.push(t);
-        let side = if v == to {
-            Equal
-        } else {
-            self.predicates.orient2d(from, to, v)
-        };
+        let side = self.predicates.side(from, to, v);
         if side != Less
             && let Some(border) = traversal.left.last_mut()
         {
@@ -281,11 +277,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 !self.predicates.is_artificial(at),
                 "the front passes over the lower end"
             );
-            let side = if at == to {
-                Equal
-            } else {
-                self.predicates.orient2d(from, to, at)
-            };
+            let side = self.predicates.side(from, to, at);
             if side != below {
                 break side;
             }

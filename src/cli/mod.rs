@@ -1,0 +1,70 @@
+//! The command line: one file a subcommand, and what they share.
+//!
+//! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or
+//! written; 2 for wrong usage. A reader that closes its end of the pipe early ends the run quietly.
+
+mod failure;
+mod input;
+mod output;
+mod progress;
+mod settings;
+mod statistics;
+mod triangulate;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{CommandFactory, Parser, Subcommand};
+
+use failure::Failure;
+
+/// Exact constrained Delaunay triangulation by a sweep line.
+///
+/// Reads points and edges in the plane and finds the constrained Delaunay triangulation of them. All
+/// decisions are exact: every finite input without crossing edges has one result, the same for all
+/// settings.
+#[derive(Parser)]
+#[command(name = "sweep-cdt", version, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Triangulate(triangulate::Triangulate),
+}
+
+/// Runs the command line of this process.
+pub(crate) fn main() -> ExitCode {
+    let outcome = match Cli::parse().command {
+        Command::Triangulate(command) => command.run(),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Usage(message)) => Cli::command()
+            .error(clap::error::ErrorKind::ValueValidation, message)
+            .exit(),
+        Err(Failure::Error(message)) => {
+            // Where standard error is closed there is nobody to tell.
+            let _ = writeln!(
+                io::stderr(),
+                "error: {}",
+                message.replace(['\n', '\r'], " ")
+            );
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Reads one of a few values by name.
+fn names<T: Copy + Send + Sync + 'static, const N: usize>(
+    values: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(values.map(name)).map(move |given| {
+        let found = values.into_iter().find(|&value| name(value) == given);
+        found.expect("only names of values are let through")
+    })
+}

@@ -1,0 +1,95 @@
+//! Settings of the sweep: they change the time and never the result.
+
+use clap::ValueEnum;
+use sweep_cdt::{
+    Error, FrontSearch, HashTable, Heuristics, Linear, Scalar, SkipList, Stats, Triangulation,
+    Triangulator,
+};
+
+use super::progress::Progress;
+
+/// Arguments that select how the sweep runs.
+#[derive(clap::Args)]
+#[command(next_help_heading = "Settings (they change the time, never the result)")]
+pub(crate) struct Settings {
+    /// Search structure of the advancing front
+    #[arg(long, value_enum, default_value_t = Front::Hash)]
+    front: Front,
+
+    /// Angles up to which triangles are added early
+    #[arg(long, value_enum, default_value_t = Preset::Fast)]
+    heuristics: Preset,
+
+    /// Switch off the pi/2 heuristic
+    #[arg(long)]
+    no_fill: bool,
+
+    /// Switch off the basin heuristic
+    #[arg(long)]
+    no_basin: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Front {
+    /// Hash table over x, the paper's
+    Hash,
+    /// Skip list
+    SkipList,
+    /// Walk from the last place: slow for many points
+    Linear,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Preset {
+    /// What measured fastest
+    Fast,
+    /// The paper's pi/2 and 3pi/4
+    Paper,
+}
+
+impl Settings {
+    /// Triangulates, with a progress bar where that takes long; counts and times if asked to.
+    pub(crate) fn triangulate<S: Scalar>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        stats: bool,
+    ) -> Result<(Triangulation, Option<Stats>), Error> {
+        match self.front {
+            Front::Hash => self.run::<S, HashTable>(points, edges, stats),
+            Front::SkipList => self.run::<S, SkipList>(points, edges, stats),
+            Front::Linear => self.run::<S, Linear>(points, edges, stats),
+        }
+    }
+
+    fn run<S: Scalar, F: FrontSearch>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        stats: bool,
+    ) -> Result<(Triangulation, Option<Stats>), Error> {
+        let mut progress = Progress::new();
+        let mut show = |swept, points| progress.show(swept, points);
+        let triangulator = Triangulator::new()
+            .front::<F>()
+            .heuristics(self.heuristics())
+            .progress(&mut show);
+        if stats {
+            let (result, stats) = triangulator.triangulate_with_stats(points, edges)?;
+            return Ok((result, Some(stats)));
+        }
+        Ok((triangulator.triangulate(points, edges)?, None))
+    }
+
+    fn heuristics(&self) -> Heuristics {
+        let mut heuristics = match self.heuristics {
+            Preset::Fast => Heuristics::FAST,
+            Preset::Paper => Heuristics::PAPER,
+        };
+        if self.no_fill {
+            heuristics.fill = Heuristics::OFF.fill;
+        }
+        heuristics.basin &= !self.no_basin;
+        heuristics
+    }
+}

@@ -1,0 +1,58 @@
+//! Coordinates as text.
+
+use crate::Scalar;
+
+/// A scalar that files can hold.
+pub trait Coordinate: Scalar + Clone + PartialEq {
+    /// The value of a token such as `12`, `-0.5`, `1e-3` or `2/3`.
+    ///
+    /// # Errors
+    /// See [`Unreadable`].
+    fn parse(token: &str) -> Result<Self, Unreadable>;
+
+    /// The shortest text from which [`parse`](Coordinate::parse) makes the same value again.
+    fn text(&self) -> String;
+}
+
+/// Why a token gives no coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unreadable {
+    /// It is not a number.
+    NotANumber,
+    /// It is a fraction, and the type has none.
+    Fraction,
+    /// It has more digits than are read.
+    TooLong,
+}
+
+/// The nearest double. `nan` and `inf` are read too, for the library to refuse them.
+///
+/// ```
+/// use sweep_cdt::formats::{Coordinate, Unreadable};
+///
+/// assert_eq!(f64::parse("-1e-3"), Ok(-0.001));
+/// assert_eq!(f64::parse("2/3"), Err(Unreadable::Fraction));
+/// assert_eq!(0.1.text(), "0.1");
+/// assert_eq!(4e300.text(), "4e300");
+/// assert_eq!(7.0.text(), "7");
+/// ```
+impl Coordinate for f64 {
+    fn parse(token: &str) -> Result<Self, Unreadable> {
+        token.parse().map_err(|_| {
+            if token.contains('/') {
+                Unreadable::Fraction
+            } else {
+                Unreadable::NotANumber
+            }
+        })
+    }
+
+    fn text(&self) -> String {
+        // Unlike `{}`, `{:?}` writes powers of ten where they are shorter.
+        let mut text = format!("{self:?}");
+        if text.ends_with(".0") {
+            text.truncate(text.len() - 2);
+        }
+        text
+    }
+}

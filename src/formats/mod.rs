@@ -1,0 +1,28 @@
+//! File formats: what the command reads and writes.
+//!
+//! | name | read | written |
+//! |---|---|---|
+//! | `node` | vertices ([Triangle]'s format) | only beside an `ele` |
+//! | `poly` | vertices and edges (Triangle's format) | |
+//! | `json` | an object with `points` and `edges` | the same with the result added |
+//! | `ele` | | triangles (Triangle's format) |
+//! | `obj` | | triangles (Wavefront) |
+//! | `svg` | | a picture |
+//!
+//! Readers take bytes, never panic on any of them, and say in which line they stumbled. Writers list
+//! triangles in [canonical order](crate::Triangulation::canonical_triangles), so that what they write
+//! depends on nothing but the input.
+//!
+//! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
+
+mod coordinate;
+mod graph;
+mod rational;
+mod read;
+mod write;
+
+pub use coordinate::{Coordinate, Unreadable};
+pub use graph::Graph;
+pub use rational::{Rational, exact};
+pub use read::{Input, InputFormat, ReadError, Source, read};
+pub use write::{OutputFormat, write, write_node};
