@@ -16,7 +16,7 @@
 //! both into one lower pseudo-polygon; several edges at one vertex are inserted counter-clockwise, each
 //! starting its turn around the vertex where the one before left off.
 
-use std::cmp::Ordering::{Equal, Greater, Less};
+use std::cmp::Ordering::Equal;
 
 use super::Sweep;
 use super::traverse::{Crossed, Part, Spoke};
@@ -32,14 +32,14 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         // Edges of no length are there already.
         list.retain(|&(lower, _)| lower != upper);
         if list.len() > 1 {
-            list.sort_by(
-                |&(a, _), &(b, _)| match self.predicates.orient2d(upper, a, b) {
-                    Greater => Less,
-                    Less => Greater,
-                    // On one line: the nearer end first, which is the higher one.
-                    Equal => b.cmp(&a),
-                },
-            );
+            list.sort_by(|&(a, _), &(b, _)| {
+                let turn = self.predicates.orient2d(upper, a, b);
+                // On one line: the nearer end first, which is the higher one.
+                turn.reverse().then_with(|| b.cmp(&a))
+            });
+            // The last one before the first: with the pockets under the outermost two filled, the
+            // others have none beside the upper end, and one turn around it finds them all.
+            list.rotate_right(1);
         }
         let mut around = self.leftmost(upper);
         for (lower, edge) in list {
@@ -97,6 +97,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         while let Some([from, to]) = self.traversal.pockets.pop() {
             let added = self.fill_front(from, to);
             self.predicates.probe.count(|c| c.pocket_triangles += added);
+        }
+        if self.mesh.get(around.triangle).vertex(around.corner) != upper {
             *around = self.leftmost(upper);
         }
         Ok(is_unchanged.then_some(first))
