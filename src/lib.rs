@@ -1,5 +1,9 @@
-//! placeholder
+#![doc = include_str!("../README.md")]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 mod error;
+#[cfg(feature = "cli")]
+pub mod formats;
 mod front;
 mod heuristics;
 mod input;
@@ -21,10 +25,24 @@ pub use stats::{Counters, Stats};
 pub use triangulation::Triangulation;
 pub use triangulator::Triangulator;
 
-/// The constrained Delaunay triangulation of `points` with `edges`.
+/// The constrained Delaunay triangulation of `points` with `edges`, by the sweep-line algorithm of
+/// Domiter and Žalik (2008).
+///
+/// `points` are `[x, y]` in any [`Scalar`]; `edges` are pairs of positions in `points`. Nothing need be
+/// sorted or free of duplicates; edges may share ends, overlap, pass through points or have no length.
+/// Fewer than three distinct points, or all on one line, give no triangles. For a choice of front and
+/// heuristics, progress and statistics see [`Triangulator`].
 ///
 /// # Errors
-/// See [`Error`].
+/// [`Error`] names the offender: a coordinate that is not finite, an edge with an end that is no point,
+/// two edges that cross, or too many points.
+///
+/// ```
+/// let points = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]];
+/// let result = sweep_cdt::triangulate(&points, &[[1, 3]])?;
+/// assert_eq!(result.canonical_triangles(), [[0, 1, 3], [1, 2, 3]]);
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
 pub fn triangulate<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],

@@ -8,9 +8,9 @@ pub trait Coordinate: Scalar + Clone + PartialEq {
     ///
     /// # Errors
     /// See [`Unreadable`].
-    fn parse(token: &str) -> Result<Self, Unreadable>;
+    fn from_text(token: &str) -> Result<Self, Unreadable>;
 
-    /// The shortest text from which [`parse`](Coordinate::parse) makes the same value again.
+    /// The shortest text from which [`from_text`](Coordinate::from_text) makes the same value again.
     fn text(&self) -> String;
 }
 
@@ -30,14 +30,14 @@ pub enum Unreadable {
 /// ```
 /// use sweep_cdt::formats::{Coordinate, Unreadable};
 ///
-/// assert_eq!(f64::parse("-1e-3"), Ok(-0.001));
-/// assert_eq!(f64::parse("2/3"), Err(Unreadable::Fraction));
+/// assert_eq!(f64::from_text("-1e-3"), Ok(-0.001));
+/// assert_eq!(f64::from_text("2/3"), Err(Unreadable::Fraction));
 /// assert_eq!(0.1.text(), "0.1");
 /// assert_eq!(4e300.text(), "4e300");
 /// assert_eq!(7.0.text(), "7");
 /// ```
 impl Coordinate for f64 {
-    fn parse(token: &str) -> Result<Self, Unreadable> {
+    fn from_text(token: &str) -> Result<Self, Unreadable> {
         token.parse().map_err(|_| {
             if token.contains('/') {
                 Unreadable::Fraction

@@ -26,11 +26,11 @@ pub fn exact(value: f64) -> Option<Rational> {
 /// ```
 /// use sweep_cdt::formats::{Coordinate, Rational};
 ///
-/// assert_eq!(Rational::parse("0.25e1"), Rational::parse("10/4"));
-/// assert_eq!(Rational::parse("-2/6").unwrap().text(), "-1/3");
+/// assert_eq!(Rational::from_text("0.25e1"), Rational::from_text("10/4"));
+/// assert_eq!(Rational::from_text("-2/6").unwrap().text(), "-1/3");
 /// ```
 impl Coordinate for Rational {
-    fn parse(token: &str) -> Result<Self, Unreadable> {
+    fn from_text(token: &str) -> Result<Self, Unreadable> {
         let unsigned = token.strip_prefix(['-', '+']).unwrap_or(token);
         let (numerator, denominator) = match unsigned.split_once('/') {
             Some((numerator, denominator)) => (numerator.to_owned(), denominator.to_owned()),

@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::formats::{Coordinate, Graph, Rational, Unreadable};
 
-/// What [`read`] understands.
+/// What [`read()`] understands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum InputFormat {
@@ -156,7 +156,7 @@ impl std::error::Error for ReadError {}
 /// The coordinate in a token, or the message that says why there is none.
 fn coordinate<S: Coordinate>(token: &[u8], error: impl Fn(String) -> ReadError) -> Result<S, Stop> {
     let text = std::str::from_utf8(token).unwrap_or("\u{fffd}");
-    S::parse(text).map_err(|unreadable| match unreadable {
+    S::from_text(text).map_err(|unreadable| match unreadable {
         Unreadable::Fraction => Stop::Fraction,
         Unreadable::NotANumber => error(format!("{} is not a coordinate", quoted(token))).into(),
         Unreadable::TooLong => error(format!("{} has too many digits", quoted(token))).into(),

@@ -13,7 +13,7 @@ pub use ele::write_node;
 use crate::Triangulation;
 use crate::formats::{Coordinate, Graph};
 
-/// What [`write`] makes.
+/// What [`write()`] makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OutputFormat {

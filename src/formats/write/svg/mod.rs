@@ -10,6 +10,7 @@
 mod frame;
 mod legend;
 
+use std::fmt::Write as _;
 use std::io::{self, Write};
 
 use frame::{Frame, PIXEL, units};
@@ -149,29 +150,26 @@ fn layer(
 fn stroke(places: &[[i64; 2]], trail: &[usize]) -> String {
     let [mut x, mut y] = places[trail[0]];
     let start = format!("M{x} {y}");
-    let mut steps = String::new();
+    let mut path = start.clone();
     for &vertex in &trail[1..] {
         let [to_x, to_y] = places[vertex];
         let (right, down) = (to_x - x, to_y - y);
         if (right, down) != (0, 0) {
-            let before = if steps.is_empty() {
-                "l"
-            } else {
-                signed_space(right)
-            };
-            steps.push_str(&format!("{before}{right}{}{down}", signed_space(down)));
+            let first = path.len() == start.len();
+            let before = if first { "l" } else { space(right) };
+            write!(path, "{before}{right}{}{down}", space(down)).expect("strings grow");
             (x, y) = (to_x, to_y);
         }
     }
-    if steps.is_empty() {
-        steps
+    if path.len() == start.len() {
+        String::new()
     } else {
-        start + &steps
+        path
     }
 }
 
 /// What separates a number from the one before it.
-fn signed_space(number: i64) -> &'static str {
+fn space(number: i64) -> &'static str {
     if number < 0 { "" } else { " " }
 }
 

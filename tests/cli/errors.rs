@@ -1,0 +1,232 @@
+//! What is refused, in which words, and what is left behind.
+
+use std::fs;
+use std::io::Write;
+use std::process::Stdio;
+
+use crate::{FORMATS, assert_fails, command, folder, names, printed, run, text};
+
+/// Inputs that are refused, and the error.
+const REFUSED: &[(&str, &str, &str)] = &[
+    (
+        "a.node",
+        "",
+        "a.node:1: the file ends where the number of vertices should follow",
+    ),
+    (
+        "a.node",
+        "# only\n\n#",
+        "a.node:3: the file ends where the number of vertices should follow",
+    ),
+    ("a.node", "x", "a.node:1: `x` is not a number of vertices"),
+    (
+        "a.node",
+        "-1 2",
+        "a.node:1: `-1` is not a number of vertices",
+    ),
+    ("a.node", "1 3", "a.node:1: only 2 dimensions are read"),
+    (
+        "a.node",
+        "2 2\n0 0 0\n",
+        "a.node:2: the file ends where vertex 2 of 2 should follow",
+    ),
+    (
+        "a.node",
+        "18446744073709551615\n0 0 0\n",
+        "a.node:2: the file ends where vertex 2 of 18446744073709551615 should follow",
+    ),
+    (
+        "a.node",
+        "1\n2 0 0",
+        "a.node:2: the first number is 2, not 0 or 1",
+    ),
+    (
+        "a.node",
+        "2\n1 0 0\n\n3 1 1",
+        "a.node:4: the number is 3, not 2",
+    ),
+    (
+        "a.node",
+        "1\n0 0",
+        "a.node:2: the line ends where a y coordinate should follow",
+    ),
+    (
+        "a.node",
+        "1\n0 0 1,5",
+        "a.node:2: `1,5` is not a coordinate",
+    ),
+    (
+        "a.node",
+        "1\n0 0 1/0",
+        "a.node:2: `1/0` is not a coordinate",
+    ),
+    (
+        "a.node",
+        "1\n0 0 \u{1b}[2J",
+        "a.node:2: `\\u{1b}[2J` is not a coordinate",
+    ),
+    (
+        "a.node",
+        "2\n0 1/2 1\n1 1e99999 0",
+        "a.node:3: `1e99999` has too many digits",
+    ),
+    (
+        "a.node",
+        "1\n0 0 0\n1 1 1",
+        "a.node:3: the first line announces only 1 vertices",
+    ),
+    (
+        "a.node",
+        "2\n1 0 0\n2 nan 0",
+        "a.node: vertex 2 has a coordinate that is not finite",
+    ),
+    (
+        "a.node",
+        "2\n1 0 0\n2 1e999 0",
+        "a.node: vertex 2 has a coordinate that is not finite",
+    ),
+    ("a.poly", "0\n0\n", "a.node: no such file or directory"),
+    (
+        "a.poly",
+        "1\n1 0 0\n",
+        "a.poly:2: the file ends where the number of edges should follow",
+    ),
+    (
+        "a.poly",
+        "1\n1 0 0\n1\n1 1 0\n",
+        "a.poly:4: vertex 0 does not exist",
+    ),
+    (
+        "a.poly",
+        "1\n1 0 0\n1\n1 1 2\n",
+        "a.poly:4: vertex 2 does not exist",
+    ),
+    (
+        "a.poly",
+        "1\n1 0 0\n1\n1 1\n",
+        "a.poly:4: the line ends where a vertex's number should follow",
+    ),
+    (
+        "a.poly",
+        "4\n1 0 0\n2 2 2\n3 0 2\n4 2 0\n3\n1 1 2\n2 1 4\n3 3 4\n",
+        "a.poly: edges 1 and 3 cross",
+    ),
+    ("a.json", "", "a.json:1: EOF while parsing a value"),
+    (
+        "a.json",
+        "{\"points\": [\n[0, ]]}",
+        "a.json:2:5: trailing comma",
+    ),
+    ("a.json", "{}", "a.json:1:2: missing field `points`"),
+    (
+        "a.json",
+        "{\"points\": [\n [1, {}]]}",
+        "a.json:2:6: `{}` is not a coordinate",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0, 0]], \"edges\": [[0, 1]]}",
+        "a.json: edge 0 ends at vertex 1, which does not exist",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0, 0], [\"inf\", 0]]}",
+        "a.json: vertex 1 has a coordinate that is not finite",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0, \"1/2\"],\n [\"nan\", 0]]}",
+        "a.json:2:3: `nan` is not a coordinate",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0,0],[2,2],[0,2],[2,0]], \"edges\": [[0,1],[0,3],[2,3]]}",
+        "a.json: edges 0 and 2 cross",
+    ),
+];
+
+#[test]
+fn errors_name_file_and_line_or_the_offenders() {
+    for &(name, contents, error) in REFUSED {
+        let folder = folder(&[(name, contents)]);
+        for scalar in ["f64", "rational"] {
+            if !(scalar == "f64" && contents.contains('/')) {
+                let output = run(
+                    &folder,
+                    &format!("{name} -o a.ele -o a.svg --scalar {scalar}"),
+                );
+                assert_fails(&output, error);
+                assert_eq!(names(folder.path()), [name]);
+            }
+        }
+    }
+    let output = run(FORMATS, "thirds.poly --scalar f64");
+    assert_fails(
+        &output,
+        "thirds.poly: has fractions, which --scalar f64 refuses",
+    );
+    assert_fails(
+        &run(FORMATS, "missing.poly"),
+        "missing.poly: no such file or directory",
+    );
+}
+
+#[test]
+fn a_failed_output_takes_the_others_with_it() {
+    let folder = folder(&[("a.json", r#"{"points": [[0, 0], [1, 0], [0, 1]]}"#)]);
+    let output = run(&folder, "a.json -o a.svg -o missing/a.obj");
+    assert_fails(&output, "missing/a.obj: no such file or directory");
+    assert_eq!(names(folder.path()), ["a.json"]);
+
+    fs::create_dir(folder.path().join("a.obj")).expect("a folder");
+    let output = run(&folder, "a.json -o a.svg -o a.obj");
+    assert_fails(&output, "a.obj: is a directory");
+    assert_eq!(names(folder.path()), ["a.json", "a.obj"]);
+}
+
+#[test]
+fn wrong_usage_exits_with_2() {
+    let wrong = [
+        "",
+        "ten.poly --front tree",
+        "ten.poly -o ten.png",
+        "ten.poly -o -",
+        "ten.poly -o - --to json --stats",
+        "ten.json -o ../formats/ten.json",
+        "isolines",
+        "-",
+    ];
+    for arguments in wrong {
+        let output = run(FORMATS, arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(text(&output.stderr).starts_with("error: "), "{arguments}");
+    }
+    assert_eq!(run(FORMATS, "--help").status.code(), Some(0));
+}
+
+#[test]
+fn a_broken_pipe_is_no_crash() {
+    for arguments in [
+        "- --from json",
+        "- --from json --stats",
+        "- --from json -o - --to svg",
+    ] {
+        let mut child = command(FORMATS, arguments)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the command starts");
+        drop(child.stdout.take());
+        // The command prints only when its input ends, after the pipe was broken.
+        let mut input = child.stdin.take().expect("a pipe");
+        input
+            .write_all(br#"{"points": [[0, 0], [1, 0], [0, 1]]}"#)
+            .expect("the input is read");
+        drop(input);
+        assert_eq!(
+            printed(&child.wait_with_output().expect("the command ends")),
+            ""
+        );
+    }
+}

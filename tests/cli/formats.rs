@@ -1,0 +1,143 @@
+//! Every format read and written.
+
+use std::fs;
+use std::path::Path;
+
+use crate::{CONTOURS, FORMATS, assert_fails, folder, names, printed, run, run_with_input};
+
+#[test]
+fn all_input_formats_are_read() {
+    let expected = printed(&run(FORMATS, "ten.poly -o - --to json")).to_owned();
+    for input in ["ten.json", "split.poly"] {
+        assert_eq!(
+            printed(&run(FORMATS, &format!("{input} -o - --to json"))),
+            expected,
+            "{input}"
+        );
+    }
+    let summary = "split.node: points 10, duplicates 0, edges 0, triangles 12, hull 6\n";
+    assert_eq!(printed(&run(FORMATS, "split.node")), summary);
+}
+
+#[test]
+fn standard_input_is_read() {
+    for (format, file) in [
+        ("poly", "ten.poly"),
+        ("json", "ten.json"),
+        ("node", "split.node"),
+    ] {
+        let input = fs::read(Path::new(FORMATS).join(file)).expect("a file");
+        let expected = run(FORMATS, &format!("{file} -o - --to json"));
+        let output = run_with_input(&format!("- --from {format} -o - --to json"), &input);
+        assert_eq!(printed(&output), printed(&expected), "{file}");
+    }
+    let output = run_with_input("- --from poly", b"0 2\n0\n");
+    assert_fails(
+        &output,
+        "standard input: no vertices, and no .node beside it",
+    );
+}
+
+#[test]
+fn vertices_keep_their_numbers_in_ele_and_node() {
+    let corner = "3 2 1 0\n1 0 0 7\n2 1e300 -0.0 7\n3 0.10 1 7\n";
+    let folder = folder(&[("corner.node", corner)]);
+    printed(&run(&folder, "corner.node -o other.ele -o corner.ele"));
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).expect("a file");
+    assert_eq!(
+        names(folder.path()),
+        ["corner.ele", "corner.node", "other.ele", "other.node"]
+    );
+    assert_eq!(read("corner.node"), corner, "it holds the vertices already");
+    assert_eq!(read("other.node"), "3 2 0 0\n1 0 0\n2 1e300 -0\n3 0.1 1\n");
+    assert_eq!(read("other.ele"), "1 3 0\n1 1 2 3\n");
+    assert_eq!(read("corner.ele"), read("other.ele"));
+
+    printed(&run(&folder, "corner.node -o corner.json"));
+    printed(&run(&folder, "corner.json -o corner.ele"));
+    assert_eq!(read("corner.ele"), "1 3 0\n0 0 1 2\n", "JSON counts from 0");
+    assert_eq!(
+        read("corner.node"),
+        "3 2 0 0\n0 0 0\n1 1e300 -0\n2 0.1 1\n",
+        "so this must too"
+    );
+}
+
+#[test]
+fn json_output_describes_the_result_and_can_be_read_again() {
+    let thirds = run(FORMATS, "thirds.json -o - --to json");
+    let expected = r#"{
+"points": [
+[0,0],
+["1/3","1/7"],
+["2/3","2/7"],
+[1,"3/7"],
+["-1/10","9/10"],
+["1/3","1/7"],
+["1/2",-1]],
+"edges": [
+[0,3]],
+"triangles": [
+[0,1,4],
+[0,6,1],
+[1,2,4],
+[1,6,2],
+[2,3,4],
+[2,6,3]],
+"neighbors": [
+[2,null,1],
+[3,0,null],
+[4,0,3],
+[5,2,1],
+[null,2,5],
+[null,4,3]],
+"constrained": [
+[0,1],
+[1,2],
+[2,3]],
+"hull": [
+4,
+0,
+6,
+3],
+"duplicates": [
+[5,1]],
+"chains": [
+[3,2,1,0]]
+}
+"#;
+    assert_eq!(printed(&thirds), expected);
+    let again = run_with_input("- --from json -o - --to json", &thirds.stdout);
+    assert_eq!(printed(&again), expected);
+    assert_eq!(
+        printed(&run(FORMATS, "thirds.poly -o - --to json")),
+        expected
+    );
+}
+
+#[test]
+fn obj_counts_from_1_and_has_three_dimensions() {
+    let output = run_with_input(
+        "- --from json -o - --to obj",
+        br#"{"points":[[0,0],["3/2",0],[0,1]]}"#,
+    );
+    assert_eq!(printed(&output), "v 0 0 0\nv 1.5 0 0\nv 0 1 0\nf 1 2 3\n");
+}
+
+#[test]
+fn svg_tells_triangles_edges_and_hull_apart() {
+    let output = run(FORMATS, "ten.poly -o - --to svg");
+    let svg = printed(&output);
+    for (class, lines) in [("side", 1), ("edge", 1), ("hull", 1), ("vertex", 1)] {
+        let found = svg
+            .matches(&format!("<path class=\"{class}\" d=\"M"))
+            .count();
+        assert_eq!(found, lines, "{class}");
+    }
+    assert!(
+        svg.contains(">10</text>"),
+        "vertices have the numbers of the file"
+    );
+    let output = run(FORMATS, &format!("{CONTOURS} -o - --to svg"));
+    assert!(printed(&output).len() < 700_000);
+}

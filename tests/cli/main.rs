@@ -1,0 +1,89 @@
+//! The command `sweep-cdt`, run as a user runs it: formats, settings, errors, what is left behind.
+#![cfg(feature = "cli")]
+
+mod errors;
+mod formats;
+mod runs;
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use tempfile::TempDir;
+
+const FORMATS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/formats");
+const CONTOURS: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/tests/data/isolines_small.poly"
+);
+
+fn command(folder: impl AsRef<Path>, arguments: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sweep-cdt"));
+    command
+        .current_dir(folder)
+        .arg("triangulate")
+        .args(arguments.split_whitespace());
+    command
+}
+
+fn run(folder: impl AsRef<Path>, arguments: &str) -> Output {
+    command(folder, arguments)
+        .output()
+        .expect("the command starts")
+}
+
+fn run_with_input(arguments: &str, input: &[u8]) -> Output {
+    let mut child = command(FORMATS, arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    child
+        .stdin
+        .take()
+        .expect("a pipe")
+        .write_all(input)
+        .expect("the command reads its input");
+    child.wait_with_output().expect("the command ends")
+}
+
+/// What a successful run prints.
+#[track_caller]
+fn printed(output: &Output) -> &str {
+    assert_eq!(text(&output.stderr), "");
+    assert_eq!(output.status.code(), Some(0));
+    text(&output.stdout)
+}
+
+/// Asserts that a run ends with just this error and exit status 1.
+#[track_caller]
+fn assert_fails(output: &Output, error: &str) {
+    assert_eq!(text(&output.stderr), format!("error: {error}\n"));
+    assert_eq!(text(&output.stdout), "");
+    assert_eq!(output.status.code(), Some(1));
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).expect("text")
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("a plain name");
+    let mut names: Vec<String> = entries
+        .map(|entry| name(entry.expect("an entry")))
+        .collect();
+    names.sort();
+    names
+}
+
+/// A folder with these files in it.
+fn folder(files: &[(&str, &str)]) -> TempDir {
+    let folder = TempDir::new().expect("a temporary folder");
+    for (name, contents) in files {
+        fs::write(folder.path().join(name), contents).expect("a file");
+    }
+    folder
+}

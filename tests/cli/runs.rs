@@ -1,0 +1,89 @@
+//! Settings, summary and statistics.
+
+use crate::{CONTOURS, FORMATS, folder, printed, run, run_with_input};
+
+#[test]
+fn inputs_without_triangles_are_no_errors() {
+    let inputs = [
+        (r#"{"points":[]}"#, "points 0, duplicates 0, edges 0"),
+        (
+            r#"{"points":[[1,2],[1,2]],"edges":[[0,1]]}"#,
+            "points 2, duplicates 1, edges 1",
+        ),
+        (
+            r#"{"points":[[0,0],[1,1],[5,5]],"edges":[[0,2]]}"#,
+            "points 3, duplicates 0, edges 1",
+        ),
+        (
+            r#"{"points":[[-1.7e308,0],[1.7e308,0]]}"#,
+            "points 2, duplicates 0, edges 0",
+        ),
+    ];
+    for (input, counts) in inputs {
+        let output = run_with_input("- --from json", input.as_bytes());
+        assert_eq!(
+            printed(&output),
+            format!("standard input: {counts}, triangles 0, hull 0\n")
+        );
+        for format in ["ele", "json", "obj", "svg"] {
+            let output = run_with_input(
+                &format!("- --from json -o - --to {format}"),
+                input.as_bytes(),
+            );
+            assert!(!printed(&output).contains("NaN"), "{format} of {input}");
+        }
+    }
+}
+
+#[test]
+fn settings_change_no_byte() {
+    let settings = [
+        "--front skip-list",
+        "--front linear",
+        "--scalar rational",
+        "--heuristics paper",
+        "--no-fill",
+        "--no-basin",
+        "--no-fill --no-basin --front skip-list --scalar rational",
+    ];
+    let all = ["ele", "json", "obj", "svg"].as_slice();
+    for (input, formats) in [
+        ("ten.poly", all),
+        ("thirds.json", all),
+        (CONTOURS, &["json"]),
+    ] {
+        for format in formats {
+            let run = |more: &str| run(FORMATS, &format!("{input} -o - --to {format} {more}"));
+            let expected = run("");
+            for more in settings {
+                assert!(
+                    printed(&run(more)) == printed(&expected),
+                    "{input} to {format} {more}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn statistics_are_printed_on_demand() {
+    let output = run(FORMATS, "ten.poly --stats");
+    let table = printed(&output);
+    for name in [
+        "points",
+        "duplicates",
+        "initialization",
+        "sweeping",
+        "finalization",
+        "flips",
+    ] {
+        assert_eq!(
+            table.lines().filter(|line| line.starts_with(name)).count(),
+            1,
+            "{name}"
+        );
+    }
+    let folder = folder(&[]);
+    let input = format!("{FORMATS}/ten.poly");
+    assert_eq!(printed(&run(&folder, &format!("{input} -o ten.svg"))), "");
+}
