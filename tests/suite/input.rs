@@ -1,0 +1,57 @@
+//! An input in doubles, and how it is written in the table of cases.
+
+use std::fmt;
+use std::str::FromStr;
+
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Input {
+    pub(crate) points: Vec<[f64; 2]>,
+    pub(crate) edges: Vec<[usize; 2]>,
+}
+
+impl Input {
+    /// Reads `"0 0, 1.5 2, -3 1e300"` and `"0 1, 2 0"`.
+    pub(crate) fn parse(points: &str, edges: &str) -> Input {
+        Input {
+            points: pairs(points),
+            edges: pairs(edges),
+        }
+    }
+}
+
+fn pairs<T: FromStr>(text: &str) -> Vec<[T; 2]> {
+    let pair = |pair: &str| {
+        let mut numbers = pair.split_whitespace().map(|number| number.parse().ok());
+        let mut next = || {
+            numbers
+                .next()
+                .flatten()
+                .unwrap_or_else(|| panic!("two numbers: {pair}"))
+        };
+        let pair = [next(), next()];
+        assert!(numbers.next().is_none(), "two numbers, not three");
+        pair
+    };
+    text.split(',')
+        .filter(|pair| !pair.trim().is_empty())
+        .map(pair)
+        .collect()
+}
+
+/// A row of the table, ready to be pasted.
+impl fmt::Display for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let points: Vec<String> = self
+            .points
+            .iter()
+            .map(|[x, y]| format!("{x:?} {y:?}"))
+            .collect();
+        let edges: Vec<String> = self.edges.iter().map(|[a, b]| format!("{a} {b}")).collect();
+        write!(
+            f,
+            "(\"name\", {:?}, {:?}),",
+            points.join(", "),
+            edges.join(", ")
+        )
+    }
+}

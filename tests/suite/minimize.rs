@@ -1,0 +1,97 @@
+//! A small input out of a large one that fails.
+
+use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use crate::input::Input;
+
+/// Whether `test` panics on the input.
+pub(crate) fn fails(test: &dyn Fn(&Input), input: &Input) -> bool {
+    catch_unwind(AssertUnwindSafe(|| test(input))).is_err()
+}
+
+/// Drops edges and points as long as `test` panics on what is left: many at a time first, then fewer.
+pub(crate) fn minimize(test: &dyn Fn(&Input), input: &Input) -> Input {
+    let mut least = input.clone();
+    let mut many = least.points.len().max(least.edges.len());
+    while many > 0 {
+        let before = least.points.len() + least.edges.len();
+        least = drop_runs(
+            test,
+            least,
+            many,
+            |input| input.points.len(),
+            without_points,
+        );
+        least = drop_runs(test, least, many, |input| input.edges.len(), without_edges);
+        if many > 1 || least.points.len() + least.edges.len() == before {
+            many /= 2;
+        }
+    }
+    least
+}
+
+/// Drops runs of so many things, one after the other, where `test` panics without them too.
+fn drop_runs(
+    test: &dyn Fn(&Input),
+    mut least: Input,
+    many: usize,
+    count: fn(&Input) -> usize,
+    without: fn(&Input, Range<usize>) -> Input,
+) -> Input {
+    let mut at = 0;
+    while at < count(&least) {
+        let smaller = without(&least, at..(at + many).min(count(&least)));
+        if fails(test, &smaller) {
+            least = smaller;
+        } else {
+            at += many;
+        }
+    }
+    least
+}
+
+fn without_edges(input: &Input, range: Range<usize>) -> Input {
+    let mut smaller = input.clone();
+    smaller.edges.drain(range);
+    smaller
+}
+
+/// The input without some points and the edges that end there.
+fn without_points(input: &Input, range: Range<usize>) -> Input {
+    let mut points = input.points.clone();
+    points.drain(range.clone());
+    let is_kept = |edge: &&[usize; 2]| !edge.iter().any(|v| range.contains(v));
+    let rename = |v: usize| if v < range.start { v } else { v - range.len() };
+    let edges = input
+        .edges
+        .iter()
+        .filter(is_kept)
+        .map(|edge| edge.map(rename))
+        .collect();
+    Input { points, edges }
+}
+
+/// Runs `test`; if it panics, says on which seed and on which small input it does, and panics.
+pub(crate) fn run(test: &dyn Fn(&Input), input: &Input, seed: u64) {
+    if fails(test, input) {
+        let least = minimize(test, input);
+        eprintln!("failed with SWEEP_CDT_SEED={seed} on\n{input}\nand on\n{least}");
+        test(&least);
+        unreachable!("the smallest input that fails does not fail");
+    }
+}
+
+#[test]
+fn finds_the_two_points_and_the_edge_to_blame() {
+    let input = Input::parse(
+        "0 0, 1 0, 2 0, 3 0, 4 0, 5 0, 6 0, 7 0, 8 0",
+        "0 1, 3 7, 7 8",
+    );
+    let joins = |input: &Input| {
+        let has = |x: f64, v: usize| input.points[v][0].total_cmp(&x).is_eq();
+        assert!(!input.edges.iter().any(|&[a, b]| has(3.0, a) && has(7.0, b)));
+    };
+    let least = minimize(&joins, &input);
+    assert_eq!(least.to_string(), r#"("name", "3.0 0.0, 7.0 0.0", "0 1"),"#);
+}

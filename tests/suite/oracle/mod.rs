@@ -1,0 +1,99 @@
+//! What the result must be: the canonical constrained Delaunay triangulation by its definition.
+//!
+//! Nothing here is shared with the crate: the numbers are integers (`numbers`), and each part of the
+//! answer is found by trying everything (`graph`: vertices, pieces of edges, crossings; `definition`:
+//! triangles, hull). That is slow and short, and meant for a dozen points. For large results `check`
+//! tests what makes a triangulation the canonical one, side by side.
+
+mod check;
+mod definition;
+mod graph;
+mod numbers;
+mod selftest;
+
+use std::collections::BTreeMap;
+
+use sweep_cdt::Triangulation;
+
+pub(crate) use check::{check, check_links, firm_sides};
+pub(crate) use graph::Graph;
+pub(crate) use numbers::{Integers, Number, Point, integers};
+
+/// A result in a form that does not depend on how it was found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Answer {
+    /// Each with its lowest vertex first; sorted.
+    pub(crate) triangles: Vec<[usize; 3]>,
+    /// The constrained sides, lower vertex first; sorted.
+    pub(crate) constrained: Vec<[usize; 2]>,
+    pub(crate) hull: Vec<usize>,
+    /// For each point the lowest index of an equal one.
+    pub(crate) representatives: Vec<usize>,
+    /// For each edge the vertices along it.
+    pub(crate) chains: Vec<Vec<usize>>,
+}
+
+/// The answer, or all pairs of edges that cross (at least one).
+pub(crate) type Verdict = Result<Answer, Vec<[usize; 2]>>;
+
+/// What must come out for these points and edges.
+pub(crate) fn verdict(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Verdict {
+    match integers(points) {
+        Integers::Small(points) => exact_verdict(&points, edges),
+        Integers::Big(points) => exact_verdict(&points, edges),
+    }
+}
+
+/// The same for points that are given as integers.
+pub(crate) fn exact_verdict<N: Number>(points: &[Point<N>], edges: &[[usize; 2]]) -> Verdict {
+    let graph = Graph::new(points, edges);
+    let crossings = graph.crossings();
+    if !crossings.is_empty() {
+        return Err(crossings);
+    }
+    let triangles = graph.triangles();
+    let flat = triangles.is_empty();
+    Ok(Answer {
+        constrained: if flat {
+            Vec::new()
+        } else {
+            graph.pieces.clone()
+        },
+        hull: if flat { Vec::new() } else { graph.hull() },
+        triangles,
+        representatives: graph.representatives.clone(),
+        chains: graph.chains.clone(),
+    })
+}
+
+/// What the crate found for `points` points and `edges` edges, its links checked on the way.
+pub(crate) fn found(result: &Triangulation, points: usize, edges: usize) -> Answer {
+    check_links(result);
+    let mut constrained: Vec<_> = result.constrained_edges().map(sorted).collect();
+    constrained.sort_unstable();
+    let representatives: Vec<usize> = (0..points).map(|v| result.representative(v)).collect();
+    let duplicates: BTreeMap<_, _> = result.duplicates().map(|[v, of]| (v, of)).collect();
+    for (v, &of) in representatives.iter().enumerate() {
+        assert_eq!(
+            of != v,
+            duplicates.contains_key(&v),
+            "point {v} is listed as a duplicate or not"
+        );
+        assert_eq!(
+            of,
+            *duplicates.get(&v).unwrap_or(&v),
+            "representative of point {v}"
+        );
+    }
+    Answer {
+        triangles: result.canonical_triangles(),
+        constrained,
+        hull: result.hull().collect(),
+        representatives,
+        chains: (0..edges).map(|e| result.edge_chain(e).collect()).collect(),
+    }
+}
+
+pub(crate) fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
+    [a.min(b), a.max(b)]
+}
