@@ -16,7 +16,7 @@
 //! coordinates (see [`crate::predicates`]).
 
 use crate::mesh::{Link, VertexId, index};
-use crate::order::{self, Site};
+use crate::order::{self, Order};
 use crate::predicates::Scale;
 use crate::{Error, Scalar};
 
@@ -75,30 +75,42 @@ pub(crate) fn vertices<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> 
     {
         return Err(Error::NonFiniteCoordinate { vertex });
     }
-    let mut near: Vec<[f64; 2]> = points
-        .iter()
-        .map(|[x, y]| [x.approx(), y.approx()])
-        .collect();
-    let scale = Scale::apply(&mut near, S::APPROX_IS_EXACT);
-    let sites = order::sort(points, &near, scale);
+    let approximation = |p: &[S; 2]| [p[0].approx(), p[1].approx()];
+    // Where they are the values, they are quickly had again.
+    let stored: Vec<[f64; 2]> = if S::APPROX_IS_EXACT {
+        Vec::new()
+    } else {
+        points.iter().map(approximation).collect()
+    };
+    let near = |input: u32| match stored.get(input as usize) {
+        Some(near) => *near,
+        None => approximation(&points[input as usize]),
+    };
+    let all = (0..index(points.len())).flat_map(near);
+    let scale = Scale::of(all, S::APPROX_IS_EXACT);
+    let near = |input| scale.near(near(input));
 
-    near.clear();
-    let mut input = Vec::with_capacity(sites.len());
+    let Order {
+        mut near,
+        mut input,
+    } = order::sort(points, near, scale);
+
     let mut duplicates = Vec::new();
-    let mut before: Option<Site> = None;
-    for site in sites {
-        match before {
-            Some(first) if order::compare(points, scale, &first, &site).is_eq() => {
-                duplicates.push((site.input, first.input));
-            }
-            _ => {
-                near.push(site.near);
-                input.push(site.input);
-                before = Some(site);
+    let mut kept = 0;
+    for i in 0..input.len() {
+        let site = (near[i], input[i]);
+        if kept > 0 {
+            let before = (near[kept - 1], input[kept - 1]);
+            if order::compare(points, scale, &before, &site).is_eq() {
+                duplicates.push((site.1, before.1));
+                continue;
             }
         }
+        (near[kept], input[kept]) = site;
+        kept += 1;
     }
-    near.reserve_exact(2);
+    near.truncate(kept);
+    input.truncate(kept);
     duplicates.sort_unstable();
     Ok(Vertices {
         near,

@@ -16,6 +16,7 @@ mod stats;
 mod sweep;
 mod triangulation;
 mod triangulator;
+pub mod verify;
 
 pub use error::Error;
 pub use front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
@@ -24,6 +25,7 @@ pub use scalar::{Scalar, Unbounded};
 pub use stats::{Counters, Stats};
 pub use triangulation::Triangulation;
 pub use triangulator::Triangulator;
+pub use verify::{Report, Verifier, Violation, Violations, verify};
 
 /// The constrained Delaunay triangulation of `points` with `edges`, by the sweep-line algorithm of
 /// Domiter and Žalik (2008).

@@ -3,8 +3,8 @@
 //! A coarse key, monotone in y, is sorted by counting; then every run of equal keys is sorted by exact
 //! comparison. Since the key never decreases where y grows, that is the exact order.
 //!
-//! Cost: O(n) where the points spread over y, O(n log n) at worst, when all share one key; 40 bytes a
-//! point for a moment. The paper's initialization took up to two thirds of its time (table 2).
+//! Cost: O(n) where the points spread over y, O(n log n) at worst, when all share one key; 16 bytes a
+//! point for a moment, 24 more if all share one key. The paper's initialization took up to two thirds of its time (table 2).
 //!
 //! Differs from the paper: it sorts by comparison.
 
@@ -14,12 +14,17 @@ use crate::Scalar;
 use crate::mesh::index;
 use crate::predicates::Scale;
 
-/// A point on its way to its rank.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Site {
-    pub(crate) near: [f64; 2],
-    pub(crate) input: u32,
+/// The points in sweep order, duplicates included.
+#[derive(Debug)]
+pub(crate) struct Order {
+    /// Their doubles, with room for the two artificial points.
+    pub(crate) near: Vec<[f64; 2]>,
+    /// Their input indices; of equal points the lowest comes first.
+    pub(crate) input: Vec<u32>,
 }
+
+/// A point and its doubles.
+pub(crate) type Site = ([f64; 2], u32);
 
 /// A point with its coarse key.
 #[derive(Clone, Copy, Default)]
@@ -28,33 +33,44 @@ struct Keyed {
     input: u32,
 }
 
-/// All points in exact sweep order; of equal ones the lowest index first. `near` are their doubles.
-pub(crate) fn sort<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], scale: Scale) -> Vec<Site> {
-    let keyed = sort_by_key(near);
-    let mut sites: Vec<Site> = keyed
-        .iter()
-        .map(|&Keyed { input, .. }| Site {
-            near: near[input as usize],
-            input,
-        })
-        .collect();
-    let order =
-        |a: &Site, b: &Site| compare(points, scale, a, b).then_with(|| a.input.cmp(&b.input));
+/// Sorts the points; `near` gives the doubles of the one with an input index.
+pub(crate) fn sort<S: Scalar>(
+    points: &[[S; 2]],
+    near: impl Fn(u32) -> [f64; 2],
+    scale: Scale,
+) -> Order {
+    let keyed = sort_by_key(points.len(), &near);
+    // A loop of nothing but reads all over the memory, which can overlap.
+    let mut sorted = Vec::with_capacity(points.len() + 2);
+    sorted.extend(keyed.iter().map(|item| near(item.input)));
+    let mut order = Order {
+        near: sorted,
+        input: keyed.iter().map(|item| item.input).collect(),
+    };
+
+    let mut sites: Vec<Site> = Vec::new();
     let mut from = 0;
     for run in keyed.chunk_by(|a, b| a.key == b.key) {
+        let to = from + run.len();
         if run.len() > 1 {
-            sites[from..from + run.len()].sort_unstable_by(order);
+            let (near, input) = (&mut order.near[from..to], &mut order.input[from..to]);
+            sites.clear();
+            sites.extend(near.iter().copied().zip(input.iter().copied()));
+            sites.sort_unstable_by(|a, b| compare(points, scale, a, b).then_with(|| a.1.cmp(&b.1)));
+            for ((near, input), site) in near.iter_mut().zip(input).zip(&sites) {
+                (*near, *input) = *site;
+            }
         }
-        from += run.len();
+        from = to;
     }
-    sites
+    order
 }
 
 /// Exact sweep order of two sites.
 pub(crate) fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Ordering {
-    let axis = |i: usize| match a.near[i].partial_cmp(&b.near[i]) {
+    let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
         Some(order) if order.is_ne() || scale.is_exact() => order,
-        _ => points[a.input as usize][i].compare(&points[b.input as usize][i]),
+        _ => points[a.1 as usize][i].compare(&points[b.1 as usize][i]),
     };
     axis(1).then_with(|| axis(0))
 }
@@ -75,22 +91,24 @@ pub(crate) fn interval(x: f64, count: usize) -> usize {
 ///
 /// There are two to eight keys a point, so that runs of equal keys are short where y is spread; two
 /// counting passes of half the key's bits each.
-fn sort_by_key(near: &[[f64; 2]]) -> Vec<Keyed> {
-    let half = (usize::BITS - near.len().leading_zeros()).div_ceil(2) + 1;
+fn sort_by_key(points: usize, near: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
+    let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
     let keys = 1_usize << (2 * half);
-    let (low, high) = near
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), [_, y]| {
-            (y.min(low), y.max(high))
-        });
+    let indices = 0..index(points);
+    let (low, high) = indices.clone().map(|input| near(input)[1]).fold(
+        (f64::INFINITY, f64::NEG_INFINITY),
+        |(low, high): (f64, f64), y| (y.min(low), y.max(high)),
+    );
     // Neither differences nor products nor the interval decrease where y grows.
     let factor = keys as f64 / (high - low);
     let key = |y: f64| index(interval((y - low) * factor, keys));
-    let mut keyed: Vec<Keyed> = (0..)
-        .zip(near)
-        .map(|(input, &[_, y])| Keyed { key: key(y), input })
+    let mut keyed: Vec<Keyed> = indices
+        .map(|input| Keyed {
+            key: key(near(input)[1]),
+            input,
+        })
         .collect();
-    let mut sorted = vec![Keyed::default(); keyed.len()];
+    let mut sorted = vec![Keyed::default(); points];
     for shift in [0, half] {
         let digit = |item: &Keyed| (item.key >> shift) as usize & ((1 << half) - 1);
         let mut places = vec![0_u32; 1 << half];

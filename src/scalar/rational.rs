@@ -1,11 +1,12 @@
-//! `BigRational`: big integers over a common denominator, behind the floating-point [`filter`].
+//! `BigRational`: doubles where the numbers are doubles; else big integers over a common denominator,
+//! behind the floating-point [`filter`].
 //!
 //! Why it is right: multiplying all coordinates by one positive number changes no sign. With a common
 //! multiple of the denominators they become integers, whose determinants need no fractions and hence no
-//! greatest common divisors, and which often are small: rationals that are doubles, decimals or thirds
-//! are decided in machine integers ([`wide`]).
+//! greatest common divisors, and which often are small: decimals or thirds are decided in machine
+//! integers ([`wide`]).
 //!
-//! Cost: six or eight conversions to doubles (100 to 300 ns each), and a few microseconds where the
+//! Cost: six or eight conversions to doubles (20 to 300 ns each), and a few microseconds where the
 //! filter is silent.
 
 use std::cmp::Ordering;
@@ -24,7 +25,7 @@ impl Scalar for BigRational {
     }
 
     fn approx(&self) -> f64 {
-        self.to_f64().expect("a finite number has a double near it")
+        double(self).unwrap_or_else(|| self.to_f64().expect("a finite number has a double near it"))
     }
 
     fn compare(&self, other: &Self) -> Ordering {
@@ -33,6 +34,9 @@ impl Scalar for BigRational {
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
         let points = [a, b, c];
+        if let Some([a, b, c]) = doubles(points) {
+            return f64::orient2d(&a, &b, &c);
+        }
         let [x, y, z] = points.map(unbounded::approx);
         filter::orient2d(x, y, z, false).unwrap_or_else(|| {
             let [a, b, c] = integers(points);
@@ -46,6 +50,9 @@ impl Scalar for BigRational {
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
         let points = [a, b, c, d];
+        if let Some([a, b, c, d]) = doubles(points) {
+            return f64::in_circle(&a, &b, &c, &d);
+        }
         let [w, x, y, z] = points.map(unbounded::approx);
         filter::in_circle(w, x, y, z, false).unwrap_or_else(|| {
             let [a, b, c, d] = integers(points);
@@ -53,6 +60,33 @@ impl Scalar for BigRational {
             small(&rows).map_or_else(|| unbounded::lifted(&rows), wide::in_circle)
         })
     }
+}
+
+/// The double that equals the number, if there is one of moderate size.
+fn double(number: &BigRational) -> Option<f64> {
+    let (numer, denom) = (number.numer(), number.denom());
+    let zeros = |x: &BigInt| x.trailing_zeros().unwrap_or(0);
+    let is_double = denom.bits() == zeros(denom) + 1
+        && numer.bits() <= zeros(numer) + 53
+        && numer.bits().max(denom.bits()) <= 1000;
+    if is_double {
+        Some(numer.to_f64()? / denom.to_f64()?)
+    } else {
+        None
+    }
+}
+
+/// The points in doubles, if these equal them.
+fn doubles<const N: usize>(points: [&[BigRational; 2]; N]) -> Option<[[f64; 2]; N]> {
+    let mut result = [[0.0; 2]; N];
+    for (to, number) in result
+        .iter_mut()
+        .flatten()
+        .zip(points.into_iter().flatten())
+    {
+        *to = double(number)?;
+    }
+    Some(result)
 }
 
 /// The points times a common multiple of their denominators (not always the least).

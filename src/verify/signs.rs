@@ -1,0 +1,91 @@
+//! The exact signs that the checks ask for: a filter on approximated coordinates, then the scalar.
+//!
+//! Vertices go by rank, the order in which the triangles name them first, so that memory follows the
+//! triangles; each distinct point has one rank, whatever number of equal points the caller gave.
+
+use std::cmp::Ordering;
+use std::ops::AddAssign;
+
+use crate::Scalar;
+use crate::scalar::filter;
+
+/// Points by rank.
+#[derive(Debug)]
+pub(super) struct Signs<'a, S> {
+    pub(super) points: &'a [[S; 2]],
+    /// For each rank an index into `points`.
+    pub(super) vertex: Vec<u32>,
+    /// For each rank the approximated coordinates.
+    pub(super) near: Vec<[f64; 2]>,
+}
+
+/// How signs were decided.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Tally {
+    pub(super) filtered: u64,
+    pub(super) exact: u64,
+}
+
+impl AddAssign for Tally {
+    fn add_assign(&mut self, other: Tally) {
+        self.filtered += other.filtered;
+        self.exact += other.exact;
+    }
+}
+
+impl Tally {
+    #[inline]
+    fn count(&mut self, filtered: Option<Ordering>, exact: impl FnOnce() -> Ordering) -> Ordering {
+        match filtered {
+            Some(sign) => {
+                self.filtered += 1;
+                sign
+            }
+            None => {
+                self.exact += 1;
+                exact()
+            }
+        }
+    }
+}
+
+impl<S: Scalar> Signs<'_, S> {
+    /// The caller's index of a vertex.
+    pub(super) fn name(&self, v: u32) -> usize {
+        self.vertex[v as usize] as usize
+    }
+
+    fn point(&self, v: u32) -> &[S; 2] {
+        &self.points[self.name(v)]
+    }
+
+    #[inline]
+    pub(super) fn orient2d(&self, [a, b, c]: [u32; 3], tally: &mut Tally) -> Ordering {
+        let near = |v: u32| self.near[v as usize];
+        let filtered = filter::orient2d(near(a), near(b), near(c), S::APPROX_IS_EXACT);
+        tally.count(filtered, || {
+            S::orient2d(self.point(a), self.point(b), self.point(c))
+        })
+    }
+
+    #[inline]
+    pub(super) fn in_circle(&self, [a, b, c, d]: [u32; 4], tally: &mut Tally) -> Ordering {
+        let near = |v: u32| self.near[v as usize];
+        let filtered = filter::in_circle(near(a), near(b), near(c), near(d), S::APPROX_IS_EXACT);
+        tally.count(filtered, || {
+            S::in_circle(self.point(a), self.point(b), self.point(c), self.point(d))
+        })
+    }
+
+    /// Order by x, then y.
+    pub(super) fn order(&self, a: u32, b: u32) -> Ordering {
+        let (p, q) = (self.point(a), self.point(b));
+        p[0].compare(&q[0]).then_with(|| p[1].compare(&q[1]))
+    }
+
+    /// Whether `a` is left of `b`, or above it.
+    pub(super) fn is_left_or_above(&self, a: u32, b: u32) -> bool {
+        let (p, q) = (self.point(a), self.point(b));
+        p[0].compare(&q[0]).then_with(|| q[1].compare(&p[1])) == Ordering::Less
+    }
+}
