@@ -33,7 +33,7 @@ pub enum Fill {
     Off,
     /// Below pi/2, the paper's angle.
     RightAngle,
-    /// Below about 110 degrees, which measured fastest.
+    /// Below pi/2, and on either side one of up to 110 degrees, which measured fastest.
     Wide,
 }
 

@@ -84,10 +84,11 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Heuristic (i), figure 9: closes the corners right and left of `p` while they are narrow.
     #[inline(always)]
     fn fill_beside(&mut self, p: VertexId) {
+        let mut may_be_obtuse = self.heuristics.fill == Fill::Wide;
         loop {
             let corner = self.front.next(p);
             let far = self.front.next(corner);
-            if !self.is_narrow(p, corner, far)
+            if !self.is_narrow(p, corner, far, &mut may_be_obtuse)
                 || self.predicates.orient2d(p, corner, far) != Greater
             {
                 break;
@@ -95,10 +96,13 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.close_right(p);
             self.predicates.probe.count(|c| c.fills += 1);
         }
+        let mut may_be_obtuse = self.heuristics.fill == Fill::Wide;
         loop {
             let corner = self.front.prev(p);
             let far = self.front.prev(corner);
-            if !self.is_narrow(p, corner, far) || self.predicates.orient2d(p, corner, far) != Less {
+            if !self.is_narrow(p, corner, far, &mut may_be_obtuse)
+                || self.predicates.orient2d(p, corner, far) != Less
+            {
                 break;
             }
             self.close_left(p);
@@ -106,19 +110,29 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
     }
 
-    /// Whether the angle at `corner` between `p` and `far` is small, by plain floating point; never if
-    /// one of them is artificial.
+    /// Whether the angle at `corner` between `p` and `far` is small, by plain floating point: below
+    /// pi/2, or once below 110 degrees. Never if one of them is artificial.
     #[inline(always)]
-    fn is_narrow(&self, p: VertexId, corner: VertexId, far: VertexId) -> bool {
+    fn is_narrow(
+        &self,
+        p: VertexId,
+        corner: VertexId,
+        far: VertexId,
+        may_be_obtuse: &mut bool,
+    ) -> bool {
         if far >= self.predicates.left || corner >= self.predicates.left {
             return false;
         }
         let [[px, py], [cx, cy], [fx, fy]] = [p, corner, far].map(|v| self.predicates.near(v));
         let (ax, ay, bx, by) = (px - cx, py - cy, fx - cx, fy - cy);
         let dot = ax * bx + ay * by;
-        dot > 0.0
-            || self.heuristics.fill == Fill::Wide
-                && dot * dot < WIDE * (ax * ax + ay * ay) * (bx * bx + by * by)
+        if dot > 0.0 {
+            return true;
+        }
+        // Only once: beside a long straight stretch each new vertex would else close many corners that
+        // the next one opens again.
+        std::mem::take(may_be_obtuse)
+            && dot * dot < WIDE * (ax * ax + ay * ay) * (bx * bx + by * by)
     }
 
     /// Covers the node right of `p`: triangle of `p`, that node and the one after.
