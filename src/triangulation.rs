@@ -2,6 +2,7 @@
 //! input vertex and edge. Everything is an index into the caller's input.
 
 use crate::mesh::{self, Link, Triangle, index};
+use crate::{Report, Scalar, Violations, verify};
 
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
 ///
@@ -156,6 +157,27 @@ impl Triangulation {
             at if at + 1 == length => lower as usize,
             at => inside[at - 1] as usize,
         })
+    }
+
+    /// Has this triangulation checked by the exact verifier, which shares no code with the sweep.
+    ///
+    /// `points` and `edges` are the input; see [`crate::verify`] for what is proved.
+    ///
+    /// # Errors
+    /// [`Violations`], all that is wrong up to a limit: never for the input that this is the result of.
+    ///
+    /// ```
+    /// let points = [[0, 0], [4, 0], [4, 3], [0, 3], [2, 1]];
+    /// let result = sweep_cdt::triangulate(&points, &[[0, 2]])?;
+    /// assert!(result.verify(&points, &[[0, 2]])?.is_canonical());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn verify<S: Scalar>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+    ) -> Result<Report, Violations> {
+        verify(points, edges, &self.triangles().collect::<Vec<_>>())
     }
 
     fn link(&self, t: usize, side: usize) -> Link {

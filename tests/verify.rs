@@ -423,10 +423,7 @@ fn every_fault_is_named() {
             violations.list
         );
         assert_eq!(violations.list.len(), violations.found.min(100));
-        let parallel =
-            Verifier::new()
-                .threads(3)
-                .verify_parallel(&case.points, &case.edges, &case.triangles);
+        let parallel = Verifier::new().verify_parallel(&case.points, &case.edges, &case.triangles);
         assert_eq!(parallel.unwrap_err(), violations, "{what}");
         if case.points.iter().flatten().all(|x| x.is_finite()) {
             let exact: Vec<[BigRational; 2]> = case

@@ -1,10 +1,11 @@
 //! The two passes over all triangles: each turns left, and each free side is locally Delaunay. They
-//! run in chunks, on one thread or several.
+//! run in chunks, on one thread or on all of a rayon pool.
 
 use std::cmp::Ordering;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-use std::thread;
+
+use rayon::prelude::*;
 
 use super::Verifier;
 use super::findings::Findings;
@@ -57,38 +58,22 @@ pub(super) fn serial<S: Scalar>(
         .collect()
 }
 
-/// Each thread takes the next chunk until none is left.
+/// On all threads of the current rayon pool.
 pub(super) fn parallel<S: Scalar + Sync>(
     mesh: &Mesh<'_, S>,
     pass: Pass<'_>,
     options: &Verifier<'_>,
 ) -> Vec<Part> {
-    let chunks = mesh.triangles.len().div_ceil(CHUNK);
-    let threads = options.threads.min(chunks);
-    if threads < 2 {
-        return serial(mesh, pass, options);
-    }
-    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let work = || {
-        let mut parts = Vec::new();
-        loop {
-            let chunk = next.fetch_add(1, Relaxed);
-            if chunk >= chunks {
-                return parts;
-            }
-            parts.push((chunk, mesh.chunk(pass, chunk, options)));
+    let done = AtomicUsize::new(0);
+    let chunks = 0..mesh.triangles.len().div_ceil(CHUNK);
+    chunks
+        .into_par_iter()
+        .map(|chunk| {
+            let part = mesh.chunk(pass, chunk, options);
             options.report_progress(mesh, pass, done.fetch_add(CHUNK, Relaxed) + CHUNK);
-        }
-    };
-    let mut parts: Vec<(usize, Part)> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        workers
-            .into_iter()
-            .flat_map(|w| w.join().expect("no check panics"))
-            .collect()
-    });
-    parts.sort_by_key(|&(chunk, _)| chunk);
-    parts.into_iter().map(|(_, part)| part).collect()
+            part
+        })
+        .collect()
 }
 
 impl<S: Scalar> Mesh<'_, S> {

@@ -53,7 +53,6 @@ mod sides;
 mod signs;
 
 use std::cmp::Ordering;
-use std::thread;
 
 use crate::Scalar;
 use findings::Findings;
@@ -68,7 +67,7 @@ use signs::Tally;
 ///
 /// Triangles are counter-clockwise triples of indices. Equal points count as one, and triangles and
 /// edges may name any of them. Points that lie on one line have no triangles, and their edges are not
-/// looked for. [`Verifier`] has options, and uses all cores.
+/// looked for. [`Verifier`] has options, and can use all cores.
 ///
 /// # Errors
 /// [`Violations`], if it is none, or if the input is out of range or not finite.
@@ -101,7 +100,7 @@ pub fn verify<S: Scalar>(
 ///
 /// let points = [[0.0, 0.0], [3.0, 0.0], [0.0, 3.0], [1.0, 1.0]];
 /// let clockwise = [[0, 3, 1], [1, 3, 2], [2, 3, 0]];
-/// let verifier = Verifier::new().accept_clockwise(true).threads(2);
+/// let verifier = Verifier::new().accept_clockwise(true);
 /// assert!(verifier.verify_parallel(&points, &[], &clockwise)?.clockwise);
 /// # Ok::<(), sweep_cdt::Violations>(())
 /// ```
@@ -110,7 +109,6 @@ pub struct Verifier<'a> {
     clockwise: bool,
     boundary: Option<&'a [Vec<usize>]>,
     limit: usize,
-    threads: usize,
     progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
 }
 
@@ -120,7 +118,6 @@ impl std::fmt::Debug for Verifier<'_> {
             .field("clockwise", &self.clockwise)
             .field("boundary", &self.boundary)
             .field("limit", &self.limit)
-            .field("threads", &self.threads)
             .finish_non_exhaustive()
     }
 }
@@ -132,14 +129,12 @@ impl Default for Verifier<'_> {
 }
 
 impl<'a> Verifier<'a> {
-    /// Counter-clockwise triangles, the hull as the boundary, 100 violations listed, all cores.
+    /// Counter-clockwise triangles, the hull as the boundary, 100 violations listed.
     pub fn new() -> Verifier<'a> {
-        let threads = thread::available_parallelism().map_or(1, usize::from);
         Verifier {
             clockwise: false,
             boundary: None,
             limit: 100,
-            threads,
             progress: None,
         }
     }
@@ -169,11 +164,6 @@ impl<'a> Verifier<'a> {
         Verifier { limit, ..self }
     }
 
-    /// On how many threads [`verify_parallel`](Verifier::verify_parallel) runs, at least one.
-    pub fn threads(self, threads: usize) -> Self {
-        Verifier { threads, ..self }
-    }
-
     /// Is called now and then, from any thread, with how much is done and how much there is in all.
     pub fn progress(self, progress: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
         Verifier {
@@ -195,7 +185,7 @@ impl<'a> Verifier<'a> {
         self.run(points, edges, triangles, local::serial)
     }
 
-    /// Verifies on several threads. The answer is the same.
+    /// Verifies on all threads of the current rayon pool. The answer is the same.
     ///
     /// # Errors
     /// [`Violations`], if `triangles` is no constrained Delaunay triangulation of `points` with `edges`.
