@@ -14,6 +14,7 @@ mod probe;
 pub mod scalar;
 mod stats;
 mod sweep;
+pub mod trace;
 mod triangulation;
 mod triangulator;
 pub mod verify;

@@ -3,8 +3,9 @@
 use std::fmt;
 use std::marker::PhantomData;
 
-use crate::probe::Probe;
+use crate::probe::{Observer, Probe};
 use crate::stats::Counters;
+use crate::trace::Event;
 use crate::{Error, FrontSearch, HashTable, Heuristics, Scalar, Stats, Triangulation, sweep};
 
 /// Triangulates with a front, heuristics and progress report of one's choice.
@@ -105,6 +106,19 @@ impl<'p, F: FrontSearch> Triangulator<'p, F> {
     ) -> Result<(Triangulation, Stats), Error> {
         let (result, stats, counters) = self.run(points, edges, Counters::default())?;
         Ok((result, Stats { counters, ..stats }))
+    }
+
+    /// The same, and every step of it, as it happens, to `observer`.
+    ///
+    /// # Errors
+    /// See [`Error`]; the steps up to it have been told.
+    pub fn triangulate_observed<S: Scalar>(
+        self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        observer: impl FnMut(Event),
+    ) -> Result<Triangulation, Error> {
+        Ok(self.run(points, edges, Observer(observer))?.0)
     }
 
     fn run<S: Scalar, P: Probe>(

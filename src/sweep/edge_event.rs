@@ -23,6 +23,7 @@ use super::traverse::{Crossed, Part, Spoke};
 use crate::front::FrontSearch;
 use crate::mesh::{VertexId, index};
 use crate::probe::Probe;
+use crate::trace::{Event, PartCase, Why};
 use crate::{Error, Scalar};
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
@@ -43,6 +44,11 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
         let mut around = self.leftmost(upper);
         for (lower, edge) in list {
+            self.tell(|name| Event::Edge {
+                edge,
+                upper: name(upper),
+                lower: name(lower),
+            });
             self.insert_edge(upper, lower, edge, &mut around)
                 .map_err(|crossed| self.crossing(edge, crossed))?;
         }
@@ -90,12 +96,15 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.traversal.pockets.clear();
         let first = self.traverse(upper, lower, *around)?;
         let mut part = first;
+        let mut pockets = self.tell_part(upper, first, 0);
         while part.end != lower {
-            part = self.traverse(part.end, lower, part.onward)?;
+            let from = part.end;
+            part = self.traverse(from, lower, part.onward)?;
+            pockets = self.tell_part(from, part, pockets);
         }
         let is_unchanged = first.end == lower && self.traversal.pockets.is_empty();
         while let Some([from, to]) = self.traversal.pockets.pop() {
-            let added = self.fill_front(from, to);
+            let added = self.fill_front(from, to, Why::Pocket);
             self.predicates.probe.count(|c| c.pocket_triangles += added);
         }
         if self.mesh.get(around.triangle).vertex(around.corner) != upper {
@@ -104,12 +113,37 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         Ok(is_unchanged.then_some(first))
     }
 
+    /// Tells what is in the way of a part that has just been surveyed, when `pockets` of the edge were
+    /// known before. Returns how many are now.
+    fn tell_part(&mut self, from: VertexId, part: Part, pockets: usize) -> usize {
+        let now = self.traversal.pockets.len();
+        let case = match (
+            part.present,
+            now > pockets,
+            self.traversal.pierced.is_empty(),
+        ) {
+            (Some(_), ..) => PartCase::Present,
+            (None, false, _) => PartCase::BelowFront,
+            (None, true, true) => PartCase::FrontOnly,
+            (None, true, false) => PartCase::Mixed,
+        };
+        self.tell(|name| Event::Part {
+            from: name(from),
+            to: name(part.end),
+            case,
+        });
+        now
+    }
+
     /// Makes a part of an edge a fixed side, after [`Sweep::traverse`] found what is in its way.
     /// Returns a triangle at either end.
     fn insert_part(&mut self, from: VertexId, part: Part) -> [Spoke; 2] {
         if let Some(side) = part.present {
             self.mesh.fix(side);
             self.predicates.probe.count(|c| c.edges_present += 1);
+            self.tell(|name| Event::Fixed {
+                edge: [from, part.end].map(name),
+            });
             [part.start, part.onward]
         } else {
             self.predicates.probe.count(|c| c.edges_inserted += 1);

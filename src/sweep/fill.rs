@@ -27,6 +27,7 @@ use crate::Scalar;
 use crate::front::FrontSearch;
 use crate::mesh::{Link, VertexId, index};
 use crate::probe::Probe;
+use crate::trace::Why;
 
 /// A vertex of a chain and the open side from it to the next one (of the last: none).
 ///
@@ -83,7 +84,7 @@ impl Filling {
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Fills the front from node `from` to node `to`, both real, up to its upper hull. Returns how many
     /// triangles that took.
-    pub(super) fn fill_front(&mut self, from: VertexId, to: VertexId) -> u64 {
+    pub(super) fn fill_front(&mut self, from: VertexId, to: VertexId, why: Why) -> u64 {
         let mut chain = std::mem::take(&mut self.filling.chain);
         chain.clear();
         let mut at = from;
@@ -100,7 +101,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         });
 
         let sides = self.mesh.open_sides();
-        let triangles = self.fill(&mut chain);
+        let triangles = self.fill(&mut chain, why);
         self.legalize();
         self.mesh.close(sides);
 
@@ -115,7 +116,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// Fills `chain` to its left, which leaves its hull. Returns how many triangles that took. Joined
     /// sides become suspects.
-    pub(super) fn fill(&mut self, chain: &mut Vec<Corner>) -> u64 {
+    pub(super) fn fill(&mut self, chain: &mut Vec<Corner>, why: Why) -> u64 {
         let before = chain.len();
         let mut stretch = std::mem::take(&mut self.filling.stretch);
         // `chain[..done]` turns left nowhere; `chain[ahead..]` is not yet seen.
@@ -136,8 +137,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             // The chain now runs from the first to the last of the stretch, which is seen again.
             done -= 1;
             chain[done - 1].side = match stretch[..] {
-                [a, b, c] => self.fill_ear(a, b, c),
-                _ => self.fill_convex(&stretch),
+                [a, b, c] => self.fill_ear([a, b, c], why),
+                _ => self.fill_convex(&stretch, why),
             };
         }
         chain.truncate(done);
@@ -160,7 +161,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 
     /// Closes one corner; returns the open side that replaces its two.
-    fn fill_ear(&mut self, a: Corner, b: Corner, c: Corner) -> u32 {
+    fn fill_ear(&mut self, [a, b, c]: [Corner; 3], why: Why) -> u32 {
         let below = [a, b].map(|corner| self.mesh.open(corner.side));
         let is_free = below.map(|link| link == Link::OUTSIDE);
         let chord = if is_free[0] {
@@ -170,7 +171,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         };
         let links = [a, b].map(|corner| self.below_or_open(corner));
         let v = [b.vertex, c.vertex, a.vertex];
-        let t = self.mesh.add(v, [Link::open(chord), links[0], links[1]]);
+        let t = self.make(v, [Link::open(chord), links[0], links[1]], why);
         for (corner, is_free) in [1, 2].into_iter().zip(is_free) {
             if !is_free {
                 self.suspects.push(Link::new(t, corner));
@@ -188,7 +189,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 
     /// Triangulates the convex polygon of a stretch; returns the open side that closes it.
-    fn fill_convex(&mut self, stretch: &[Corner]) -> u32 {
+    fn fill_convex(&mut self, stretch: &[Corner], why: Why) -> u32 {
         let sides = &stretch[..stretch.len() - 1];
         let mut work = std::mem::take(&mut self.filling);
         work.draw(index(stretch.len()));
@@ -207,7 +208,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             }
             let corners = [u, w, v].map(|at| stretch[at as usize].vertex);
             let bottom = [v, u].map(|at| Link::open(work.side[at as usize]));
-            let t = self.mesh.add(corners, [top, bottom[0], bottom[1]]);
+            let t = self.make(corners, [top, bottom[0], bottom[1]], why);
             self.suspects.push(Link::new(t, 0));
             self.legalize();
         }

@@ -13,48 +13,47 @@
 
 use super::Sweep;
 use crate::front::FrontSearch;
-use crate::mesh::{Link, Mesh, Triangle, VertexId, index, next, prev};
+use crate::mesh::{Link, Mesh, Triangle, index, next, prev};
 use crate::probe::Probe;
+use crate::trace::{Event, Why};
 use crate::{Scalar, Triangulation};
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Completes the triangulation and hands it over.
     pub(super) fn finalize(mut self) -> (Triangulation, P) {
-        let Some(hull) = self.complete_hull() else {
-            return (self.result(Vec::new(), Vec::new()), self.predicates.probe);
-        };
+        self.tell(|_| Event::Finalization);
+        let hull = self.complete_hull();
         let mesh = std::mem::replace(&mut self.mesh, Mesh::new(0, 0));
         let mut triangles = mesh.into_triangles();
         self.remove_artificial(&mut triangles);
-        let hull = if triangles.is_empty() {
-            Vec::new()
-        } else {
-            hull
-        };
-        (self.result(triangles, hull), self.predicates.probe)
-    }
+        self.tell(|_| Event::Finished {
+            triangles: index(triangles.len()),
+        });
 
-    fn result(&mut self, triangles: Vec<Triangle>, hull: Vec<VertexId>) -> Triangulation {
-        let duplicates = std::mem::take(&mut self.predicates.vertices.duplicates);
-        let mut chains = std::mem::take(&mut self.chains);
+        let mut chains = self.chains;
         chains.split.sort_unstable();
-        Triangulation {
+        let result = Triangulation {
+            hull: if triangles.is_empty() {
+                Vec::new()
+            } else {
+                hull
+            },
             triangles,
-            hull,
-            duplicates,
+            duplicates: self.predicates.vertices.duplicates,
             chains,
-        }
+        };
+        (result, self.predicates.probe)
     }
 
     /// Fills the front up to the upper hull; returns all vertices on the hull, counter-clockwise from
-    /// the leftmost, as input indices. `None` without any vertex.
-    fn complete_hull(&mut self) -> Option<Vec<u32>> {
+    /// the leftmost, as input indices.
+    fn complete_hull(&mut self) -> Vec<u32> {
         let (left, right) = (self.predicates.left, self.predicates.right);
         let (first, last) = (self.front.next(left), self.front.prev(right));
         if first == right {
-            return None;
+            return Vec::new();
         }
-        let added = self.fill_front(first, last);
+        let added = self.fill_front(first, last, Why::Hull);
         self.predicates.probe.count(|c| c.hull_triangles += added);
 
         let input = &self.predicates.vertices.input;
@@ -79,16 +78,16 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             hull.push(input[at as usize]);
             at = self.front.prev(at);
         }
-        Some(hull)
+        hull
     }
 
     /// Takes out the artificial triangles and turns ranks into input indices.
-    fn remove_artificial(&self, triangles: &mut Vec<Triangle>) {
-        let input = &self.predicates.vertices.input;
+    fn remove_artificial(&mut self, triangles: &mut Vec<Triangle>) {
         let mut t = 0;
         while t < triangles.len() {
             let record = triangles[t];
             let vertices = [0, 1, 2].map(|i| record.vertex(i));
+            let input = &self.predicates.vertices.input;
             if vertices.iter().all(|&v| !self.predicates.is_artificial(v)) {
                 for i in 0..3 {
                     triangles[t].set_vertex(i, input[vertices[i as usize] as usize]);
@@ -99,6 +98,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 t += 1;
                 continue;
             }
+            self.tell(|name| Event::Removed {
+                vertices: vertices.map(name),
+            });
             for i in 0..3 {
                 relink(triangles, record.link(i), Link::open(0));
             }

@@ -18,6 +18,7 @@ use crate::Scalar;
 use crate::front::FrontSearch;
 use crate::mesh::{Link, TriangleId, VertexId, next, prev};
 use crate::probe::Probe;
+use crate::trace::{Event, Outcome};
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Legalizes the sides opposite corner `i` of triangle `t`, in the fan of that corner's vertex up
@@ -27,8 +28,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let mut i = 0;
         loop {
             while self.is_illegal(t, i) {
-                self.mesh.flip(t, i);
-                self.predicates.probe.count(|c| c.flips += 1);
+                self.flip(t, i);
             }
             let record = self.mesh.get(t);
             if record.vertex(prev(i)) == last {
@@ -54,8 +54,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         while let Some(suspect) = self.suspects.pop() {
             let (t, i) = (suspect.triangle(), suspect.corner());
             if self.is_illegal(t, i) {
-                let across = self.mesh.flip(t, i);
-                self.predicates.probe.count(|c| c.flips += 1);
+                let across = self.flip(t, i);
                 let (u, j) = (across.triangle(), across.corner());
                 self.suspects.extend([
                     Link::new(t, i),
@@ -67,20 +66,60 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
     }
 
+    /// Swaps the side opposite corner `i` of triangle `t`; returns the link across it that was.
+    #[inline(always)]
+    fn flip(&mut self, t: TriangleId, i: u32) -> Link {
+        let ([p, a, b], q) = self.quadrilateral(t, i);
+        self.tell(|name| Event::Flip {
+            edge: [a, b].map(name),
+            to: [p, q].map(name),
+        });
+        self.predicates.probe.count(|c| c.flips += 1);
+        self.mesh.flip(t, i)
+    }
+
     /// Whether the side opposite corner `i` of triangle `t` may and must be flipped.
     #[inline(always)]
     fn is_illegal(&mut self, t: TriangleId, i: u32) -> bool {
-        let record = self.mesh.get(t);
-        let across = record.link(i);
+        let across = self.mesh.get(t).link(i);
         if across.is_blocked() {
+            if !across.is_open() {
+                self.tell_test(t, i, Outcome::Fixed);
+            }
             return false;
         }
-        let (p, a, b) = (
-            record.vertex(i),
-            record.vertex(next(i)),
-            record.vertex(prev(i)),
+        let ([p, a, b], q) = self.quadrilateral(t, i);
+        let is_illegal = self.predicates.must_flip(p, a, b, q);
+        self.tell_test(
+            t,
+            i,
+            if is_illegal {
+                Outcome::Illegal
+            } else {
+                Outcome::Legal
+            },
         );
-        let q = self.mesh.opposite(across);
-        self.predicates.must_flip(p, a, b, q)
+        is_illegal
+    }
+
+    #[inline(always)]
+    fn tell_test(&mut self, t: TriangleId, i: u32, outcome: Outcome) {
+        if P::EVENTS {
+            let ([p, a, b], q) = self.quadrilateral(t, i);
+            let (edge, opposite) = ([a, b], [p, q]);
+            self.tell(|name| Event::Test {
+                edge: edge.map(name),
+                opposite: opposite.map(name),
+                outcome,
+            });
+        }
+    }
+
+    /// The vertices of triangle `t` from corner `i` on, and the one across the side opposite to it.
+    #[inline(always)]
+    fn quadrilateral(&self, t: TriangleId, i: u32) -> ([VertexId; 3], VertexId) {
+        let record = self.mesh.get(t);
+        let vertices = [i, next(i), prev(i)].map(|corner| record.vertex(corner));
+        (vertices, self.mesh.opposite(record.link(i)))
     }
 }

@@ -24,9 +24,10 @@ use std::time::Instant;
 
 use crate::front::{Domain, Front, FrontNode, FrontSearch};
 use crate::input::{self, Edges};
-use crate::mesh::{Link, Mesh, VertexId, index};
+use crate::mesh::{Link, Mesh, TriangleId, VertexId, index};
 use crate::predicates::Predicates;
 use crate::probe::Probe;
+use crate::trace::{Event, Vertex, Why};
 use crate::triangulation::Chains;
 use crate::triangulator::Progress;
 use crate::{Error, Heuristics, Scalar, Stats, Triangulation};
@@ -79,6 +80,7 @@ pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
         traversal: traverse::Traversal::default(),
     };
 
+    sweep.tell_order(n);
     let swept = Instant::now();
     for v in 0..n {
         if v == 0 {
@@ -117,17 +119,52 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// The initial triangle of the first vertex and the artificial points (figure 6).
     fn first_triangle(&mut self) {
         let (left, right) = (self.predicates.left, self.predicates.right);
-        self.mesh.add(
-            [0, left, right],
-            [Link::OUTSIDE, Link::open(0), Link::open(left)],
-        );
+        let links = [Link::OUTSIDE, Link::open(0), Link::open(left)];
+        self.make([0, left, right], links, Why::First);
         self.put_on_front(0, left);
+    }
+
+    /// Adds a triangle to the mesh.
+    #[inline(always)]
+    fn make(&mut self, vertices: [VertexId; 3], links: [Link; 3], why: Why) -> TriangleId {
+        self.tell(|name| Event::Triangle {
+            vertices: vertices.map(name),
+            why,
+        });
+        self.mesh.add(vertices, links)
+    }
+
+    /// Tells the observer of a step, if there is one; vertices get their names in `event`.
+    #[inline(always)]
+    fn tell(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
+        if P::EVENTS {
+            let predicates = &self.predicates;
+            let event = event(&|v| match predicates.vertices.input.get(v as usize) {
+                Some(&input) => Vertex::Input(input),
+                None if v == predicates.left => Vertex::Left,
+                None => Vertex::Right,
+            });
+            self.predicates.probe.event(event);
+        }
+    }
+
+    /// Tells the observer the sweep order.
+    fn tell_order(&mut self, vertices: VertexId) {
+        if P::EVENTS {
+            for v in 0..vertices {
+                self.tell(|name| Event::Sorted { vertex: name(v) });
+            }
+        }
     }
 
     /// Puts `v` on the front between `left` and the node after it.
     #[inline(always)]
     fn put_on_front(&mut self, v: VertexId, left: VertexId) {
         self.front.insert(v, left);
+        self.tell(|name| Event::FrontInsert {
+            vertex: name(v),
+            after: name(left),
+        });
         self.search
             .inserted(FrontNode::new(v), self.predicates.near(v)[0]);
     }
@@ -136,6 +173,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     #[inline(always)]
     fn take_off_front(&mut self, v: VertexId) {
         self.front.remove(v);
+        self.tell(|name| Event::FrontRemove { vertex: name(v) });
         self.search
             .removed(FrontNode::new(v), self.predicates.near(v)[0]);
     }

@@ -23,8 +23,9 @@ use super::Sweep;
 use crate::Scalar;
 use crate::front::{Front, FrontSearch};
 use crate::heuristics::Fill;
-use crate::mesh::{Link, TriangleId, VertexId, next};
+use crate::mesh::{Link, VertexId, next};
 use crate::probe::Probe;
+use crate::trace::{Event, PointCase, Why};
 
 /// Square of the cosine of 110 degrees.
 const WIDE: f64 = 0.117;
@@ -38,15 +39,23 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let right = self.front.next(left);
         let above = self.predicates.compare_x(left, p) == Equal;
 
+        self.tell(|name| Event::Point {
+            vertex: name(p),
+            case: if above {
+                PointCase::Left
+            } else {
+                PointCase::Middle
+            },
+            segment: [left, right].map(name),
+        });
         let below = self.mesh.open(left);
-        let t = self
-            .mesh
-            .add([p, left, right], [below, Link::open(p), Link::open(left)]);
+        let links = [below, Link::open(p), Link::open(left)];
+        let t = self.make([p, left, right], links, Why::Point);
         self.put_on_front(p, left);
         self.legalize_fan(t, right);
         if above {
             self.predicates.probe.count(|c| c.left_cases += 1);
-            self.close_left(p);
+            self.close_left(p, Why::Point);
         }
         if self.heuristics.fill != Fill::Off {
             self.fill_beside(p);
@@ -105,7 +114,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             {
                 break;
             }
-            self.close_left(p);
+            self.close_left(p, Why::Fill);
             self.predicates.probe.count(|c| c.fills += 1);
         }
     }
@@ -141,9 +150,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let corner = self.front.next(p);
         let far = self.front.next(corner);
         let (outer, spoke) = (self.mesh.open(corner), self.mesh.open(p));
-        let t = self
-            .mesh
-            .add([p, corner, far], [outer, Link::open(p), spoke]);
+        let t = self.make([p, corner, far], [outer, Link::open(p), spoke], Why::Fill);
         self.take_off_front(corner);
         self.legalize_fan(t, far);
         self.legalize_side(Link::new(t, 2));
@@ -151,13 +158,11 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// Covers the node left of `p`: triangle of `p`, the node before that one, and it.
     #[inline(always)]
-    fn close_left(&mut self, p: VertexId) {
+    fn close_left(&mut self, p: VertexId, why: Why) {
         let corner = self.front.prev(p);
         let far = self.front.prev(corner);
         let (outer, spoke) = (self.mesh.open(far), self.mesh.open(corner));
-        let t: TriangleId = self
-            .mesh
-            .add([p, far, corner], [outer, spoke, Link::open(far)]);
+        let t = self.make([p, far, corner], [outer, spoke, Link::open(far)], why);
         self.take_off_front(corner);
         let rightmost = self.legalize_fan(t, corner);
         self.legalize_side(Link::new(rightmost.triangle(), next(rightmost.corner())));
@@ -208,7 +213,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         } else {
             (at, near_rim)
         };
-        let added = self.fill_front(from, to);
+        let added = self.fill_front(from, to, Why::Basin);
         self.predicates.probe.count(|c| c.basin_triangles += added);
     }
 }

@@ -12,6 +12,8 @@
 //!
 //! Differs from the paper: see [`super::fill`].
 
+use std::cmp::Ordering;
+
 use super::Sweep;
 use super::fill::Corner;
 use super::traverse::{Border, Spoke};
@@ -19,6 +21,7 @@ use crate::Scalar;
 use crate::front::FrontSearch;
 use crate::mesh::{Link, VertexId, next, prev};
 use crate::probe::Probe;
+use crate::trace::{Event, Side, Why};
 
 /// The open sides around both pseudo-polygons, by number.
 #[derive(Debug, Default)]
@@ -39,6 +42,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             .probe
             .count(|c| c.pierced += traversal.pierced.len() as u64);
         for &t in &traversal.pierced {
+            let vertices = [0, 1, 2].map(|i| self.mesh.get(t).vertex(i));
+            self.tell(|name| Event::Pierced {
+                vertices: vertices.map(name),
+            });
             self.mesh.mark(t);
         }
         let mut seams = Seams::default();
@@ -69,8 +76,18 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.mesh.remove(&traversal.pierced);
         self.traversal = traversal;
 
-        for chain in [&mut left, &mut right] {
-            self.fill(chain);
+        let (left_side, right_side) = match self.predicates.compare_x(from, to) {
+            Ordering::Greater => (Side::Lower, Side::Upper),
+            _ => (Side::Upper, Side::Lower),
+        };
+        for (chain, side) in [(&mut left, left_side), (&mut right, right_side)] {
+            for corner in chain.iter() {
+                self.tell(|name| Event::Border {
+                    side,
+                    vertex: name(corner.vertex),
+                });
+            }
+            self.fill(chain, Why::PseudoPolygon);
             self.legalize();
             assert!(
                 chain.len() == 2,
@@ -80,6 +97,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.close_seams(&mut seams);
         let link = self.mesh.open(right[0].side);
         self.mesh.connect(link.fix(), self.mesh.open(left[0].side));
+        self.tell(|name| Event::Fixed {
+            edge: [from, to].map(name),
+        });
         self.mesh.close(open);
         let [from, to] = [prev(link.corner()), next(link.corner())];
         [from, to].map(|corner| Spoke {

@@ -23,6 +23,7 @@ use crate::Scalar;
 use crate::front::FrontSearch;
 use crate::mesh::{Link, TriangleId, VertexId, next, prev};
 use crate::probe::Probe;
+use crate::trace::Event;
 
 /// A triangle at one of its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -256,6 +257,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         to: VertexId,
         [left, right]: [VertexId; 2],
     ) -> Result<Place, Crossed> {
+        self.tell(|name| Event::Switch {
+            to_front: true,
+            at: [left, right].map(name),
+        });
         // Of a segment's ends the first one on the way lies above the edge, the other one below.
         let is_rightward = self.predicates.compare_x(from, to) == Less;
         let below = if is_rightward { Less } else { Greater };
@@ -288,7 +293,12 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         if side == Equal {
             return Ok(Place::End(at, self.leftmost(at)));
         }
-        let link = self.mesh.open(if is_rightward { last } else { at });
+        let crossed = if is_rightward { [last, at] } else { [at, last] };
+        self.tell(|name| Event::Switch {
+            to_front: false,
+            at: crossed.map(name),
+        });
+        let link = self.mesh.open(crossed[0]);
         if link.is_fixed() {
             Err([last, at])
         } else {

@@ -1,0 +1,218 @@
+//! What the sweep does, in the paper's words: one value a step, indices only.
+//!
+//! The same input gives the same events for every scalar that holds it and for every search structure
+//! (whose own steps are counted in [`crate::Counters`], not told). Heuristics change the events, since
+//! they change the steps.
+
+use std::fmt;
+
+/// A vertex as events name it: the input index that stands for it, or an artificial point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Vertex {
+    /// A point of the input, by its index; of equal ones the lowest.
+    Input(u32),
+    /// The artificial point P-1, far to the left (section 3.3).
+    Left,
+    /// The artificial point P-2, far to the right (section 3.3).
+    Right,
+}
+
+impl fmt::Display for Vertex {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Vertex::Input(index) => index.fmt(f),
+            Vertex::Left => f.write_str("P-1"),
+            Vertex::Right => f.write_str("P-2"),
+        }
+    }
+}
+
+/// One step of the sweep.
+///
+/// Triangles are counter-clockwise. Between two events the triangles made and neither flipped away nor
+/// removed are exactly those of the mesh.
+///
+/// ```
+/// use sweep_cdt::trace::{Event, PointCase, Vertex};
+/// use sweep_cdt::Triangulator;
+///
+/// let mut cases = Vec::new();
+/// let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]];
+/// Triangulator::new().triangulate_observed(&points, &[], |event| {
+///     if let Event::Point { vertex, case, .. } = event {
+///         cases.push((vertex, case));
+///     }
+/// })?;
+/// let expected = [(Vertex::Input(1), PointCase::Middle), (Vertex::Input(2), PointCase::Left)];
+/// assert_eq!(cases, expected);
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Event {
+    /// The next vertex in sweep order (section 3.3); all of them come first.
+    Sorted {
+        /// The vertex.
+        vertex: Vertex,
+    },
+    /// A point event (section 3.4.1).
+    Point {
+        /// The vertex that the sweep line meets.
+        vertex: Vertex,
+        /// Where its projection falls.
+        case: PointCase,
+        /// The front segment that it falls on, left end first.
+        segment: [Vertex; 2],
+    },
+    /// A triangle is made.
+    Triangle {
+        /// Its vertices, counter-clockwise.
+        vertices: [Vertex; 3],
+        /// What for.
+        why: Why,
+    },
+    /// The legalization tests an edge (figure 2).
+    Test {
+        /// The ends of the edge.
+        edge: [Vertex; 2],
+        /// The vertices opposite to it in its two triangles.
+        opposite: [Vertex; 2],
+        /// What follows.
+        outcome: Outcome,
+    },
+    /// An edge is swapped (figure 3).
+    Flip {
+        /// The ends of the edge that goes.
+        edge: [Vertex; 2],
+        /// The ends of the edge that comes.
+        to: [Vertex; 2],
+    },
+    /// A vertex joins the advancing front.
+    FrontInsert {
+        /// The vertex.
+        vertex: Vertex,
+        /// The front vertex that it comes after.
+        after: Vertex,
+    },
+    /// A vertex, now covered by triangles, leaves the advancing front.
+    FrontRemove {
+        /// The vertex.
+        vertex: Vertex,
+    },
+    /// An edge event (section 3.4.2) begins.
+    Edge {
+        /// The index of the input edge.
+        edge: u32,
+        /// Its upper end.
+        upper: Vertex,
+        /// Its lower end.
+        lower: Vertex,
+    },
+    /// The traversal of the edge switches between triangles and front (figure 14).
+    Switch {
+        /// Whether it follows the front now.
+        to_front: bool,
+        /// The front segment that the edge crosses, left end first; twice the upper end of a part that
+        /// begins above the front.
+        at: [Vertex; 2],
+    },
+    /// A part of the edge has been traversed, down to the next vertex on it.
+    Part {
+        /// Its upper end.
+        from: Vertex,
+        /// Its lower end: that of the edge, or a vertex found on the edge.
+        to: Vertex,
+        /// What is in its way.
+        case: PartCase,
+    },
+    /// A triangle that the edge pierces is removed (figure 12).
+    Pierced {
+        /// Its vertices, counter-clockwise.
+        vertices: [Vertex; 3],
+    },
+    /// The next vertex on the border of a pseudo-polygon (figure 12), both ends of the part included.
+    Border {
+        /// Which pseudo-polygon.
+        side: Side,
+        /// The vertex.
+        vertex: Vertex,
+    },
+    /// An edge, or part of one, is fixed: a constrained side that is never flipped.
+    Fixed {
+        /// Its ends, upper one first.
+        edge: [Vertex; 2],
+    },
+    /// The sweep has passed all vertices; finalization (section 3.5) begins.
+    Finalization,
+    /// An artificial triangle is removed (figure 15).
+    Removed {
+        /// Its vertices, counter-clockwise.
+        vertices: [Vertex; 3],
+    },
+    /// The end.
+    Finished {
+        /// How many triangles there are.
+        triangles: u32,
+    },
+}
+
+/// Where the projection of a new vertex falls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PointCase {
+    /// Strictly inside a front segment (figure 7).
+    Middle,
+    /// On the left end of one (figure 8).
+    Left,
+}
+
+/// What a triangle is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Why {
+    /// The first one (figure 6).
+    First,
+    /// Needed by a point event (figures 7 and 8).
+    Point,
+    /// The pi/2 heuristic (figure 9).
+    Fill,
+    /// The basin heuristic (figure 10).
+    Basin,
+    /// A pocket of the front under an edge (figures 13 and 14).
+    Pocket,
+    /// A pseudo-polygon (figure 12).
+    PseudoPolygon,
+    /// The upper hull (figure 15).
+    Hull,
+}
+
+/// How a legalization test ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Outcome {
+    /// The edge is locally Delaunay, and the canonical one where that is a tie.
+    Legal,
+    /// It is not, and is flipped next.
+    Illegal,
+    /// It is constrained and stays.
+    Fixed,
+}
+
+/// What is in the way of a part of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PartCase {
+    /// It is a side of the triangulation already: all steps are bypassed.
+    Present,
+    /// Triangles only: it lies below the front (figure 12).
+    BelowFront,
+    /// The front only (figure 13).
+    FrontOnly,
+    /// Both (figure 14).
+    Mixed,
+}
+
+/// One of the two pseudo-polygons of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// Above the edge.
+    Upper,
+    /// Below it.
+    Lower,
+}
