@@ -1,9 +1,13 @@
 //! The command `sweep-cdt`, run as a user runs it: formats, settings, errors, what is left behind.
 #![cfg(feature = "cli")]
 
+mod certificate;
 mod errors;
 mod formats;
+mod garbage;
+mod refuted;
 mod runs;
+mod verify;
 
 use std::fs;
 use std::io::Write;
@@ -18,13 +22,16 @@ const CONTOURS: &str = concat!(
     "/tests/data/isolines_small.poly"
 );
 
-fn command(folder: impl AsRef<Path>, arguments: &str) -> Command {
+fn sweep_cdt(folder: impl AsRef<Path>, arguments: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sweep-cdt"));
     command
         .current_dir(folder)
-        .arg("triangulate")
         .args(arguments.split_whitespace());
     command
+}
+
+fn command(folder: impl AsRef<Path>, arguments: &str) -> Command {
+    sweep_cdt(folder, &format!("triangulate {arguments}"))
 }
 
 fn run(folder: impl AsRef<Path>, arguments: &str) -> Output {
@@ -34,7 +41,12 @@ fn run(folder: impl AsRef<Path>, arguments: &str) -> Output {
 }
 
 fn run_with_input(arguments: &str, input: &[u8]) -> Output {
-    let mut child = command(FORMATS, arguments)
+    feed(&mut command(FORMATS, arguments), input)
+}
+
+/// Runs a command with this on its standard input.
+fn feed(command: &mut Command, input: &[u8]) -> Output {
+    let mut child = command
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

@@ -1,0 +1,138 @@
+//! What a verification leaves behind: certificates and pictures.
+
+use std::fs;
+
+use crate::refuted::WRONG;
+use crate::verify::{RIGHT, refuted, verify, with_square};
+use crate::{names, printed};
+
+const CERTIFICATE: &str = r#"{
+  "program": "sweep-cdt",
+  "version": "VERSION",
+  "verdict": "wrong",
+  "canonical": null,
+  "input": [
+    {
+      "file": "a.poly",
+      "sha256": "INPUT"
+    }
+  ],
+  "result": [
+    {
+      "file": "b.json",
+      "sha256": "RESULT"
+    }
+  ],
+  "scalar": "f64",
+  "vertices_matched_by": "numbers",
+  "clockwise_accepted": false,
+  "clockwise": false,
+  "counts": {
+    "points": 5,
+    "distinct_points": 5,
+    "edges": 1,
+    "triangles": 4,
+    "boundary_sides": 4,
+    "constrained_sides": 1,
+    "free_sides": 4,
+    "cocircular_sides": 0,
+    "uncanonical_sides": 0
+  },
+  "signs": {
+    "by_filter": 12,
+    "exact": 0
+  },
+  "violations_found": 1,
+  "violations": [
+    {
+      "class": "not-delaunay",
+      "message": "side 4-2 of triangles 2 and 1 is not Delaunay: the circle of one holds vertex 3 or 5 of the other",
+      "vertices": [
+        {
+          "vertex": 4,
+          "at": [
+            0,
+            4
+          ]
+        },
+        {
+          "vertex": 2,
+          "at": [
+            4,
+            0
+          ]
+        },
+        {
+          "vertex": 3,
+          "at": [
+            4,
+            4
+          ]
+        },
+        {
+          "vertex": 5,
+          "at": [
+            2,
+            1
+          ]
+        }
+      ],
+      "edges": [],
+      "triangles": [
+        2,
+        1
+      ]
+    }
+  ]
+}
+"#;
+
+#[test]
+fn certificates_are_exact_and_always_the_same() {
+    let folder = with_square(&[("b.json", WRONG[0].1), ("a.ele", RIGHT)]);
+    let arguments = "./a.poly ./b.json --certificate c.json --json";
+    let output = verify(&folder, arguments);
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).expect("a file");
+    let expected = CERTIFICATE
+        .replace("VERSION", env!("CARGO_PKG_VERSION"))
+        .replace(
+            "INPUT",
+            "4457027089fd9ee642729f36e5a813ef7dd8167426aef60640122d2ac3f39f90",
+        )
+        .replace(
+            "RESULT",
+            "c972808f2343f1dd782df4c450f50a869f671dd9bb9d896ef95357744be1aaa2",
+        );
+    assert_eq!(refuted(&output), expected);
+    assert_eq!(read("c.json"), expected);
+    assert_eq!(verify(&folder, arguments).stdout, output.stdout);
+
+    printed(&verify(&folder, "a.poly a.ele --certificate c.json"));
+    let certificate: serde_json::Value =
+        serde_json::from_str(&read("c.json")).expect("a certificate");
+    assert_eq!(certificate["verdict"], "correct");
+    assert_eq!(certificate["canonical"], true);
+}
+
+#[test]
+fn pictures_show_the_first_violations_from_near() {
+    let folder = with_square(&[("b.json", r#"{"triangles": [[1,2,4]]}"#), ("a.ele", RIGHT)]);
+    let picture = || fs::read_to_string(folder.path().join("a.svg")).expect("a picture");
+    refuted(&verify(&folder, "a.poly b.json --svg a.svg"));
+    let wrong = picture();
+    for piece in [
+        ">3 violations</text>",
+        ">1: unused-point</text>",
+        ">3: missing-edge</text>",
+        ">vertex 4 is in no triangle</text>",
+    ] {
+        assert_eq!(wrong.matches(piece).count(), 1, "{piece}");
+    }
+    assert_eq!(wrong.matches("<svg").count(), 1 + 4);
+
+    printed(&verify(&folder, "a.poly a.ele --svg a.svg"));
+    assert!(picture().contains(">correct</text>"));
+    assert_eq!(picture().matches("<svg").count(), 1 + 1);
+    assert!(picture().ends_with("</svg>\n"));
+    assert_eq!(names(folder.path()), ["a.ele", "a.poly", "a.svg", "b.json"]);
+}

@@ -1,0 +1,122 @@
+//! No bytes make the readers or the verifier panic.
+
+use std::fs;
+use std::path::Path;
+
+use sweep_cdt::Verifier;
+use sweep_cdt::formats::{
+    Graph, Input, InputFormat, ResultFormat, Source, read, read_result, write_violations_svg,
+};
+
+use crate::FORMATS;
+
+/// Results of `ten.poly`, to be damaged.
+const SEEDS: [(ResultFormat, &str); 4] = [
+    (ResultFormat::Ele, "3 3 0\n1 1 2 8\n2 2 3 8\n3 3 4 9\n"),
+    (
+        ResultFormat::Json,
+        r#"{"triangles": [[0,1,7],[1,2,7],[2,3,8]]}"#,
+    ),
+    (ResultFormat::Json, r#"{"triangles": [0,1,7,1,2,7,2,3,8]}"#),
+    (
+        ResultFormat::Obj,
+        "v 0 0 0\nv 6 0 0\nv 7.5 3.5 0\nf 1 2 3\nf 3/1 -1 2//4\n",
+    ),
+];
+
+#[test]
+fn damaged_results_are_errors_or_violations() {
+    let Input::Doubles(graph) = load("ten.poly") else {
+        unreachable!("no fractions in it")
+    };
+    let mut random = Random(7);
+    for _ in 0..5000 {
+        for (format, seed) in SEEDS {
+            let bytes = random.damaged(seed.as_bytes());
+            let node = random.damaged(&bytes_of("split.node"));
+            let node = (random.below(3) == 0).then(|| source(node));
+            try_all(format, &source(bytes), node.as_ref(), &graph);
+        }
+    }
+}
+
+fn try_all(format: ResultFormat, source: &Source, node: Option<&Source>, graph: &Graph<f64>) {
+    let Ok(triangles) = read_result(format, source, node, graph) else {
+        return;
+    };
+    let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
+    let Err(violations) = verdict else { return };
+    for &violation in &violations.list {
+        triangles.as_numbered(graph, violation).to_string();
+        triangles.vertices_of(graph, violation);
+    }
+    let mut picture = Vec::new();
+    write_violations_svg(
+        graph,
+        &triangles,
+        &violations.list,
+        violations.found,
+        &mut picture,
+    )
+    .expect("memory takes all that is written");
+    assert!(!String::from_utf8(picture).expect("text").contains("NaN"));
+}
+
+fn bytes_of(name: &str) -> Vec<u8> {
+    fs::read(Path::new(FORMATS).join(name)).expect("a file")
+}
+
+fn source(bytes: Vec<u8>) -> Source {
+    Source {
+        name: "damaged".to_owned(),
+        bytes,
+    }
+}
+
+fn load(name: &str) -> Input {
+    let no_other = || unreachable!("all in one file");
+    read(InputFormat::Poly, &source(bytes_of(name)), no_other).expect("a good file")
+}
+
+/// Pseudo-random numbers (a linear congruence, upper bits).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(self.0 >> 33).expect("31 bits") % limit
+    }
+
+    /// The same bytes with a few replaced, removed, repeated or put in.
+    fn damaged(&mut self, bytes: &[u8]) -> Vec<u8> {
+        const TOKENS: [&str; 12] = [
+            "0",
+            "-1",
+            "99999999999999999999",
+            "18446744073709551615",
+            "1e999",
+            "nan",
+            " ",
+            "\n",
+            "[",
+            "]",
+            "\u{fffd}",
+            "f 1 2 3\n",
+        ];
+        let mut bytes = bytes.to_vec();
+        for _ in 0..=self.below(4) {
+            let at = self.below(bytes.len() + 1);
+            let end = (at + self.below(4)).min(bytes.len());
+            let token = match self.below(4) {
+                0 => String::new(),
+                1 => char::from(u8::try_from(self.below(128)).expect("small")).to_string(),
+                _ => TOKENS[self.below(TOKENS.len())].to_owned(),
+            };
+            bytes.splice(at..end, token.into_bytes());
+        }
+        bytes
+    }
+}

@@ -1,0 +1,50 @@
+//! Other crates behind one signature.
+
+use std::collections::HashMap;
+
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
+
+/// Triangles, or in which words the input is refused.
+pub(crate) type Answer = Result<Vec<[usize; 3]>, String>;
+
+/// A crate's function.
+pub(crate) type Program = fn(&[[f64; 2]], &[[usize; 2]]) -> Answer;
+
+/// All of them, and whether they take edges. (`cdt` does, but answers another question then: it returns
+/// the triangles inside closed chains of edges.)
+pub(crate) const PROGRAMS: [(&str, Program, bool); 3] = [
+    ("spade", spade, true),
+    ("cdt", cdt, false),
+    ("delaunator", delaunator, false),
+];
+
+pub(crate) fn spade(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Answer {
+    let vertices = points.iter().map(|&[x, y]| Point2::new(x, y)).collect();
+    let result =
+        ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(vertices, edges.to_vec())
+            .map_err(|error| error.to_string())?;
+    // A zero may have lost its sign.
+    let key = |[x, y]: [f64; 2]| [x + 0.0, y + 0.0].map(f64::to_bits);
+    let places: HashMap<[u64; 2], usize> =
+        points.iter().zip(0..).map(|(&p, v)| (key(p), v)).collect();
+    let corner = |p: Point2<f64>| places[&key([p.x, p.y])];
+    let faces = result.inner_faces();
+    Ok(faces
+        .map(|face| face.vertices().map(|v| corner(v.position())))
+        .collect())
+}
+
+pub(crate) fn cdt(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
+    let points: Vec<(f64, f64)> = points.iter().map(|&[x, y]| (x, y)).collect();
+    let triangles = cdt::triangulate_points(&points).map_err(|error| error.to_string())?;
+    Ok(triangles.into_iter().map(|(a, b, c)| [a, b, c]).collect())
+}
+
+pub(crate) fn delaunator(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
+    let points: Vec<delaunator::Point> = points
+        .iter()
+        .map(|&[x, y]| delaunator::Point { x, y })
+        .collect();
+    let corners = delaunator::triangulate(&points).triangles;
+    Ok(corners.as_chunks().0.to_vec())
+}

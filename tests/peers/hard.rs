@@ -1,0 +1,180 @@
+//! The answers of other crates to the hard inputs: the verifier must call correct those that are, and
+//! no other.
+//!
+//! Where no four vertices lie on one circle there is only one correct answer, the sweep's, so that a
+//! verdict can be checked by comparing lists. `cargo test --release --test peers -- --nocapture` lists
+//! the wrong answers; a folder with more inputs may be named in `SWEEP_CDT_HARD`. Each answer is asked
+//! for in a process of its own: some never come, and some programs crash.
+
+use std::collections::BTreeMap;
+use std::env::{current_exe, var, var_os};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread::{self, sleep};
+use std::time::{Duration, Instant};
+
+use sweep_cdt::formats::{Graph, Input, InputFormat, Source, read};
+use sweep_cdt::{Triangulation, Verifier, triangulate};
+
+use crate::crates::{Answer, PROGRAMS};
+
+/// How long a program may take for one input.
+const PATIENCE: Duration = Duration::from_secs(20);
+/// Recursion may go that deep.
+const STACK: usize = 64 << 20;
+/// Variables of the environment: which program to run in this process, on which input, and where its
+/// answer goes.
+const PROGRAM: &str = "SWEEP_CDT_PEER";
+const INPUT: &str = "SWEEP_CDT_PEER_INPUT";
+const ANSWER: &str = "SWEEP_CDT_PEER_ANSWER";
+
+#[test]
+fn wrong_answers_and_no_others_are_told() {
+    if let Ok(program) = var(PROGRAM) {
+        return answer(&program);
+    }
+    let mut counts = BTreeMap::<(&str, &str), usize>::new();
+    for path in inputs() {
+        // What cannot be read, or has no triangulation, is no question.
+        let Some(graph) = graph(&path) else { continue };
+        let Ok(ours) = triangulate(&graph.points, &graph.edges) else {
+            continue;
+        };
+        if ours.is_empty() {
+            continue;
+        }
+        let takes = |takes_edges: &bool| *takes_edges || graph.edges.is_empty();
+        for (program, _, _) in PROGRAMS.iter().filter(|(_, _, edges)| takes(edges)) {
+            let (kind, text) = match ask(program, &path) {
+                Ok(triangles) => verdict(&graph, &ours, &triangles),
+                Err(reason) => ("no answer", reason),
+            };
+            *counts.entry((program, kind)).or_default() += 1;
+            if kind != "correct" {
+                let name = path.file_stem().expect("a name").display();
+                println!("{program:10} {name:44} {kind}: {text}");
+            }
+        }
+    }
+    for ((program, kind), count) in &counts {
+        println!("{program}: {kind} {count}");
+    }
+    assert!(counts[&("spade", "correct")] >= 50 && counts[&("cdt", "wrong")] >= 5);
+}
+
+/// Whether an answer is correct, and what is wrong with it.
+fn verdict(
+    graph: &Graph<f64>,
+    ours: &Triangulation,
+    theirs: &[[usize; 3]],
+) -> (&'static str, String) {
+    let verifier = Verifier::new().accept_clockwise(true);
+    let verdict = verifier.verify(&graph.points, &graph.edges, theirs);
+    let our_triangles: Vec<[usize; 3]> = ours.triangles().collect();
+    let report = verifier.verify(&graph.points, &graph.edges, &our_triangles);
+    let report = report.expect("the sweep is right");
+    if report.cocircular_sides == 0 {
+        let is_same = sorted(ours, &our_triangles) == sorted(ours, theirs);
+        assert_eq!(verdict.is_ok(), is_same, "there is one correct answer");
+    }
+    match verdict {
+        Ok(_) => ("correct", String::new()),
+        Err(violations) => {
+            let name = violations.list[0].name();
+            ("wrong", format!("{name}: {violations}"))
+        }
+    }
+}
+
+/// Triangles as sets of vertices, of equal ones the lowest, so that lists can be compared.
+fn sorted(ours: &Triangulation, triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
+    let named = |&triangle: &[usize; 3]| {
+        let mut corners = triangle.map(|v| ours.representative(v));
+        corners.sort_unstable();
+        corners
+    };
+    let mut list: Vec<[usize; 3]> = triangles.iter().map(named).collect();
+    list.sort_unstable();
+    list
+}
+
+/// Asks a program in a process of its own.
+fn ask(program: &str, input: &Path) -> Answer {
+    let folder = tempfile::TempDir::new().expect("a temporary folder");
+    let file = folder.path().join("answer.json");
+    let mut child = Command::new(current_exe().expect("a path"))
+        .args(["--exact", "hard::wrong_answers_and_no_others_are_told"])
+        .env(PROGRAM, program)
+        .env(INPUT, input)
+        .env(ANSWER, &file)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the process starts");
+    let since = Instant::now();
+    let status = loop {
+        if let Some(status) = child.try_wait().expect("a process to wait for") {
+            break status;
+        }
+        if since.elapsed() > PATIENCE {
+            child.kill().expect("it ends");
+            child.wait().expect("it ends");
+            return Err(format!("none within {} s", PATIENCE.as_secs()));
+        }
+        sleep(Duration::from_millis(2));
+    };
+    match fs::read_to_string(file) {
+        Ok(text) => serde_json::from_str(&text).expect("an answer"),
+        Err(_) if status.success() => unreachable!("a process that ends well has written"),
+        Err(_) if status.code().is_some() => Err("panics".to_owned()),
+        Err(_) => Err("crashes".to_owned()),
+    }
+}
+
+/// Answers in this process.
+fn answer(program: &str) {
+    let path = PathBuf::from(var_os(INPUT).expect("an input"));
+    let graph = graph(&path).expect("an input that was read before");
+    let (_, run, _) = PROGRAMS
+        .into_iter()
+        .find(|(name, _, _)| *name == program)
+        .expect("a program of the list");
+    let thread = thread::Builder::new().stack_size(STACK);
+    let answer: Answer = thread
+        .spawn(move || run(&graph.points, &graph.edges))
+        .expect("a thread")
+        .join()
+        .expect("no panic");
+    let text = serde_json::to_string(&answer).expect("it is plain");
+    fs::write(var_os(ANSWER).expect("a file"), text).expect("it is written");
+}
+
+fn inputs() -> Vec<PathBuf> {
+    let ours = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/hard");
+    let folders = [Some(ours.into()), var_os("SWEEP_CDT_HARD")];
+    let files = |folder| fs::read_dir(folder).expect("a folder");
+    let mut paths: Vec<PathBuf> = folders
+        .into_iter()
+        .flatten()
+        .flat_map(files)
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|name| name == "json"))
+        .collect();
+    // A file that is in both folders is one input.
+    paths.sort_by(|p, q| p.file_name().cmp(&q.file_name()));
+    paths.dedup_by(|p, q| p.file_name() == q.file_name());
+    paths
+}
+
+fn graph(path: &Path) -> Option<Graph<f64>> {
+    let name = path.display().to_string();
+    let bytes = fs::read(path).expect("a file");
+    let source = Source { name, bytes };
+    match read(InputFormat::Json, &source, || {
+        unreachable!("JSON is one file")
+    }) {
+        Ok(Input::Doubles(graph)) => Some(graph),
+        _ => None,
+    }
+}

@@ -1,0 +1,6 @@
+//! Results of other programs: the right ones verify, and a wrong one is told.
+#![cfg(feature = "cli")]
+
+mod chosen;
+mod crates;
+mod hard;

@@ -1,0 +1,146 @@
+//! The contract of `approx`, and the ends of each scalar's range.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+use sweep_cdt::Scalar;
+
+use crate::reference::*;
+
+/// Numbers near every border of the doubles, and between them.
+fn borderline() -> Vec<BigRational> {
+    let mut random = Random(8);
+    let mut numbers = vec![BigRational::zero()];
+    let mut doubles = vec![
+        5e-324,
+        1e-310,
+        f64::MIN_POSITIVE,
+        1e-300,
+        0.1,
+        1.0,
+        1.5,
+        2.0,
+        1e16,
+        f64::MAX,
+    ];
+    doubles.extend(
+        (0..300)
+            .map(|_| f64::from_bits(random.next()))
+            .filter(|x| x.is_finite()),
+    );
+    for x in doubles {
+        let x = rational(x.abs());
+        for shift in [40, 52, 53, 54, 55, 60, 64, 70, 200, 1100] {
+            let step = &x / (BigInt::from(1) << shift);
+            for times in [-3, -2, -1, 0, 1, 2, 3] {
+                numbers.push(&x + &step * BigInt::from(times));
+                numbers.push((&x + &step * BigInt::from(times)) / BigInt::from(3));
+            }
+        }
+    }
+    numbers.extend([2000, 1024, 1023].map(|b| BigRational::from(BigInt::from(1) << b)));
+    numbers
+        .extend([2000, 1074, 1075, 1076].map(|b| BigRational::new(1.into(), BigInt::from(1) << b)));
+    numbers.extend(numbers.clone().into_iter().map(|x| -x));
+    numbers.sort();
+    numbers
+}
+
+/// The contract of `approx`, on numbers in ascending order.
+fn check_approx<S: Scalar>(numbers: &[(S, &BigRational)]) {
+    let tolerance = BigRational::new(1.into(), BigInt::from(1) << 52);
+    let normal = rational(f64::MIN_POSITIVE)..=rational(f64::MAX);
+    for pair in numbers.windows(2) {
+        assert!(
+            pair[0].0.approx() <= pair[1].0.approx(),
+            "{} {}",
+            pair[0].1,
+            pair[1].1
+        );
+    }
+    for (number, exact) in numbers {
+        let (near, size) = (number.approx(), exact.numer().magnitude().clone());
+        let size = BigRational::new(size.into(), exact.denom().clone());
+        assert!(!near.is_nan());
+        if normal.contains(&size) {
+            let error = rational(near) - *exact;
+            assert!(
+                error.clone().max(-error) <= &size * &tolerance,
+                "{exact} {near:e}"
+            );
+        } else if size < *normal.start() {
+            let error = rational(near) - *exact;
+            assert!(
+                error.clone().max(-error) < *normal.start(),
+                "{exact} {near:e}"
+            );
+        } else {
+            assert!(near.abs() >= f64::MAX, "{exact} {near:e}");
+        }
+    }
+}
+
+#[test]
+fn approximations() {
+    let numbers = borderline();
+    check_approx(&numbers.iter().map(|x| (x.clone(), x)).collect::<Vec<_>>());
+    let integers: Vec<BigRational> = numbers.iter().map(BigRational::trunc).collect();
+    check_approx(
+        &integers
+            .iter()
+            .map(|x| (x.to_integer(), x))
+            .collect::<Vec<_>>(),
+    );
+    let small: Vec<_> = integers
+        .iter()
+        .filter_map(|x| Some((x.numer().to_i64()?, x)))
+        .collect();
+    check_approx(&small);
+    #[cfg(feature = "rug")]
+    check_approx(&numbers.iter().map(|x| (to_rug(x), x)).collect::<Vec<_>>());
+}
+
+#[test]
+fn whole_range_of_integers() {
+    let mut random = Random(9);
+    for _ in 0..3000 {
+        let shift = random.below(64);
+        let corners = [i64::MIN, i64::MAX, 0, -1, i64::MIN + 1, i64::MAX - 1];
+        let points: [[i64; 2]; 4] = [(); 4].map(|()| {
+            [(); 2].map(|()| match random.below(3) {
+                0 => corners[random.below(6) as usize] >> shift,
+                _ => random.next().cast_signed() >> shift,
+            })
+        });
+        let exact = points.map(|p| p.map(|x| BigRational::from_integer(x.into())));
+        let expected = reference(&exact);
+        check(&points, expected, "i64");
+        check(&exact, expected, "i64");
+        let narrow = points.map(|p| {
+            p.map(|x| (x >> (63 - shift).min(32)).clamp(i32::MIN.into(), i32::MAX.into()))
+        });
+        let exact = narrow.map(|p| p.map(|x| BigRational::from_integer(x.into())));
+        check(
+            &narrow.map(|p| p.map(|x| i32::try_from(x).unwrap())),
+            reference(&exact),
+            "i32",
+        );
+    }
+}
+
+#[test]
+fn what_is_no_number() {
+    for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert!(!Scalar::is_finite(&x) && !Scalar::is_finite(&(x as f32)));
+    }
+    assert_eq!(Scalar::compare(&0.0, &-0.0), Ordering::Equal);
+    assert_eq!(Scalar::compare(&0f32, &-0f32), Ordering::Equal);
+    for numerator in [0, 1] {
+        assert!(!Scalar::is_finite(&BigRational::new_raw(
+            numerator.into(),
+            0.into()
+        )));
+    }
+}

@@ -1,0 +1,7 @@
+//! Every predicate of every scalar against plain determinants of big integers.
+
+#![expect(clippy::cast_possible_truncation, reason = "chosen to fit")]
+
+mod approximation;
+mod predicates;
+mod reference;

@@ -1,0 +1,123 @@
+//! Triangulations to verify and to break.
+
+use std::collections::HashSet;
+
+use sweep_cdt::{Report, Violations, triangulate, verify};
+
+/// Pseudo-random numbers (a linear congruence, upper bits).
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) as usize) % n
+    }
+
+    pub(crate) fn unit(&mut self) -> f64 {
+        self.below(1 << 30) as f64 / (1u64 << 30) as f64
+    }
+
+    pub(crate) fn points(&mut self, n: usize) -> Vec<[f64; 2]> {
+        (0..n).map(|_| [self.unit(), self.unit()]).collect()
+    }
+}
+
+/// A triangulation to break.
+#[derive(Clone, Default)]
+pub(crate) struct Case {
+    pub(crate) points: Vec<[f64; 2]>,
+    pub(crate) edges: Vec<[usize; 2]>,
+    pub(crate) triangles: Vec<[usize; 3]>,
+}
+
+impl Case {
+    pub(crate) fn of(points: Vec<[f64; 2]>, edges: &[[usize; 2]]) -> Case {
+        let triangles = triangulate(&points, edges).unwrap().triangles().collect();
+        Case {
+            points,
+            edges: edges.to_vec(),
+            triangles,
+        }
+    }
+
+    pub(crate) fn literal(points: &[[f64; 2]], triangles: &[[usize; 3]]) -> Case {
+        Case {
+            points: points.to_vec(),
+            edges: vec![],
+            triangles: triangles.to_vec(),
+        }
+    }
+
+    pub(crate) fn verify(&self) -> Result<Report, Violations> {
+        verify(&self.points, &self.edges, &self.triangles)
+    }
+
+    /// A triangle and its neighbour across its first side, if that is an inner side.
+    pub(crate) fn neighbor(&self, t: usize) -> Option<usize> {
+        let [a, b, _] = self.triangles[t];
+        self.triangles
+            .iter()
+            .position(|u| (0..3).any(|i| [u[(i + 1) % 3], u[i]] == [a, b]))
+    }
+
+    /// A triangle none of whose corners is on the hull.
+    pub(crate) fn inner_triangle(&self) -> usize {
+        let hull: HashSet<usize> = triangulate(&self.points, &[]).unwrap().hull().collect();
+        self.triangles
+            .iter()
+            .position(|t| t.iter().all(|v| !hull.contains(v)))
+            .unwrap()
+    }
+
+    /// Replaces the diagonal of two triangles by the other one, where that leaves both of them
+    /// counter-clockwise.
+    pub(crate) fn flip(&mut self) {
+        for t in 0..self.triangles.len() {
+            let Some(u) = self.neighbor(t) else { continue };
+            let [a, b, c] = self.triangles[t];
+            let d = *self.triangles[u]
+                .iter()
+                .find(|v| ![a, b].contains(v))
+                .unwrap();
+            let mut flipped = self.clone();
+            flipped.triangles[t] = [c, a, d];
+            flipped.triangles[u] = [d, b, c];
+            if flipped
+                .verify()
+                .is_err_and(|e| e.list[0].name() == "not-delaunay")
+            {
+                *self = flipped;
+                return;
+            }
+        }
+        panic!("nothing to flip");
+    }
+}
+
+pub(crate) fn random() -> Case {
+    Case::of(Random(1).points(60), &[])
+}
+
+pub(crate) fn constrained() -> Case {
+    let mut case = random();
+    // The longest edges are no Delaunay edges.
+    case.edges = (0..60).step_by(2).map(|a| [a, (a + 1) % 60]).collect();
+    while let Err(sweep_cdt::Error::CrossingEdges { edges: [_, b] }) =
+        triangulate(&case.points, &case.edges)
+    {
+        case.edges.remove(b);
+    }
+    Case::of(case.points, &case.edges)
+}
+
+/// A square with its upper right corner moved inwards by one unit in the last place, so that its
+/// diagonal 1-3 is wrong.
+pub(crate) fn square(size: f64) -> Case {
+    let mut case = Case::literal(&[[0.0, 0.0], [size, 0.0], [size, size], [0.0, size]], &[]);
+    case.points[2][0] = size.next_down();
+    case.triangles = vec![[0, 1, 3], [1, 2, 3]];
+    case
+}

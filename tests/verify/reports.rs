@@ -1,0 +1,215 @@
+//! What is reported of right and wrong triangulations.
+
+use sweep_cdt::{Verifier, Violation, verify};
+
+use crate::case::*;
+
+#[test]
+fn offenders() {
+    let list = |case: Case| case.verify().unwrap_err().list;
+    let [side, triangles, opposite] = [[3, 1], [1, 0], [2, 0]];
+    assert_eq!(
+        list(square(1e-150)),
+        [Violation::NotDelaunay {
+            side,
+            triangles,
+            opposite
+        }]
+    );
+    let case = Case::literal(
+        &[[0.0, 0.0], [1.0, 1e-300], [2.0, 0.0], [1.0, 2.0]],
+        &[[0, 1, 3], [1, 2, 3]],
+    );
+    assert_eq!(
+        list(case),
+        [Violation::ConcaveBoundary {
+            vertices: [0, 1, 2]
+        }]
+    );
+    let mut case = Case::of(
+        vec![[0.0, 0.0], [4.0, 0.0], [2.0, 1.0], [2.0, -1.0], [2.0, 0.0]],
+        &[[0, 1]],
+    );
+    assert_eq!(case.verify().unwrap().constrained_sides, 2);
+    case.points[4][1] = 1e-300;
+    assert_eq!(list(case), [Violation::MissingEdge { edge: 0, after: 0 }]);
+}
+
+#[test]
+fn correct_results() {
+    let mut rng = Random(2);
+    for n in (3..60).chain([1000, 40_000]) {
+        let uniform = Case::of(rng.points(n), &[]).verify().unwrap();
+        assert_eq!((uniform.points, uniform.is_canonical()), (n, true));
+        let side = n.isqrt() + 1;
+        let lattice = (0..n)
+            .map(|i| [(i % side) as f64, (i / side) as f64])
+            .collect();
+        assert!(Case::of(lattice, &[]).verify().unwrap().is_canonical());
+    }
+    let report = constrained().verify().unwrap();
+    assert!(report.constrained_sides >= 5, "{report:?}");
+    assert_eq!(report.edges, constrained().edges.len());
+}
+
+#[test]
+fn few_and_collinear_points() {
+    for points in [
+        vec![],
+        vec![[1.0, 1.0]],
+        vec![[1.0, 1.0]; 5],
+        vec![[0.0, 0.0], [1.0, 1e-300]],
+    ] {
+        assert_eq!(verify(&points, &[], &[]).unwrap().triangles, 0);
+    }
+    let line: Vec<[f64; 2]> = (0..9).map(|i| [f64::from(i), 2.0 * f64::from(i)]).collect();
+    assert!(verify(&line, &[[0, 8]], &[]).is_ok());
+}
+
+#[test]
+fn duplicates_through_any_of_them() {
+    let points = [
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [0.0, 1.0],
+        [1.0, 0.0],
+        [-0.0, 1.0],
+        [1.0, 2.0],
+    ];
+    let report = verify(&points, &[[4, 3], [1, 3]], &[[0, 3, 2], [1, 5, 4]]).unwrap();
+    assert_eq!(
+        (
+            report.points,
+            report.distinct_points,
+            report.constrained_sides
+        ),
+        (6, 4, 1)
+    );
+}
+
+#[test]
+fn clockwise_files() {
+    let mut case = random();
+    for triangle in &mut case.triangles {
+        triangle.swap(1, 2);
+    }
+    let verifier = Verifier::new().accept_clockwise(true);
+    assert!(
+        verifier
+            .verify(&case.points, &[], &case.triangles)
+            .unwrap()
+            .clockwise
+    );
+    assert!(
+        !verifier
+            .verify(&case.points, &[], &random().triangles)
+            .unwrap()
+            .clockwise
+    );
+    case.triangles[5].swap(1, 2);
+    let mixed = verifier
+        .verify(&case.points, &[], &case.triangles)
+        .unwrap_err();
+    assert_eq!(mixed.list[0], Violation::ReversedTriangle { triangle: 5 });
+}
+
+#[test]
+fn canonical_choice() {
+    let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let canonical = verify(&points, &[], &[[0, 1, 3], [1, 2, 3]]).unwrap();
+    assert_eq!(
+        (canonical.cocircular_sides, canonical.uncanonical_sides),
+        (1, 0)
+    );
+    let other = verify(&points, &[], &[[0, 1, 2], [0, 2, 3]]).unwrap();
+    assert_eq!((other.cocircular_sides, other.uncanonical_sides), (1, 1));
+}
+
+#[test]
+fn domains_with_holes() {
+    // A square ring around a hole, and a point in the hole.
+    let mut points: Vec<[f64; 2]> = vec![[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]];
+    points.extend([[3.0, 3.0], [6.0, 3.0], [6.0, 6.0], [3.0, 6.0], [4.0, 4.0]]);
+    let mut ring = vec![
+        [0, 5, 4],
+        [0, 1, 5],
+        [1, 6, 5],
+        [1, 2, 6],
+        [2, 7, 6],
+        [2, 3, 7],
+        [3, 4, 7],
+        [3, 0, 4],
+    ];
+    let chains = [vec![0, 1, 2, 3], vec![4, 7, 6, 5]];
+    let verifier = Verifier::new().boundary(&chains);
+    let report = verifier.verify(&points, &[[4, 5]], &ring).unwrap();
+    assert_eq!((report.boundary_sides, report.constrained_sides), (8, 1));
+    assert_eq!(
+        verify(&points, &[], &ring).unwrap_err().list[0].name(),
+        "extra-boundary"
+    );
+
+    points.push([1.0, 4.0]);
+    let list = verifier.verify(&points, &[], &ring).unwrap_err().list;
+    assert_eq!(list, [Violation::UnusedPoint { vertex: 9 }]);
+    points.pop();
+    ring.pop();
+    let list = verifier.verify(&points, &[], &ring).unwrap_err().list;
+    assert_eq!(
+        list,
+        [
+            Violation::UndeclaredBoundary {
+                side: [4, 0],
+                triangle: 0
+            },
+            Violation::UndeclaredBoundary {
+                side: [3, 4],
+                triangle: 6
+            },
+            Violation::MissingBoundary { side: [3, 0] },
+        ]
+    );
+    let chains = [vec![0, 1, 2, 77], vec![], vec![5]];
+    assert!(
+        Verifier::new()
+            .boundary(&chains)
+            .verify(&points, &[], &ring)
+            .is_err()
+    );
+}
+
+#[test]
+fn many_violations() {
+    let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let copies = vec![[0, 1, 2]; 1_000_000];
+    let violations = Verifier::new()
+        .limit(7)
+        .verify_parallel(&points, &[], &copies)
+        .unwrap_err();
+    assert_eq!((violations.list.len(), violations.found), (7, 3 * 999_999));
+    assert!(
+        Verifier::new()
+            .limit(0)
+            .verify(&points, &[], &copies)
+            .unwrap_err()
+            .list
+            .is_empty()
+    );
+    assert!(
+        violations.to_string().contains("and 2999996 more"),
+        "{violations}"
+    );
+}
+
+#[test]
+fn progress_ends_at_the_total() {
+    let seen = std::sync::Mutex::new((0, 0));
+    let progress = |done, total| *seen.lock().unwrap() = (done, total);
+    let case = random();
+    let verifier = Verifier::new().progress(&progress);
+    verifier.verify(&case.points, &[], &case.triangles).unwrap();
+    assert_eq!(
+        seen.into_inner().unwrap(),
+        (2 * case.triangles.len(), 2 * case.triangles.len())
+    );
+}
