@@ -58,6 +58,11 @@ const FAMILIES: &[(&str, Family, EdgesOf)] = &[
         no_edges,
     ),
     (
+        "two slanted chains",
+        |i, n| [i, i + n / 50.0 * (i % 2.0 - 0.5)],
+        no_edges,
+    ),
+    (
         "lattice",
         |i, n| [i % n.sqrt().round(), (i / n.sqrt().round()).floor()],
         no_edges,
