@@ -161,7 +161,7 @@ impl Triangulation {
 
     /// Has this triangulation checked by the exact verifier, which shares no code with the sweep.
     ///
-    /// `points` and `edges` are the input; see [`crate::verify`] for what is proved.
+    /// `points` and `edges` are the input; see [`mod@crate::verify`] for what is proved.
     ///
     /// # Errors
     /// [`Violations`], all that is wrong up to a limit: never for the input that this is the result of.

@@ -11,6 +11,8 @@ pub(crate) enum Failure {
     Usage(String),
     /// The input is wrong, or a file cannot be read or written.
     Error(String),
+    /// The verifier found violations; they are printed already.
+    Wrong,
 }
 
 impl Failure {

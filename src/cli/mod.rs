@@ -1,15 +1,21 @@
 //! The command line: one file a subcommand, and what they share.
 //!
 //! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or
-//! written; 2 for wrong usage. A reader that closes its end of the pipe early ends the run quietly.
+//! written, or with a report where a result is not correct; 2 for wrong usage. A reader that closes its end of the pipe early ends the run quietly.
 
+mod certificate;
+mod draft;
 mod failure;
+mod file;
 mod input;
 mod output;
 mod progress;
+mod scalar;
 mod settings;
 mod statistics;
 mod triangulate;
+mod verdict;
+mod verify;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -21,9 +27,9 @@ use failure::Failure;
 
 /// Exact constrained Delaunay triangulation by a sweep line.
 ///
-/// Reads points and edges in the plane and finds the constrained Delaunay triangulation of them. All
-/// decisions are exact: every finite input without crossing edges has one result, the same for all
-/// settings.
+/// Reads points and edges in the plane and finds the constrained Delaunay triangulation of them, or
+/// verifies one that any program has made. All decisions are exact: every finite input without crossing
+/// edges has one result, the same for all settings.
 #[derive(Parser)]
 #[command(name = "sweep-cdt", version, max_term_width = 100)]
 struct Cli {
@@ -34,12 +40,14 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Triangulate(triangulate::Triangulate),
+    Verify(verify::Verify),
 }
 
 /// Runs the command line of this process.
 pub(crate) fn main() -> ExitCode {
     let outcome = match Cli::parse().command {
         Command::Triangulate(command) => command.run(),
+        Command::Verify(command) => command.run(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -55,6 +63,7 @@ pub(crate) fn main() -> ExitCode {
             );
             ExitCode::FAILURE
         }
+        Err(Failure::Wrong) => ExitCode::FAILURE,
     }
 }
 

@@ -1,9 +1,5 @@
 //! The outputs of a run: all of them are written, or none.
-//!
-//! Each goes to a temporary file in its folder; only when all are complete are they renamed. Should a
-//! rename fail, the files renamed before it are removed again.
 
-use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -11,10 +7,10 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::formats::{
     Coordinate, Graph, Input, InputFormat, OutputFormat, read, write, write_node,
 };
-use tempfile::NamedTempFile;
 
+use super::draft::Drafts;
 use super::failure::Failure;
-use super::input::{InputArgs, load};
+use super::file::{FileArg, load};
 
 /// What names standard output among the outputs.
 const STDOUT: &str = "-";
@@ -39,11 +35,8 @@ pub(crate) struct Target {
 
 impl OutputArgs {
     /// The outputs, each with its format. None of them may be the input.
-    pub(crate) fn targets(&self, input: &InputArgs) -> Result<Vec<Target>, Failure> {
-        if let Some(path) = self.output.iter().find(|path| input.is_file(path)) {
-            let message = format!("{} is the input and would be overwritten", path.display());
-            return Err(Failure::Usage(message));
-        }
+    pub(crate) fn targets(&self, input: &FileArg) -> Result<Vec<Target>, Failure> {
+        refuse_overwriting(&[input], &self.output)?;
         self.output.iter().map(|path| self.target(path)).collect()
     }
 
@@ -73,36 +66,40 @@ impl OutputArgs {
     }
 }
 
+/// Refuses outputs that are one of the inputs.
+pub(crate) fn refuse_overwriting<'a>(
+    inputs: &[&FileArg],
+    outputs: impl IntoIterator<Item = &'a PathBuf>,
+) -> Result<(), Failure> {
+    let is_input = |path: &&PathBuf| inputs.iter().any(|input| input.is_file(path));
+    match outputs.into_iter().find(is_input) {
+        None => Ok(()),
+        Some(path) => Err(Failure::Usage(format!(
+            "{} is the input and would be overwritten",
+            path.display()
+        ))),
+    }
+}
+
 /// Writes all targets, or none.
 pub(crate) fn save<S: Coordinate>(
     targets: &[Target],
     graph: &Graph<S>,
     result: &Triangulation,
 ) -> Result<(), Failure> {
-    let mut drafts = Vec::new();
+    let mut drafts = Drafts::default();
     for Target { path, format } in targets {
         if path == Path::new(STDOUT) {
             print(|out| write(*format, graph, result, out))?;
             continue;
         }
-        drafts.push(Draft::new(path, |out| write(*format, graph, result, out))?);
+        drafts.add(path, |out| write(*format, graph, result, out))?;
         let node = path.with_extension("node");
         if *format == OutputFormat::Ele && !is_node_of(&node, graph) {
-            drafts.push(Draft::new(&node, |out| write_node(graph, out))?);
+            drafts.add(&node, |out| write_node(graph, out))?;
         }
     }
-    let mut done = Vec::new();
-    for Draft { file, path } in drafts {
-        if let Err(error) = file.persist(&path) {
-            for path in done {
-                // Best effort: the failure to report is the first one.
-                let _ = fs::remove_file(path);
-            }
-            return Err(Failure::of_file(&path, &error.error));
-        }
-        done.push(path);
-    }
-    Ok(())
+    drafts.persist()
 }
 
 /// Writes to standard output. That nobody reads it any more is no failure.
@@ -136,41 +133,4 @@ fn node_text<S: Coordinate>(graph: &Graph<S>) -> Vec<u8> {
     let mut text = Vec::new();
     write_node(graph, &mut text).expect("memory takes all that is written");
     text
-}
-
-/// A complete file under a temporary name, which goes when the draft does.
-struct Draft {
-    file: NamedTempFile,
-    path: PathBuf,
-}
-
-impl Draft {
-    fn new(
-        path: &Path,
-        write: impl FnOnce(&mut BufWriter<&mut NamedTempFile>) -> io::Result<()>,
-    ) -> Result<Draft, Failure> {
-        let complete = || {
-            let mut file = temporary_beside(path)?;
-            let mut out = BufWriter::new(&mut file);
-            write(&mut out)?;
-            out.flush()?;
-            drop(out);
-            Ok(file)
-        };
-        let file = complete().map_err(|error| Failure::of_file(path, &error))?;
-        Ok(Draft {
-            file,
-            path: path.to_owned(),
-        })
-    }
-}
-
-/// A new file in the folder of `path`, with the permissions that any new file gets.
-fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = path.parent().filter(|folder| *folder != Path::new(""));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".sweep-cdt-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder.unwrap_or(Path::new(".")))
 }

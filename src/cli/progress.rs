@@ -10,27 +10,30 @@ const MOMENT: Duration = Duration::from_millis(500);
 /// A bar that appears late and leaves nothing behind. Where standard error is no terminal it stays
 /// hidden.
 pub(crate) struct Progress {
+    work: &'static str,
     since: Instant,
     bar: Option<ProgressBar>,
 }
 
 impl Progress {
-    pub(crate) fn new() -> Progress {
+    /// `work` is what the bar says is done.
+    pub(crate) fn new(work: &'static str) -> Progress {
         Progress {
+            work,
             since: Instant::now(),
             bar: None,
         }
     }
 
-    /// Shows that `swept` of `points` points are done.
-    pub(crate) fn show(&mut self, swept: usize, points: usize) {
+    /// Shows that `done` parts of `all` are done.
+    pub(crate) fn show(&mut self, done: usize, all: usize) {
         if self.since.elapsed() >= MOMENT {
             let bar = self.bar.get_or_insert_with(|| {
-                let template = "sweeping {bar:40} {percent:>3} %, {eta} to go";
-                let style = ProgressStyle::with_template(template).expect("a valid template");
-                ProgressBar::new(points as u64).with_style(style)
+                let template = format!("{} {{bar:40}} {{percent:>3}} %, {{eta}} to go", self.work);
+                let style = ProgressStyle::with_template(&template).expect("a valid template");
+                ProgressBar::new(all as u64).with_style(style)
             });
-            bar.set_position(swept as u64);
+            bar.set_position(done as u64);
         }
     }
 }

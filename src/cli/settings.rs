@@ -68,7 +68,7 @@ impl Settings {
         edges: &[[usize; 2]],
         stats: bool,
     ) -> Result<(Triangulation, Option<Stats>), Error> {
-        let mut progress = Progress::new();
+        let mut progress = Progress::new("sweeping");
         let mut show = |swept, points| progress.show(swept, points);
         let triangulator = Triangulator::new()
             .front::<F>()

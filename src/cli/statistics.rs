@@ -69,10 +69,11 @@ pub(crate) fn write(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
     )
 }
 
-const NAME: usize = 22;
-const NUMBER: usize = 16;
+pub(crate) const NAME: usize = 22;
+pub(crate) const NUMBER: usize = 16;
 
-fn rows(out: &mut impl Write, rows: &[(&str, u64)]) -> io::Result<()> {
+/// Writes names and numbers in columns.
+pub(crate) fn rows(out: &mut impl Write, rows: &[(&str, u64)]) -> io::Result<()> {
     for (name, number) in rows {
         writeln!(out, "{name:NAME$}{:>NUMBER$}", grouped(*number))?;
     }

@@ -1,16 +1,18 @@
 //! `sweep-cdt triangulate`: the main job.
 
-use std::io::Write;
+use std::fmt::Display;
+use std::io::{self, Write};
 
-use clap::ValueEnum;
-use sweep_cdt::formats::{Coordinate, Graph, Input, Rational, exact};
-use sweep_cdt::{Error, Scalar, Stats, Triangulation};
+use sweep_cdt::formats::{Coordinate, Graph};
+use sweep_cdt::{Scalar, Triangulation, Verifier};
 
 use super::failure::Failure;
 use super::input::InputArgs;
 use super::output::{OutputArgs, Target, print, save};
+use super::scalar::{Job, ScalarArgs};
 use super::settings::Settings;
 use super::statistics;
+use super::verdict::{self, verify};
 
 /// Triangulate points and edges
 ///
@@ -30,24 +32,17 @@ pub(crate) struct Triangulate {
     #[arg(long)]
     stats: bool,
 
-    /// Arithmetic; by default rational where the input has fractions, else f64
+    /// Verify the result before anything is written
     ///
-    /// Both are exact. In an input with a fraction (`p/q`) all numbers are taken as written: 0.1 is
-    /// one tenth. In any other input each number is the double nearest to it, for both kinds of
-    /// arithmetic, so that they give the same triangles. f64 refuses fractions.
-    #[arg(long, value_enum)]
-    scalar: Option<Kind>,
+    /// By the verifier, which shares nothing with the sweep; see `sweep-cdt verify`.
+    #[arg(long)]
+    verify: bool,
+
+    #[command(flatten)]
+    scalar: ScalarArgs,
 
     #[command(flatten)]
     settings: Settings,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Kind {
-    /// Doubles
-    F64,
-    /// Fractions of whole numbers of any size; slower
-    Rational,
 }
 
 const AFTER_HELP: &str = "\
@@ -76,71 +71,86 @@ Examples:
 impl Triangulate {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let targets = self.output.targets(&self.input)?;
+        let targets = self.output.targets(&self.input.input)?;
         if self.stats && self.output.has_stdout() {
             let message = "--stats and `-o -` would both write to standard output";
             return Err(Failure::Usage(message.to_owned()));
         }
-        match (self.input.read()?, self.scalar) {
-            (Input::Doubles(graph), None | Some(Kind::F64)) => {
-                self.finish(&targets, &graph, self.sweep(&graph.points, &graph.edges))
-            }
-            (Input::Doubles(graph), Some(Kind::Rational)) => {
-                let points = exact_points(&graph.points);
-                let outcome = points.and_then(|points| self.sweep(&points, &graph.edges));
-                self.finish(&targets, &graph, outcome)
-            }
-            (Input::Rationals(graph), None | Some(Kind::Rational)) => {
-                self.finish(&targets, &graph, self.sweep(&graph.points, &graph.edges))
-            }
-            (Input::Rationals(_), Some(Kind::F64)) => {
-                let name = self.input.name();
-                Err(Failure::Error(format!(
-                    "{name}: has fractions, which --scalar f64 refuses"
-                )))
-            }
-        }
-    }
-
-    fn sweep<S: Scalar>(&self, points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Outcome, Error> {
-        self.settings.triangulate(points, edges, self.stats)
-    }
-
-    fn finish<S: Coordinate>(
-        &self,
-        targets: &[Target],
-        graph: &Graph<S>,
-        outcome: Result<Outcome, Error>,
-    ) -> Result<(), Failure> {
+        let input = self.input.read(|_| ())?;
         let name = self.input.name();
-        let (result, stats) = outcome
-            .map_err(|error| Failure::Error(format!("{name}: {}", graph.as_numbered(error))))?;
-        save(targets, graph, &result)?;
-        match stats {
-            Some(stats) => print(|out| statistics::write(&stats, out)),
-            None if targets.is_empty() => print(|out| {
-                let (points, edges) = (graph.points.len(), graph.edges.len());
-                write!(
-                    out,
-                    "{name}: points {points}, duplicates {}, ",
-                    result.duplicates().len()
-                )?;
-                let (triangles, hull) = (result.len(), result.hull().len());
-                writeln!(out, "edges {edges}, triangles {triangles}, hull {hull}")
-            }),
-            None => Ok(()),
-        }
+        let run = Run {
+            arguments: self,
+            name: &name,
+            targets: &targets,
+        };
+        self.scalar.apply(&name, &input, run)
     }
 }
 
-/// A result, and its numbers where they were asked for.
-type Outcome = (Triangulation, Option<Stats>);
+/// A run with an input that is read.
+struct Run<'a> {
+    arguments: &'a Triangulate,
+    name: &'a str,
+    targets: &'a [Target],
+}
 
-/// The exact values of doubles.
-fn exact_points(points: &[[f64; 2]]) -> Result<Vec<[Rational; 2]>, Error> {
-    let values = points.iter().enumerate().map(|(vertex, &[x, y])| {
-        let values = exact(x).zip(exact(y)).map(|(x, y)| [x, y]);
-        values.ok_or(Error::NonFiniteCoordinate { vertex })
-    });
-    values.collect()
+impl Job for Run<'_> {
+    fn run<S: Coordinate, T: Scalar + Sync>(
+        self,
+        graph: &Graph<S>,
+        points: &[[T; 2]],
+        _scalar: &'static str,
+    ) -> Result<(), Failure> {
+        let Triangulate {
+            settings, stats, ..
+        } = self.arguments;
+        let (result, stats) = settings
+            .triangulate(points, &graph.edges, *stats)
+            .map_err(|error| self.error(&graph.as_numbered(error)))?;
+        let verdict = if self.arguments.verify {
+            let triangles: Vec<[usize; 3]> = result.triangles().collect();
+            let report = verify(Verifier::new(), points, &graph.edges, &triangles);
+            Some(report.map_err(|violations| self.error(&violations))?)
+        } else {
+            None
+        };
+        save(self.targets, graph, &result)?;
+        if self.arguments.output.has_stdout() {
+            return Ok(());
+        }
+        print(|out| {
+            match stats {
+                Some(stats) => statistics::write(&stats, out)?,
+                None if self.targets.is_empty() => self.summarize(graph, &result, out)?,
+                None => {}
+            }
+            match verdict {
+                Some(report) => verdict::write_verdict(&Ok(report), "the result", self.name, out),
+                None => Ok(()),
+            }
+        })
+    }
+}
+
+impl Run<'_> {
+    fn error(&self, error: &impl Display) -> Failure {
+        Failure::Error(format!("{}: {error}", self.name))
+    }
+
+    fn summarize<S>(
+        &self,
+        graph: &Graph<S>,
+        result: &Triangulation,
+        out: &mut impl Write,
+    ) -> io::Result<()> {
+        let (points, edges) = (graph.points.len(), graph.edges.len());
+        let (triangles, hull) = (result.len(), result.hull().len());
+        let duplicates = result.duplicates().len();
+        write!(
+            out,
+            "{}: points {points}, duplicates {duplicates}, ",
+            self.name
+        )?;
+        writeln!(out, "edges {edges}, triangles {triangles}, hull {hull}")
+    }
 }

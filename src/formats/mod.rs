@@ -4,9 +4,9 @@
 //! |---|---|---|
 //! | `node` | vertices ([Triangle]'s format) | only beside an `ele` |
 //! | `poly` | vertices and edges (Triangle's format) | |
-//! | `json` | an object with `points` and `edges` | the same with the result added |
-//! | `ele` | | triangles (Triangle's format) |
-//! | `obj` | | triangles (Wavefront) |
+//! | `json` | an object with `points` and `edges`, or with `triangles` | all of them and more |
+//! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
+//! | `obj` | vertices and triangles | vertices and triangles (Wavefront) |
 //! | `svg` | | a picture |
 //!
 //! Readers take bytes, never panic on any of them, and say in which line they stumbled. Writers list
@@ -24,5 +24,7 @@ mod write;
 pub use coordinate::{Coordinate, Unreadable};
 pub use graph::Graph;
 pub use rational::{Rational, exact};
-pub use read::{Input, InputFormat, ReadError, Source, read};
-pub use write::{OutputFormat, write, write_node};
+pub use read::{
+    Input, InputFormat, Matching, ReadError, ResultFormat, Source, Triangles, read, read_result,
+};
+pub use write::{OutputFormat, json_coordinate, write, write_node, write_violations_svg};

@@ -3,5 +3,4 @@
 mod case;
 mod faults;
 mod naive;
-mod peers;
 mod reports;

@@ -80,7 +80,7 @@ impl<'a> Line<'a> {
 
     /// The next token as a whole number; `what` it is stands in the message if it is none.
     pub(super) fn index(&mut self, what: &str) -> Result<usize, ReadError> {
-        let token = self.token().ok_or_else(|| self.missing(what))?;
+        let token = self.expect_token(what)?;
         let text = std::str::from_utf8(token).ok();
         text.and_then(|text| text.parse().ok())
             .ok_or_else(|| self.error(format!("{} is not {what}", quoted(token))))
@@ -88,7 +88,7 @@ impl<'a> Line<'a> {
 
     /// The next token as a coordinate.
     pub(super) fn coordinate<S: Coordinate>(&mut self, what: &str) -> Result<S, Stop> {
-        let token = self.token().ok_or_else(|| self.missing(what))?;
+        let token = self.expect_token(what)?;
         coordinate(token, |message| self.error(message))
     }
 
@@ -97,8 +97,10 @@ impl<'a> Line<'a> {
         error_at(self.source, self.number, message)
     }
 
-    fn missing(&self, what: &str) -> ReadError {
-        self.error(format!("the line ends where {what} should follow"))
+    /// The next token, or an error that says `what` was to come.
+    pub(super) fn expect_token(&mut self, what: &str) -> Result<&'a [u8], ReadError> {
+        self.token()
+            .ok_or_else(|| self.error(format!("the line ends where {what} should follow")))
     }
 }
 

@@ -1,10 +1,16 @@
-//! Readers: bytes in, a [`Graph`] out.
+//! Readers: bytes in, a [`Graph`] or [`Triangles`] out.
 
+mod ele;
 mod json;
 mod lines;
+mod matching;
+mod obj;
+mod result;
 mod triangle;
 
 use std::fmt;
+
+pub use result::{Matching, ResultFormat, Triangles, read_result};
 
 use crate::formats::{Coordinate, Graph, Rational, Unreadable};
 

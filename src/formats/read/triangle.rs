@@ -89,7 +89,7 @@ fn vertices<S: Coordinate>(lines: &mut Lines<'_>, count: usize) -> Result<Graph<
 }
 
 /// Reads the number of record `at`, which for the first one tells where the file's numbers begin.
-fn numbered(
+pub(super) fn numbered(
     line: &mut Line<'_>,
     at: usize,
     first: &mut usize,

@@ -38,7 +38,7 @@ pub(super) fn write<S: Coordinate>(
         graph
             .points
             .iter()
-            .map(|point| point.each_ref().map(coordinate)),
+            .map(|point| point.each_ref().map(json_coordinate)),
     )?;
     member(out, "edges", &graph.edges)?;
     member(out, "triangles", &triangles)?;
@@ -64,8 +64,11 @@ fn member<T: Serialize>(
     out.write_all(b"]")
 }
 
-/// A coordinate as it stands in the file.
-fn coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
+/// A coordinate as it stands in JSON: a number, or a string with a fraction.
+///
+/// # Panics
+/// If it is not finite.
+pub fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
     let text = value.text();
     let text = if text.contains('/') {
         format!("\"{text}\"")

@@ -9,6 +9,8 @@ mod trails;
 use std::io::{self, Write};
 
 pub use ele::write_node;
+pub use json::json_coordinate;
+pub use svg::write_violations_svg;
 
 use crate::Triangulation;
 use crate::formats::{Coordinate, Graph};

@@ -67,7 +67,8 @@ impl Frame {
     }
 }
 
-fn half<S: Scalar>(value: &S) -> f64 {
+/// Half a coordinate, as a finite double.
+pub(super) fn half<S: Scalar>(value: &S) -> f64 {
     value.approx().clamp(f64::MIN, f64::MAX) / 2.0
 }
 

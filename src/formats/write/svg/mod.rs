@@ -7,13 +7,17 @@
 //! follow the distance of neighbouring vertices. Each line is drawn once, as part of a stroke as long
 //! as possible, in relative whole units of a hundredth of a pixel: about 10 bytes a side.
 
+mod drawing;
 mod frame;
 mod legend;
+mod violations;
+mod window;
 
-use std::fmt::Write as _;
+use std::fmt::{Display, Write as _};
 use std::io::{self, Write};
 
 use frame::{Frame, PIXEL, units};
+pub use violations::write_violations_svg;
 
 use crate::Triangulation;
 use crate::formats::write::trails::{sorted_pairs, trails};
@@ -46,7 +50,8 @@ pub(super) fn write<S: Coordinate>(
     };
     let vertices = || (0..places.len()).filter(|&v| result.representative(v) == v);
 
-    begin(out, &frame)?;
+    let [width, height] = frame.outer();
+    begin(out, [width, height], frame.spacing)?;
     if let [_, .., _] = hull[..] {
         layer(out, "hull", std::iter::once(stroke(&places, &hull)))?;
     }
@@ -65,7 +70,6 @@ pub(super) fn write<S: Coordinate>(
     if places.len() <= MOST_NUMBERS {
         numbers(out, &places, graph.first_vertex, vertices())?;
     }
-    let [width, height] = frame.outer();
     legend::write(out, [width / 2, height], &entries)?;
     writeln!(out, "</svg>")
 }
@@ -95,22 +99,26 @@ fn input_edges<S>(graph: &Graph<S>, result: &Triangulation) -> Vec<[usize; 2]> {
     edges
 }
 
-fn begin(out: &mut impl Write, frame: &Frame) -> io::Result<()> {
-    let [width, height] = frame.outer();
+/// Begins a picture of this size without the legend, with lines for vertices so far apart.
+fn begin(out: &mut impl Write, [width, height]: [i64; 2], spacing: f64) -> io::Result<()> {
     let height = height + legend::HEIGHT;
-    let width_of = |share: f64, least: f64, most: f64| {
-        units((frame.spacing * share).clamp(least, most) * PIXEL as f64)
-    };
     write!(
         out,
         r##"<svg xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" viewBox="0 0 {width} {height}">
 <style>
 path {{ fill: none; stroke-linecap: round; stroke-linejoin: round }}
-.hull {{ stroke: #E69F00; stroke-width: {}; fill: #F6F5F1 }}
-.side {{ stroke: #848E98; stroke-width: {} }}
-.edge {{ stroke: #0072B2; stroke-width: {} }}
-.vertex {{ stroke: #1B1F23; stroke-width: {} }}
-.sample.hull {{ stroke-width: 700 }}
+.hull {{ stroke: #E69F00; fill: #F6F5F1 }}
+.side {{ stroke: #848E98 }}
+.edge {{ stroke: #0072B2 }}
+.vertex {{ stroke: #1B1F23 }}
+"##,
+        width / PIXEL,
+        height / PIXEL,
+    )?;
+    widths(out, "", spacing)?;
+    write!(
+        out,
+        r##".sample.hull {{ stroke-width: 700 }}
 .sample.side {{ stroke-width: 120 }}
 .sample.edge {{ stroke-width: 300 }}
 .sample.vertex {{ stroke-width: 700; stroke-dasharray: 1 1150 }}
@@ -118,14 +126,22 @@ text {{ font: {}px sans-serif; fill: #1B1F23; paint-order: stroke; stroke: #FFF;
 </style>
 <rect width="{width}" height="{height}" fill="#FFF"/>
 "##,
-        width / PIXEL,
-        height / PIXEL,
-        width_of(0.08, 1.6, 7.0),
-        width_of(0.05, 0.1, 1.4),
-        width_of(0.12, 0.3, 3.0),
-        width_of(0.2, 1.5, 8.0),
         15 * PIXEL,
     )
+}
+
+/// Writes how wide lines are inside `scope`, where vertices are so far apart.
+fn widths(out: &mut impl Write, scope: &str, spacing: f64) -> io::Result<()> {
+    for (class, share, least, most) in [
+        ("hull", 0.08, 1.6, 7.0),
+        ("side", 0.05, 0.1, 1.4),
+        ("edge", 0.12, 0.3, 3.0),
+        ("vertex", 0.2, 1.5, 8.0),
+    ] {
+        let width = units((spacing * share).clamp(least, most) * PIXEL as f64);
+        writeln!(out, "{scope}.{class} {{ stroke-width: {width} }}")?;
+    }
+    Ok(())
 }
 
 /// Writes the pieces of a layer, joined to paths.
@@ -181,9 +197,13 @@ fn numbers(
     vertices: impl Iterator<Item = usize>,
 ) -> io::Result<()> {
     for vertex in vertices {
-        let [x, y] = places[vertex];
-        let (x, y) = (x + 7 * PIXEL, y - 7 * PIXEL);
-        writeln!(out, "<text x=\"{x}\" y=\"{y}\">{}</text>", vertex + first)?;
+        label(out, places[vertex], vertex + first)?;
     }
     Ok(())
+}
+
+/// Writes a text beside a place.
+fn label(out: &mut impl Write, [x, y]: [i64; 2], text: impl Display) -> io::Result<()> {
+    let (x, y) = (x + 7 * PIXEL, y - 7 * PIXEL);
+    writeln!(out, "<text x=\"{x}\" y=\"{y}\">{text}</text>")
 }

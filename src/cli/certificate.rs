@@ -1,0 +1,158 @@
+//! What was verified, of which files, and how it came out: as JSON, for machines and for the record.
+//!
+//! The same files give the same bytes: there is no time, no path and nothing of the machine in it.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use serde::Serialize;
+use serde_json::value::RawValue;
+use sha2::{Digest, Sha256};
+use sweep_cdt::formats::{Coordinate, Graph, Matching, Source, Triangles, json_coordinate};
+
+use super::verdict::{Answer, report, violations};
+
+/// A file by name and contents.
+#[derive(Serialize)]
+pub(crate) struct Fingerprint {
+    file: String,
+    sha256: String,
+}
+
+impl Fingerprint {
+    pub(crate) fn of(source: &Source) -> Fingerprint {
+        let name = Path::new(&source.name).file_name();
+        let digits = Sha256::digest(&source.bytes);
+        Fingerprint {
+            file: name.map_or_else(
+                || source.name.clone(),
+                |name| name.to_string_lossy().into_owned(),
+            ),
+            sha256: digits.iter().map(|byte| format!("{byte:02x}")).collect(),
+        }
+    }
+}
+
+/// What was verified, and how.
+pub(crate) struct Subject<'a, S> {
+    pub(crate) input: &'a [Fingerprint],
+    pub(crate) result: &'a [Fingerprint],
+    pub(crate) scalar: &'static str,
+    pub(crate) clockwise: bool,
+    pub(crate) graph: &'a Graph<S>,
+    pub(crate) triangles: &'a Triangles,
+}
+
+#[derive(Serialize)]
+struct Certificate<'a> {
+    program: &'static str,
+    version: &'static str,
+    verdict: &'static str,
+    /// Whether a correct result is the canonical one.
+    canonical: Option<bool>,
+    input: &'a [Fingerprint],
+    result: &'a [Fingerprint],
+    scalar: &'static str,
+    vertices_matched_by: &'static str,
+    clockwise_accepted: bool,
+    clockwise: bool,
+    counts: Counts,
+    signs: Signs,
+    violations_found: usize,
+    violations: Vec<Item>,
+}
+
+#[derive(Serialize)]
+struct Counts {
+    points: usize,
+    distinct_points: usize,
+    edges: usize,
+    triangles: usize,
+    boundary_sides: usize,
+    constrained_sides: usize,
+    free_sides: usize,
+    cocircular_sides: usize,
+    uncanonical_sides: usize,
+}
+
+#[derive(Serialize)]
+struct Signs {
+    by_filter: u64,
+    exact: u64,
+}
+
+/// A violation, with all things numbered as in their files.
+#[derive(Serialize)]
+struct Item {
+    class: &'static str,
+    message: String,
+    vertices: Vec<Place>,
+    edges: Vec<usize>,
+    triangles: Vec<usize>,
+}
+
+#[derive(Serialize)]
+struct Place {
+    vertex: usize,
+    at: [Box<RawValue>; 2],
+}
+
+/// Writes the certificate.
+pub(crate) fn write<S: Coordinate>(
+    subject: &Subject<'_, S>,
+    answer: &Answer,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let report = report(answer);
+    let (list, found) = violations(answer);
+    let item = |&violation| {
+        let numbered = subject.triangles.as_numbered(subject.graph, violation);
+        let offenders = numbered.offenders();
+        let vertices = subject.triangles.vertices_of(subject.graph, violation);
+        let place = |v: usize| Place {
+            vertex: v + subject.graph.first_vertex,
+            at: subject.graph.points[v].each_ref().map(json_coordinate),
+        };
+        Item {
+            class: violation.name(),
+            message: numbered.to_string(),
+            vertices: vertices.into_iter().map(place).collect(),
+            edges: offenders.edges,
+            triangles: offenders.triangles,
+        }
+    };
+    let certificate = Certificate {
+        program: env!("CARGO_PKG_NAME"),
+        version: env!("CARGO_PKG_VERSION"),
+        verdict: if answer.is_ok() { "correct" } else { "wrong" },
+        canonical: answer.as_ref().ok().map(sweep_cdt::Report::is_canonical),
+        input: subject.input,
+        result: subject.result,
+        scalar: subject.scalar,
+        vertices_matched_by: match subject.triangles.matching {
+            Matching::Numbers => "numbers",
+            Matching::Coordinates => "coordinates",
+        },
+        clockwise_accepted: subject.clockwise,
+        clockwise: report.clockwise,
+        counts: Counts {
+            points: report.points,
+            distinct_points: report.distinct_points,
+            edges: report.edges,
+            triangles: report.triangles,
+            boundary_sides: report.boundary_sides,
+            constrained_sides: report.constrained_sides,
+            free_sides: report.free_sides,
+            cocircular_sides: report.cocircular_sides,
+            uncanonical_sides: report.uncanonical_sides,
+        },
+        signs: Signs {
+            by_filter: report.filtered,
+            exact: report.exact,
+        },
+        violations_found: found,
+        violations: list.iter().map(item).collect(),
+    };
+    serde_json::to_writer_pretty(&mut *out, &certificate)?;
+    writeln!(out)
+}

@@ -1,0 +1,135 @@
+//! Running the verifier, and what it says in words.
+
+use std::io::{self, Write};
+use std::sync::Mutex;
+
+use sweep_cdt::formats::{Coordinate, Graph, Triangles};
+use sweep_cdt::{Report, Scalar, Verifier, Violation, Violations};
+
+use super::progress::Progress;
+use super::statistics::{NAME, NUMBER, rows};
+
+/// The verifier's answer.
+pub(crate) type Answer = Result<Report, Violations>;
+
+/// Verifies on all cores, with a progress bar where that takes long.
+pub(crate) fn verify<T: Scalar + Sync>(
+    verifier: Verifier<'_>,
+    points: &[[T; 2]],
+    edges: &[[usize; 2]],
+    triangles: &[[usize; 3]],
+) -> Answer {
+    let progress = Mutex::new(Progress::new("verifying"));
+    let show = |done, all| {
+        // Whoever is late has nothing newer to show.
+        if let Ok(mut progress) = progress.try_lock() {
+            progress.show(done, all);
+        }
+    };
+    verifier
+        .progress(&show)
+        .verify_parallel(points, edges, triangles)
+}
+
+/// The counts of an answer.
+pub(crate) fn report(answer: &Answer) -> &Report {
+    match answer {
+        Ok(report) => report,
+        Err(violations) => &violations.report,
+    }
+}
+
+/// The violations of an answer that are listed, and how many there are in all.
+pub(crate) fn violations(answer: &Answer) -> (&[Violation], usize) {
+    match answer {
+        Ok(_) => (&[], 0),
+        Err(violations) => (&violations.list, violations.found),
+    }
+}
+
+/// Writes the line that says it all.
+pub(crate) fn write_verdict(
+    answer: &Answer,
+    result: &str,
+    input: &str,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    const WHAT: &str = "constrained Delaunay triangulation";
+    match answer {
+        Ok(report) => {
+            let not = if report.is_canonical() { "" } else { "not " };
+            writeln!(
+                out,
+                "correct: {result} is a {WHAT} of {input}, {not}the canonical one"
+            )
+        }
+        Err(violations) => {
+            let found = violations.found;
+            let plural = if found == 1 { "" } else { "s" };
+            writeln!(
+                out,
+                "wrong: {result} is no {WHAT} of {input}: {found} violation{plural}"
+            )
+        }
+    }
+}
+
+/// Writes the counts.
+pub(crate) fn write_counts(report: &Report, out: &mut impl Write) -> io::Result<()> {
+    let size = |number: usize| number as u64;
+    rows(
+        out,
+        &[
+            ("points", size(report.points)),
+            ("distinct points", size(report.distinct_points)),
+            ("edges", size(report.edges)),
+            ("triangles", size(report.triangles)),
+            ("boundary sides", size(report.boundary_sides)),
+            ("constrained sides", size(report.constrained_sides)),
+            ("free sides", size(report.free_sides)),
+            ("cocircular ties", size(report.cocircular_sides)),
+            ("ties not canonical", size(report.uncanonical_sides)),
+        ],
+    )?;
+    let all = (report.filtered + report.exact).max(1);
+    for (name, number) in [("by filter", report.filtered), ("exact", report.exact)] {
+        let share = 100.0 * number as f64 / all as f64;
+        writeln!(
+            out,
+            "{:NAME$}{share:>NUMBER$.3} %",
+            format!("signs: {name}")
+        )?;
+    }
+    Ok(())
+}
+
+/// Writes the violations, with all things numbered as in their files and where they are.
+pub(crate) fn write_violations<S: Coordinate>(
+    answer: &Answer,
+    graph: &Graph<S>,
+    triangles: &Triangles,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let (list, found) = violations(answer);
+    for &violation in list {
+        let numbered = triangles.as_numbered(graph, violation);
+        writeln!(out, "\n{}: {numbered}", violation.name())?;
+        let places: Vec<String> = triangles
+            .vertices_of(graph, violation)
+            .into_iter()
+            .map(|v| {
+                let [x, y] = graph.points[v].each_ref().map(S::text);
+                format!("{} ({x}, {y})", v + graph.first_vertex)
+            })
+            .collect();
+        if !places.is_empty() {
+            writeln!(out, "  {}", places.join(", "))?;
+        }
+    }
+    match found - list.len() {
+        0 => {}
+        more if list.is_empty() => writeln!(out, "\n{more} violations are not listed")?,
+        more => writeln!(out, "\nand {more} more")?,
+    }
+    Ok(())
+}

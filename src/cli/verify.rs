@@ -1,0 +1,165 @@
+//! `sweep-cdt verify`: is it a constrained Delaunay triangulation?
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use sweep_cdt::formats::{Coordinate, Graph, read_result, write_violations_svg};
+use sweep_cdt::{Scalar, Verifier};
+
+use super::certificate::{self, Fingerprint, Subject};
+use super::draft::Drafts;
+use super::failure::Failure;
+use super::input::{InputArgs, ResultArgs, ResultFiles};
+use super::output::{print, refuse_overwriting};
+use super::scalar::{Job, ScalarArgs};
+use super::verdict::{self, report, violations};
+
+/// Verify a triangulation that any program has made
+///
+/// Proves by exact arithmetic that the triangles are a constrained Delaunay triangulation of the input,
+/// or says what is wrong and where: triangles that tile the convex hull, with every point a corner,
+/// every edge a side (or several, where points lie on it), and every other side locally Delaunay.
+#[derive(clap::Args)]
+#[command(after_long_help = AFTER_HELP)]
+pub(crate) struct Verify {
+    #[command(flatten)]
+    input: InputArgs,
+
+    #[command(flatten)]
+    result: ResultArgs,
+
+    #[command(flatten)]
+    scalar: ScalarArgs,
+
+    /// Accept triangles that are all clockwise
+    #[arg(long)]
+    clockwise: bool,
+
+    /// How many violations are listed
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    limit: usize,
+
+    /// Print the certificate instead of the report
+    #[arg(long)]
+    json: bool,
+
+    /// Draw a picture with the first violations from near
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+
+    /// Write a certificate: the SHA-256 of the files, the counts and the verdict, as JSON
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+}
+
+const AFTER_HELP: &str = "\
+Result:
+  .ele     Triangle's triangles, numbered from 0 or 1; with the .node beside it, if there is one
+  .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; from 0, as in `points`
+  .obj     `v` and `f` lines; z is not read
+  A vertex of the result is the one of the input with the same coordinates, if there is one for
+  each or their counts differ; otherwise (rounded coordinates, or none) the one of the same number.
+
+Violations:
+  triangle-out-of-range, edge-out-of-range    a vertex that does not exist
+  flat-triangle, reversed-triangle            corners that are not counter-clockwise
+  repeated-side                               two triangles on one side of a side
+  pinched-boundary, extra-boundary,
+  concave-boundary, winding-boundary          triangles that do not fill the convex hull, once
+  unused-point, no-triangles, wrong-count     points that are no corners
+  missing-edge                                an input edge that is no chain of sides
+  not-delaunay                                a side that should be flipped
+
+Exit status:
+  0  correct   1  not correct, or unreadable   2  wrong usage
+
+Examples:
+  triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
+  sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --certificate terrain.verified.json";
+
+impl Verify {
+    /// Runs the subcommand.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let files = [&self.input.input, &self.result.result];
+        if files.iter().all(|file| file.is_stdin()) {
+            let message = "only one of INPUT and RESULT can be standard input";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let outputs = self.svg.iter().chain(&self.certificate);
+        refuse_overwriting(&files, outputs)?;
+        let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
+        let input = self
+            .input
+            .read(|source| of_input.push(Fingerprint::of(source)))?;
+        let result = self
+            .result
+            .load(|source| of_result.push(Fingerprint::of(source)))?;
+        let run = Run {
+            arguments: self,
+            result,
+            of_input: &of_input,
+            of_result: &of_result,
+        };
+        self.scalar.apply(&self.input.name(), &input, run)
+    }
+}
+
+/// A run with files that are read.
+struct Run<'a> {
+    arguments: &'a Verify,
+    result: ResultFiles,
+    of_input: &'a [Fingerprint],
+    of_result: &'a [Fingerprint],
+}
+
+impl Job for Run<'_> {
+    fn run<S: Coordinate, T: Scalar + Sync>(
+        self,
+        graph: &Graph<S>,
+        points: &[[T; 2]],
+        scalar: &'static str,
+    ) -> Result<(), Failure> {
+        let ResultFiles {
+            format,
+            source,
+            node,
+        } = self.result;
+        let arguments = self.arguments;
+        let triangles = read_result(format, &source, node.as_ref(), graph)?;
+        let verifier = Verifier::new()
+            .accept_clockwise(arguments.clockwise)
+            .limit(arguments.limit);
+        let answer = verdict::verify(verifier, points, &graph.edges, &triangles.list);
+
+        let subject = Subject {
+            input: self.of_input,
+            result: self.of_result,
+            scalar,
+            clockwise: arguments.clockwise,
+            graph,
+            triangles: &triangles,
+        };
+        let mut drafts = Drafts::default();
+        if let Some(path) = &arguments.certificate {
+            drafts.add(path, |out| certificate::write(&subject, &answer, out))?;
+        }
+        if let Some(path) = &arguments.svg {
+            let (list, found) = violations(&answer);
+            drafts.add(path, |out| {
+                write_violations_svg(graph, &triangles, list, found, out)
+            })?;
+        }
+        drafts.persist()?;
+        print(|out| {
+            if arguments.json {
+                return certificate::write(&subject, &answer, out);
+            }
+            let (input, result) = (arguments.input.name(), arguments.result.result.name());
+            verdict::write_verdict(&answer, &result, &input, out)?;
+            writeln!(out)?;
+            verdict::write_counts(report(&answer), out)?;
+            verdict::write_violations(&answer, graph, &triangles, out)
+        })?;
+        answer.map(|_| ()).map_err(|_| Failure::Wrong)
+    }
+}

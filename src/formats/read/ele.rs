@@ -1,0 +1,55 @@
+//! Triangle's `.ele`.
+//!
+//! ```text
+//! <triangles> 3 <attributes>                               counts; only the first one is needed
+//! <triangle> <vertex> <vertex> <vertex> [attributes]       numbered from 0 or from 1
+//! ```
+//!
+//! Vertices are numbered as in the `.node` beside it, and without one from where the triangles are, as
+//! Triangle does.
+
+use crate::formats::Coordinate;
+use crate::formats::read::lines::Lines;
+use crate::formats::read::result::Content;
+use crate::formats::read::triangle::{numbered, read_node};
+use crate::formats::read::{Source, Stop};
+
+/// Reads a `.ele`; `node` is the `.node` beside it.
+pub(super) fn read<S: Coordinate>(
+    source: &Source,
+    node: Option<&Source>,
+) -> Result<Content<S>, Stop> {
+    let mut lines = Lines::new(source);
+    let mut line = lines.expect_line(|| "the number of triangles".to_owned())?;
+    let count = line.index("a number of triangles")?;
+    if !matches!(line.token(), None | Some(b"3")) {
+        let message = "only triangles of 3 vertices are read";
+        return Err(line.error(message.to_owned()).into());
+    }
+    let mut triangles = Vec::with_capacity(lines.capacity(count));
+    let mut first_triangle = 0;
+    for triangle in 0..count {
+        let mut line = lines.expect_line(|| format!("triangle {} of {count}", triangle + 1))?;
+        numbered(
+            &mut line,
+            triangle,
+            &mut first_triangle,
+            "a triangle's number",
+        )?;
+        let mut corner = || line.index("a vertex's number");
+        triangles.push([corner()?, corner()?, corner()?]);
+    }
+    if let Some(line) = lines.next_line() {
+        let message = format!("the first line announces only {count} triangles");
+        return Err(line.error(message).into());
+    }
+    let node = node.map(read_node).transpose()?;
+    Ok(Content {
+        triangles,
+        first_triangle,
+        first_vertex: node
+            .as_ref()
+            .map_or(first_triangle, |node| node.first_vertex),
+        points: node.map(|node| node.points),
+    })
+}
