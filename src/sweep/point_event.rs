@@ -14,8 +14,8 @@
 //! Cost: a search, a few walk steps, and a constant number of triangles and flips on average.
 //!
 //! Differs from the paper: the left case is the middle case and one forced corner; angles are compared
-//! by dot products; [`Fill::Wide`] goes a little beyond pi/2; only the stretch of a basin from its
-//! steep side to the other rim is filled, up to its own upper hull.
+//! by dot products; [`Fill::Wide`] goes a little beyond pi/2; a basin is filled as far up as its rim
+//! beside the new vertex, to the upper hull of that stretch.
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
@@ -191,16 +191,22 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         py - y > (px - x).abs()
     }
 
-    /// Fills a basin: from the node beside `p` down to the bottom and up to the other rim.
+    /// Fills a basin: from its rim, the node beside `p`, down to the bottom and up again, not above the
+    /// rim.
     fn fill_basin(&mut self, p: VertexId, step: fn(&Front, VertexId) -> VertexId) {
         let height = |sweep: &Self, v: VertexId| sweep.predicates.near(v)[1];
-        let near_rim = step(&self.front, p);
-        let (mut at, mut y) = (near_rim, height(self, near_rim));
+        let rim = step(&self.front, p);
+        let top = height(self, rim);
+        let (mut at, mut y) = (rim, top);
         for falling in [true, false] {
             for _ in 0..BASIN_REACH {
                 let beyond = step(&self.front, at);
                 let next_y = height(self, beyond);
-                let goes_on = if falling { next_y < y } else { next_y > y };
+                let goes_on = if falling {
+                    next_y < y
+                } else {
+                    next_y > y && next_y <= top
+                };
                 // False for an artificial node, whose height is no number.
                 if !goes_on {
                     break;
@@ -209,9 +215,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             }
         }
         let (from, to) = if self.predicates.compare_x(p, at) == Less {
-            (near_rim, at)
+            (rim, at)
         } else {
-            (at, near_rim)
+            (at, rim)
         };
         let added = self.fill_front(from, to, Why::Basin);
         self.predicates.probe.count(|c| c.basin_triangles += added);
