@@ -10,9 +10,11 @@ mod file;
 mod input;
 mod output;
 mod progress;
+mod replay;
 mod scalar;
 mod settings;
 mod statistics;
+mod trace;
 mod triangulate;
 mod verdict;
 mod verify;
@@ -41,6 +43,8 @@ struct Cli {
 enum Command {
     Triangulate(triangulate::Triangulate),
     Verify(verify::Verify),
+    Trace(trace::Trace),
+    Replay(replay::Replay),
 }
 
 /// Runs the command line of this process.
@@ -48,6 +52,8 @@ pub(crate) fn main() -> ExitCode {
     let outcome = match Cli::parse().command {
         Command::Triangulate(command) => command.run(),
         Command::Verify(command) => command.run(),
+        Command::Trace(command) => command.run(),
+        Command::Replay(command) => command.run(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

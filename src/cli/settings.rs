@@ -1,6 +1,7 @@
 //! Settings of the sweep: they change the time and never the result.
 
 use clap::ValueEnum;
+use sweep_cdt::trace::Event;
 use sweep_cdt::{
     Error, FrontSearch, HashTable, Heuristics, Linear, Scalar, SkipList, Stats, Triangulation,
     Triangulator,
@@ -59,6 +60,25 @@ impl Settings {
             Front::Hash => self.run::<S, HashTable>(points, edges, stats),
             Front::SkipList => self.run::<S, SkipList>(points, edges, stats),
             Front::Linear => self.run::<S, Linear>(points, edges, stats),
+        }
+    }
+
+    /// The same, with every step told to `observer`.
+    pub(crate) fn observe<S: Scalar>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        observer: impl FnMut(Event),
+    ) -> Result<Triangulation, Error> {
+        let triangulator = Triangulator::new().heuristics(self.heuristics());
+        match self.front {
+            Front::Hash => triangulator.triangulate_observed(points, edges, observer),
+            Front::SkipList => triangulator
+                .front::<SkipList>()
+                .triangulate_observed(points, edges, observer),
+            Front::Linear => triangulator
+                .front::<Linear>()
+                .triangulate_observed(points, edges, observer),
         }
     }
 

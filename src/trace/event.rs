@@ -8,13 +8,17 @@ use std::fmt;
 
 /// A vertex as events name it: the input index that stands for it, or an artificial point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize, serde::Deserialize))]
 pub enum Vertex {
-    /// A point of the input, by its index; of equal ones the lowest.
-    Input(u32),
     /// The artificial point P-1, far to the left (section 3.3).
+    #[cfg_attr(feature = "cli", serde(rename = "P-1"))]
     Left,
     /// The artificial point P-2, far to the right (section 3.3).
+    #[cfg_attr(feature = "cli", serde(rename = "P-2"))]
     Right,
+    /// A point of the input, by its index; of equal ones the lowest.
+    #[cfg_attr(feature = "cli", serde(untagged))]
+    Input(u32),
 }
 
 impl fmt::Display for Vertex {
@@ -48,6 +52,11 @@ impl fmt::Display for Vertex {
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "cli",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "event", rename_all = "kebab-case", deny_unknown_fields)
+)]
 #[non_exhaustive]
 pub enum Event {
     /// The next vertex in sweep order (section 3.3); all of them come first.
@@ -158,6 +167,11 @@ pub enum Event {
 
 /// Where the projection of a new vertex falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "cli",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum PointCase {
     /// Strictly inside a front segment (figure 7).
     Middle,
@@ -167,6 +181,11 @@ pub enum PointCase {
 
 /// What a triangle is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "cli",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Why {
     /// The first one (figure 6).
     First,
@@ -186,6 +205,11 @@ pub enum Why {
 
 /// How a legalization test ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "cli",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Outcome {
     /// The edge is locally Delaunay, and the canonical one where that is a tie.
     Legal,
@@ -197,6 +221,11 @@ pub enum Outcome {
 
 /// What is in the way of a part of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "cli",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum PartCase {
     /// It is a side of the triangulation already: all steps are bypassed.
     Present,
@@ -210,6 +239,11 @@ pub enum PartCase {
 
 /// One of the two pseudo-polygons of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(
+    feature = "cli",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Side {
     /// Above the edge.
     Upper,

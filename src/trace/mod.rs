@@ -1,5 +1,45 @@
-//! Step traces: every step of the paper as an [`Event`].
+//! Step traces: every step of the paper as an [`Event`]; a whole run as a [`Trace`], written, read back
+//! and replayed.
+//!
+//! A trace is written in one of two formats, both with a header line that gives the version and then
+//! one line a step: as text, made to be read beside the paper, or as JSON Lines for programs.
+//!
+//! Text (`sweep-cdt trace 1`):
+//!
+//! ```text
+//! sorted 4                                            the sweep order, one vertex a line
+//! point 7: middle case, projected on segment 3 5      or `left case`
+//! triangle 7 3 5 (point)                              or first, pi/2 fill, basin, pocket,
+//!                                                     pseudo-polygon, upper hull
+//! test 3 5 against 7 2: illegal                       or legal, fixed
+//! flip 3 5 to 7 2
+//! front gains 7 after 3
+//! front loses 5
+//! edge 0: from 7 down to 1
+//! switch to the front at 3 5                          or to triangles
+//! part 7 1: mixed                                     or there already, below the front, front only
+//! pierced 3 1 5
+//! border 3 (upper pseudo-polygon)                     or lower
+//! fixed 7 1
+//! finalization
+//! removed P-1 P-2 4
+//! finished: 12 triangles
+//! ```
+//!
+//! JSON Lines: the header is `{"format":"sweep-cdt trace","version":1}`; each step is an object whose
+//! `event` is the name of the variant of [`Event`] in lower case with hyphens, and whose other members
+//! are its fields; words are written the same way. Vertices are numbers, or `"P-1"` and `"P-2"`. A part
+//! of a trace says at which step it begins: `from step 120` in the header, or `"from":120`.
 
 mod event;
+#[cfg(feature = "cli")]
+mod lines;
+mod replay;
+mod text;
+mod whole;
 
 pub use event::{Event, Outcome, PartCase, PointCase, Side, Vertex, Why};
+pub use whole::{BadTrace, Trace};
+
+/// The version of both formats.
+const VERSION: u32 = 1;

@@ -18,6 +18,12 @@ fn input(name: &str) -> Input {
     Input::parse(points, edges)
 }
 
+/// All of the table: names and inputs.
+pub(crate) fn all() -> impl Iterator<Item = (&'static str, Input)> {
+    let rows = PAPER.iter().chain(CASES);
+    rows.map(|(name, points, edges)| (*name, Input::parse(points, edges)))
+}
+
 #[test]
 fn every_case_in_every_run() {
     let runs = runs::all();

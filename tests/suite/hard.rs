@@ -16,12 +16,12 @@ use crate::runs;
 const EXACT_LIMIT: usize = 3000;
 const ORACLE_LIMIT: usize = 30;
 
-struct File {
-    path: PathBuf,
+pub(crate) struct File {
+    pub(crate) path: PathBuf,
     expect: String,
     /// Whether there is no triangle.
     is_flat: bool,
-    input: Input,
+    pub(crate) input: Input,
 }
 
 fn read(path: &Path) -> File {
@@ -144,10 +144,14 @@ fn test(file: &File) {
     }
 }
 
+/// Those of `tests/data/hard`.
+pub(crate) fn own_files() -> Vec<File> {
+    files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/hard"))
+}
+
 #[test]
 fn inputs_that_broke_other_programs() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/hard");
-    files(&folder).iter().for_each(test);
+    own_files().iter().for_each(test);
 }
 
 #[test]

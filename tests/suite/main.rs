@@ -4,6 +4,7 @@
 //! * `runs`: the table of scalars, fronts and heuristics. A new one is one line there.
 //! * `cases`: small named inputs. `hard`: inputs that broke other programs. `random`: generated ones.
 //! * `invariance`: what must not change the result.
+//! * `trace`: the steps are the same for every scalar and front, and replaying them gives the result.
 //!
 //! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin, and
 //! `SWEEP_CDT_HARD` names a folder of further hard inputs.
@@ -18,3 +19,4 @@ mod minimize;
 mod oracle;
 mod random;
 mod runs;
+mod trace;

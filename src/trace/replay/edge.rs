@@ -1,0 +1,185 @@
+//! An edge event in a replay: first its parts are told, from the upper to the lower end, then each of
+//! them is inserted: as the side that is there already, or in place of the triangles that it pierces.
+
+use std::collections::HashSet;
+
+use super::super::{PartCase, Side as Polygon, Vertex};
+use super::mesh::{self, Mesh, Side, across};
+
+/// The edge being inserted.
+#[derive(Debug)]
+pub(super) struct Edge {
+    lower: Vertex,
+    /// Where the part to be told starts.
+    at: Vertex,
+    /// Switches since then: whether to the front, and whether at a vertex.
+    switches: Vec<(bool, bool)>,
+    parts: Vec<[Vertex; 2]>,
+    /// How many parts are fixed.
+    fixed: usize,
+    hole: Hole,
+}
+
+/// What the triangles that a part pierces leave.
+#[derive(Debug, Default)]
+struct Hole {
+    /// The triangle removed last.
+    last: Option<[Vertex; 3]>,
+    /// The sides of the removed triangles that were not yet named as borders.
+    sides: HashSet<Side>,
+    border: Vec<Side>,
+    /// The pseudo-polygon that the border told last belongs to, and its end.
+    polygon: Option<(Polygon, Vertex)>,
+    /// How many borders are complete.
+    complete: usize,
+}
+
+impl Edge {
+    pub(super) fn new(upper: Vertex, lower: Vertex) -> Edge {
+        Edge {
+            lower,
+            at: upper,
+            switches: Vec::new(),
+            parts: Vec::new(),
+            fixed: 0,
+            hole: Hole::default(),
+        }
+    }
+
+    /// Whether all parts have been told.
+    pub(super) fn is_surveyed(&self) -> bool {
+        self.at == self.lower
+    }
+
+    /// Whether pockets may be filled: after the parts are told, before the first is inserted.
+    pub(super) fn may_fill_pockets(&self) -> bool {
+        self.is_surveyed() && self.fixed == 0 && self.hole.last.is_none()
+    }
+
+    /// Whether a pseudo-polygon may be filled.
+    pub(super) fn may_fill_polygon(&self) -> bool {
+        self.hole.complete > 0 && self.hole.polygon.is_none()
+    }
+
+    pub(super) fn is_complete(&self) -> bool {
+        self.is_surveyed() && self.fixed == self.parts.len()
+    }
+
+    pub(super) fn switch(&mut self, to_front: bool, at: [Vertex; 2]) -> Result<(), String> {
+        let is_on_front = self.switches.last().is_some_and(|&(to_front, _)| to_front);
+        if self.is_surveyed() || is_on_front == to_front {
+            return Err("no switch can be here".to_owned());
+        }
+        let is_at_vertex = at[0] == at[1];
+        // Only the first switch is at a vertex, where the part begins; no crossed segment ends there.
+        let is_right = if is_at_vertex {
+            at[0] == self.at && self.switches.is_empty()
+        } else {
+            !at.contains(&self.at)
+        };
+        if !is_right {
+            return Err(format!("the edge cannot be at {} {} now", at[0], at[1]));
+        }
+        self.switches.push((to_front, is_at_vertex));
+        Ok(())
+    }
+
+    pub(super) fn part(
+        &mut self,
+        [from, to]: [Vertex; 2],
+        case: PartCase,
+        mesh: &Mesh,
+    ) -> Result<(), String> {
+        if self.is_surveyed() || from != self.at {
+            return Err(format!("no part of the edge begins at {from} now"));
+        }
+        let is_there = mesh.has([from, to]) || mesh.has([to, from]);
+        let met = match self.switches[..] {
+            [] if is_there => PartCase::Present,
+            [] => PartCase::BelowFront,
+            [(_, true)] => PartCase::FrontOnly,
+            _ => PartCase::Mixed,
+        };
+        if case != met {
+            return Err("the steps before make it another case".to_owned());
+        }
+        self.switches.clear();
+        self.parts.push([from, to]);
+        self.at = to;
+        Ok(())
+    }
+
+    /// The part to be inserted.
+    fn current(&self) -> Result<[Vertex; 2], String> {
+        let part = self.parts.get(self.fixed).filter(|_| self.is_surveyed());
+        part.copied()
+            .ok_or_else(|| "no part of an edge is inserted now".to_owned())
+    }
+
+    pub(super) fn pierce(&mut self, vertices: [Vertex; 3], mesh: &Mesh) -> Result<(), String> {
+        let [from, _] = self.current()?;
+        let follows = match self.hole.last {
+            None => vertices.contains(&from),
+            Some(last) => {
+                let is_shared = |&side: &Side| {
+                    mesh::sides(last).contains(&across(side)) && !mesh.is_fixed(side)
+                };
+                mesh::sides(vertices).iter().any(is_shared)
+            }
+        };
+        if !follows || self.hole.complete > 0 || self.hole.polygon.is_some() {
+            return Err("the edge does not come to this triangle now".to_owned());
+        }
+        self.hole.sides.extend(mesh::sides(vertices));
+        self.hole.last = Some(vertices);
+        Ok(())
+    }
+
+    /// The borders: that left of the part from its lower end, then that right of it from its upper end.
+    pub(super) fn border(&mut self, side: Polygon, v: Vertex) -> Result<(), String> {
+        let [from, to] = self.current()?;
+        let hole = &mut self.hole;
+        let (start, end) = if hole.complete == 0 {
+            (to, from)
+        } else {
+            (from, to)
+        };
+        let reaches_end = hole.last.is_some_and(|last| last.contains(&to));
+        let Some((polygon, last)) = hole.polygon else {
+            if v != start || !reaches_end || hole.complete > 1 {
+                return Err(format!("no border begins at {v} now"));
+            }
+            hole.polygon = Some((side, v));
+            return Ok(());
+        };
+        if side != polygon || !hole.sides.remove(&[last, v]) {
+            return Err(format!("the border does not lead to {v}"));
+        }
+        hole.border.push([last, v]);
+        hole.polygon = Some((side, v));
+        if v == end {
+            hole.polygon = None;
+            hole.complete += 1;
+        }
+        Ok(())
+    }
+
+    pub(super) fn fix(&mut self, part: [Vertex; 2], mesh: &Mesh) -> Result<(), String> {
+        let sides = [part, across(part)].map(|side| mesh.has(side));
+        let hole = std::mem::take(&mut self.hole);
+        let is_there = if hole.last.is_none() {
+            sides.contains(&true)
+        } else {
+            let is_inner = |&side: &Side| hole.sides.contains(&across(side));
+            hole.complete == 2
+                && hole.sides.iter().all(is_inner)
+                && hole.border.iter().all(|&side| mesh.has(side))
+                && sides == [true; 2]
+        };
+        if self.current()? != part || !is_there {
+            return Err("this part of the edge cannot be fixed now".to_owned());
+        }
+        self.fixed += 1;
+        Ok(())
+    }
+}

@@ -1,0 +1,121 @@
+//! Replays a trace on an empty mesh, without any geometry, and refuses one that no run can have made.
+//!
+//! What is checked is told at [`Trace::replay`](super::Trace::replay). Each event is checked against the
+//! state that those before it made: the mesh, the front, the edge being inserted, and, where the sweep
+//! has no choice, the events that must follow.
+//!
+//! Cost: O(1) expected an event, but O(n) for the checks at the end.
+
+mod edge;
+mod events;
+mod front;
+mod mesh;
+
+use std::collections::{HashMap, HashSet, VecDeque};
+
+use super::{BadTrace, Event, Vertex};
+use edge::Edge;
+use front::Front;
+use mesh::Mesh;
+
+/// How far the run has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Phase {
+    Sorting,
+    Sweeping,
+    Finalizing,
+    Removing,
+    Finished,
+}
+
+/// The state between two events.
+#[derive(Debug)]
+struct Replay {
+    phase: Phase,
+    order: Vec<Vertex>,
+    ranks: HashMap<Vertex, usize>,
+    swept: usize,
+    mesh: Mesh,
+    front: Front,
+    /// What must come next, in this order.
+    due: VecDeque<Event>,
+    /// The left end of the segment of a left case, whose second triangle is still to come.
+    below: Option<Vertex>,
+    edge: Option<Edge>,
+    edges: HashSet<u32>,
+    /// The event before.
+    last: Option<Event>,
+}
+
+/// Rebuilds the result.
+pub(super) fn replay(events: &[Event]) -> Result<Vec<[usize; 3]>, BadTrace> {
+    let mut replay = Replay::new();
+    for (line, &event) in (2..).zip(events) {
+        replay
+            .step(event)
+            .map_err(|message| BadTrace { line, message })?;
+    }
+    if replay.phase != Phase::Finished {
+        let (line, message) = (events.len() + 2, "the trace ends too early".to_owned());
+        return Err(BadTrace { line, message });
+    }
+    let index = |v| match v {
+        Vertex::Input(v) => v as usize,
+        Vertex::Left | Vertex::Right => unreachable!("artificial triangles are gone"),
+    };
+    let triangles = replay.mesh.triangles().into_iter();
+    Ok(triangles.map(|vertices| vertices.map(index)).collect())
+}
+
+/// A complaint unless `condition` holds.
+fn ensure(condition: bool, message: impl FnOnce() -> String) -> Result<(), String> {
+    if condition { Ok(()) } else { Err(message()) }
+}
+
+impl Replay {
+    fn new() -> Replay {
+        Replay {
+            phase: Phase::Sorting,
+            order: Vec::new(),
+            ranks: HashMap::new(),
+            swept: 0,
+            mesh: Mesh::default(),
+            front: Front::new(),
+            due: VecDeque::new(),
+            below: None,
+            edge: None,
+            edges: HashSet::new(),
+            last: None,
+        }
+    }
+
+    /// One event.
+    fn step(&mut self, event: Event) -> Result<(), String> {
+        ensure(self.phase != Phase::Finished, || {
+            "the trace is over".to_owned()
+        })?;
+        let due = self.due.front().copied();
+        if let Some(due) = due {
+            // Legalization may look at the edge once more before it flips it.
+            if matches!(due, Event::Flip { .. }) && self.last == Some(event) {
+                return Ok(());
+            }
+            ensure(event == due, || format!("`{due}` must be here"))?;
+            self.due.pop_front();
+        }
+        let is_within = matches!(
+            event,
+            Event::Triangle { .. }
+                | Event::Test { .. }
+                | Event::Flip { .. }
+                | Event::FrontInsert { .. }
+                | Event::FrontRemove { .. }
+        );
+        if !is_within {
+            self.front.settle(&self.mesh)?;
+        }
+        self.apply(event, due.is_some())?;
+        self.last = Some(event);
+        Ok(())
+    }
+}

@@ -1,0 +1,226 @@
+//! Traces as text: one line a step, in the paper's words, to be read beside the paper.
+//!
+//! The format is that of [`fmt::Display`] for [`Event`]; see [`crate::trace`]. A line is read by its
+//! words, and refused unless what was read is written as the same line: so reading cannot be more
+//! tolerant than it should be.
+
+use std::fmt;
+use std::io::{self, Write};
+
+use super::{BadTrace, Event, Outcome, PartCase, PointCase, Side, Trace, VERSION, Vertex, Why};
+
+const HEADER: &str = "sweep-cdt trace";
+
+const WHYS: [(Why, &str); 7] = [
+    (Why::First, "first"),
+    (Why::Point, "point"),
+    (Why::Fill, "pi/2 fill"),
+    (Why::Basin, "basin"),
+    (Why::Pocket, "pocket"),
+    (Why::PseudoPolygon, "pseudo-polygon"),
+    (Why::Hull, "upper hull"),
+];
+const OUTCOMES: [(Outcome, &str); 3] = [
+    (Outcome::Legal, "legal"),
+    (Outcome::Illegal, "illegal"),
+    (Outcome::Fixed, "fixed"),
+];
+const POINT_CASES: [(PointCase, &str); 2] =
+    [(PointCase::Middle, "middle"), (PointCase::Left, "left")];
+const PART_CASES: [(PartCase, &str); 4] = [
+    (PartCase::Present, "there already"),
+    (PartCase::BelowFront, "below the front"),
+    (PartCase::FrontOnly, "front only"),
+    (PartCase::Mixed, "mixed"),
+];
+const SIDES: [(Side, &str); 2] = [(Side::Upper, "upper"), (Side::Lower, "lower")];
+
+fn word<T: PartialEq>(table: &[(T, &'static str)], value: &T) -> &'static str {
+    let row = table.iter().find(|(other, _)| other == value);
+    row.expect("the table has all values").1
+}
+
+fn value<T: Copy>(table: &[(T, &str)], words: &[&str]) -> Option<T> {
+    let words = words.join(" ");
+    let row = table.iter().find(|(_, word)| *word == words)?;
+    Some(row.0)
+}
+
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Event::Sorted { vertex } => write!(f, "sorted {vertex}"),
+            Event::Point {
+                vertex,
+                case,
+                segment: [l, r],
+            } => {
+                let case = word(&POINT_CASES, case);
+                write!(
+                    f,
+                    "point {vertex}: {case} case, projected on segment {l} {r}"
+                )
+            }
+            Event::Triangle {
+                vertices: [a, b, c],
+                why,
+            } => write!(f, "triangle {a} {b} {c} ({})", word(&WHYS, why)),
+            Event::Test {
+                edge: [a, b],
+                opposite: [p, q],
+                outcome,
+            } => {
+                let outcome = word(&OUTCOMES, outcome);
+                write!(f, "test {a} {b} against {p} {q}: {outcome}")
+            }
+            Event::Flip {
+                edge: [a, b],
+                to: [p, q],
+            } => write!(f, "flip {a} {b} to {p} {q}"),
+            Event::FrontInsert { vertex, after } => write!(f, "front gains {vertex} after {after}"),
+            Event::FrontRemove { vertex } => write!(f, "front loses {vertex}"),
+            Event::Edge { edge, upper, lower } => {
+                write!(f, "edge {edge}: from {upper} down to {lower}")
+            }
+            Event::Switch {
+                to_front,
+                at: [l, r],
+            } => {
+                let to = if *to_front { "the front" } else { "triangles" };
+                write!(f, "switch to {to} at {l} {r}")
+            }
+            Event::Part { from, to, case } => {
+                write!(f, "part {from} {to}: {}", word(&PART_CASES, case))
+            }
+            Event::Pierced {
+                vertices: [a, b, c],
+            } => write!(f, "pierced {a} {b} {c}"),
+            Event::Border { side, vertex } => {
+                write!(f, "border {vertex} ({} pseudo-polygon)", word(&SIDES, side))
+            }
+            Event::Fixed { edge: [a, b] } => write!(f, "fixed {a} {b}"),
+            Event::Finalization => write!(f, "finalization"),
+            Event::Removed {
+                vertices: [a, b, c],
+            } => write!(f, "removed {a} {b} {c}"),
+            Event::Finished { triangles } => write!(f, "finished: {triangles} triangles"),
+        }
+    }
+}
+
+fn vertex(word: &str) -> Option<Vertex> {
+    match word {
+        "P-1" => Some(Vertex::Left),
+        "P-2" => Some(Vertex::Right),
+        _ => word.parse().ok().map(Vertex::Input),
+    }
+}
+
+fn vertices<const N: usize>(words: [&str; N]) -> Option<[Vertex; N]> {
+    let vertices: Option<Vec<Vertex>> = words.into_iter().map(vertex).collect();
+    vertices?.try_into().ok()
+}
+
+/// The event that a line tells, by its words alone.
+fn event(line: &str) -> Option<Event> {
+    let is_mark = |c: char| c.is_whitespace() || ":,()".contains(c);
+    let words: Vec<&str> = line
+        .split(is_mark)
+        .filter(|word| !word.is_empty())
+        .collect();
+    Some(match *words {
+        ["sorted", v] => Event::Sorted { vertex: vertex(v)? },
+        ["point", v, case, "case", "projected", "on", "segment", l, r] => Event::Point {
+            vertex: vertex(v)?,
+            case: value(&POINT_CASES, &[case])?,
+            segment: vertices([l, r])?,
+        },
+        ["triangle", a, b, c, ref why @ ..] => Event::Triangle {
+            vertices: vertices([a, b, c])?,
+            why: value(&WHYS, why)?,
+        },
+        ["test", a, b, "against", p, q, outcome] => Event::Test {
+            edge: vertices([a, b])?,
+            opposite: vertices([p, q])?,
+            outcome: value(&OUTCOMES, &[outcome])?,
+        },
+        ["flip", a, b, "to", p, q] => Event::Flip {
+            edge: vertices([a, b])?,
+            to: vertices([p, q])?,
+        },
+        ["front", "gains", v, "after", left] => Event::FrontInsert {
+            vertex: vertex(v)?,
+            after: vertex(left)?,
+        },
+        ["front", "loses", v] => Event::FrontRemove { vertex: vertex(v)? },
+        ["edge", edge, "from", upper, "down", "to", lower] => Event::Edge {
+            edge: edge.parse().ok()?,
+            upper: vertex(upper)?,
+            lower: vertex(lower)?,
+        },
+        ["switch", "to", ref to @ .., "at", l, r] => Event::Switch {
+            to_front: matches!(to, ["the", "front"]),
+            at: vertices([l, r])?,
+        },
+        ["part", from, to, ref case @ ..] => Event::Part {
+            from: vertex(from)?,
+            to: vertex(to)?,
+            case: value(&PART_CASES, case)?,
+        },
+        ["pierced", a, b, c] => Event::Pierced {
+            vertices: vertices([a, b, c])?,
+        },
+        ["border", v, side, "pseudo-polygon"] => Event::Border {
+            side: value(&SIDES, &[side])?,
+            vertex: vertex(v)?,
+        },
+        ["fixed", a, b] => Event::Fixed {
+            edge: vertices([a, b])?,
+        },
+        ["finalization"] => Event::Finalization,
+        ["removed", a, b, c] => Event::Removed {
+            vertices: vertices([a, b, c])?,
+        },
+        ["finished", triangles, "triangles"] => Event::Finished {
+            triangles: triangles.parse().ok()?,
+        },
+        _ => return None,
+    })
+}
+
+/// The header of a trace whose first steps are left out.
+fn header(skipped: usize) -> String {
+    match skipped {
+        0 => format!("{HEADER} {VERSION}"),
+        _ => format!("{HEADER} {VERSION} from step {}", skipped + 1),
+    }
+}
+
+/// Writes a trace.
+pub(super) fn write(trace: &Trace, out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "{}", header(trace.skipped))?;
+    trace
+        .events
+        .iter()
+        .try_for_each(|event| writeln!(out, "{event}"))
+}
+
+/// Reads a trace.
+pub(super) fn read(text: &str) -> Result<Trace, BadTrace> {
+    let mut lines = text.lines();
+    let first = lines.next().unwrap_or_default();
+    let step = first.rsplit(' ').next().and_then(|step| step.parse().ok());
+    let starts = [0, step.map_or(0, |step: usize| step.saturating_sub(1))];
+    let Some(skipped) = starts.into_iter().find(|&start| header(start) == first) else {
+        let message = format!("is not the header `{}`", header(0));
+        return Err(BadTrace { line: 1, message });
+    };
+    let mut events = Vec::new();
+    for (number, line) in (2..).zip(lines) {
+        match event(line) {
+            Some(event) if event.to_string() == line => events.push(event),
+            _ => return Err(BadTrace::no_step(number, line)),
+        }
+    }
+    Ok(Trace { skipped, events })
+}
