@@ -19,6 +19,7 @@ mod coordinate;
 mod graph;
 mod rational;
 mod read;
+mod steps;
 mod write;
 
 pub use coordinate::{Coordinate, Unreadable};
@@ -27,4 +28,5 @@ pub use rational::{Rational, exact};
 pub use read::{
     Input, InputFormat, Matching, ReadError, ResultFormat, Source, Triangles, read, read_result,
 };
+pub use steps::{MOST_PANELS, MOST_STEPS, write_page, write_sheet};
 pub use write::{OutputFormat, json_coordinate, write, write_node, write_violations_svg};

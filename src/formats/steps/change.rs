@@ -1,0 +1,123 @@
+//! What an event changes in the picture.
+
+use crate::trace::{Event, Outcome, Side, Vertex};
+
+/// A change of the picture. The last four only point at something, for the length of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Change {
+    /// The sweep line comes to a vertex; the edge event before it is over.
+    Sweep(Vertex),
+    /// It has passed all vertices.
+    Swept,
+    /// The triangulation is complete, and without a front.
+    End,
+    /// A triangle appears.
+    Add([Vertex; 3]),
+    /// A triangle disappears.
+    Remove([Vertex; 3]),
+    /// A triangle disappears, and its place is marked until the edge is fixed.
+    Pierce([Vertex; 3]),
+    /// A vertex joins the front after another one.
+    Join(Vertex, Vertex),
+    /// A vertex leaves the front.
+    Leave(Vertex),
+    /// An edge is being inserted from its upper end to its lower one.
+    Edge([Vertex; 2]),
+    /// A pseudo-polygon has one more vertex.
+    Border(Side, Vertex),
+    /// A constraint is there, and the pseudo-polygons are done with.
+    Fix([Vertex; 2]),
+    /// Look at this vertex.
+    Vertex(Vertex),
+    /// Look at this line.
+    Line([Vertex; 2]),
+    /// This line is no more.
+    Gone([Vertex; 2]),
+    /// The edge between the first two is tested against the others.
+    Test([Vertex; 4], Outcome),
+}
+
+impl Change {
+    /// Its letter and numbers in the page; P-1 and P-2 are -1 and -2.
+    pub(super) fn code(&self) -> (&'static str, Vec<i64>) {
+        let codes = |vertices: &[Vertex]| vertices.iter().copied().map(number).collect();
+        match self {
+            Change::Sweep(v) => ("sweep", codes(&[*v])),
+            Change::Swept => ("swept", Vec::new()),
+            Change::End => ("end", Vec::new()),
+            Change::Add(corners) => ("add", codes(corners)),
+            Change::Remove(corners) => ("remove", codes(corners)),
+            Change::Pierce(corners) => ("pierce", codes(corners)),
+            Change::Join(v, after) => ("join", codes(&[*v, *after])),
+            Change::Leave(v) => ("leave", codes(&[*v])),
+            Change::Edge(ends) => ("edge", codes(ends)),
+            Change::Border(Side::Upper, v) => ("upper", codes(&[*v])),
+            Change::Border(Side::Lower, v) => ("lower", codes(&[*v])),
+            Change::Fix(ends) => ("fix", codes(ends)),
+            Change::Vertex(v) => ("vertex", codes(&[*v])),
+            Change::Line(ends) => ("line", codes(ends)),
+            Change::Gone(ends) => ("gone", codes(ends)),
+            Change::Test(vertices, Outcome::Legal) => ("legal", codes(vertices)),
+            Change::Test(vertices, Outcome::Illegal) => ("illegal", codes(vertices)),
+            Change::Test(vertices, Outcome::Fixed) => ("fixed", codes(vertices)),
+        }
+    }
+
+    /// The vertices that one should see to follow it.
+    pub(super) fn vertices(&self) -> Vec<usize> {
+        let (_, codes) = self.code();
+        let real = |code: &i64| usize::try_from(*code).ok();
+        codes.iter().filter_map(real).collect()
+    }
+}
+
+fn number(vertex: Vertex) -> i64 {
+    match vertex {
+        Vertex::Input(index) => index.into(),
+        Vertex::Left => -1,
+        Vertex::Right => -2,
+    }
+}
+
+/// What an event changes.
+pub(super) fn changes(event: &Event) -> Vec<Change> {
+    use Change as C;
+    match *event {
+        Event::Sorted { vertex } => vec![C::Vertex(vertex)],
+        Event::Point {
+            vertex, segment, ..
+        } => vec![C::Sweep(vertex), C::Vertex(vertex), C::Line(segment)],
+        Event::Triangle { vertices, why } => match (why, vertices[0]) {
+            (crate::trace::Why::First, first) => vec![C::Sweep(first), C::Add(vertices)],
+            _ => vec![C::Add(vertices)],
+        },
+        Event::Test {
+            edge: [a, b],
+            opposite: [p, q],
+            outcome,
+        } => vec![C::Test([a, b, p, q], outcome)],
+        Event::Flip {
+            edge: [a, b],
+            to: [p, q],
+        } => vec![
+            C::Remove([p, a, b]),
+            C::Remove([q, b, a]),
+            C::Add([p, a, q]),
+            C::Add([q, b, p]),
+            C::Gone([a, b]),
+            C::Line([p, q]),
+        ],
+        Event::FrontInsert { vertex, after } => vec![C::Join(vertex, after), C::Vertex(vertex)],
+        Event::FrontRemove { vertex } => vec![C::Leave(vertex), C::Vertex(vertex)],
+        Event::Edge { upper, lower, .. } => vec![C::Edge([upper, lower]), C::Vertex(upper)],
+        Event::Switch { at: [a, b], .. } if a == b => vec![C::Vertex(a)],
+        Event::Switch { at, .. } => vec![C::Line(at)],
+        Event::Part { from, to, .. } => vec![C::Vertex(from), C::Vertex(to)],
+        Event::Pierced { vertices } => vec![C::Pierce(vertices)],
+        Event::Border { side, vertex } => vec![C::Border(side, vertex), C::Vertex(vertex)],
+        Event::Fixed { edge } => vec![C::Fix(edge), C::Line(edge)],
+        Event::Finalization => vec![C::Swept],
+        Event::Removed { vertices } => vec![C::Remove(vertices)],
+        Event::Finished { .. } => vec![C::End],
+    }
+}

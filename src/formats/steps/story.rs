@@ -1,0 +1,145 @@
+//! Each event told to a reader: a heading that names the part of the paper, and a sentence.
+
+use crate::trace::{Event, Outcome, PartCase, PointCase, Side, Why};
+
+/// The part of the algorithm that an event belongs to, with section or figure.
+pub(super) fn heading(event: &Event) -> &'static str {
+    match event {
+        Event::Sorted { .. } => "Initialization · section 3.3",
+        Event::Point { case, .. } => match case {
+            PointCase::Middle => "Point event, middle case · figure 7",
+            PointCase::Left => "Point event, left case · figure 8",
+        },
+        Event::Triangle { why, .. } => match why {
+            Why::First => "Initial triangle · figure 6",
+            Why::Point => "Point event, new triangle · section 3.4.1",
+            Why::Fill => "Narrow angle is filled · figure 9",
+            Why::Basin => "Basin is filled · figure 10",
+            Why::Pocket => "Pocket under the edge · figure 13",
+            Why::PseudoPolygon => "Pseudo-polygon is filled · figure 12",
+            Why::Hull => "Upper hull · figure 15",
+        },
+        Event::Test { .. } => "Legalization, test · figure 2",
+        Event::Flip { .. } => "Legalization, swap · figure 3",
+        Event::FrontInsert { .. } | Event::FrontRemove { .. } => "Advancing front · figure 7",
+        Event::Edge { .. } => "Edge event · section 3.4.2",
+        Event::Switch { .. } => "Edge event, switch of traversal · figure 14",
+        Event::Part { case, .. } => match case {
+            PartCase::Present => "Edge event, edge is there · section 3.4.2",
+            PartCase::BelowFront => "Edge event, below the front · figure 12",
+            PartCase::FrontOnly => "Edge event, front only · figure 13",
+            PartCase::Mixed => "Edge event, mixed · figure 14",
+        },
+        Event::Pierced { .. } => "Edge event, pierced triangle · figures 11, 12",
+        Event::Border { .. } => "Edge event, pseudo-polygon · figure 12",
+        Event::Fixed { .. } => "Edge event, constraint · section 3.4.2",
+        Event::Finalization | Event::Removed { .. } | Event::Finished { .. } => {
+            "Finalization · section 3.5"
+        }
+    }
+}
+
+/// What happens, as a sentence; vertices and edges by their input indices.
+pub(super) fn sentence(event: &Event) -> String {
+    match event {
+        Event::Sorted { vertex } => format!("Vertex {vertex} is the next one in sweep order."),
+        Event::Point {
+            vertex,
+            case,
+            segment: [left, right],
+        } => {
+            let place = match case {
+                PointCase::Middle => "strictly inside",
+                PointCase::Left => "on the left end of",
+            };
+            format!(
+                "The sweep line meets vertex {vertex}. Its projection falls {place} the front \
+                 segment {left}–{right}."
+            )
+        }
+        Event::Triangle {
+            vertices: [a, b, c],
+            why,
+        } => {
+            let why = match why {
+                Why::First => "of the first vertex and the artificial points",
+                Why::Point => "from the new vertex to the front",
+                Why::Fill => "where the front had a narrow angle",
+                Why::Basin => "in a basin of the front",
+                Why::Pocket => "where the front ran below the edge",
+                Why::PseudoPolygon => "in the pseudo-polygon",
+                Why::Hull => "between the front and the upper hull",
+            };
+            format!("Triangle {a} {b} {c} is made {why}.")
+        }
+        Event::Test {
+            edge: [a, b],
+            opposite: [p, q],
+            outcome,
+        } => {
+            let outcome = match outcome {
+                Outcome::Legal => "It is legal and stays.",
+                Outcome::Illegal => "It is illegal and will be swapped.",
+                Outcome::Fixed => "It is a constraint and stays.",
+            };
+            format!("The edge {a}–{b} between vertices {p} and {q} is tested. {outcome}")
+        }
+        Event::Flip {
+            edge: [a, b],
+            to: [p, q],
+        } => format!("The edge {a}–{b} is swapped for {p}–{q}."),
+        Event::FrontInsert { vertex, after } => {
+            format!("Vertex {vertex} joins the advancing front, right of {after}.")
+        }
+        Event::FrontRemove { vertex } => {
+            format!("Vertex {vertex}, now covered by triangles, leaves the advancing front.")
+        }
+        Event::Edge { edge, upper, lower } => {
+            format!("Input edge {edge} is inserted, from vertex {upper} down to {lower}.")
+        }
+        Event::Switch { to_front, at } => switch(*to_front, at.map(|vertex| vertex.to_string())),
+        Event::Part { from, to, case } => {
+            let case = match case {
+                PartCase::Present => "is a side already, so that all steps are bypassed",
+                PartCase::BelowFront => "lies below the front and pierces triangles",
+                PartCase::FrontOnly => "runs above the front alone",
+                PartCase::Mixed => "pierces triangles and crosses the front",
+            };
+            format!("The edge from {from} to {to} {case}.")
+        }
+        Event::Pierced {
+            vertices: [a, b, c],
+        } => {
+            format!("The edge pierces triangle {a} {b} {c}, which is removed.")
+        }
+        Event::Border { side, vertex } => {
+            let side = match side {
+                Side::Upper => "upper",
+                Side::Lower => "lower",
+            };
+            format!("Vertex {vertex} is on the border of the {side} pseudo-polygon.")
+        }
+        Event::Fixed { edge: [a, b] } => {
+            format!("The side {a}–{b} is fixed: a constraint, never to be swapped.")
+        }
+        Event::Finalization => "All vertices are swept. The hull is to be completed.".to_owned(),
+        Event::Removed {
+            vertices: [a, b, c],
+        } => {
+            format!("The artificial triangle {a} {b} {c} is removed.")
+        }
+        Event::Finished { triangles } => format!("The triangulation has {triangles} triangles."),
+    }
+}
+
+fn switch(to_front: bool, [a, b]: [String; 2]) -> String {
+    match (to_front, a == b) {
+        (true, true) => format!("The edge leaves vertex {a} above the front and follows it."),
+        (true, false) => {
+            format!("The edge leaves across the front segment {a}–{b} and follows the front.")
+        }
+        (false, _) => format!(
+            "The edge comes back across the front segment {a}–{b} and passes through triangles."
+        ),
+    }
+}

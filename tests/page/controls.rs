@@ -1,0 +1,182 @@
+//! Each way to come to a step, and to look at it.
+
+use sweep_cdt::formats::MOST_STEPS;
+
+use super::inputs::{many, scattered};
+use super::{ALL, Browser, assert_quiet, events, page, wait};
+
+/// What `WebDriver` calls some keys.
+const ARROW_LEFT: &str = "\u{E012}";
+const ARROW_RIGHT: &str = "\u{E014}";
+const PAGE_DOWN: &str = "\u{E00F}";
+const HOME: &str = "\u{E011}";
+const END: &str = "\u{E010}";
+
+#[test]
+fn every_way_to_step() {
+    let Some(browser) = Browser::open([1280, 800]) else {
+        return;
+    };
+    let graph = scattered();
+    let total = events(&graph).len();
+    let (_folder, page) = page(&graph, ALL);
+    let position = |step: usize| format!("Step {step} of {total}");
+
+    browser.load(&page, "");
+    assert_eq!(browser.text("position"), position(0));
+    assert_eq!(browser.text("sentence"), "26 vertices and 5 edges.");
+    browser.click("after");
+    assert_eq!(browser.text("position"), position(1));
+    assert_eq!(
+        browser.text("sentence"),
+        "Vertex 1 is the next one in sweep order."
+    );
+    browser.press(ARROW_RIGHT);
+    browser.press(ARROW_RIGHT);
+    browser.press(ARROW_LEFT);
+    assert_eq!(browser.text("position"), position(2));
+    wait(&browser, "location.hash === '#step=2'");
+
+    browser.press(PAGE_DOWN);
+    assert_eq!(browser.text("heading"), "Initial triangle · figure 6");
+    browser.press(PAGE_DOWN);
+    assert!(browser.text("heading").starts_with("Point event"));
+    browser.press(END);
+    assert_eq!(browser.text("position"), position(total));
+    assert!(
+        browser
+            .text("sentence")
+            .starts_with("The triangulation has")
+    );
+    browser.press(HOME);
+    assert_eq!(browser.text("position"), position(0));
+
+    // The slider, from its left end to beyond its right one.
+    let middle = |x: &str| {
+        format!(
+            "(r => [Math.round({x}), Math.round(r.top + r.height / 2)])(slider.getBoundingClientRect())"
+        )
+    };
+    let place = |x: &str| {
+        let place = browser.run(&format!("return {}", middle(x)));
+        [0, 1].map(|axis: usize| place[axis].as_i64().expect("a number"))
+    };
+    browser.drag(place("r.left + 8"), place("(r.left + r.right) / 2"));
+    let half = browser.run("return number").as_u64().expect("a step");
+    assert!(half.abs_diff(total as u64 / 2) < 20, "{half} of {total}");
+    browser.drag(place("(r.left + r.right) / 2"), place("r.right + 20"));
+    assert_eq!(browser.text("position"), position(total));
+
+    browser.run("location.hash = '#step=60'");
+    wait(&browser, "number === 60");
+    assert_eq!(browser.text("position"), position(60));
+    browser.load(&page, "#step=99999");
+    wait(&browser, &format!("number === {total}"));
+
+    browser.load(&page, "#step=30");
+    wait(&browser, "number === 30");
+    browser.run("speed.value = 60; speed.onchange()");
+    browser.click("play");
+    wait(&browser, "number > 40");
+    browser.press(" ");
+    let paused = browser.run("return number");
+    std::thread::sleep(std::time::Duration::from_millis(100));
+    assert_eq!(browser.run("return number"), paused);
+    assert_eq!(browser.text("play"), "Play");
+    assert_quiet(&browser);
+}
+
+#[test]
+fn zoom_and_pan() {
+    let Some(browser) = Browser::open([800, 600]) else {
+        return;
+    };
+    let (_folder, page) = page(&scattered(), ALL);
+    browser.load(&page, "#step=100");
+    let look = || browser.run("return [view.scale, ...view.middle]");
+    let at = || browser.run("return view.place(13)");
+    let start = look();
+    browser.wheel([200, 200], -300);
+    assert!(look()[0].as_f64() > start[0].as_f64());
+    let before = at();
+    browser.drag([200, 200], [240, 230]);
+    let moved = |axis: usize| at()[axis].as_f64().unwrap() - before[axis].as_f64().unwrap();
+    assert!((moved(0) - 40.0).abs() < 1.0 && (moved(1) - 30.0).abs() < 1.0);
+    browser.press("0");
+    assert_eq!(look(), start);
+    assert_quiet(&browser);
+}
+
+/// Going to a step forwards, backwards and from afar leads to the same picture.
+#[test]
+fn a_step_is_the_same_from_everywhere() {
+    let Some(browser) = Browser::open([800, 600]) else {
+        return;
+    };
+    let (_folder, page) = page(&many(80), ALL);
+    browser.load(&page, "");
+    let differing = browser.run(
+        "const state = () => JSON.stringify([[...scene.triangles.keys()].sort(), scene.front,
+           [...scene.fixed.keys()].sort(), scene.sweep, scene.edge, scene.step]);
+         const ahead = [];
+         for (let step = 0; step <= LAST; step++) { show(step); ahead.push(state()); }
+         const differing = [];
+         for (let step = LAST; step >= 0; step--) {
+           show((step * 7919) % (LAST + 1));
+           if (state() !== ahead[number]) differing.push(number);
+         }
+         return differing",
+    );
+    assert_eq!(differing, serde_json::json!([]));
+    assert_quiet(&browser);
+}
+
+#[test]
+fn a_part_of_a_trace() {
+    let Some(browser) = Browser::open([800, 600]) else {
+        return;
+    };
+    let graph = scattered();
+    let ((_a, whole), (_b, part)) = (page(&graph, ALL), page(&graph, 150..=170));
+    let state = "return JSON.stringify([[...scene.triangles.keys()].sort(), scene.front,
+        [...scene.fixed.keys()].sort(), scene.sweep, scene.edge, scene.step])";
+    browser.load(&whole, "#step=160");
+    let expected = browser.run(state);
+    browser.load(&part, "#step=160");
+    assert_eq!(browser.run(state), expected);
+    assert!(
+        browser
+            .text("notice")
+            .starts_with("This page holds steps 150 to 170 of")
+    );
+    assert_quiet(&browser);
+}
+
+/// A long trace is cut, says so, and any step of it is shown at once.
+#[test]
+fn a_long_trace() {
+    let Some(browser) = Browser::open([1280, 800]) else {
+        return;
+    };
+    let graph = many(5000);
+    assert!(events(&graph).len() > MOST_STEPS);
+    let (_folder, page) = page(&graph, ALL);
+    browser.load(&page, "");
+    assert!(
+        browser
+            .text("notice")
+            .starts_with("This page holds steps 1 to 20000 of")
+    );
+    let slowest = browser.run(
+        "show(LAST); let slowest = 0;
+         for (let i = 0; i < 40; i++) {
+           const start = performance.now();
+           show((i * 7919) % LAST);
+           slowest = Math.max(slowest, performance.now() - start);
+         }
+         return slowest",
+    );
+    eprintln!("slowest jump: {slowest} ms");
+    assert!(slowest.as_f64().expect("a time") < 1000.0, "{slowest} ms");
+    assert_quiet(&browser);
+}

@@ -1,0 +1,49 @@
+//! Pictures to be looked at, written to the folder that `SWEEP_CDT_SCREENSHOTS` names.
+
+use std::fs;
+use std::path::PathBuf;
+
+use sweep_cdt::formats::write_sheet;
+
+use super::inputs::{many, scattered};
+use super::{ALL, Browser, assert_quiet, events, page};
+
+/// The last step with a change of that name.
+const LAST_WITH: &str = "const lastWith = (wanted) => trace.first + trace.steps.findLastIndex(
+    (step) => step.slice(2).some(([name]) => name === wanted));";
+
+#[test]
+fn screenshots() {
+    let Some(folder) = std::env::var_os("SWEEP_CDT_SCREENSHOTS").map(PathBuf::from) else {
+        eprintln!("skipped: SWEEP_CDT_SCREENSHOTS names no folder");
+        return;
+    };
+    fs::create_dir_all(&folder).expect("a folder");
+    let graph = scattered();
+    let mut sheet = Vec::new();
+    write_sheet(&graph, &events(&graph), 222..=233, &mut sheet).expect("memory takes all");
+    fs::write(folder.join("sheet.svg"), sheet).expect("a file");
+
+    let (small, large) = (page(&graph, ALL), page(&many(1500), ALL));
+    for size in [[1280, 800], [800, 600], [390, 800]] {
+        let Some(browser) = Browser::open(size) else {
+            return;
+        };
+        for (name, (_, page), script) in [
+            ("input", &small, "show(0)"),
+            ("illegal", &small, "show(lastWith('illegal'))"),
+            ("swap", &small, "show(lastWith('gone'))"),
+            ("pierced", &small, "show(lastWith('pierce'))"),
+            ("polygons", &small, "show(225)"),
+            ("end", &small, "show(LAST)"),
+            ("large", &large, "show(9000)"),
+            ("near", &large, "show(9000); element('near-step').click()"),
+        ] {
+            browser.load(page, "");
+            browser.run(&format!("{LAST_WITH} {script}"));
+            assert_quiet(&browser);
+            let file = format!("{name}-{}x{}.png", size[0], size[1]);
+            fs::write(folder.join(file), browser.picture()).expect("a file");
+        }
+    }
+}

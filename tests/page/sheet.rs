@@ -1,0 +1,64 @@
+//! Pictures of single steps.
+
+use std::ops::RangeInclusive;
+
+use sweep_cdt::formats::{Graph, MOST_PANELS, write_sheet};
+
+use super::inputs::{many, scattered};
+use super::{ALL, events};
+
+fn sheet(graph: &Graph<f64>, steps: RangeInclusive<usize>) -> String {
+    let mut sheet = Vec::new();
+    write_sheet(graph, &events(graph), steps, &mut sheet).expect("memory takes all");
+    String::from_utf8(sheet).expect("text")
+}
+
+fn panels(sheet: &str) -> usize {
+    sheet.matches("class=\"frame\"").count()
+}
+
+#[test]
+fn one_step() {
+    let sheet = sheet(&scattered(), 1..=1);
+    assert_eq!(panels(&sheet), 1);
+    assert!(sheet.contains("Vertex 1 is the next one in sweep order."));
+}
+
+#[test]
+fn several_steps() {
+    let graph = scattered();
+    let last = events(&graph).len();
+    let sheet = sheet(&graph, last - 4..=last + 10);
+    assert_eq!(panels(&sheet), 5);
+    assert!(!sheet.contains("The first"));
+}
+
+#[test]
+fn too_many_steps() {
+    let sheet = sheet(&many(400), ALL);
+    assert_eq!(panels(&sheet), MOST_PANELS);
+    assert!(sheet.contains("The first 60 of "));
+}
+
+/// What cannot be placed leaves no trace in the numbers of the file.
+#[test]
+fn extreme_inputs() {
+    for points in [
+        vec![],
+        vec![[1.0, 1.0]],
+        vec![[0.0, 0.0], [0.0, 1.0], [0.0, 2.0]],
+        vec![[-1e308, -1e308], [1e308, -1e308], [0.0, 1e308]],
+        vec![[0.0, 0.0], [5e-324, 0.0], [0.0, 5e-324]],
+    ] {
+        let graph = Graph {
+            points,
+            ..Graph::default()
+        };
+        let sheet = sheet(&graph, ALL);
+        assert!(
+            !sheet.contains("NaN") && !sheet.contains("inf"),
+            "{:?}",
+            graph.points
+        );
+    }
+}
