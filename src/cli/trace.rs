@@ -1,10 +1,12 @@
 //! `sweep-cdt trace`: every step of the sweep, in the paper's words.
 
 use std::io::{self, Write};
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use sweep_cdt::Scalar;
-use sweep_cdt::formats::{Coordinate, Graph};
+use sweep_cdt::formats::{Coordinate, Graph, write_page, write_sheet};
+use sweep_cdt::trace::Event;
 
 use super::draft::Drafts;
 use super::failure::Failure;
@@ -27,7 +29,7 @@ pub(crate) struct Trace {
     #[command(flatten)]
     input: InputArgs,
 
-    /// File to write: .txt or .jsonl; `-` for standard output, as by default
+    /// File to write: .txt, .jsonl, .html or .svg; `-` for standard output, as by default
     #[arg(short, long, value_name = "OUTPUT", default_value = STDOUT)]
     output: PathBuf,
 
@@ -54,7 +56,9 @@ const AFTER_HELP: &str = "\
 Output:
   .txt     to be read beside the paper: `point 7: middle case, projected on segment 3 5`
   .jsonl   JSON Lines, for programs
-  Both begin with a line that gives the version, so that step k is line k + 1. The same input gives
+  .html    one page that draws the steps, for a browser: slider, play, keys, zoom; up to 20,000 steps
+  .svg     one step, or a sheet of up to 60
+  The first two begin with a line that gives the version, so that step k is line k + 1. The same input gives
   the same steps for every scalar and front; heuristics change them.
 
 Exit status:
@@ -62,28 +66,50 @@ Exit status:
 
 Examples:
   sweep-cdt trace terrain.poly --heuristics paper | less
-  sweep-cdt trace terrain.poly -o steps.jsonl && sweep-cdt replay steps.jsonl";
+  sweep-cdt trace terrain.poly -o steps.jsonl && sweep-cdt replay steps.jsonl
+  sweep-cdt trace terrain.poly -o steps.html
+  sweep-cdt trace terrain.poly -o steps.svg --first 120 --last 131";
 
 #[derive(Clone, Copy)]
 enum Format {
     Text,
     JsonLines,
+    Page,
+    Sheet,
 }
 
 impl Format {
-    const ALL: [Format; 2] = [Format::Text, Format::JsonLines];
+    const ALL: [Format; 4] = [Format::Text, Format::JsonLines, Format::Page, Format::Sheet];
 
     fn name(self) -> &'static str {
         match self {
             Format::Text => "txt",
             Format::JsonLines => "jsonl",
+            Format::Page => "html",
+            Format::Sheet => "svg",
         }
     }
 
-    fn write(self, trace: &sweep_cdt::trace::Trace, out: impl Write) -> io::Result<()> {
+    /// Whether the steps before the first one are needed too: a picture shows what they left.
+    fn needs_all(self) -> bool {
+        matches!(self, Format::Page | Format::Sheet)
+    }
+
+    /// Writes `events`, which begin at step `first`, or at 1 where all are needed.
+    fn write<S: Scalar>(
+        self,
+        graph: &Graph<S>,
+        events: Vec<Event>,
+        steps: RangeInclusive<usize>,
+        mut out: impl Write,
+    ) -> io::Result<()> {
+        let skipped = steps.start().saturating_sub(1);
+        let trace = |events| sweep_cdt::trace::Trace { skipped, events };
         match self {
-            Format::Text => trace.write_text(out),
-            Format::JsonLines => trace.write_lines(out),
+            Format::Text => trace(events).write_text(out),
+            Format::JsonLines => trace(events).write_lines(out),
+            Format::Page => write_page(graph, &events, steps, &mut out),
+            Format::Sheet => write_sheet(graph, &events, steps, &mut out),
         }
     }
 }
@@ -116,7 +142,9 @@ impl Trace {
         let format = Format::ALL.into_iter().find(is_named);
         format.ok_or_else(|| {
             let path = self.output.display();
-            Failure::Usage(format!("{path}: only .txt and .jsonl can be written"))
+            Failure::Usage(format!(
+                "{path}: only .txt, .jsonl, .html and .svg can be written"
+            ))
         })
     }
 }
@@ -142,26 +170,24 @@ impl Job for Run<'_> {
             output,
             ..
         } = self.arguments;
-        let mut trace = sweep_cdt::trace::Trace {
-            skipped: first.saturating_sub(1),
-            events: Vec::new(),
-        };
+        let mut events = Vec::new();
         let mut step = 0;
         let observer = |event| {
             step += 1;
-            if (*first..=*last).contains(&step) {
-                trace.events.push(event);
+            if step <= *last && (step >= *first || self.format.needs_all()) {
+                events.push(event);
             }
         };
         let result = settings.observe(points, &graph.edges, observer);
         result.map_err(|error| {
             Failure::Error(format!("{}: {}", self.name, graph.as_numbered(error)))
         })?;
+        let write = |out: &mut dyn Write| self.format.write(graph, events, *first..=*last, out);
         if self.arguments.is_stdout() {
-            return print(|out| self.format.write(&trace, out));
+            return print(|out| write(out));
         }
         let mut drafts = Drafts::default();
-        drafts.add(output, |out| self.format.write(&trace, out))?;
+        drafts.add(output, |out| write(out))?;
         drafts.persist()
     }
 }

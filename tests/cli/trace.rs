@@ -60,7 +60,7 @@ fn files_are_written_by_their_extension() {
     }
     let refused = run("trace ten.poly -o steps.svgz");
     assert_eq!(refused.status.code(), Some(2));
-    assert!(text(&refused.stderr).contains("only .txt and .jsonl can be written"));
+    assert!(text(&refused.stderr).contains("only .txt, .jsonl, .html and .svg can be written"));
 }
 
 #[test]
