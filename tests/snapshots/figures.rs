@@ -8,7 +8,7 @@ use sweep_cdt::trace::{Event, Trace};
 use sweep_cdt::{Fill, Heuristics, Triangulator};
 
 use crate::assert_snapshot;
-use crate::input::Input;
+use sweep_cdt_properties::Input;
 
 const OFF: Heuristics = Heuristics::OFF;
 const PAPER: Heuristics = Heuristics::PAPER;

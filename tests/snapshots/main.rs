@@ -6,8 +6,6 @@
 #![cfg(feature = "cli")]
 
 mod figures;
-#[path = "../suite/input.rs"]
-mod input;
 mod work;
 
 use std::collections::BTreeSet;

@@ -7,9 +7,11 @@ mod table;
 
 use sweep_cdt::{Counters, Error, Heuristics, Triangulator, triangulate};
 
-use crate::input::Input;
-use crate::oracle::{check, verdict};
-use crate::{minimize, runs};
+use sweep_cdt_properties::Input;
+use sweep_cdt_properties::minimize;
+use sweep_cdt_properties::oracle::{check, verdict};
+
+use crate::runs;
 use table::{CASES, PAPER};
 
 fn input(name: &str) -> Input {

@@ -1,17 +1,7 @@
-//! Seeded random inputs of every degenerate kind, small ones and, in `medium`, larger ones.
-//!
-//! A small input is points of one kind, then edges, then disguises: points and edges shuffled, edge ends
-//! swapped, the whole mirrored, turned by 90 degrees or scaled by a power of two. Mostly the crossing edges are
-//! dropped, one of each pair; sometimes they stay.
+//! Seeded random inputs: bytes by chance for the generators of degenerate ones, and larger ones.
 
-mod medium;
-mod points;
-
-use crate::input::Input;
-use crate::oracle::{Graph, Integers, integers};
-
-pub(crate) use medium::medium;
-pub(crate) use points::{Kind, points};
+use sweep_cdt_properties::Input;
+use sweep_cdt_properties::generators::{drop_crossings, input};
 
 /// Steele, Lea and Flood's `SplitMix64`: small, and the same on every platform.
 pub(crate) struct Random(u64);
@@ -54,112 +44,51 @@ impl Random {
         }
     }
 
-    /// Some kind of input.
-    pub(crate) fn kind(&mut self) -> Kind {
-        self.pick(Kind::ALL)
+    pub(crate) fn bytes(&mut self, n: usize) -> Vec<u8> {
+        (0..n).map(|_| self.next().to_le_bytes()[0]).collect()
     }
 }
 
-/// A small input of this kind.
-pub(crate) fn generate(kind: Kind, random: &mut Random) -> Input {
-    let mut input = Input {
-        points: points(kind, random),
-        edges: Vec::new(),
-    };
-    input.edges = edges(input.points.len(), random);
-    if !random.one_in(4) {
-        drop_crossings(&mut input);
+/// A small degenerate input, of up to about a dozen points.
+pub(crate) fn small(random: &mut Random) -> Input {
+    let mut bytes = random.bytes(5);
+    // The third byte is the number of points.
+    bytes[2] %= 13;
+    let more = 4 + random.below(40);
+    bytes.extend(random.bytes(more));
+    input(&bytes)
+}
+
+/// Uniform points, a lattice, few columns or few rows, with a few long edges and many short ones that
+/// do not cross: hundreds of both, pseudo-polygons full of edges that end in them.
+pub(crate) fn medium(random: &mut Random) -> Input {
+    let (width, height) = random.pick(&[(1 << 20, 1 << 20), (9, 9), (40, 15), (3, 200), (200, 3)]);
+    let n = 100 + random.below(300);
+    let mut input = Input::default();
+    for _ in 0..n {
+        input
+            .points
+            .push([random.integer(width), random.integer(height)]);
     }
-    disguise(&mut input, random);
+    for _ in 0..random.below(8) {
+        input.edges.push([random.below(n), random.below(n)]);
+    }
+    let tries = random.pick(&[1, 5, 50]);
+    for _ in 0..random.below(n) {
+        let a = random.below(n);
+        let distance = |b: usize| {
+            let [x, y] = [0, 1].map(|i| input.points[a][i] - input.points[b][i]);
+            x.hypot(y)
+        };
+        let others: Vec<usize> = (0..tries)
+            .map(|_| random.below(n))
+            .filter(|&b| b != a)
+            .collect();
+        let nearest = others
+            .into_iter()
+            .min_by(|&b, &c| distance(b).total_cmp(&distance(c)));
+        input.edges.extend(nearest.map(|b| [a, b]));
+    }
+    drop_crossings(&input.points, &mut input.edges);
     input
-}
-
-/// Random edges between `n` points, in one of a few patterns.
-fn edges(n: usize, random: &mut Random) -> Vec<[usize; 2]> {
-    if n == 0 {
-        return Vec::new();
-    }
-    let count = random.below(2 * n);
-    let hub = random.below(n);
-    let pattern = random.below(5);
-    let mut edges: Vec<[usize; 2]> = (0..count)
-        .map(|i| match pattern {
-            // A fan, a path in the order of making, a closed polygon, the rest at random.
-            0 => [hub, random.below(n)],
-            1 => [i % n, (i + 1).min(n - 1)],
-            2 => [i % n, (i + 1) % n],
-            _ => [random.below(n), random.below(n)],
-        })
-        .collect();
-    if random.one_in(4) && !edges.is_empty() {
-        let again = random.pick(&edges);
-        edges.push(again);
-    }
-    edges
-}
-
-/// Drops one edge of each pair that crosses.
-fn drop_crossings(input: &mut Input) {
-    let crossings = match integers(&input.points) {
-        Integers::Small(points) => Graph::new(&points, &input.edges).crossings(),
-        Integers::Big(points) => Graph::new(&points, &input.edges).crossings(),
-    };
-    let mut keep = vec![true; input.edges.len()];
-    for [e, f] in crossings {
-        if keep[e] {
-            keep[f] = false;
-        }
-    }
-    let mut kept = keep.into_iter();
-    input.edges.retain(|_| kept.next() == Some(true));
-}
-
-fn disguise(input: &mut Input, random: &mut Random) {
-    let mut order: Vec<usize> = (0..input.points.len()).collect();
-    random.shuffle(&mut order);
-    *input = permuted(input, &order);
-    random.shuffle(&mut input.edges);
-    for edge in &mut input.edges {
-        if random.one_in(2) {
-            edge.reverse();
-        }
-    }
-    let [mirrored, turned] = [random.one_in(2), random.one_in(2)];
-    let scale = if random.one_in(4) {
-        2f64.powi(random.pick(&[-40, -3, 17, 60]))
-    } else {
-        1.0
-    };
-    // What would under- or overflow stays as it is.
-    let is_exact = |x: &f64| (x * scale / scale).total_cmp(x).is_eq();
-    let scale = if input.points.iter().flatten().all(is_exact) {
-        scale
-    } else {
-        1.0
-    };
-    for point in &mut input.points {
-        *point = point.map(|x| x * scale);
-        if mirrored {
-            point[0] = -point[0];
-        }
-        if turned {
-            *point = [-point[1], point[0]];
-        }
-    }
-}
-
-/// The same input with point `order[i]` as point `i`.
-pub(crate) fn permuted(input: &Input, order: &[usize]) -> Input {
-    let mut place = vec![0; order.len()];
-    for (i, &v) in order.iter().enumerate() {
-        place[v] = i;
-    }
-    Input {
-        points: order.iter().map(|&v| input.points[v]).collect(),
-        edges: input
-            .edges
-            .iter()
-            .map(|edge| edge.map(|v| place[v]))
-            .collect(),
-    }
 }

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 use sweep_cdt::{Error, triangulate};
 
-use crate::input::Input;
-use crate::oracle::{Graph, Integers, check, integers, verdict};
 use crate::runs;
+use sweep_cdt_properties::Input;
+use sweep_cdt_properties::oracle::{Graph, Integers, check, integers, verdict};
 
 /// Up to so many points the exact scalars run too, and up to fewer the oracle.
 const EXACT_LIMIT: usize = 3000;

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 
 use sweep_cdt::triangulate;
 
-use crate::generators::{Random, generate, medium, permuted};
-use crate::input::Input;
-use crate::minimize;
-use crate::oracle::{Answer, check, firm_sides};
+use crate::generators::{Random, medium, small};
+use sweep_cdt_properties::Input;
+use sweep_cdt_properties::minimize;
+use sweep_cdt_properties::oracle::{Answer, check, firm_sides};
 
 /// The checked answer, unless edges cross.
 fn answer(input: &Input) -> Option<Answer> {
@@ -20,7 +20,7 @@ fn answer(input: &Input) -> Option<Answer> {
 fn for_inputs(test: &dyn Fn(&Input)) {
     for seed in 0..300 {
         let mut random = Random::new(seed);
-        minimize::run(test, &generate(random.kind(), &mut random), seed);
+        minimize::run(test, &small(&mut random), seed);
     }
     for seed in 0..20 {
         minimize::run(test, &medium(&mut Random::new(seed)), seed);
@@ -52,7 +52,7 @@ fn order_of_the_input() {
         let mut random = Random::new(input.points.len() as u64);
         let mut order: Vec<usize> = (0..input.points.len()).collect();
         random.shuffle(&mut order);
-        let mut other = permuted(input, &order);
+        let mut other = input.permuted(&order);
         random.shuffle(&mut other.edges);
         other.edges.iter_mut().for_each(|edge| edge.reverse());
         let (here, there) = (answer(input), answer(&other));

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::{Error, Scalar, Triangulation, triangulate};
 
-use crate::oracle::{exact_verdict, found};
+use sweep_cdt_properties::oracle::{exact_verdict, found};
 
 /// Runs points of a scalar and compares with the oracle's integers.
 fn agrees<S: Scalar>(points: &[[S; 2]], integers: &[[BigInt; 2]], edges: &[[usize; 2]]) {

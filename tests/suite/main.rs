@@ -12,10 +12,8 @@
 mod cases;
 mod generators;
 mod hard;
-mod input;
 mod invariance;
 mod limits;
-mod minimize;
 mod oracle;
 mod random;
 mod runs;

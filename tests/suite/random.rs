@@ -9,10 +9,12 @@ use std::time::Duration;
 
 use sweep_cdt::triangulate;
 
-use crate::generators::{Random, generate, medium};
-use crate::input::Input;
-use crate::oracle::{check, verdict};
-use crate::{minimize, runs};
+use crate::generators::{Random, medium, small};
+use sweep_cdt_properties::Input;
+use sweep_cdt_properties::minimize;
+use sweep_cdt_properties::oracle::{check, verdict};
+
+use crate::runs;
 
 /// Tried of small inputs, unless `SWEEP_CDT_CASES` says otherwise.
 const CASES: u64 = 2000;
@@ -62,7 +64,7 @@ fn every_kind_agrees_with_the_oracle() {
     let runs = runs::all();
     for_seeds(number("SWEEP_CDT_CASES", CASES), |seed| {
         let mut random = Random::new(seed);
-        let input = generate(random.kind(), &mut random);
+        let input = small(&mut random);
         let some = if random.one_in(100) {
             runs.clone()
         } else {

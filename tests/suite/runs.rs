@@ -1,82 +1,16 @@
-//! The table of runs: every scalar with every front and every setting of the heuristics.
-//!
-//! A new front is one line in `fronts`, a new scalar one line in `scalars` and one that says how it is
-//! made of a double.
+//! The table of runs, with the scalars of optional features.
 
-use std::cmp::Ordering;
+use sweep_cdt_properties::runs;
 
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{FromPrimitive, ToPrimitive};
-use sweep_cdt::{
-    Error, FrontSearch, HashTable, Heuristics, Linear, Scalar, SkipList, Triangulator,
-};
-
-use crate::input::Input;
-use crate::oracle::{Answer, Verdict, found};
-
-pub(crate) type Outcome = Result<Answer, Error>;
-type Call = fn(&Input, Heuristics) -> Option<Outcome>;
-
-/// One way to triangulate.
-#[derive(Clone)]
-pub(crate) struct Run {
-    pub(crate) name: String,
-    heuristics: Heuristics,
-    call: Call,
-}
-
-impl Run {
-    /// What comes out, or `None` if the scalar cannot hold a coordinate.
-    pub(crate) fn outcome(&self, input: &Input) -> Option<Outcome> {
-        (self.call)(input, self.heuristics)
-    }
-}
-
-fn fronts<S: Sample>() -> Vec<(&'static str, Call)> {
-    vec![
-        ("hash table", call::<S, HashTable>),
-        ("skip list", call::<S, SkipList>),
-        ("linear", call::<S, Linear>),
-    ]
-}
-
-fn scalars() -> Vec<(&'static str, Vec<(&'static str, Call)>)> {
-    vec![
-        ("f64", fronts::<f64>()),
-        ("f32", fronts::<f32>()),
-        ("i32", fronts::<i32>()),
-        ("i64", fronts::<i64>()),
-        ("BigInt", fronts::<BigInt>()),
-        ("BigRational", fronts::<BigRational>()),
-        ("archetype", fronts::<Archetype>()),
-        #[cfg(feature = "rug")]
-        ("rug::Rational", fronts::<rug::Rational>()),
-    ]
-}
-
-const HEURISTICS: &[(&str, Heuristics)] = &[
-    ("fast", Heuristics::FAST),
-    ("paper", Heuristics::PAPER),
-    ("off", Heuristics::OFF),
-];
+pub(crate) use sweep_cdt_properties::runs::{Run, Sample, assert_agree, convert};
 
 /// All runs; the first is the one that callers get who choose nothing.
 pub(crate) fn all() -> Vec<Run> {
-    let mut runs = Vec::new();
-    for (scalar, fronts) in scalars() {
-        for (front, call) in fronts {
-            for &(setting, heuristics) in HEURISTICS {
-                let name = format!("{scalar}, {front}, {setting}");
-                runs.push(Run {
-                    name,
-                    heuristics,
-                    call,
-                });
-            }
-        }
-    }
-    runs
+    #[cfg_attr(not(feature = "rug"), expect(unused_mut))]
+    let mut all = runs::all();
+    #[cfg(feature = "rug")]
+    all.extend(runs::with::<gmp::Gmp>("rug::Rational"));
+    all
 }
 
 /// The runs of some scalars.
@@ -85,134 +19,46 @@ pub(crate) fn of(scalars: &[&str]) -> Vec<Run> {
     all().into_iter().filter(is_one).collect()
 }
 
-fn call<S: Sample, F: FrontSearch>(input: &Input, heuristics: Heuristics) -> Option<Outcome> {
-    let points = convert::<S>(&input.points)?;
-    let result = Triangulator::new()
-        .front::<F>()
-        .heuristics(heuristics)
-        .triangulate(&points, &input.edges);
-    Some(result.map(|result| found(&result, points.len(), input.edges.len())))
-}
+#[cfg(feature = "rug")]
+mod gmp {
+    use std::cmp::Ordering;
 
-pub(crate) fn convert<S: Sample>(points: &[[f64; 2]]) -> Option<Vec<[S; 2]>> {
-    points
-        .iter()
-        .map(|&[x, y]| Some([S::of(x)?, S::of(y)?]))
-        .collect()
-}
+    use rug::Rational;
+    use sweep_cdt::Scalar;
 
-/// Panics unless every run gives what the verdict says.
-pub(crate) fn assert_agree(input: &Input, verdict: &Verdict, runs: &[Run]) {
-    for run in runs {
-        let Some(outcome) = run.outcome(input) else {
-            continue;
-        };
-        match (verdict, &outcome) {
-            (Ok(expected), Ok(answer)) => {
-                assert_eq!(answer, expected, "{} (right: oracle)", run.name);
-            }
-            (Err(crossings), Err(Error::CrossingEdges { edges })) => assert!(
-                crossings.contains(edges),
-                "{}: {edges:?} are said to cross, but only {crossings:?} do",
-                run.name
-            ),
-            _ => panic!("{}: {outcome:?}, but the oracle says {verdict:?}", run.name),
+    /// A `rug::Rational`, as a type of its own that can be a [`super::Sample`].
+    #[derive(Clone, Debug)]
+    pub(crate) struct Gmp(Rational);
+
+    impl Gmp {
+        fn inner(p: &[Gmp; 2]) -> [Rational; 2] {
+            p.each_ref().map(|x| x.0.clone())
         }
     }
-}
 
-/// A scalar that can be made of a double.
-pub(crate) trait Sample: Scalar {
-    /// Exactly this number, if the type can hold it.
-    fn of(x: f64) -> Option<Self>;
-}
-
-fn integer<T: FromPrimitive>(x: f64) -> Option<T> {
-    if x.fract() == 0.0 {
-        T::from_f64(x)
-    } else {
-        None
-    }
-}
-
-impl Sample for f64 {
-    fn of(x: f64) -> Option<f64> {
-        Some(x)
-    }
-}
-
-impl Sample for f32 {
-    fn of(x: f64) -> Option<f32> {
-        x.to_f32().filter(|&y| f64::from(y).total_cmp(&x).is_eq())
-    }
-}
-
-impl Sample for i32 {
-    fn of(x: f64) -> Option<i32> {
-        integer(x)
-    }
-}
-
-impl Sample for i64 {
-    fn of(x: f64) -> Option<i64> {
-        integer(x)
-    }
-}
-
-impl Sample for BigInt {
-    fn of(x: f64) -> Option<BigInt> {
-        integer(x)
-    }
-}
-
-impl Sample for BigRational {
-    fn of(x: f64) -> Option<BigRational> {
-        BigRational::from_float(x)
-    }
-}
-
-#[cfg(feature = "rug")]
-impl Sample for rug::Rational {
-    fn of(x: f64) -> Option<rug::Rational> {
-        rug::Rational::from_f64(x)
-    }
-}
-
-/// A scalar that has nothing but the trait: not even `Clone` or `Debug`.
-struct Archetype(BigRational);
-
-impl Archetype {
-    fn minus(&self, other: &Archetype) -> BigRational {
-        &self.0 - &other.0
-    }
-}
-
-impl Scalar for Archetype {
-    fn approx(&self) -> f64 {
-        self.0.to_f64().expect("every rational is near a double")
+    impl super::Sample for Gmp {
+        fn of(x: f64) -> Option<Gmp> {
+            Rational::from_f64(x).map(Gmp)
+        }
     }
 
-    fn compare(&self, other: &Self) -> Ordering {
-        self.0.cmp(&other.0)
-    }
+    impl Scalar for Gmp {
+        fn approx(&self) -> f64 {
+            self.0.approx()
+        }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        let left = b[0].minus(&a[0]) * c[1].minus(&a[1]);
-        left.cmp(&(b[1].minus(&a[1]) * c[0].minus(&a[0])))
-    }
+        fn compare(&self, other: &Self) -> Ordering {
+            self.0.compare(&other.0)
+        }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [0, 1].map(|i| p[i].minus(&d[i])));
-        let lift = |x: &BigRational, y: &BigRational| x * x + y * y;
-        let det = lift(&ax, &ay) * (&bx * &cy - &by * &cx)
-            + lift(&bx, &by) * (&cx * &ay - &cy * &ax)
-            + lift(&cx, &cy) * (&ax * &by - &ay * &bx);
-        det.cmp(&BigRational::from_integer(BigInt::ZERO))
-    }
-}
+        fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+            let [a, b, c] = [a, b, c].map(Gmp::inner);
+            Rational::orient2d(&a, &b, &c)
+        }
 
-impl Sample for Archetype {
-    fn of(x: f64) -> Option<Archetype> {
-        BigRational::from_float(x).map(Archetype)
+        fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+            let [a, b, c, d] = [a, b, c, d].map(Gmp::inner);
+            Rational::in_circle(&a, &b, &c, &d)
+        }
     }
 }

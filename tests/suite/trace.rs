@@ -8,9 +8,9 @@ use sweep_cdt::{
     Error, FrontSearch, HashTable, Heuristics, Linear, SkipList, Triangulation, Triangulator,
 };
 
-use crate::input::Input;
 use crate::runs::{Sample, convert};
 use crate::{cases, hard};
+use sweep_cdt_properties::Input;
 
 const HEURISTICS: [Heuristics; 3] = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
 

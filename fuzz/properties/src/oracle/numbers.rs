@@ -6,14 +6,17 @@ use num_bigint::BigInt;
 use num_traits::{Float, Signed, Zero};
 
 /// An exact number: an integer that does not overflow on the inputs at hand.
-pub(crate) trait Number: Signed + Ord + Clone {}
+pub trait Number: Signed + Ord + Clone {}
 impl<T: Signed + Ord + Clone> Number for T {}
 
-pub(crate) type Point<N> = [N; 2];
+/// A point.
+pub type Point<N> = [N; 2];
 
 /// Points as integers: 128 bits where the predicates fit in, else as many as it takes.
-pub(crate) enum Integers {
+pub enum Integers {
+    /// Small ones.
     Small(Vec<Point<i128>>),
+    /// Large ones.
     Big(Vec<Point<BigInt>>),
 }
 
@@ -22,7 +25,7 @@ pub(crate) enum Integers {
 const SMALL_BITS: u32 = 28;
 
 /// The points multiplied by the one power of two that makes them the smallest integers.
-pub(crate) fn integers(points: &[[f64; 2]]) -> Integers {
+pub fn integers(points: &[[f64; 2]]) -> Integers {
     let parts = |x: f64| {
         let (mantissa, exponent, sign) = Float::integer_decode(x);
         let zeros = if mantissa == 0 {
@@ -67,25 +70,25 @@ pub(crate) fn integers(points: &[[f64; 2]]) -> Integers {
 }
 
 /// `a` to `b` as a vector.
-pub(crate) fn vector<N: Number>(a: &Point<N>, b: &Point<N>) -> Point<N> {
+pub(super) fn vector<N: Number>(a: &Point<N>, b: &Point<N>) -> Point<N> {
     [b[0].clone() - a[0].clone(), b[1].clone() - a[1].clone()]
 }
 
-pub(crate) fn cross<N: Number>(u: &Point<N>, v: &Point<N>) -> N {
+pub(super) fn cross<N: Number>(u: &Point<N>, v: &Point<N>) -> N {
     u[0].clone() * v[1].clone() - u[1].clone() * v[0].clone()
 }
 
-pub(crate) fn sign<N: Number>(x: &N) -> Ordering {
+pub(super) fn sign<N: Number>(x: &N) -> Ordering {
     x.cmp(&N::zero())
 }
 
 /// `Greater` if `a`, `b`, `c` turn left.
-pub(crate) fn orient<N: Number>(a: &Point<N>, b: &Point<N>, c: &Point<N>) -> Ordering {
+pub(super) fn orient<N: Number>(a: &Point<N>, b: &Point<N>, c: &Point<N>) -> Ordering {
     sign(&cross(&vector(a, b), &vector(a, c)))
 }
 
 /// `Greater` if `d` lies inside the circle through `a`, `b`, `c`, which turn left.
-pub(crate) fn in_circle<N: Number>(
+pub(super) fn in_circle<N: Number>(
     a: &Point<N>,
     b: &Point<N>,
     c: &Point<N>,
@@ -97,12 +100,12 @@ pub(crate) fn in_circle<N: Number>(
 }
 
 /// The order of the symbolic perturbation: leftmost first, the upper one of two.
-pub(crate) fn lowering<N: Number>(a: &Point<N>, b: &Point<N>) -> Ordering {
+pub(super) fn lowering<N: Number>(a: &Point<N>, b: &Point<N>) -> Ordering {
     a[0].cmp(&b[0]).then_with(|| b[1].cmp(&a[1]))
 }
 
 /// The order of the sweep: lowest first, the left one of two.
-pub(crate) fn sweep<N: Number>(a: &Point<N>, b: &Point<N>) -> Ordering {
+pub(super) fn sweep<N: Number>(a: &Point<N>, b: &Point<N>) -> Ordering {
     a[1].cmp(&b[1]).then_with(|| a[0].cmp(&b[0]))
 }
 
@@ -110,7 +113,7 @@ pub(crate) fn sweep<N: Number>(a: &Point<N>, b: &Point<N>) -> Ordering {
 /// [`lowering`] by far the most. Hence never `Equal` for four different points: of four on a circle,
 /// lowering one of `a`, `b`, `c` tilts their plane, which sinks at `d` if that point and `d` lie on
 /// the same side of the line through the other two, and rises otherwise.
-pub(crate) fn in_lowered_circle<N: Number>(
+pub(super) fn in_lowered_circle<N: Number>(
     a: &Point<N>,
     b: &Point<N>,
     c: &Point<N>,

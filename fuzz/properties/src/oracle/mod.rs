@@ -9,35 +9,35 @@ mod check;
 mod definition;
 mod graph;
 mod numbers;
-mod selftest;
 
 use std::collections::BTreeMap;
 
 use sweep_cdt::Triangulation;
 
-pub(crate) use check::{check, check_links, firm_sides};
-pub(crate) use graph::Graph;
-pub(crate) use numbers::{Integers, Number, Point, integers};
+pub use check::{check, check_answer, check_links, firm_sides};
+pub use graph::Graph;
+pub use numbers::{Integers, Number, Point, integers};
 
 /// A result in a form that does not depend on how it was found.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Answer {
+pub struct Answer {
     /// Each with its lowest vertex first; sorted.
-    pub(crate) triangles: Vec<[usize; 3]>,
+    pub triangles: Vec<[usize; 3]>,
     /// The constrained sides, lower vertex first; sorted.
-    pub(crate) constrained: Vec<[usize; 2]>,
-    pub(crate) hull: Vec<usize>,
+    pub constrained: Vec<[usize; 2]>,
+    /// The vertices on the hull, counter-clockwise from the leftmost, upper one.
+    pub hull: Vec<usize>,
     /// For each point the lowest index of an equal one.
-    pub(crate) representatives: Vec<usize>,
+    pub representatives: Vec<usize>,
     /// For each edge the vertices along it.
-    pub(crate) chains: Vec<Vec<usize>>,
+    pub chains: Vec<Vec<usize>>,
 }
 
 /// The answer, or all pairs of edges that cross (at least one).
-pub(crate) type Verdict = Result<Answer, Vec<[usize; 2]>>;
+pub type Verdict = Result<Answer, Vec<[usize; 2]>>;
 
 /// What must come out for these points and edges.
-pub(crate) fn verdict(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Verdict {
+pub fn verdict(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Verdict {
     match integers(points) {
         Integers::Small(points) => exact_verdict(&points, edges),
         Integers::Big(points) => exact_verdict(&points, edges),
@@ -45,7 +45,7 @@ pub(crate) fn verdict(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Verdict {
 }
 
 /// The same for points that are given as integers.
-pub(crate) fn exact_verdict<N: Number>(points: &[Point<N>], edges: &[[usize; 2]]) -> Verdict {
+pub fn exact_verdict<N: Number>(points: &[Point<N>], edges: &[[usize; 2]]) -> Verdict {
     let graph = Graph::new(points, edges);
     let crossings = graph.crossings();
     if !crossings.is_empty() {
@@ -66,8 +66,17 @@ pub(crate) fn exact_verdict<N: Number>(points: &[Point<N>], edges: &[[usize; 2]]
     })
 }
 
+/// Whether two edges of an input cross at a point that is no vertex.
+pub fn crosses(points: &[[f64; 2]], edges: &[[usize; 2]], pair: [usize; 2]) -> bool {
+    let edges = pair.map(|e| edges[e]);
+    match integers(points) {
+        Integers::Small(points) => !Graph::new(&points, &edges).crossings().is_empty(),
+        Integers::Big(points) => !Graph::new(&points, &edges).crossings().is_empty(),
+    }
+}
+
 /// What the crate found for `points` points and `edges` edges, its links checked on the way.
-pub(crate) fn found(result: &Triangulation, points: usize, edges: usize) -> Answer {
+pub fn found(result: &Triangulation, points: usize, edges: usize) -> Answer {
     check_links(result);
     let mut constrained: Vec<_> = result.constrained_edges().map(sorted).collect();
     constrained.sort_unstable();
@@ -94,6 +103,7 @@ pub(crate) fn found(result: &Triangulation, points: usize, edges: usize) -> Answ
     }
 }
 
-pub(crate) fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
+/// The lower of two first.
+pub fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }

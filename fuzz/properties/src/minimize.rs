@@ -3,15 +3,15 @@
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::input::Input;
+use crate::Input;
 
 /// Whether `test` panics on the input.
-pub(crate) fn fails(test: &dyn Fn(&Input), input: &Input) -> bool {
+pub fn fails(test: &dyn Fn(&Input), input: &Input) -> bool {
     catch_unwind(AssertUnwindSafe(|| test(input))).is_err()
 }
 
 /// Drops edges and points as long as `test` panics on what is left: many at a time first, then fewer.
-pub(crate) fn minimize(test: &dyn Fn(&Input), input: &Input) -> Input {
+pub fn minimize(test: &dyn Fn(&Input), input: &Input) -> Input {
     let mut least = input.clone();
     let mut many = least.points.len().max(least.edges.len());
     while many > 0 {
@@ -73,7 +73,7 @@ fn without_points(input: &Input, range: Range<usize>) -> Input {
 }
 
 /// Runs `test`; if it panics, says on which seed and on which small input it does, and panics.
-pub(crate) fn run(test: &dyn Fn(&Input), input: &Input, seed: u64) {
+pub fn run(test: &dyn Fn(&Input), input: &Input, seed: u64) {
     if fails(test, input) {
         let least = minimize(test, input);
         eprintln!("failed with SWEEP_CDT_SEED={seed} on\n{input}\nand on\n{least}");

@@ -18,7 +18,7 @@ use super::numbers::{Number, Point, cross, in_lowered_circle, lowering, sign, ve
 
 impl<N: Number> Graph<'_, N> {
     /// The triangles of the canonical triangulation, each with its lowest vertex first; sorted.
-    pub(crate) fn triangles(&self) -> Vec<[usize; 3]> {
+    pub fn triangles(&self) -> Vec<[usize; 3]> {
         let mut triangles = Vec::new();
         for &a in &self.vertices {
             for &b in self.vertices.iter().filter(|&&b| b > a) {
@@ -125,7 +125,7 @@ impl<N: Number> Graph<'_, N> {
 
     /// The vertices on the border of the convex hull, counter-clockwise from the leftmost, upper one,
     /// if not all lie on a line: the next is the first vertex with no other to its right.
-    pub(crate) fn hull(&self) -> Vec<usize> {
+    pub fn hull(&self) -> Vec<usize> {
         let least = |v: &usize, w: &usize| lowering(&self.points[*v], &self.points[*w]);
         let start = *self
             .vertices

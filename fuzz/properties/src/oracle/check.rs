@@ -15,7 +15,7 @@ use super::numbers::{Integers, Number, Point, in_circle, integers, lowering, ori
 use super::{Answer, found, graph::representatives, sorted};
 
 /// Panics, saying what is wrong, unless `result` is what it must be. Gives the answer back.
-pub(crate) fn check(points: &[[f64; 2]], edges: &[[usize; 2]], result: &Triangulation) -> Answer {
+pub fn check(points: &[[f64; 2]], edges: &[[usize; 2]], result: &Triangulation) -> Answer {
     let answer = found(result, points.len(), edges.len());
     match integers(points) {
         Integers::Small(points) => check_answer(&points, edges, &answer),
@@ -25,7 +25,7 @@ pub(crate) fn check(points: &[[f64; 2]], edges: &[[usize; 2]], result: &Triangul
 }
 
 /// Whether neighbours know each other and agree on what is constrained.
-pub(crate) fn check_links(result: &Triangulation) {
+pub fn check_links(result: &Triangulation) {
     let by_side: HashMap<[usize; 2], usize> = result
         .triangles()
         .enumerate()
@@ -66,7 +66,8 @@ fn ends(corners: [usize; 3], side: usize) -> [usize; 2] {
     [corners[(side + 1) % 3], corners[(side + 2) % 3]]
 }
 
-pub(super) fn check_answer<N: Number>(points: &[Point<N>], edges: &[[usize; 2]], answer: &Answer) {
+/// Panics, saying what is wrong, unless this answer is what it must be.
+pub fn check_answer<N: Number>(points: &[Point<N>], edges: &[[usize; 2]], answer: &Answer) {
     assert_eq!(answer.representatives, representatives(points));
     let vertices: Vec<usize> = (0..points.len())
         .filter(|&v| answer.representatives[v] == v)
@@ -241,7 +242,7 @@ fn check_side<N: Number>(points: &[Point<N>], [a, b]: [usize; 2], c: usize, d: u
 
 /// The sides that no choice among cocircular triangles can change: constrained ones, the hull's, and
 /// those that are strictly Delaunay. Lower vertex first.
-pub(crate) fn firm_sides(points: &[[f64; 2]], answer: &Answer) -> BTreeSet<[usize; 2]> {
+pub fn firm_sides(points: &[[f64; 2]], answer: &Answer) -> BTreeSet<[usize; 2]> {
     match integers(points) {
         Integers::Small(points) => firm(&points, answer),
         Integers::Big(points) => firm(&points, answer),

@@ -7,21 +7,23 @@ use super::numbers::{Number, Point, orient, sweep};
 use super::sorted;
 
 /// An input with duplicates merged and edges split at the vertices on them.
-pub(crate) struct Graph<'a, N> {
-    pub(crate) points: &'a [Point<N>],
+pub struct Graph<'a, N> {
+    /// The points.
+    pub points: &'a [Point<N>],
     edges: Vec<[usize; 2]>,
     /// For each point the lowest index of an equal one.
-    pub(crate) representatives: Vec<usize>,
+    pub representatives: Vec<usize>,
     /// The points that are their own representatives.
-    pub(crate) vertices: Vec<usize>,
+    pub vertices: Vec<usize>,
     /// For each edge the vertices along it, upper end first.
-    pub(crate) chains: Vec<Vec<usize>>,
+    pub chains: Vec<Vec<usize>>,
     /// All pairs of neighbours in chains, lower index first, each once.
-    pub(crate) pieces: Vec<[usize; 2]>,
+    pub pieces: Vec<[usize; 2]>,
 }
 
 impl<'a, N: Number> Graph<'a, N> {
-    pub(crate) fn new(points: &'a [Point<N>], edges: &[[usize; 2]]) -> Self {
+    /// The graph of these points and edges.
+    pub fn new(points: &'a [Point<N>], edges: &[[usize; 2]]) -> Self {
         let representatives = representatives(points);
         let vertices = (0..points.len())
             .filter(|&v| representatives[v] == v)
@@ -48,7 +50,8 @@ impl<'a, N: Number> Graph<'a, N> {
         graph
     }
 
-    pub(crate) fn orient(&self, a: usize, b: usize, c: usize) -> Ordering {
+    /// `Greater` if three points turn left.
+    pub fn orient(&self, a: usize, b: usize, c: usize) -> Ordering {
         orient(&self.points[a], &self.points[b], &self.points[c])
     }
 
@@ -72,14 +75,14 @@ impl<'a, N: Number> Graph<'a, N> {
     }
 
     /// Whether two segments cross at one point inside both.
-    pub(crate) fn cross(&self, [a, b]: [usize; 2], [c, d]: [usize; 2]) -> bool {
+    pub fn cross(&self, [a, b]: [usize; 2], [c, d]: [usize; 2]) -> bool {
         let apart = |x, y| x != Ordering::Equal && y != Ordering::Equal && x != y;
         apart(self.orient(a, b, c), self.orient(a, b, d))
             && apart(self.orient(c, d, a), self.orient(c, d, b))
     }
 
     /// The pairs of edges that cross at a point that is no vertex.
-    pub(crate) fn crossings(&self) -> Vec<[usize; 2]> {
+    pub fn crossings(&self) -> Vec<[usize; 2]> {
         let mut crossings = Vec::new();
         for f in 0..self.edges.len() {
             for e in 0..f {
@@ -99,7 +102,7 @@ impl<'a, N: Number> Graph<'a, N> {
 }
 
 /// For each point the lowest index of an equal one.
-pub(crate) fn representatives<N: Number>(points: &[Point<N>]) -> Vec<usize> {
+pub(super) fn representatives<N: Number>(points: &[Point<N>]) -> Vec<usize> {
     let mut first = BTreeMap::new();
     points
         .iter()

@@ -3,18 +3,37 @@
 use std::fmt;
 use std::str::FromStr;
 
+/// Points and edges, as [`sweep_cdt::triangulate`] takes them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Input {
-    pub(crate) points: Vec<[f64; 2]>,
-    pub(crate) edges: Vec<[usize; 2]>,
+pub struct Input {
+    /// The points.
+    pub points: Vec<[f64; 2]>,
+    /// The edges, as positions in `points`; not checked.
+    pub edges: Vec<[usize; 2]>,
 }
 
 impl Input {
     /// Reads `"0 0, 1.5 2, -3 1e300"` and `"0 1, 2 0"`.
-    pub(crate) fn parse(points: &str, edges: &str) -> Input {
+    pub fn parse(points: &str, edges: &str) -> Input {
         Input {
             points: pairs(points),
             edges: pairs(edges),
+        }
+    }
+
+    /// The same input with point `order[i]` as point `i`.
+    pub fn permuted(&self, order: &[usize]) -> Input {
+        let mut place = vec![0; order.len()];
+        for (i, &v) in order.iter().enumerate() {
+            place[v] = i;
+        }
+        Input {
+            points: order.iter().map(|&v| self.points[v]).collect(),
+            edges: self
+                .edges
+                .iter()
+                .map(|edge| edge.map(|v| place[v]))
+                .collect(),
         }
     }
 }

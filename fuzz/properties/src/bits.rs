@@ -1,0 +1,50 @@
+//! Raw doubles and unchecked indices: a typed error that names the offender, or a right result.
+
+use arbitrary::{Result, Unstructured};
+use sweep_cdt::{Error, triangulate};
+
+use crate::{Input, valid};
+
+/// As many points at most.
+const POINTS: usize = 24;
+
+/// The property for the input that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let input = read(&mut Unstructured::new(bytes)).unwrap_or_default();
+    let Input { points, edges } = &input;
+    match triangulate(points, edges) {
+        Err(Error::NonFiniteCoordinate { vertex }) => {
+            assert!(
+                points[vertex].iter().any(|x| !x.is_finite()),
+                "point {vertex} is finite"
+            );
+        }
+        Err(Error::EdgeOutOfRange { edge, vertex }) => {
+            assert!(
+                edges[edge].contains(&vertex),
+                "edge {edge} has no end {vertex}"
+            );
+            assert!(vertex >= points.len(), "there is a point {vertex}");
+        }
+        Ok(_) | Err(Error::CrossingEdges { .. }) => valid::judge(&input),
+        Err(error) => panic!("no reason for: {error}"),
+    }
+}
+
+/// How many points, then 16 bytes a point, then edges: two bytes each, or 16 where the first is 255.
+fn read(bytes: &mut Unstructured<'_>) -> Result<Input> {
+    let mut input = Input::default();
+    let n = usize::from(bytes.arbitrary::<u8>()?) % (POINTS + 1);
+    while input.points.len() < n && !bytes.is_empty() {
+        input.points.push([bytes.arbitrary()?, bytes.arbitrary()?]);
+    }
+    while input.edges.len() < POINTS && !bytes.is_empty() {
+        let end: u8 = bytes.arbitrary()?;
+        input.edges.push(if end == u8::MAX {
+            [bytes.arbitrary()?, bytes.arbitrary()?]
+        } else {
+            [end, bytes.arbitrary()?].map(usize::from)
+        });
+    }
+    Ok(input)
+}

@@ -1,0 +1,203 @@
+//! The table of runs: every scalar with every front and every setting of the heuristics.
+//!
+//! A new front is one line in `fronts`, a new scalar one line in `all` and a [`Sample`] that says how it
+//! is made of a double.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{FromPrimitive, ToPrimitive};
+use sweep_cdt::{
+    Error, FrontSearch, HashTable, Heuristics, Linear, Scalar, SkipList, Triangulator,
+};
+
+use crate::Input;
+use crate::oracle::{Answer, Verdict, found};
+
+/// What a run gives.
+pub type Outcome = Result<Answer, Error>;
+type Call = fn(&Input, Heuristics) -> Option<Outcome>;
+
+/// One way to triangulate.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Scalar, front and heuristics.
+    pub name: String,
+    heuristics: Heuristics,
+    call: Call,
+}
+
+impl Run {
+    /// What comes out, or `None` if the scalar cannot hold a coordinate.
+    pub fn outcome(&self, input: &Input) -> Option<Outcome> {
+        (self.call)(input, self.heuristics)
+    }
+}
+
+fn fronts<S: Sample>() -> Vec<(&'static str, Call)> {
+    vec![
+        ("hash table", call::<S, HashTable>),
+        ("skip list", call::<S, SkipList>),
+        ("linear", call::<S, Linear>),
+    ]
+}
+
+const HEURISTICS: &[(&str, Heuristics)] = &[
+    ("fast", Heuristics::FAST),
+    ("paper", Heuristics::PAPER),
+    ("off", Heuristics::OFF),
+];
+
+/// All runs; the first is the one that callers get who choose nothing.
+pub fn all() -> Vec<Run> {
+    let mut runs = with::<f64>("f64");
+    runs.extend(with::<f32>("f32"));
+    runs.extend(with::<i32>("i32"));
+    runs.extend(with::<i64>("i64"));
+    runs.extend(with::<BigInt>("BigInt"));
+    runs.extend(with::<BigRational>("BigRational"));
+    runs.extend(with::<Archetype>("archetype"));
+    runs
+}
+
+/// The runs with one scalar.
+pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
+    let mut runs = Vec::new();
+    for (front, call) in fronts::<S>() {
+        for &(setting, heuristics) in HEURISTICS {
+            runs.push(Run {
+                name: format!("{scalar}, {front}, {setting}"),
+                heuristics,
+                call,
+            });
+        }
+    }
+    runs
+}
+
+fn call<S: Sample, F: FrontSearch>(input: &Input, heuristics: Heuristics) -> Option<Outcome> {
+    let points = convert::<S>(&input.points)?;
+    let result = Triangulator::new()
+        .front::<F>()
+        .heuristics(heuristics)
+        .triangulate(&points, &input.edges);
+    Some(result.map(|result| found(&result, points.len(), input.edges.len())))
+}
+
+/// Points in another scalar, if it can hold all of their coordinates.
+pub fn convert<S: Sample>(points: &[[f64; 2]]) -> Option<Vec<[S; 2]>> {
+    points
+        .iter()
+        .map(|&[x, y]| Some([S::of(x)?, S::of(y)?]))
+        .collect()
+}
+
+/// Panics unless every run gives what the verdict says.
+pub fn assert_agree(input: &Input, verdict: &Verdict, runs: &[Run]) {
+    for run in runs {
+        let Some(outcome) = run.outcome(input) else {
+            continue;
+        };
+        match (verdict, &outcome) {
+            (Ok(expected), Ok(answer)) => {
+                assert_eq!(answer, expected, "{} (right: oracle)", run.name);
+            }
+            (Err(crossings), Err(Error::CrossingEdges { edges })) => assert!(
+                crossings.contains(edges),
+                "{}: {edges:?} are said to cross, but only {crossings:?} do",
+                run.name
+            ),
+            _ => panic!("{}: {outcome:?}, but the oracle says {verdict:?}", run.name),
+        }
+    }
+}
+
+/// A scalar that can be made of a double.
+pub trait Sample: Scalar {
+    /// Exactly this number, if the type can hold it.
+    fn of(x: f64) -> Option<Self>;
+}
+
+fn integer<T: FromPrimitive>(x: f64) -> Option<T> {
+    if x.fract() == 0.0 {
+        T::from_f64(x)
+    } else {
+        None
+    }
+}
+
+impl Sample for f64 {
+    fn of(x: f64) -> Option<f64> {
+        Some(x)
+    }
+}
+
+impl Sample for f32 {
+    fn of(x: f64) -> Option<f32> {
+        x.to_f32().filter(|&y| f64::from(y).total_cmp(&x).is_eq())
+    }
+}
+
+impl Sample for i32 {
+    fn of(x: f64) -> Option<i32> {
+        integer(x)
+    }
+}
+
+impl Sample for i64 {
+    fn of(x: f64) -> Option<i64> {
+        integer(x)
+    }
+}
+
+impl Sample for BigInt {
+    fn of(x: f64) -> Option<BigInt> {
+        integer(x)
+    }
+}
+
+impl Sample for BigRational {
+    fn of(x: f64) -> Option<BigRational> {
+        BigRational::from_float(x)
+    }
+}
+
+/// A scalar that has nothing but the trait: not even `Clone` or `Debug`.
+struct Archetype(BigRational);
+
+impl Archetype {
+    fn minus(&self, other: &Archetype) -> BigRational {
+        &self.0 - &other.0
+    }
+}
+
+impl Scalar for Archetype {
+    fn approx(&self) -> f64 {
+        self.0.to_f64().expect("every rational is near a double")
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        self.0.cmp(&other.0)
+    }
+
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+        let left = b[0].minus(&a[0]) * c[1].minus(&a[1]);
+        left.cmp(&(b[1].minus(&a[1]) * c[0].minus(&a[0])))
+    }
+
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+        let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [0, 1].map(|i| p[i].minus(&d[i])));
+        let lift = |x: &BigRational, y: &BigRational| x * x + y * y;
+        let det = lift(&ax, &ay) * (&bx * &cy - &by * &cx)
+            + lift(&bx, &by) * (&cx * &ay - &cy * &ax)
+            + lift(&cx, &cy) * (&ax * &by - &ay * &bx);
+        det.cmp(&BigRational::from_integer(BigInt::ZERO))
+    }
+}
+
+impl Sample for Archetype {
+    fn of(x: f64) -> Option<Archetype> {
+        BigRational::from_float(x).map(Archetype)
+    }
+}

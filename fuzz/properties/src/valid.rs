@@ -1,0 +1,46 @@
+//! Any structured input ends in what it must: a triangulation that is right, or the error that is right.
+//!
+//! Three judges: the exact verifier of the crate, which shares no code with the sweep but the scalar's
+//! predicates; [`check`], which shares nothing and tests sides one by one in integers; and for small inputs
+//! [`verdict`], which builds the answer from its definition.
+
+use sweep_cdt::{Error, triangulate};
+
+use crate::oracle::{check, crosses, verdict};
+use crate::{Input, generators, reached};
+
+/// Up to so many points the answer is built from its definition.
+const BY_DEFINITION: usize = 7;
+
+/// The property for the input that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let input = generators::input(bytes);
+    reached::sample(&input);
+    judge(&input);
+}
+
+/// Panics unless the result for this input, all of whose coordinates are finite, is right.
+pub fn judge(input: &Input) {
+    let Input { points, edges } = input;
+    let outcome = triangulate(points, edges);
+    let answer = match &outcome {
+        Ok(result) => {
+            let report = result
+                .verify(points, edges)
+                .expect("the verifier accepts the result");
+            assert!(
+                report.is_canonical(),
+                "the verifier finds the result canonical"
+            );
+            Some(check(points, edges, result))
+        }
+        Err(Error::CrossingEdges { edges: pair }) => {
+            assert!(crosses(points, edges, *pair), "{pair:?} do not cross");
+            None
+        }
+        Err(error) => panic!("no reason for: {error}"),
+    };
+    if points.len() <= BY_DEFINITION {
+        assert_eq!(verdict(points, edges).ok(), answer, "the definition (left)");
+    }
+}
