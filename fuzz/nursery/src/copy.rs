@@ -1,0 +1,70 @@
+//! A copy of the crate and its properties with the faults in it.
+
+use std::path::Path;
+use std::{fs, io};
+
+use crate::{Fault, plant, root};
+
+/// What of the crate's folder is needed to build a target.
+const NEEDED: [&str; 4] = ["Cargo.toml", "README.md", "benches", "src"];
+/// What of the fuzz workspace.
+const NEEDED_OF_FUZZ: [&str; 5] = [
+    "Cargo.toml",
+    "Cargo.lock",
+    "fuzz_targets",
+    "nursery",
+    "properties",
+];
+
+/// Copies the crate into this folder, every fault planted. Files that stay the same are not written, so
+/// that they are not compiled again.
+///
+/// # Errors
+/// If files cannot be read or written, or a fault cannot be planted.
+pub fn copy(to: &Path, faults: &[Fault]) -> io::Result<()> {
+    for name in NEEDED {
+        copy_all(&root().join(name), &to.join(name), Path::new(""), faults)?;
+    }
+    for name in NEEDED_OF_FUZZ {
+        let from = root().join("fuzz").join(name);
+        copy_all(&from, &to.join("fuzz").join(name), Path::new(""), &[])?;
+    }
+    write(
+        &to.join("src/nursery.rs"),
+        include_str!("planted.rs").as_bytes(),
+    )
+}
+
+/// Copies a file or a folder; `inside` is its path in the folder that was begun with.
+fn copy_all(from: &Path, to: &Path, inside: &Path, faults: &[Fault]) -> io::Result<()> {
+    if from.is_dir() {
+        fs::create_dir_all(to)?;
+        for entry in fs::read_dir(from)? {
+            let name = entry?.file_name();
+            copy_all(
+                &from.join(&name),
+                &to.join(&name),
+                &inside.join(&name),
+                faults,
+            )?;
+        }
+        return Ok(());
+    }
+    let bytes = fs::read(from)?;
+    if !faults.iter().any(|fault| fault.file == inside) && inside != Path::new("lib.rs") {
+        return write(to, &bytes);
+    }
+    let source = String::from_utf8(bytes).map_err(io::Error::other)?;
+    let mut planted = plant(inside, &source, faults).map_err(io::Error::other)?;
+    if inside == Path::new("lib.rs") && !faults.is_empty() {
+        planted = format!("#![allow(warnings)]\n{planted}\nmod nursery;\n");
+    }
+    write(to, planted.as_bytes())
+}
+
+fn write(to: &Path, bytes: &[u8]) -> io::Result<()> {
+    if fs::read(to).is_ok_and(|there| there == bytes) {
+        return Ok(());
+    }
+    fs::write(to, bytes)
+}

@@ -1,0 +1,88 @@
+//! A nursery of bugs: deliberate faults in the crate, to see which fuzz target finds which, and how soon.
+//!
+//! The table `faults.toml` names each fault, the right text of the source and the wrong one. All of them
+//! are planted at once into a *copy* of the crate, as `{ if planted(7) { wrong } else { right } }`, and
+//! the environment of a process chooses one, so that one build serves all. The crate itself knows nothing
+//! of this.
+//!
+//! A right text is an expression, or statements without a `let`, that occurs once in its file outside of
+//! constants.
+
+mod copy;
+
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+pub use copy::copy;
+
+/// Names the chosen fault in the environment, by its place in the table.
+pub const CHOICE: &str = "SWEEP_CDT_FAULT";
+
+#[derive(Deserialize)]
+struct Table {
+    fault: Vec<Fault>,
+}
+
+/// One row of the table.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Fault {
+    /// A short name.
+    pub name: String,
+    /// The file under `src`.
+    pub file: PathBuf,
+    /// What is wrong with it.
+    pub what: String,
+    /// The right text.
+    pub right: String,
+    /// What stands there instead.
+    pub wrong: String,
+}
+
+/// The table.
+///
+/// # Panics
+/// If it cannot be read.
+pub fn faults() -> Vec<Fault> {
+    let table: Table = toml::from_str(include_str!("../faults.toml")).expect("a table of faults");
+    table.fault
+}
+
+/// The folder of the crate.
+pub fn root() -> &'static Path {
+    let nursery = Path::new(env!("CARGO_MANIFEST_DIR"));
+    nursery.ancestors().nth(2).expect("it lies in fuzz/nursery")
+}
+
+/// A source file with all of its faults planted.
+///
+/// # Errors
+/// Says which right text does not occur exactly once.
+pub fn plant(file: &Path, source: &str, faults: &[Fault]) -> Result<String, String> {
+    let mut places = Vec::new();
+    for (number, fault) in faults.iter().enumerate() {
+        if fault.file != file {
+            continue;
+        }
+        let found: Vec<usize> = source.match_indices(&fault.right).map(|m| m.0).collect();
+        let [place] = found[..] else {
+            let (name, times) = (&fault.name, found.len());
+            return Err(format!("{name}: its text occurs {times} times, not once"));
+        };
+        places.push((place, place + fault.right.len(), number));
+    }
+    places.sort_unstable();
+    if let Some(pair) = places.windows(2).find(|pair| pair[0].1 > pair[1].0) {
+        let [a, b] = [pair[0].2, pair[1].2].map(|number| &faults[number].name);
+        return Err(format!("{a} and {b} overlap"));
+    }
+    let mut planted = source.to_owned();
+    for &(from, to, number) in places.iter().rev() {
+        let Fault { right, wrong, .. } = &faults[number];
+        planted.replace_range(
+            from..to,
+            &format!("{{ if crate::nursery::planted({number}) {{ {wrong} }} else {{ {right} }} }}"),
+        );
+    }
+    Ok(planted)
+}
