@@ -36,15 +36,15 @@ pub(crate) struct Trace {
 
     /// Format of standard output
     #[arg(long, value_name = "FORMAT", default_value = "txt", value_parser = super::names(Format::ALL, Format::name))]
-    to: Format,
+    output_format: Format,
 
     /// First step to write, counted from 1
     #[arg(long, value_name = "K", default_value_t = NonZeroUsize::MIN)]
-    first: NonZeroUsize,
+    from: NonZeroUsize,
 
     /// Last step to write; the end, if there are fewer
     #[arg(long, value_name = "K", default_value_t = NonZeroUsize::MAX, hide_default_value = true)]
-    last: NonZeroUsize,
+    to: NonZeroUsize,
 
     #[command(flatten)]
     scalar: ScalarArgs,
@@ -69,7 +69,7 @@ Examples:
   sweep-cdt trace terrain.poly --heuristics paper | less
   sweep-cdt trace terrain.poly -o steps.jsonl && sweep-cdt replay steps.jsonl
   sweep-cdt trace terrain.poly -o steps.html
-  sweep-cdt trace terrain.poly -o steps.svg --first 120 --last 131";
+  sweep-cdt trace terrain.poly -o steps.svg --from 120 --to 131";
 
 #[derive(Clone, Copy)]
 enum Format {
@@ -119,8 +119,8 @@ impl Format {
 impl Trace {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        if self.first > self.last {
-            let (first, last) = (self.first, self.last);
+        if self.from > self.to {
+            let (first, last) = (self.from, self.to);
             let message = format!("the last step, {last}, is before the first one, {first}");
             return Err(Failure::Usage(message));
         }
@@ -142,7 +142,7 @@ impl Trace {
 
     fn format(&self) -> Result<Format, Failure> {
         if self.is_stdout() {
-            return Ok(self.to);
+            return Ok(self.output_format);
         }
         let extension = self.output.extension().unwrap_or_default();
         let is_named = |format: &Format| extension.eq_ignore_ascii_case(format.name());
@@ -173,7 +173,7 @@ impl Job for Run<'_> {
         let Trace {
             settings, output, ..
         } = self.arguments;
-        let [first, last] = [self.arguments.first, self.arguments.last].map(NonZeroUsize::get);
+        let [first, last] = [self.arguments.from, self.arguments.to].map(NonZeroUsize::get);
         let mut events = Vec::new();
         let mut step = 0;
         let observer = |event| {

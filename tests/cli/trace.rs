@@ -18,7 +18,7 @@ fn replay(trace: &[u8]) -> Output {
 
 /// The triangles of an input as `replay` prints them.
 fn triangles(input: &str) -> String {
-    let output = run(&format!("triangulate {input} -o - --to json"));
+    let output = run(&format!("triangulate {input} -o - --output-format json"));
     let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     let list = json["triangles"].as_array().expect("triangles");
     let line = |triangle: &Value| format!("{} {} {}\n", triangle[0], triangle[1], triangle[2]);
@@ -28,7 +28,11 @@ fn triangles(input: &str) -> String {
 #[test]
 fn replay_prints_the_triangles_of_the_result() {
     for input in ["ten.poly", "thirds.json", "split.poly"] {
-        for settings in ["", "--to jsonl", "--heuristics paper --front skip-list"] {
+        for settings in [
+            "",
+            "--output-format jsonl",
+            "--heuristics paper --front skip-list",
+        ] {
             let trace = run(&format!("trace {input} {settings}"));
             let replayed = replay(printed(&trace).as_bytes());
             assert_eq!(printed(&replayed), triangles(input), "{input} {settings}");
@@ -48,7 +52,7 @@ fn fronts_and_scalars_take_the_same_steps() {
 #[test]
 fn files_are_written_by_their_extension() {
     let folder = folder(&[]);
-    for (extension, option) in [("txt", ""), ("jsonl", "--to jsonl")] {
+    for (extension, option) in [("txt", ""), ("jsonl", "--output-format jsonl")] {
         let path = folder.path().join("steps").with_extension(extension);
         let written = run(&format!("trace ten.poly -o {}", path.display()));
         assert_eq!(printed(&written), "");
@@ -115,7 +119,7 @@ fn the_page_holds_all_steps_and_loads_nothing() {
 #[test]
 fn a_stretch_of_the_steps_is_drawn_on_demand() {
     let whole = steps_in(&drawn("steps.html", ""));
-    let stretch = "--first 3 --last 6";
+    let stretch = "--from 3 --to 6";
     let page = steps_in(&drawn("steps.html", stretch));
     assert_eq!(page["first"], 3);
     assert_eq!(page["total"], whole["total"]);
@@ -161,21 +165,21 @@ fn steps_that_there_are_not_are_refused() {
             output.expect("the command starts")
         };
         for range in [
-            "--first 6 --last 5",
-            "--first 0",
-            "--last 0",
-            "--last -1",
-            "--first x",
+            "--from 6 --to 5",
+            "--from 0",
+            "--to 0",
+            "--to -1",
+            "--from x",
         ] {
             let refused = run(range);
             assert_eq!(refused.status.code(), Some(2), "{range}");
             assert!(text(&refused.stderr).starts_with("error: "), "{range}");
         }
         let error = format!("{input}: there is no step 99999, the last one is {last}");
-        assert_fails(&run("--first 99999"), &error);
+        assert_fails(&run("--from 99999"), &error);
         assert_eq!(names(folder.path()), Vec::<String>::new());
     }
-    let rest = run(&format!("trace ten.poly --first {last} --last 99999"));
+    let rest = run(&format!("trace ten.poly --from {last} --to 99999"));
     assert_eq!(printed(&rest).lines().count(), 2);
 }
 
@@ -183,7 +187,7 @@ fn steps_that_there_are_not_are_refused() {
 fn a_stretch_of_the_steps_is_written_on_demand() {
     let whole = run("trace ten.poly");
     let lines: Vec<&str> = printed(&whole).lines().collect();
-    let part = run("trace ten.poly --first 4 --last 6");
+    let part = run("trace ten.poly --from 4 --to 6");
     let expected = [
         "sweep-cdt trace 1 from step 4",
         lines[4],
