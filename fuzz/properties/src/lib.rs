@@ -23,6 +23,8 @@ pub struct Target {
     pub name: &'static str,
     /// Panics if the property does not hold for what the bytes stand for.
     pub test: fn(&[u8]),
+    /// The points and edges that the bytes stand for, if it is those that are tested.
+    pub input: Option<fn(&[u8]) -> Input>,
 }
 
 /// All properties.
@@ -30,9 +32,11 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "valid",
         test: valid::test,
+        input: Some(generators::input),
     },
     Target {
         name: "bits",
         test: bits::test,
+        input: Some(bits::input),
     },
 ];
