@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
-use sweep_cdt_properties::{TARGETS, Target};
+use sweep_cdt_properties::generators::encode;
+use sweep_cdt_properties::{Input, TARGETS, Target};
 
 #[derive(Parser)]
 #[command(about = "Runs the fuzz targets of sweep-cdt on files, without a fuzzer")]
@@ -21,6 +22,14 @@ enum Verb {
         /// The property.
         target: String,
         /// Files and folders.
+        paths: Vec<PathBuf>,
+    },
+    /// Writes seeds into a folder: one for each input file (JSON: `points`, `edges`) that bytes can stand for,
+    /// and chance ones for every shape of points with every pattern of edges.
+    Seeds {
+        /// The folder.
+        folder: PathBuf,
+        /// Input files and folders of them.
         paths: Vec<PathBuf>,
     },
     /// Writes the input that a file stands for into a folder: `row.txt`, a row for the table of cases, and
@@ -48,6 +57,28 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             println!("{}: {count} files", target.name);
         }
+        Verb::Seeds { folder, paths } => {
+            for path in paths {
+                for file in files(&path)? {
+                    let text = fs::read_to_string(&file)?;
+                    let name = file.file_stem().unwrap_or_default();
+                    // What is no input of finite numbers is left to the readers' own seeds.
+                    if let Ok(Parsed { points, edges }) = serde_json::from_str(&text)
+                        && let Some(bytes) = encode(&Input { points, edges })
+                    {
+                        fs::write(folder.join(name), bytes)?;
+                    }
+                }
+            }
+            for kind in 0..=u8::MAX {
+                let mut bytes = vec![kind % 16, (kind / 16 % 8) | 8, 6 + kind % 19];
+                bytes.extend((0..48_u32).map(|i| {
+                    let mixed = (i + 1 + 64 * u32::from(kind)).wrapping_mul(0x9e37_79b9);
+                    (mixed >> 24) as u8
+                }));
+                fs::write(folder.join(format!("shape_{kind}")), bytes)?;
+            }
+        }
         Verb::Show {
             target,
             file,
@@ -69,6 +100,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     Ok(())
+}
+
+/// An input as the files have it.
+#[derive(serde::Deserialize)]
+struct Parsed {
+    points: Vec<[f64; 2]>,
+    edges: Vec<[usize; 2]>,
 }
 
 fn named(name: &str) -> Result<&'static Target, String> {

@@ -8,12 +8,14 @@
 //! An input has at most [`POINTS`] points, so that every exact check of it ends soon.
 
 mod edges;
+mod encode;
 mod numbers;
 mod points;
 
 use arbitrary::{Result, Unstructured};
 
 pub use edges::{Pattern, drop_crossings};
+pub use encode::encode;
 pub use points::Shape;
 
 use crate::Input;
