@@ -13,6 +13,7 @@ pub mod oracle;
 pub mod reached;
 pub mod runs;
 pub mod valid;
+pub mod verify;
 
 pub use input::Input;
 
@@ -34,5 +35,9 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "bits",
         test: bits::test,
+    },
+    Target {
+        name: "verify",
+        test: verify::test,
     },
 ];
