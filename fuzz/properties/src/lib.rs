@@ -6,6 +6,7 @@
 //! this runs without a fuzzer too: the crate's own tests give it random bytes and the corpus.
 
 pub mod bits;
+pub mod formats;
 pub mod generators;
 pub mod input;
 pub mod minimize;
@@ -39,5 +40,9 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "verify",
         test: verify::test,
+    },
+    Target {
+        name: "formats",
+        test: formats::test,
     },
 ];
