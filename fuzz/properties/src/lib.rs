@@ -6,6 +6,7 @@
 //! this runs without a fuzzer too: the crate's own tests give it random bytes and the corpus.
 
 pub mod bits;
+pub mod formats;
 pub mod generators;
 pub mod input;
 pub mod minimize;
@@ -13,6 +14,7 @@ pub mod oracle;
 pub mod reached;
 pub mod runs;
 pub mod valid;
+pub mod verify;
 
 pub use input::Input;
 
@@ -38,5 +40,13 @@ pub const TARGETS: &[Target] = &[
         name: "bits",
         test: bits::test,
         input: Some(bits::input),
+    },
+    Target {
+        name: "verify",
+        test: verify::test,
+    },
+    Target {
+        name: "formats",
+        test: formats::test,
     },
 ];
