@@ -6,10 +6,12 @@
 //! this runs without a fuzzer too: the crate's own tests give it random bytes and the corpus.
 
 pub mod bits;
+pub mod canonical;
 pub mod generators;
 pub mod input;
 pub mod minimize;
 pub mod oracle;
+pub mod random;
 pub mod reached;
 pub mod runs;
 pub mod valid;
@@ -34,5 +36,9 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "bits",
         test: bits::test,
+    },
+    Target {
+        name: "canonical",
+        test: canonical::test,
     },
 ];

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 use sweep_cdt::Triangulation;
 
-pub use check::{check, check_answer, check_links, firm_sides};
+pub use check::{check, check_answer, check_found, check_links, firm_sides};
 pub use graph::Graph;
 pub use numbers::{Integers, Number, Point, integers};
 
