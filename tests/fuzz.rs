@@ -10,10 +10,16 @@ use sweep_cdt_properties::{TARGETS, Target};
 const CHANCES: u64 = 500;
 
 fn files(folder: &str, target: &Target) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz").join(folder);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("fuzz")
+        .join(folder);
     let entries = fs::read_dir(folder.join(target.name));
     let mut files: Vec<PathBuf> = entries
-        .map(|entries| entries.map(|entry| entry.expect("an entry").path()).collect())
+        .map(|entries| {
+            entries
+                .map(|entry| entry.expect("an entry").path())
+                .collect()
+        })
         .unwrap_or_default();
     files.sort();
     files
@@ -71,5 +77,8 @@ fn every_property_is_a_fuzz_target() {
         .iter()
         .map(|target| format!("path = \"fuzz_targets/{}.rs\"", target.name))
         .collect();
-    assert_eq!(listed, expected, "fuzz/Cargo.toml, in the order of TARGETS (right)");
+    assert_eq!(
+        listed, expected,
+        "fuzz/Cargo.toml, in the order of TARGETS (right)"
+    );
 }

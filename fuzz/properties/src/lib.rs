@@ -6,11 +6,13 @@
 //! this runs without a fuzzer too: the crate's own tests give it random bytes and the corpus.
 
 pub mod bits;
+pub mod canonical;
 pub mod formats;
 pub mod generators;
 pub mod input;
 pub mod minimize;
 pub mod oracle;
+pub mod random;
 pub mod reached;
 pub mod runs;
 pub mod valid;
@@ -31,22 +33,13 @@ pub struct Target {
 
 /// All properties.
 pub const TARGETS: &[Target] = &[
-    Target {
-        name: "valid",
-        test: valid::test,
-        input: Some(generators::input),
-    },
-    Target {
-        name: "bits",
-        test: bits::test,
-        input: Some(bits::input),
-    },
-    Target {
-        name: "verify",
-        test: verify::test,
-    },
-    Target {
-        name: "formats",
-        test: formats::test,
-    },
+    target("valid", valid::test, Some(generators::input)),
+    target("bits", bits::test, Some(bits::input)),
+    target("canonical", canonical::test, None),
+    target("verify", verify::test, None),
+    target("formats", formats::test, None),
 ];
+
+const fn target(name: &'static str, test: fn(&[u8]), input: Option<fn(&[u8]) -> Input>) -> Target {
+    Target { name, test, input }
+}

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 
 use sweep_cdt::Triangulation;
 
-pub use check::{check, check_answer, check_links, firm_sides};
+pub use check::{check, check_answer, check_found, check_links, firm_sides};
 pub use graph::Graph;
 pub use naive::{is_exactly_right, is_right};
 pub use numbers::{Integers, Number, Point, integers};
