@@ -14,7 +14,7 @@ pub(crate) struct InputArgs {
 
     /// Format of the input, where its name does not end in it
     #[arg(long, value_name = "FORMAT", value_parser = super::names(InputFormat::ALL, InputFormat::name))]
-    from: Option<InputFormat>,
+    input_format: Option<InputFormat>,
 }
 
 impl InputArgs {
@@ -25,7 +25,7 @@ impl InputArgs {
 
     /// Reads the input, and shows each file that it is read from.
     pub(crate) fn read(&self, mut show: impl FnMut(&Source)) -> Result<Input, Failure> {
-        let given = ("--from", self.from);
+        let given = ("--input-format", self.input_format);
         let format = self
             .input
             .format(given, InputFormat::ALL, InputFormat::name)?;
@@ -50,7 +50,7 @@ pub(crate) struct ResultArgs {
 
     /// Format of the result, where its name does not end in it
     #[arg(long, value_name = "FORMAT", value_parser = super::names(ResultFormat::ALL, ResultFormat::name))]
-    result_from: Option<ResultFormat>,
+    result_format: Option<ResultFormat>,
 }
 
 /// A result in memory.
@@ -64,7 +64,7 @@ pub(crate) struct ResultFiles {
 impl ResultArgs {
     /// Loads the result, and shows each file of it.
     pub(crate) fn load(&self, mut show: impl FnMut(&Source)) -> Result<ResultFiles, Failure> {
-        let given = ("--result-from", self.result_from);
+        let given = ("--result-format", self.result_format);
         let format = self
             .result
             .format(given, ResultFormat::ALL, ResultFormat::name)?;

@@ -24,7 +24,7 @@ pub(crate) struct OutputArgs {
 
     /// Format of standard output
     #[arg(long, value_name = "FORMAT", value_parser = super::names(OutputFormat::ALL, OutputFormat::name))]
-    to: Option<OutputFormat>,
+    output_format: Option<OutputFormat>,
 }
 
 /// A place to write to, and what.
@@ -49,8 +49,8 @@ impl OutputArgs {
         let extension = path.extension().unwrap_or_default();
         let named = |format: &OutputFormat| extension.eq_ignore_ascii_case(format.name());
         let format = if path == Path::new(STDOUT) {
-            self.to
-                .ok_or_else(|| "standard output needs a format: add --to".to_owned())
+            self.output_format
+                .ok_or_else(|| "standard output needs a format: add --output-format".to_owned())
         } else {
             OutputFormat::ALL.into_iter().find(named).ok_or_else(|| {
                 format!(

@@ -1,6 +1,7 @@
 //! `sweep-cdt trace`: every step of the sweep, in the paper's words.
 
 use std::io::{self, Write};
+use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
@@ -35,15 +36,15 @@ pub(crate) struct Trace {
 
     /// Format of standard output
     #[arg(long, value_name = "FORMAT", default_value = "txt", value_parser = super::names(Format::ALL, Format::name))]
-    to: Format,
+    output_format: Format,
 
     /// First step to write, counted from 1
-    #[arg(long, value_name = "K", default_value_t = 1)]
-    first: usize,
+    #[arg(long, value_name = "K", default_value_t = NonZeroUsize::MIN)]
+    from: NonZeroUsize,
 
-    /// Last step to write
-    #[arg(long, value_name = "K", default_value_t = usize::MAX, hide_default_value = true)]
-    last: usize,
+    /// Last step to write; the end, if there are fewer
+    #[arg(long, value_name = "K", default_value_t = NonZeroUsize::MAX, hide_default_value = true)]
+    to: NonZeroUsize,
 
     #[command(flatten)]
     scalar: ScalarArgs,
@@ -68,7 +69,7 @@ Examples:
   sweep-cdt trace terrain.poly --heuristics paper | less
   sweep-cdt trace terrain.poly -o steps.jsonl && sweep-cdt replay steps.jsonl
   sweep-cdt trace terrain.poly -o steps.html
-  sweep-cdt trace terrain.poly -o steps.svg --first 120 --last 131";
+  sweep-cdt trace terrain.poly -o steps.svg --from 120 --to 131";
 
 #[derive(Clone, Copy)]
 enum Format {
@@ -90,7 +91,8 @@ impl Format {
         }
     }
 
-    /// Whether the steps before the first one are needed too: a picture shows what they left.
+    /// Whether all steps are needed: a picture shows what those before it left, a page tells how many
+    /// there are.
     fn needs_all(self) -> bool {
         matches!(self, Format::Page | Format::Sheet)
     }
@@ -103,7 +105,7 @@ impl Format {
         steps: RangeInclusive<usize>,
         mut out: impl Write,
     ) -> io::Result<()> {
-        let skipped = steps.start().saturating_sub(1);
+        let skipped = steps.start() - 1;
         let trace = |events| sweep_cdt::trace::Trace { skipped, events };
         match self {
             Format::Text => trace(events).write_text(out),
@@ -117,6 +119,11 @@ impl Format {
 impl Trace {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        if self.from > self.to {
+            let (first, last) = (self.from, self.to);
+            let message = format!("the last step, {last}, is before the first one, {first}");
+            return Err(Failure::Usage(message));
+        }
         refuse_overwriting(&[&self.input.input], [&self.output])?;
         let format = self.format()?;
         let input = self.input.read(|_| ())?;
@@ -135,7 +142,7 @@ impl Trace {
 
     fn format(&self) -> Result<Format, Failure> {
         if self.is_stdout() {
-            return Ok(self.to);
+            return Ok(self.output_format);
         }
         let extension = self.output.extension().unwrap_or_default();
         let is_named = |format: &Format| extension.eq_ignore_ascii_case(format.name());
@@ -164,17 +171,14 @@ impl Job for Run<'_> {
         _scalar: &'static str,
     ) -> Result<(), Failure> {
         let Trace {
-            settings,
-            first,
-            last,
-            output,
-            ..
+            settings, output, ..
         } = self.arguments;
+        let [first, last] = [self.arguments.from, self.arguments.to].map(NonZeroUsize::get);
         let mut events = Vec::new();
         let mut step = 0;
         let observer = |event| {
             step += 1;
-            if step <= *last && (step >= *first || self.format.needs_all()) {
+            if self.format.needs_all() || (first..=last).contains(&step) {
                 events.push(event);
             }
         };
@@ -182,7 +186,12 @@ impl Job for Run<'_> {
         result.map_err(|error| {
             Failure::Error(format!("{}: {}", self.name, graph.as_numbered(error)))
         })?;
-        let write = |out: &mut dyn Write| self.format.write(graph, events, *first..=*last, out);
+        if first > step {
+            let name = self.name;
+            let message = format!("{name}: there is no step {first}, the last one is {step}");
+            return Err(Failure::Error(message));
+        }
+        let write = |out: &mut dyn Write| self.format.write(graph, events, first..=last, out);
         if self.arguments.is_stdout() {
             return print(|out| write(out));
         }

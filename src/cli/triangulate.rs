@@ -66,7 +66,7 @@ Exit status:
 Examples:
   sweep-cdt triangulate terrain.poly -o terrain.svg
   sweep-cdt triangulate terrain.poly -o terrain.ele -o terrain.json --stats
-  generate | sweep-cdt triangulate - --from json -o - --to obj | view";
+  generate | sweep-cdt triangulate - --input-format json -o - --output-format obj | view";
 
 impl Triangulate {
     /// Runs the subcommand.

@@ -44,7 +44,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     #[inline(always)]
     pub(super) fn legalize_side(&mut self, link: Link) {
         if self.is_illegal(link.triangle(), link.corner()) {
-            self.suspects.push(link);
+            self.flip_and_suspect(link);
             self.legalize();
         }
     }
@@ -52,18 +52,23 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Works off the suspects.
     pub(super) fn legalize(&mut self) {
         while let Some(suspect) = self.suspects.pop() {
-            let (t, i) = (suspect.triangle(), suspect.corner());
-            if self.is_illegal(t, i) {
-                let across = self.flip(t, i);
-                let (u, j) = (across.triangle(), across.corner());
-                self.suspects.extend([
-                    Link::new(t, i),
-                    Link::new(t, prev(i)),
-                    Link::new(u, j),
-                    Link::new(u, prev(j)),
-                ]);
+            if self.is_illegal(suspect.triangle(), suspect.corner()) {
+                self.flip_and_suspect(suspect);
             }
         }
+    }
+
+    /// Swaps the side that `link` leads to, and suspects the four sides around it.
+    fn flip_and_suspect(&mut self, link: Link) {
+        let (t, i) = (link.triangle(), link.corner());
+        let across = self.flip(t, i);
+        let (u, j) = (across.triangle(), across.corner());
+        self.suspects.extend([
+            Link::new(t, i),
+            Link::new(t, prev(i)),
+            Link::new(u, j),
+            Link::new(u, prev(j)),
+        ]);
     }
 
     /// Swaps the side opposite corner `i` of triangle `t`; returns the link across it that was.

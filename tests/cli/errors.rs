@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::process::Stdio;
 
-use crate::{FORMATS, assert_fails, command, folder, names, printed, run, text};
+use crate::{FORMATS, assert_fails, command, feed, folder, names, printed, run, sweep_cdt, text};
 
 /// Inputs that are refused, and the error.
 const REFUSED: &[(&str, &str, &str)] = &[
@@ -191,7 +191,7 @@ fn wrong_usage_exits_with_2() {
         "ten.poly --front tree",
         "ten.poly -o ten.png",
         "ten.poly -o -",
-        "ten.poly -o - --to json --stats",
+        "ten.poly -o - --output-format json --stats",
         "ten.json -o ../formats/ten.json",
         "isolines",
         "-",
@@ -205,11 +205,34 @@ fn wrong_usage_exits_with_2() {
 }
 
 #[test]
+fn a_missing_format_is_asked_for_by_its_option() {
+    for (arguments, option) in [
+        ("triangulate - -o a.svg", "--input-format json"),
+        ("triangulate ten.json -o -", "--output-format obj"),
+        ("verify ten.json -", "--result-format json"),
+        ("trace -", "--input-format json"),
+    ] {
+        let asked = sweep_cdt(FORMATS, arguments).output();
+        let asked = asked.expect("the command starts");
+        assert_eq!(asked.status.code(), Some(2), "{arguments}");
+        let name = option.split(' ').next().expect("a name");
+        let message = text(&asked.stderr);
+        assert!(message.contains(&format!("add {name}\n")), "{message}");
+        // Given that option, it does not complain of its usage any more.
+        let given = feed(
+            &mut sweep_cdt(FORMATS, &format!("{arguments} {option}")),
+            b"",
+        );
+        assert_ne!(given.status.code(), Some(2), "{}", text(&given.stderr));
+    }
+}
+
+#[test]
 fn a_broken_pipe_is_no_crash() {
     for arguments in [
-        "- --from json",
-        "- --from json --stats",
-        "- --from json -o - --to svg",
+        "- --input-format json",
+        "- --input-format json --stats",
+        "- --input-format json -o - --output-format svg",
     ] {
         let mut child = command(FORMATS, arguments)
             .stdin(Stdio::piped())

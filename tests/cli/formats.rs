@@ -7,10 +7,10 @@ use crate::{CONTOURS, FORMATS, assert_fails, folder, names, printed, run, run_wi
 
 #[test]
 fn all_input_formats_are_read() {
-    let expected = printed(&run(FORMATS, "ten.poly -o - --to json")).to_owned();
+    let expected = printed(&run(FORMATS, "ten.poly -o - --output-format json")).to_owned();
     for input in ["ten.json", "split.poly"] {
         assert_eq!(
-            printed(&run(FORMATS, &format!("{input} -o - --to json"))),
+            printed(&run(FORMATS, &format!("{input} -o - --output-format json"))),
             expected,
             "{input}"
         );
@@ -27,11 +27,14 @@ fn standard_input_is_read() {
         ("node", "split.node"),
     ] {
         let input = fs::read(Path::new(FORMATS).join(file)).expect("a file");
-        let expected = run(FORMATS, &format!("{file} -o - --to json"));
-        let output = run_with_input(&format!("- --from {format} -o - --to json"), &input);
+        let expected = run(FORMATS, &format!("{file} -o - --output-format json"));
+        let output = run_with_input(
+            &format!("- --input-format {format} -o - --output-format json"),
+            &input,
+        );
         assert_eq!(printed(&output), printed(&expected), "{file}");
     }
-    let output = run_with_input("- --from poly", b"0 2\n0\n");
+    let output = run_with_input("- --input-format poly", b"0 2\n0\n");
     assert_fails(
         &output,
         "standard input: no vertices, and no .node beside it",
@@ -65,7 +68,7 @@ fn vertices_keep_their_numbers_in_ele_and_node() {
 
 #[test]
 fn json_output_describes_the_result_and_can_be_read_again() {
-    let thirds = run(FORMATS, "thirds.json -o - --to json");
+    let thirds = run(FORMATS, "thirds.json -o - --output-format json");
     let expected = r#"{
 "points": [
 [0,0],
@@ -107,10 +110,13 @@ fn json_output_describes_the_result_and_can_be_read_again() {
 }
 "#;
     assert_eq!(printed(&thirds), expected);
-    let again = run_with_input("- --from json -o - --to json", &thirds.stdout);
+    let again = run_with_input(
+        "- --input-format json -o - --output-format json",
+        &thirds.stdout,
+    );
     assert_eq!(printed(&again), expected);
     assert_eq!(
-        printed(&run(FORMATS, "thirds.poly -o - --to json")),
+        printed(&run(FORMATS, "thirds.poly -o - --output-format json")),
         expected
     );
 }
@@ -118,7 +124,7 @@ fn json_output_describes_the_result_and_can_be_read_again() {
 #[test]
 fn obj_counts_from_1_and_has_three_dimensions() {
     let output = run_with_input(
-        "- --from json -o - --to obj",
+        "- --input-format json -o - --output-format obj",
         br#"{"points":[[0,0],["3/2",0],[0,1]]}"#,
     );
     assert_eq!(printed(&output), "v 0 0 0\nv 1.5 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -126,7 +132,7 @@ fn obj_counts_from_1_and_has_three_dimensions() {
 
 #[test]
 fn svg_tells_triangles_edges_and_hull_apart() {
-    let output = run(FORMATS, "ten.poly -o - --to svg");
+    let output = run(FORMATS, "ten.poly -o - --output-format svg");
     let svg = printed(&output);
     for (class, lines) in [("side", 1), ("edge", 1), ("hull", 1), ("vertex", 1)] {
         let found = svg
@@ -138,6 +144,6 @@ fn svg_tells_triangles_edges_and_hull_apart() {
         svg.contains(">10</text>"),
         "vertices have the numbers of the file"
     );
-    let output = run(FORMATS, &format!("{CONTOURS} -o - --to svg"));
+    let output = run(FORMATS, &format!("{CONTOURS} -o - --output-format svg"));
     assert!(printed(&output).len() < 700_000);
 }

@@ -20,14 +20,14 @@ fn inputs_without_triangles_are_no_errors() {
         ),
     ];
     for (input, counts) in inputs {
-        let output = run_with_input("- --from json", input.as_bytes());
+        let output = run_with_input("- --input-format json", input.as_bytes());
         assert_eq!(
             printed(&output),
             format!("standard input: {counts}, triangles 0, hull 0\n")
         );
         for format in ["ele", "json", "obj", "svg"] {
             let output = run_with_input(
-                &format!("- --from json -o - --to {format}"),
+                &format!("- --input-format json -o - --output-format {format}"),
                 input.as_bytes(),
             );
             assert!(!printed(&output).contains("NaN"), "{format} of {input}");
@@ -53,7 +53,12 @@ fn settings_change_no_byte() {
         (CONTOURS, &["json"]),
     ] {
         for format in formats {
-            let run = |more: &str| run(FORMATS, &format!("{input} -o - --to {format} {more}"));
+            let run = |more: &str| {
+                run(
+                    FORMATS,
+                    &format!("{input} -o - --output-format {format} {more}"),
+                )
+            };
             let expected = run("");
             for more in settings {
                 assert!(

@@ -18,7 +18,7 @@ fn replay(trace: &[u8]) -> Output {
 
 /// The triangles of an input as `replay` prints them.
 fn triangles(input: &str) -> String {
-    let output = run(&format!("triangulate {input} -o - --to json"));
+    let output = run(&format!("triangulate {input} -o - --output-format json"));
     let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     let list = json["triangles"].as_array().expect("triangles");
     let line = |triangle: &Value| format!("{} {} {}\n", triangle[0], triangle[1], triangle[2]);
@@ -28,7 +28,11 @@ fn triangles(input: &str) -> String {
 #[test]
 fn replay_prints_the_triangles_of_the_result() {
     for input in ["ten.poly", "thirds.json", "split.poly"] {
-        for settings in ["", "--to jsonl", "--heuristics paper --front skip-list"] {
+        for settings in [
+            "",
+            "--output-format jsonl",
+            "--heuristics paper --front skip-list",
+        ] {
             let trace = run(&format!("trace {input} {settings}"));
             let replayed = replay(printed(&trace).as_bytes());
             assert_eq!(printed(&replayed), triangles(input), "{input} {settings}");
@@ -48,7 +52,7 @@ fn fronts_and_scalars_take_the_same_steps() {
 #[test]
 fn files_are_written_by_their_extension() {
     let folder = folder(&[]);
-    for (extension, option) in [("txt", ""), ("jsonl", "--to jsonl")] {
+    for (extension, option) in [("txt", ""), ("jsonl", "--output-format jsonl")] {
         let path = folder.path().join("steps").with_extension(extension);
         let written = run(&format!("trace ten.poly -o {}", path.display()));
         assert_eq!(printed(&written), "");
@@ -63,11 +67,127 @@ fn files_are_written_by_their_extension() {
     assert!(text(&refused.stderr).contains("only .txt, .jsonl, .html and .svg can be written"));
 }
 
+/// What `trace` draws of `ten.poly` in a file with this name.
+fn drawn(name: &str, arguments: &str) -> String {
+    let folder = folder(&[]);
+    let path = folder.path().join(name);
+    let output = run(&format!("trace ten.poly -o {} {arguments}", path.display()));
+    assert_eq!(printed(&output), "");
+    assert_eq!(names(folder.path()), [name]);
+    fs::read_to_string(&path).expect("a file")
+}
+
+/// The JSON in a page.
+fn steps_in(page: &str) -> Value {
+    let start = "<script type=\"application/json\" id=\"trace\">";
+    let (_, rest) = page.split_once(start).expect("the steps");
+    let (json, _) = rest.split_once("</script>").expect("an end of the steps");
+    serde_json::from_str(json).expect("JSON")
+}
+
+#[test]
+fn the_page_holds_all_steps_and_loads_nothing() {
+    let page = drawn("steps.html", "");
+    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+    for source in [
+        "http", "src=", "href=", "url(", "@import", "import ", "fetch(",
+    ] {
+        let found: Vec<&str> = page.lines().filter(|line| line.contains(source)).collect();
+        let own = match source {
+            "href=" => ["<link rel=\"icon\" href=\"data:,\">"].as_slice(),
+            _ => &[],
+        };
+        assert_eq!(found, own, "{source}");
+    }
+
+    let trace = run("trace ten.poly");
+    let lines = printed(&trace).lines().count();
+    let shown = steps_in(&page);
+    assert_eq!(shown["first"], 1);
+    assert_eq!(shown["total"], lines - 1);
+    let steps = shown["steps"].as_array().expect("steps");
+    assert_eq!(steps.len(), lines - 1);
+    assert_eq!(steps[0][1], "Vertex 0 is the next one in sweep order.");
+    let last = &steps[lines - 2][1];
+    assert!(
+        last.as_str()
+            .expect("a sentence")
+            .starts_with("The triangulation has")
+    );
+}
+
+#[test]
+fn a_stretch_of_the_steps_is_drawn_on_demand() {
+    let whole = steps_in(&drawn("steps.html", ""));
+    let stretch = "--from 3 --to 6";
+    let page = steps_in(&drawn("steps.html", stretch));
+    assert_eq!(page["first"], 3);
+    assert_eq!(page["total"], whole["total"]);
+    let sentences = |page: &Value| {
+        let steps = page["steps"].as_array().expect("steps").iter();
+        let sentence = |step: &Value| step[1].as_str().expect("a sentence").to_owned();
+        steps.map(sentence).collect::<Vec<_>>()
+    };
+    let expected = &sentences(&whole)[2..6];
+    assert_eq!(sentences(&page), expected);
+
+    let sheet = drawn("steps.svg", stretch);
+    let of_class = |class: &str| {
+        let start = format!("<text class=\"{class}\"");
+        let lines = sheet.lines().filter(|line| line.starts_with(&start));
+        let text = |line: &str| Some(line.split_once('>')?.1.strip_suffix("</text>")?.to_owned());
+        lines
+            .map(|line| text(line).expect("a text"))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(of_class("sentence"), expected);
+    let numbers = of_class("number");
+    let numbers: Vec<_> = numbers
+        .iter()
+        .filter_map(|title| title.split(' ').next())
+        .collect();
+    assert_eq!(numbers, ["3", "4", "5", "6"]);
+    // The namespace is a name, not a place.
+    assert_eq!(sheet.matches("http").count(), 1);
+    assert!(sheet.contains("xmlns=\"http://www.w3.org/2000/svg\""));
+}
+
+#[test]
+fn steps_that_there_are_not_are_refused() {
+    let input = format!("{FORMATS}/ten.poly");
+    let trace = run("trace ten.poly");
+    let last = printed(&trace).lines().count() - 1;
+    let folder = folder(&[]);
+    for extension in ["txt", "jsonl", "html", "svg"] {
+        let run = |range: &str| {
+            let arguments = format!("trace {input} -o steps.{extension} {range}");
+            let output = sweep_cdt(&folder, &arguments).output();
+            output.expect("the command starts")
+        };
+        for range in [
+            "--from 6 --to 5",
+            "--from 0",
+            "--to 0",
+            "--to -1",
+            "--from x",
+        ] {
+            let refused = run(range);
+            assert_eq!(refused.status.code(), Some(2), "{range}");
+            assert!(text(&refused.stderr).starts_with("error: "), "{range}");
+        }
+        let error = format!("{input}: there is no step 99999, the last one is {last}");
+        assert_fails(&run("--from 99999"), &error);
+        assert_eq!(names(folder.path()), Vec::<String>::new());
+    }
+    let rest = run(&format!("trace ten.poly --from {last} --to 99999"));
+    assert_eq!(printed(&rest).lines().count(), 2);
+}
+
 #[test]
 fn a_stretch_of_the_steps_is_written_on_demand() {
     let whole = run("trace ten.poly");
     let lines: Vec<&str> = printed(&whole).lines().collect();
-    let part = run("trace ten.poly --first 4 --last 6");
+    let part = run("trace ten.poly --from 4 --to 6");
     let expected = [
         "sweep-cdt trace 1 from step 4",
         lines[4],

@@ -120,7 +120,7 @@ fn foreign_layouts_are_understood() {
     let clockwise = r#"{"triangles": [[4,1,0],[4,2,1],[4,3,2],[4,0,3]]}"#;
     let clockwise = || {
         feed(
-            &mut sweep_cdt(&folder, "verify a.poly - --result-from json --clockwise"),
+            &mut sweep_cdt(&folder, "verify a.poly - --result-format json --clockwise"),
             clockwise.as_bytes(),
         )
     };
@@ -141,9 +141,9 @@ fn triangulate_verifies_its_own_result() {
     assert_eq!(names(folder.path()), ["a.ele", "a.node"]);
     let output = run(FORMATS, "ten.poly --verify");
     assert!(printed(&output).ends_with(&said("ten.poly")));
-    let quiet = run(FORMATS, "ten.poly -o - --to obj");
+    let quiet = run(FORMATS, "ten.poly -o - --output-format obj");
     assert_eq!(
-        printed(&run(FORMATS, "ten.poly --verify -o - --to obj")),
+        printed(&run(FORMATS, "ten.poly --verify -o - --output-format obj")),
         printed(&quiet)
     );
 }
@@ -154,7 +154,7 @@ fn wrong_usage_exits_with_2() {
     for arguments in [
         "a.poly",
         "a.poly a.svg",
-        "- - --from json --result-from json",
+        "- - --input-format json --result-format json",
         "a.poly -",
         "a.poly a.ele --svg a.ele",
         "a.poly a.ele --certificate a.poly",

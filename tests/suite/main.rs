@@ -3,7 +3,6 @@
 //! * `oracle`: what the result must be, written for clarity, in exact integers, from the definition.
 //! * `runs`: the table of scalars, fronts and heuristics. A new one is one line there.
 //! * `cases`: small named inputs. `hard`: inputs that broke other programs. `random`: generated ones.
-//! * `invariance`: what must not change the result.
 //! * `trace`: the steps are the same for every scalar and front, and replaying them gives the result.
 //!
 //! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin, and
@@ -12,7 +11,6 @@
 mod cases;
 mod generators;
 mod hard;
-mod invariance;
 mod limits;
 mod oracle;
 mod random;

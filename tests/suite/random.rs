@@ -11,6 +11,7 @@ use sweep_cdt::triangulate;
 
 use crate::generators::{Random, medium, small};
 use sweep_cdt_properties::Input;
+use sweep_cdt_properties::canonical;
 use sweep_cdt_properties::minimize;
 use sweep_cdt_properties::oracle::{check, verdict};
 
@@ -96,4 +97,18 @@ fn hundreds_of_points_and_edges_pass_the_local_tests() {
             minimize::run(&agree, &input, seed);
         },
     );
+}
+
+#[test]
+fn what_must_not_change_the_result_does_not() {
+    for seed in 0..300 {
+        let mut random = Random::new(seed);
+        let mut inputs = vec![small(&mut random)];
+        if seed % 15 == 0 {
+            inputs.push(medium(&mut random));
+        }
+        for input in inputs {
+            minimize::run(&|input| canonical::judge(input, seed), &input, seed);
+        }
+    }
 }

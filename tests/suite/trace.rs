@@ -147,6 +147,26 @@ fn a_line_that_is_missing_is_noticed() {
 }
 
 #[test]
+fn a_line_that_comes_twice_is_noticed() {
+    for_each_trace(|lines, triangles| {
+        for at in 0..lines.len() {
+            let mut damaged = lines.to_vec();
+            let line = damaged[at];
+            damaged.insert(at, line);
+            match read_and_replay(&damaged) {
+                Err(bad) => assert!(bad.line > at + 1, "{line}: {bad}"),
+                Ok(found) => {
+                    // Only an illegal edge is not there to be tested again.
+                    let stays = line.ends_with(": legal") || line.ends_with(": fixed");
+                    assert!(line.starts_with("test") && stays, "{line}");
+                    assert_eq!(found, triangles);
+                }
+            }
+        }
+    });
+}
+
+#[test]
 fn a_trace_cut_short_is_noticed() {
     for_each_trace(|lines, _| {
         for length in 0..lines.len() {

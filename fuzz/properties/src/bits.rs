@@ -6,11 +6,13 @@ use sweep_cdt::{Error, triangulate};
 use crate::{Input, valid};
 
 /// As many points at most.
-const POINTS: usize = 24;
+const POINTS: usize = 12;
+/// As many edges at most.
+const EDGES: usize = 24;
 
 /// The property for the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
-    let input = read(&mut Unstructured::new(bytes)).unwrap_or_default();
+    let input = input(bytes);
     let Input { points, edges } = &input;
     match triangulate(points, edges) {
         Err(Error::NonFiniteCoordinate { vertex }) => {
@@ -31,6 +33,12 @@ pub fn test(bytes: &[u8]) {
     }
 }
 
+/// The input that these bytes stand for.
+pub fn input(bytes: &[u8]) -> Input {
+    // Reading is total but for a type that has no values.
+    read(&mut Unstructured::new(bytes)).unwrap_or_default()
+}
+
 /// How many points, then 16 bytes a point, then edges: two bytes each, or 16 where the first is 255.
 fn read(bytes: &mut Unstructured<'_>) -> Result<Input> {
     let mut input = Input::default();
@@ -38,7 +46,7 @@ fn read(bytes: &mut Unstructured<'_>) -> Result<Input> {
     while input.points.len() < n && !bytes.is_empty() {
         input.points.push([bytes.arbitrary()?, bytes.arbitrary()?]);
     }
-    while input.edges.len() < POINTS && !bytes.is_empty() {
+    while input.edges.len() < EDGES && !bytes.is_empty() {
         let end: u8 = bytes.arbitrary()?;
         input.edges.push(if end == u8::MAX {
             [bytes.arbitrary()?, bytes.arbitrary()?]

@@ -6,13 +6,17 @@
 //! this runs without a fuzzer too: the crate's own tests give it random bytes and the corpus.
 
 pub mod bits;
+pub mod canonical;
+pub mod formats;
 pub mod generators;
 pub mod input;
 pub mod minimize;
 pub mod oracle;
+pub mod random;
 pub mod reached;
 pub mod runs;
 pub mod valid;
+pub mod verify;
 
 pub use input::Input;
 
@@ -23,16 +27,19 @@ pub struct Target {
     pub name: &'static str,
     /// Panics if the property does not hold for what the bytes stand for.
     pub test: fn(&[u8]),
+    /// The points and edges that the bytes stand for, if it is those that are tested.
+    pub input: Option<fn(&[u8]) -> Input>,
 }
 
 /// All properties.
 pub const TARGETS: &[Target] = &[
-    Target {
-        name: "valid",
-        test: valid::test,
-    },
-    Target {
-        name: "bits",
-        test: bits::test,
-    },
+    target("valid", valid::test, Some(generators::input)),
+    target("bits", bits::test, Some(bits::input)),
+    target("canonical", canonical::test, None),
+    target("verify", verify::test, None),
+    target("formats", formats::test, None),
 ];
+
+const fn target(name: &'static str, test: fn(&[u8]), input: Option<fn(&[u8]) -> Input>) -> Target {
+    Target { name, test, input }
+}

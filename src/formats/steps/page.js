@@ -154,7 +154,7 @@ Object.assign(element("slider"), { min: BEFORE, max: LAST });
 if (trace.steps.length < trace.total) {
   element("notice").hidden = false;
   element("notice").textContent =
-    `This page holds steps ${trace.first} to ${LAST} of ${trace.total}; others: sweep-cdt trace --first K --last K.`;
+    `This page holds steps ${trace.first} to ${LAST} of ${trace.total}; others: sweep-cdt trace --from K --to K.`;
 }
 if (innerWidth <= 860) {
   element("legend").open = false;

@@ -27,8 +27,7 @@ const SCRIPTS: [&str; 4] = [
     include_str!("page.js"),
 ];
 
-/// Writes the page of some steps of a run, of which `events` are all up to the last of them. The first
-/// step has the number 1.
+/// Writes the page of some steps of a run, of which `events` are all. The first step has the number 1.
 ///
 /// # Errors
 /// Those of `out`.

@@ -43,8 +43,6 @@ struct Replay {
     below: Option<Vertex>,
     edge: Option<Edge>,
     edges: HashSet<u32>,
-    /// The event before.
-    last: Option<Event>,
 }
 
 /// Rebuilds the result.
@@ -85,7 +83,6 @@ impl Replay {
             below: None,
             edge: None,
             edges: HashSet::new(),
-            last: None,
         }
     }
 
@@ -96,10 +93,6 @@ impl Replay {
         })?;
         let due = self.due.front().copied();
         if let Some(due) = due {
-            // Legalization may look at the edge once more before it flips it.
-            if matches!(due, Event::Flip { .. }) && self.last == Some(event) {
-                return Ok(());
-            }
             ensure(event == due, || format!("`{due}` must be here"))?;
             self.due.pop_front();
         }
@@ -114,8 +107,6 @@ impl Replay {
         if !is_within {
             self.front.settle(&self.mesh)?;
         }
-        self.apply(event, due.is_some())?;
-        self.last = Some(event);
-        Ok(())
+        self.apply(event, due.is_some())
     }
 }

@@ -8,18 +8,22 @@
 //! An input has at most [`POINTS`] points, so that every exact check of it ends soon.
 
 mod edges;
+mod encode;
 mod numbers;
 mod points;
 
 use arbitrary::{Result, Unstructured};
 
 pub use edges::{Pattern, drop_crossings};
+pub use encode::encode;
 pub use points::Shape;
 
 use crate::Input;
 
 /// An input has at most so many points.
 pub const POINTS: usize = 64;
+/// And where their exact arithmetic takes thousands of bits, so many.
+pub const FAR_POINTS: usize = 10;
 /// An input has at most so many edges.
 pub const EDGES: usize = 96;
 

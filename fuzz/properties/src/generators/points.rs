@@ -2,6 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 
+use super::FAR_POINTS;
 use super::numbers::{MAGNITUDES, byte, nudged, small, wide};
 
 /// What is special about the points of an input.
@@ -145,13 +146,13 @@ pub(super) fn read(
                 palette[1] >> 4,
             ]
             .map(|i| MAGNITUDES[i]);
-            each(n, bytes, |_, b| {
+            each(n.min(FAR_POINTS), bytes, |_, b| {
                 let number =
                     |place: u8| (f64::from(place & 7) - 3.0) * sizes[usize::from(place >> 3) & 3];
                 Ok([number(byte(b)?), number(byte(b)?)])
             })?
         }
-        Shape::Raw => each(n, bytes, |_, b| {
+        Shape::Raw => each(n.min(FAR_POINTS), bytes, |_, b| {
             let number = |bits: u64| {
                 Some(f64::from_bits(bits))
                     .filter(|x| x.is_finite())

@@ -17,11 +17,16 @@ use super::{Answer, found, graph::representatives, sorted};
 /// Panics, saying what is wrong, unless `result` is what it must be. Gives the answer back.
 pub fn check(points: &[[f64; 2]], edges: &[[usize; 2]], result: &Triangulation) -> Answer {
     let answer = found(result, points.len(), edges.len());
-    match integers(points) {
-        Integers::Small(points) => check_answer(&points, edges, &answer),
-        Integers::Big(points) => check_answer(&points, edges, &answer),
-    }
+    check_found(points, edges, &answer);
     answer
+}
+
+/// The same for an answer that is found already.
+pub fn check_found(points: &[[f64; 2]], edges: &[[usize; 2]], answer: &Answer) {
+    match integers(points) {
+        Integers::Small(points) => check_answer(&points, edges, answer),
+        Integers::Big(points) => check_answer(&points, edges, answer),
+    }
 }
 
 /// Whether neighbours know each other and agree on what is constrained.

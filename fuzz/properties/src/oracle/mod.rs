@@ -3,19 +3,22 @@
 //! Nothing here is shared with the crate: the numbers are integers (`numbers`), and each part of the
 //! answer is found by trying everything (`graph`: vertices, pieces of edges, crossings; `definition`:
 //! triangles, hull). That is slow and short, and meant for a dozen points. For large results `check`
-//! tests what makes a triangulation the canonical one, side by side.
+//! tests what makes a triangulation the canonical one, side by side. `naive` takes triangulations of any
+//! program, canonical or not.
 
 mod check;
 mod definition;
 mod graph;
+mod naive;
 mod numbers;
 
 use std::collections::BTreeMap;
 
 use sweep_cdt::Triangulation;
 
-pub use check::{check, check_answer, check_links, firm_sides};
+pub use check::{check, check_answer, check_found, check_links, firm_sides};
 pub use graph::Graph;
+pub use naive::{is_exactly_right, is_right};
 pub use numbers::{Integers, Number, Point, integers};
 
 /// A result in a form that does not depend on how it was found.

@@ -1,0 +1,210 @@
+//! There is one triangulation of an input, and what must not change it does not.
+//!
+//! The input is triangulated again with other heuristics; scaled by a power of two, and moved, both
+//! exactly; in another order of points, edges and ends; and with sides of the result as further edges:
+//! the answer is the same. Mirrored or turned by 90 degrees, the rule for four vertices on a circle draws
+//! other diagonals, but all other sides are the same. Where edges cross, every one of these says so.
+//!
+//! The judge is the crate itself on an input that takes it other ways: doubles at which other filters
+//! fail, other flips, another side of every asymmetry. What mirrors may change is told by the oracle,
+//! which shares no code with the crate, and so is whether edges cross.
+
+use arbitrary::Unstructured;
+use sweep_cdt::{Error, Fill, Heuristics, Triangulator};
+
+use crate::oracle::{Answer, check_found, crosses, firm_sides, found, sorted};
+use crate::random::Random;
+use crate::{Input, generators, reached};
+
+/// The property for the choices and the input that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let mut bytes = Unstructured::new(bytes);
+    // Reading is total but for a type that has no values.
+    let choices = bytes.arbitrary().unwrap_or_default();
+    let input = generators::read(&mut bytes).unwrap_or_default();
+    reached::sample(&input);
+    judge(&input, choices);
+}
+
+/// Panics unless the result for this input, all of whose coordinates are finite, is the same in all the
+/// ways that follow from `choices`.
+pub fn judge(input: &Input, choices: u64) {
+    let random = &mut Random::new(choices);
+    let here = answer(input);
+    let heuristics = heuristics(random);
+    assert_eq!(answer_by(input, heuristics), here, "{heuristics:?}");
+    let limit = random.pick(&[60, 900]);
+    let scale = random.integer(limit).exp2();
+    // What overflows or loses digits does not come back.
+    if let Some(there) = mapped(input, |x, _| (x * scale / scale == x).then_some(x * scale)) {
+        assert_eq!(answer(&there), here, "scaled by {scale:e}");
+    }
+    let offset = offset(input, random);
+    if let Some(there) = mapped(input, |x, axis| exact_sum(x, offset[axis])) {
+        assert_eq!(answer(&there), here, "moved by {offset:?}");
+    }
+    let order = order(input.points.len(), random);
+    judge_order(input, here.as_ref(), &order, random);
+    judge_turn(input, here.as_ref(), 1 + random.below(7));
+    if let Some(here) = &here {
+        judge_sides(input, here, random);
+    }
+}
+
+/// The answer of the default run.
+fn answer(input: &Input) -> Option<Answer> {
+    answer_by(input, Heuristics::default())
+}
+
+/// The answer, unless edges cross.
+fn answer_by(input: &Input, heuristics: Heuristics) -> Option<Answer> {
+    let Input { points, edges } = input;
+    let run = Triangulator::new().heuristics(heuristics);
+    match run.triangulate(points, edges) {
+        Ok(result) => Some(found(&result, points.len(), edges.len())),
+        Err(Error::CrossingEdges { edges: pair }) => {
+            assert!(crosses(points, edges, pair), "{pair:?} do not cross");
+            None
+        }
+        Err(error) => panic!("no reason for: {error}"),
+    }
+}
+
+/// Any setting but the default.
+fn heuristics(random: &mut Random) -> Heuristics {
+    let mut heuristics = Heuristics::OFF;
+    heuristics.fill = random.pick(&[Fill::Off, Fill::RightAngle, Fill::Wide]);
+    heuristics.basin = heuristics.fill == Fill::Wide || random.one_in(2);
+    heuristics
+}
+
+/// The input with other coordinates, by the old one and its axis, if all of them are had.
+fn mapped(input: &Input, map: impl Fn(f64, usize) -> Option<f64>) -> Option<Input> {
+    let points: Option<_> = input
+        .points
+        .iter()
+        .map(|&[x, y]| Some([map(x, 0)?, map(y, 1)?]))
+        .collect();
+    Some(Input {
+        points: points?,
+        edges: input.edges.clone(),
+    })
+}
+
+/// How far to move: small multiples of a power of two around the largest coordinate.
+fn offset(input: &Input, random: &mut Random) -> [f64; 2] {
+    let largest = input
+        .points
+        .iter()
+        .flatten()
+        .fold(1e-300, |m: f64, x| m.max(x.abs()));
+    let unit = (largest.log2().floor() + random.integer(30)).exp2();
+    [0, 1].map(|_| random.integer(100) * unit)
+}
+
+/// The sum, if it is a double: Knuth's error of a sum is zero.
+fn exact_sum(x: f64, y: f64) -> Option<f64> {
+    let sum = x + y;
+    let of_y = sum - x;
+    let error = (x - (sum - of_y)) + (y - of_y);
+    (error == 0.0).then_some(sum)
+}
+
+fn order(n: usize, random: &mut Random) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..n).collect();
+    random.shuffle(&mut order);
+    order
+}
+
+/// Point `order[i]` as point `i`, the edges shuffled, and some from their other end.
+fn judge_order(input: &Input, here: Option<&Answer>, order_of: &[usize], random: &mut Random) {
+    let edge_order = order(input.edges.len(), random);
+    let mut other = input.permuted(order_of);
+    other.edges = edge_order.iter().map(|&e| other.edges[e]).collect();
+    for edge in &mut other.edges {
+        if random.one_in(2) {
+            edge.reverse();
+        }
+    }
+    let there = answer(&other).map(|answer| {
+        // Of equal points another one may have become the representative.
+        let name = |v: usize| here.map_or(v, |here| here.representatives[order_of[v]]);
+        let mut chains = vec![Vec::new(); answer.chains.len()];
+        for (&e, chain) in edge_order.iter().zip(&answer.chains) {
+            chains[e] = chain.iter().copied().map(name).collect();
+        }
+        let mut representatives = answer.representatives.clone();
+        for (v, &of) in answer.representatives.iter().enumerate() {
+            representatives[order_of[v]] = name(of);
+        }
+        Answer {
+            triangles: ordered(answer.triangles.iter().map(|corners| {
+                let mut corners = corners.map(name);
+                let least = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
+                corners.rotate_left(least);
+                corners
+            })),
+            constrained: ordered(answer.constrained.iter().map(|side| sorted(side.map(name)))),
+            hull: answer.hull.iter().copied().map(name).collect(),
+            representatives,
+            chains,
+        }
+    });
+    assert_eq!(there.as_ref(), here, "in the order {order_of:?}");
+}
+
+fn ordered<T: Ord>(list: impl Iterator<Item = T>) -> Vec<T> {
+    let mut list: Vec<T> = list.collect();
+    list.sort_unstable();
+    list
+}
+
+/// One of the seven mirrors and turns of a square.
+fn judge_turn(input: &Input, here: Option<&Answer>, which: usize) {
+    let sign = |bit: usize| if which & bit == 0 { 1.0 } else { -1.0 };
+    let mut other = input.clone();
+    for point in &mut other.points {
+        *point = [point[0] * sign(1), point[1] * sign(2)];
+        if which & 4 != 0 {
+            point.reverse();
+        }
+    }
+    let there = answer(&other);
+    assert_eq!(there.is_some(), here.is_some(), "do edges cross?");
+    if let (Some(here), Some(there)) = (here, &there) {
+        assert_eq!(
+            firm_sides(&other.points, there),
+            firm_sides(&input.points, here),
+            "turned by {which}"
+        );
+        assert_eq!(there.constrained, here.constrained);
+        check_found(&other.points, &other.edges, there);
+    }
+}
+
+/// Some sides that are there anyway as further edges.
+fn judge_sides(input: &Input, here: &Answer, random: &mut Random) {
+    let mut more = input.clone();
+    for &[a, b, c] in &here.triangles {
+        if random.one_in(3) {
+            more.edges.push(random.pick(&[[a, b], [c, b], [a, c]]));
+        }
+    }
+    let added = more.edges[input.edges.len()..].iter().copied();
+    let constrained = added
+        .clone()
+        .map(sorted)
+        .chain(here.constrained.iter().copied());
+    let mut there = answer(&more).expect("sides do not cross");
+    let mut expected = here.clone();
+    expected.constrained = ordered(constrained);
+    expected.constrained.dedup();
+    for (chain, edge) in there.chains.split_off(here.chains.len()).iter().zip(added) {
+        assert_eq!(
+            ordered(chain.iter().copied()),
+            sorted(edge),
+            "the chain of a side"
+        );
+    }
+    assert_eq!(there, expected, "with sides as edges");
+}

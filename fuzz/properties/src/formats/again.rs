@@ -1,0 +1,183 @@
+//! What was read, written and read again.
+
+use sweep_cdt::formats::{
+    Coordinate, Graph, Input, InputFormat, OutputFormat, Rational, ResultFormat, Source, exact,
+    read, read_result, write_node,
+};
+use sweep_cdt::{Scalar, Triangulation, triangulate};
+
+use super::source;
+
+/// Inputs that are written whole have so many points at most.
+const POINTS: usize = 64;
+/// And coordinates of so many characters, so that fractions are soon added.
+const CHARACTERS: usize = 2000;
+
+/// A coordinate of files that can be compared by all its bits.
+pub(super) trait Exact: Coordinate + std::fmt::Debug {
+    /// What was read, in this type.
+    fn graph(input: Input) -> Graph<Self>;
+    fn is_same(&self, other: &Self) -> bool;
+}
+
+impl Exact for f64 {
+    fn graph(input: Input) -> Graph<f64> {
+        match input {
+            Input::Doubles(graph) => graph,
+            Input::Rationals(_) => panic!("doubles are read as fractions"),
+        }
+    }
+
+    fn is_same(&self, other: &f64) -> bool {
+        self.to_bits() == other.to_bits() || self.is_nan() && other.is_nan()
+    }
+}
+
+/// A file whose fractions are all doubles may hold none.
+impl Exact for Rational {
+    fn graph(input: Input) -> Graph<Rational> {
+        match input {
+            Input::Rationals(graph) => graph,
+            Input::Doubles(graph) => Graph {
+                points: graph
+                    .points
+                    .iter()
+                    .map(|p| p.map(|x| exact(x).expect("only fractions were written")))
+                    .collect(),
+                edges: graph.edges,
+                first_vertex: graph.first_vertex,
+                first_edge: graph.first_edge,
+            },
+        }
+    }
+
+    fn is_same(&self, other: &Rational) -> bool {
+        self == other
+    }
+}
+
+/// Writes a graph that was read, and its triangulation if it has one, and reads all of that.
+pub(super) fn write<S: Exact>(graph: &Graph<S>) {
+    let mut node = Vec::new();
+    write_node(graph, &mut node).expect("memory takes all that is written");
+    let vertices = Graph {
+        edges: Vec::new(),
+        ..graph.clone()
+    };
+    assert_reads(InputFormat::Node, &node, None, &vertices);
+    let length = |x: &S| x.text().len();
+    let is_short = graph
+        .points
+        .iter()
+        .flatten()
+        .all(|x| length(x) <= CHARACTERS);
+    if graph.points.len() <= POINTS && graph.edges.len() <= POINTS && is_short {
+        match triangulate(&graph.points, &graph.edges) {
+            Ok(result) => write_result(graph, &result, &node),
+            Err(error) => assert!(!graph.as_numbered(error).to_string().is_empty()),
+        }
+    }
+}
+
+/// Panics unless the file reads as the graph. What has no vertices, or edges, has no first one.
+pub(super) fn assert_reads<S: Exact>(
+    format: InputFormat,
+    file: &[u8],
+    node: Option<&[u8]>,
+    graph: &Graph<S>,
+) {
+    let beside = || Ok(source(node.expect("the vertices are in the file")));
+    let input = read(format, &source(file), beside);
+    let again = S::graph(input.unwrap_or_else(|error| panic!("{format:?}: {error}")));
+    let is_same = again.points.len() == graph.points.len()
+        && again
+            .points
+            .as_flattened()
+            .iter()
+            .zip(graph.points.as_flattened())
+            .all(|(x, y)| x.is_same(y));
+    assert!(is_same, "{format:?}: {again:?} for {graph:?}");
+    assert_eq!(again.edges, graph.edges, "{format:?}");
+    let counts = |graph: &Graph<S>| {
+        [
+            (graph.points.len(), graph.first_vertex),
+            (graph.edges.len(), graph.first_edge),
+        ]
+        .map(|(count, first)| if count == 0 { 0 } else { first })
+    };
+    if format != InputFormat::Json {
+        assert_eq!(counts(&again), counts(graph), "{format:?}");
+    }
+}
+
+/// Each format of results, and the file of it with the triangulation; the vertices of an `ele` follow
+/// after a zero byte.
+pub(super) fn files<S: Coordinate>(
+    graph: &Graph<S>,
+    result: &Triangulation,
+    node: &[u8],
+) -> [(ResultFormat, Vec<u8>); 3] {
+    let text = |format| {
+        let mut text = Vec::new();
+        sweep_cdt::formats::write(format, graph, result, &mut text)
+            .expect("memory takes all that is written");
+        text
+    };
+    let ele = [&text(OutputFormat::Ele), node].join(&0);
+    [
+        (ResultFormat::Ele, ele),
+        (ResultFormat::Json, text(OutputFormat::Json)),
+        (ResultFormat::Obj, text(OutputFormat::Obj)),
+    ]
+}
+
+fn write_result<S: Exact>(graph: &Graph<S>, result: &Triangulation, node: &[u8]) {
+    let [(_, ele), (_, json), (_, obj)] = &files(graph, result, node);
+    assert_reads(InputFormat::Json, json, None, graph);
+    let reads = |format: ResultFormat, file: &[u8], node: Option<&Source>| {
+        let triangles = read_result(format, &source(file), node, graph);
+        let triangles = triangles.unwrap_or_else(|error| panic!("{format:?}: {error}"));
+        assert_eq!(triangles.list, result.canonical_triangles(), "{format:?}");
+    };
+    let ele = &ele[..ele.len() - node.len() - 1];
+    reads(ResultFormat::Ele, ele, None);
+    reads(ResultFormat::Ele, ele, Some(&source(node)));
+    reads(ResultFormat::Json, json, None);
+    // Fractions are rounded in it.
+    if S::APPROX_IS_EXACT {
+        reads(ResultFormat::Obj, obj, None);
+    }
+    let mut picture = Vec::new();
+    sweep_cdt::formats::write(OutputFormat::Svg, graph, result, &mut picture)
+        .expect("memory takes all that is written");
+    assert_picture(picture);
+}
+
+/// Panics if a picture has coordinates that are no numbers.
+pub(super) fn assert_picture(picture: Vec<u8>) {
+    let text = String::from_utf8(picture).expect("pictures are text");
+    assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+}
+
+/// Reads a number as a double and as a fraction, and each again as it is written.
+pub(super) fn number(token: &str) {
+    let double = f64::from_text(token);
+    if let Ok(x) = double {
+        assert!(
+            f64::from_text(&x.text()).is_ok_and(|y| y.is_same(&x)),
+            "{token}"
+        );
+    }
+    let Ok(fraction) = Rational::from_text(token) else {
+        return;
+    };
+    let text = fraction.text();
+    assert_eq!(Rational::from_text(&text), Ok(fraction.clone()), "{token}");
+    if let Ok(x) = double
+        && x.is_normal()
+    {
+        let near = fraction.approx();
+        let is_near = (near - x).abs() <= x.abs() * f64::EPSILON || near.is_infinite();
+        assert!(is_near, "{token}: {x} and {near}");
+    }
+}

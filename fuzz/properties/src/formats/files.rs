@@ -1,0 +1,82 @@
+//! Files with a generated input and its triangulation, whole and damaged.
+
+use std::fmt::Write;
+
+use sweep_cdt::formats::{Graph, InputFormat, write_node};
+use sweep_cdt::triangulate;
+
+use super::{Reader, again};
+
+/// What damage puts in.
+const TOKENS: [&str; 16] = [
+    "",
+    "\n",
+    " ",
+    "0",
+    "1",
+    "-1",
+    "\"",
+    "[",
+    "]",
+    ",",
+    "/",
+    "1/3",
+    "1e999",
+    "nan",
+    "#",
+    "18446744073709551615",
+];
+
+/// The graph in every format, each read back; with what reads it, and the vertices of a file that has
+/// none after a zero byte.
+pub(super) fn written<S: again::Exact>(graph: &Graph<S>) -> Vec<(Reader, Vec<u8>)> {
+    again::write(graph);
+    let mut node = Vec::new();
+    write_node(graph, &mut node).expect("memory takes all that is written");
+    let edges = edges(graph);
+    let whole = [node.as_slice(), b"# edges\n", edges.as_bytes()].concat();
+    let split = [b"0 2 0 0\n", edges.as_bytes()].concat();
+    if !graph.points.is_empty() {
+        again::assert_reads(InputFormat::Poly, &whole, None, graph);
+    }
+    again::assert_reads(InputFormat::Poly, &split, Some(&node), graph);
+    let mut files = vec![
+        (Reader::Input(InputFormat::Poly), whole),
+        (
+            Reader::Input(InputFormat::Poly),
+            [split.as_slice(), &node].join(&0),
+        ),
+        (Reader::Input(InputFormat::Node), node.clone()),
+    ];
+    if let Ok(result) = triangulate(&graph.points, &graph.edges) {
+        let results = again::files(graph, &result, &node);
+        files.push((Reader::Input(InputFormat::Json), results[1].1.clone()));
+        files.extend(results.map(|(format, file)| (Reader::Result(format), file)));
+    }
+    files
+}
+
+/// The edges as they stand in a `.poly`, markers and holes after them.
+fn edges<S>(graph: &Graph<S>) -> String {
+    let mut text = format!("{} 1\n\n", graph.edges.len());
+    for (e, edge) in graph.edges.iter().enumerate() {
+        let [a, b] = edge.map(|v| v + graph.first_vertex);
+        writeln!(text, "\t{} {a}  {b} 7\r", e + graph.first_edge).expect("memory takes it");
+    }
+    text + "0\n"
+}
+
+/// The same bytes with a few replaced, removed or put in: where, how many, by what.
+pub(super) fn damaged(file: &[u8], damage: &[[u8; 4]]) -> Vec<u8> {
+    let mut file = file.to_vec();
+    for &[high, low, length, token] in damage {
+        let at = usize::from(u16::from_be_bytes([high, low])) % (file.len() + 1);
+        let end = (at + usize::from(length % 8)).min(file.len());
+        let token = match TOKENS.get(usize::from(token % 32)) {
+            Some(token) => token.as_bytes(),
+            None => &[token],
+        };
+        file.splice(at..end, token.iter().copied());
+    }
+    file
+}

@@ -1,0 +1,159 @@
+//! No bytes make a reader panic, and what is read and written again reads the same.
+//!
+//! The first byte picks what the others are: a file of one of the formats as it stands, numbers, a trace,
+//! or an input that is written in every format, read back bit for bit, and read once more after some
+//! damage. The judge is equality alone: of coordinates by their bits, of edges and triangles by index.
+
+mod again;
+mod files;
+mod traces;
+
+use arbitrary::{Result, Unstructured};
+use sweep_cdt::Verifier;
+use sweep_cdt::formats::{
+    Coordinate, Graph, Input, InputFormat, Rational, ReadError, ResultFormat, Source, exact, read,
+    read_result, write_violations_svg,
+};
+
+use crate::{generators, reached};
+
+/// What reads bytes.
+#[derive(Clone, Copy, Debug)]
+enum Reader {
+    Input(InputFormat),
+    Result(ResultFormat),
+    Trace,
+    Numbers,
+}
+
+const READERS: [Reader; 8] = [
+    Reader::Input(InputFormat::Node),
+    Reader::Input(InputFormat::Poly),
+    Reader::Input(InputFormat::Json),
+    Reader::Result(ResultFormat::Ele),
+    Reader::Result(ResultFormat::Json),
+    Reader::Result(ResultFormat::Obj),
+    Reader::Trace,
+    Reader::Numbers,
+];
+
+/// The property for the bytes.
+pub fn test(bytes: &[u8]) {
+    let Some((&first, rest)) = bytes.split_first() else {
+        return;
+    };
+    match READERS.get(usize::from(first & 15)) {
+        Some(&reader) => try_reader(reader, rest),
+        // Reading is total but for a type that has no values.
+        None => structured(first >> 4, &mut Unstructured::new(rest)).unwrap_or_default(),
+    }
+}
+
+/// A generated input: its trace, or written in every format, read back, and once more with some damage.
+fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
+    let which: u8 = bytes.arbitrary()?;
+    let damage: [[u8; 4]; 3] = bytes.arbitrary()?;
+    let input = generators::read(bytes)?;
+    reached::sample(&input);
+    let graph = Graph {
+        points: input.points,
+        edges: input.edges,
+        first_vertex: usize::from(style & 1),
+        first_edge: usize::from(style >> 1 & 1),
+    };
+    if which >= 192 {
+        traces::run(&graph);
+        return Ok(());
+    }
+    let files = if style & 4 == 0 {
+        files::written(&graph)
+    } else {
+        files::written(&with_fractions(&graph, style))
+    };
+    let (reader, text) = &files[usize::from(which) % files.len()];
+    try_reader(*reader, &files::damaged(text, &damage));
+    Ok(())
+}
+
+/// The same graph, every other vertex divided by a number that is no power of two.
+fn with_fractions(graph: &Graph<f64>, style: u8) -> Graph<Rational> {
+    let divisor = if style & 8 == 0 { "3" } else { "1000000007" };
+    let divided = |(v, point): (usize, &[f64; 2])| {
+        let divisor = if v % 2 == 0 { divisor } else { "1" };
+        point.map(|x| {
+            let divisor = Rational::from_text(divisor).expect("a number");
+            exact(x).expect("generated points are finite") / divisor
+        })
+    };
+    Graph {
+        points: graph.points.iter().enumerate().map(divided).collect(),
+        edges: graph.edges.clone(),
+        first_vertex: graph.first_vertex,
+        first_edge: graph.first_edge,
+    }
+}
+
+fn source(bytes: &[u8]) -> Source {
+    Source {
+        name: "file".to_owned(),
+        bytes: bytes.to_vec(),
+    }
+}
+
+/// Reads bytes, a zero byte of which ends the file and begins the `.node` beside it.
+fn try_reader(reader: Reader, bytes: &[u8]) {
+    let mut files = bytes.splitn(2, |&byte| byte == 0).map(source);
+    let main = files.next().expect("there is a first part");
+    let node = files.next();
+    match reader {
+        Reader::Input(format) => {
+            let node = || node.ok_or_else(|| ReadError::of_file("file", "no .node"));
+            match read(format, &main, node) {
+                Ok(Input::Doubles(graph)) => again::write(&graph),
+                Ok(Input::Rationals(graph)) => again::write(&graph),
+                Err(error) => assert!(!error.to_string().is_empty()),
+            }
+        }
+        Reader::Result(format) => {
+            let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 0.5]];
+            let graph = Graph {
+                points: corners.to_vec(),
+                edges: vec![[0, 2]],
+                first_vertex: 1,
+                first_edge: 1,
+            };
+            try_result(format, &main, node.as_ref(), &graph);
+            try_result(format, &main, node.as_ref(), &with_fractions(&graph, 0));
+        }
+        Reader::Trace => traces::try_text(&String::from_utf8_lossy(bytes)),
+        Reader::Numbers => {
+            let text = String::from_utf8_lossy(bytes);
+            text.split_whitespace().take(4).for_each(again::number);
+        }
+    }
+}
+
+/// Reads a result, verifies it, and tells and draws what is wrong with it.
+fn try_result<S: Coordinate>(
+    format: ResultFormat,
+    source: &Source,
+    node: Option<&Source>,
+    graph: &Graph<S>,
+) {
+    let Ok(triangles) = read_result(format, source, node, graph) else {
+        return;
+    };
+    let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
+    let Err(violations) = verdict else { return };
+    for &violation in &violations.list {
+        let numbered = triangles.as_numbered(graph, violation);
+        assert!(!numbered.to_string().is_empty());
+        let vertices = triangles.vertices_of(graph, violation);
+        assert!(vertices.iter().all(|&v| v < graph.points.len()));
+    }
+    let mut picture = Vec::new();
+    let (list, found) = (&violations.list, violations.found);
+    write_violations_svg(graph, &triangles, list, found, &mut picture)
+        .expect("memory takes all that is written");
+    again::assert_picture(picture);
+}

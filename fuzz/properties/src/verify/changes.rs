@@ -1,0 +1,84 @@
+//! Changes of a triangulation: most of them make a right one wrong.
+
+use super::Case;
+
+/// How many kinds of change there are.
+const KINDS: u8 = 16;
+
+/// Changes the case as the four bytes say.
+pub(super) fn change(case: &mut Case, [kind, which, other, how]: [u8; 4]) {
+    let kind = kind % KINDS;
+    let among = |byte: u8, count: usize| (count > 0).then(|| usize::from(byte) % count);
+    if let Some(t) = among(which, case.triangles.len()) {
+        change_triangle(case, kind, t, other, how);
+    }
+    let n = case.points.len();
+    if let (Some(v), Some(w)) = (among(which, n), among(other, n)) {
+        change_input(case, kind, [v, w], how);
+    }
+}
+
+/// Kinds 0 to 9.
+fn change_triangle(case: &mut Case, kind: u8, t: usize, other: u8, how: u8) {
+    let (n, count) = (case.points.len(), case.triangles.len());
+    let (u, v) = (
+        usize::from(other) % count,
+        usize::from(other).min(n) % (n + 1),
+    );
+    let (i, j) = (usize::from(how % 3), usize::from(how / 3 % 3));
+    let triangles = &mut case.triangles;
+    match kind {
+        // Another corner; one that does not exist if `other` is large.
+        0 => triangles[t][i] = v,
+        1 => drop(triangles.swap_remove(t)),
+        2 => triangles.push(triangles[t]),
+        3 => triangles[t].swap(i, (i + 1) % 3),
+        4 => triangles[t].rotate_left(i),
+        5 => flip(triangles, t, i),
+        // Corners of two triangles exchanged.
+        6 => (triangles[t][i], triangles[u][j]) = (triangles[u][j], triangles[t][i]),
+        // One triangle in the place of another, which harms unless they are the same.
+        7 => triangles[t] = triangles[u],
+        8 => triangles.swap(t, u),
+        // Two vertices change their roles.
+        9 => {
+            let pair = [triangles[t][i], v];
+            for corner in triangles.as_flattened_mut() {
+                if let Some(at) = pair.iter().position(|v| v == corner) {
+                    *corner = pair[1 - at];
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Kinds 10 to 15.
+fn change_input(case: &mut Case, kind: u8, [v, w]: [usize; 2], how: u8) {
+    let axis = usize::from(how & 1);
+    let x = case.points[v][axis];
+    match kind {
+        10 if how & 2 == 0 => case.points[v][axis] = x.next_up(),
+        10 => case.points[v][axis] = x.next_down(),
+        11 => case.points[v] = case.points[w],
+        12 => case.points[v][axis] = [x + 1.0, x - 1.0, 2.0 * x, -x][usize::from(how >> 1 & 3)],
+        13 => case.edges.push([v, w]),
+        14 if !case.edges.is_empty() => drop(case.edges.swap_remove(v % case.edges.len())),
+        15 => {
+            let [p, q] = [v, w].map(|v| case.points[v]);
+            let place = [0, 1].map(|i| f64::midpoint(p[i], q[i]));
+            case.points.push(place);
+        }
+        _ => {}
+    }
+}
+
+/// Replaces side `i` of triangle `t` by the other diagonal of its two triangles, if it has two.
+fn flip(triangles: &mut [[usize; 3]], t: usize, i: usize) {
+    let [a, b, c] = [0, 1, 2].map(|k| triangles[t][(i + k) % 3]);
+    let across = |u: &[usize; 3]| (0..3).find(|&k| [u[k], u[(k + 1) % 3]] == [b, a]);
+    if let Some(u) = triangles.iter().position(|u| across(u).is_some()) {
+        let d = triangles[u][(across(&triangles[u]).unwrap_or(0) + 2) % 3];
+        (triangles[t], triangles[u]) = ([c, a, d], [d, b, c]);
+    }
+}

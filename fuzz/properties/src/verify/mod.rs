@@ -1,0 +1,148 @@
+//! The verifier accepts what is right and nothing else, and no input makes it panic.
+//!
+//! A right answer is broken by up to three changes, or triangles are garbage from the start. For a few
+//! points the judge is [`is_right`](crate::oracle::is_right), which compares everything with everything
+//! in exact integers; for more points it is that the constrained Delaunay triangulation is unique up to
+//! cocircular vertices, so that a result which the oracle's [`check`](crate::oracle::check) has passed
+//! tells which triangles are right. Neither shares code with the verifier. Its options are then held
+//! against its own plain verdict.
+
+mod changes;
+mod facts;
+
+use arbitrary::{Result, Unstructured};
+use sweep_cdt::{Report, Verifier, Violation, Violations, triangulate, verify};
+
+use crate::{Input, generators, reached};
+
+/// As many points, triangles or edges of garbage at most.
+const GARBAGE: usize = 12;
+
+/// A triangulation to verify.
+#[derive(Debug, Default)]
+struct Case {
+    points: Vec<[f64; 2]>,
+    edges: Vec<[usize; 2]>,
+    triangles: Vec<[usize; 3]>,
+}
+
+/// The property for the case that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let mut bytes = Unstructured::new(bytes);
+    // Reading is total but for a type that has no values.
+    let style: u8 = bytes.arbitrary().unwrap_or_default();
+    let case = match style & 3 {
+        0 => garbage(&mut bytes),
+        count => changed(count, &mut bytes),
+    };
+    judge(&case.unwrap_or_default(), style >> 2 & 7 == 0);
+}
+
+/// Points of any bits or on a lattice, and indices of which most are in range.
+fn garbage(bytes: &mut Unstructured<'_>) -> Result<Case> {
+    let mut case = Case::default();
+    let counts: [u8; 3] = bytes.arbitrary()?;
+    let [points, triangles, edges] = counts.map(|count| usize::from(count) % (GARBAGE + 1));
+    let number = |bytes: &mut Unstructured<'_>| match bytes.arbitrary::<u8>()? {
+        255 => bytes.arbitrary::<f64>(),
+        place => Ok(f64::from(place & 3)),
+    };
+    for _ in 0..points {
+        case.points.push([number(bytes)?, number(bytes)?]);
+    }
+    let index = |bytes: &mut Unstructured<'_>| match bytes.arbitrary::<u8>()? {
+        255 => bytes.arbitrary::<usize>(),
+        254 => Ok(points),
+        place => Ok(usize::from(place) % points.max(1)),
+    };
+    for _ in 0..triangles {
+        let corners = [index(bytes)?, index(bytes)?, index(bytes)?];
+        case.triangles.push(corners);
+    }
+    for _ in 0..edges {
+        case.edges.push([index(bytes)?, index(bytes)?]);
+    }
+    Ok(case)
+}
+
+/// A right answer to an input, changed so many times.
+fn changed(count: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
+    let mut words = [[0; 4]; 3];
+    for word in &mut words[..usize::from(count)] {
+        *word = bytes.arbitrary()?;
+    }
+    let input = generators::read(bytes)?;
+    reached::sample(&input);
+    let Input { points, edges } = input;
+    // Of edges that cross only some are there, and the others to be missed.
+    let result = triangulate(&points, &edges).or_else(|_| triangulate(&points, &[]));
+    let mut case = Case {
+        triangles: result.map_or_else(|_| Vec::new(), |result| result.triangles().collect()),
+        points,
+        edges,
+    };
+    for word in &words[..usize::from(count)] {
+        changes::change(&mut case, *word);
+    }
+    Ok(case)
+}
+
+/// Panics unless the verifier decides right, and the same in all ways to call it.
+fn judge(case: &Case, in_parallel: bool) {
+    let Case {
+        points,
+        edges,
+        triangles,
+    } = case;
+    let verdict = verify(points, edges, triangles);
+    if let Some(is_right) = facts::is_certainly_right(case) {
+        assert_eq!(verdict.is_ok(), is_right, "{verdict:?} of {case:?}");
+    }
+    check_list(case, &verdict);
+    let verifier = Verifier::new();
+    if in_parallel {
+        let again = verifier.verify_parallel(points, edges, triangles);
+        assert_eq!(again, verdict, "in parallel (left)");
+    }
+    let turned: Vec<[usize; 3]> = triangles.iter().map(|&[a, b, c]| [b, a, c]).collect();
+    let tolerant = verifier.accept_clockwise(true);
+    assert_eq!(
+        tolerant.verify(points, edges, triangles).is_ok(),
+        verdict.is_ok() || verify(points, edges, &turned).is_ok(),
+        "clockwise triangles accepted (left) of {case:?}"
+    );
+    if let Ok(result) = triangulate(points, &[]) {
+        let hull = [result.hull().collect()];
+        let within = verifier.boundary(&hull).verify(points, edges, triangles);
+        assert_eq!(
+            within.is_ok(),
+            verdict.is_ok(),
+            "within the hull (left) of {case:?}"
+        );
+    }
+    let chains: Vec<Vec<usize>> = triangles.iter().map(|t| t.to_vec()).collect();
+    let _ = verifier.boundary(&chains).verify(points, edges, triangles);
+}
+
+/// Whether the violations listed name what is there, and can be told.
+fn check_list(case: &Case, verdict: &std::result::Result<Report, Violations>) {
+    let Err(violations) = verdict else { return };
+    assert_eq!(violations.list.len(), violations.found.min(100));
+    for violation in &violations.list {
+        assert!(!violation.to_string().is_empty());
+        let named = violation.offenders();
+        let is_below = |list: &[usize], count: usize| list.iter().all(|&i| i < count);
+        let is_out_of_range = matches!(
+            violation,
+            Violation::EdgeOutOfRange { .. } | Violation::TriangleOutOfRange { .. }
+        );
+        assert_ne!(
+            is_out_of_range,
+            is_below(&named.vertices, case.points.len()),
+            "{violation:?}"
+        );
+        let is_there = is_below(&named.edges, case.edges.len())
+            && is_below(&named.triangles, case.triangles.len());
+        assert!(is_there, "{violation:?}");
+    }
+}
