@@ -14,7 +14,7 @@ use std::{env, fs, thread};
 use sweep_cdt_properties::TARGETS;
 
 /// An execution takes a fraction of a millisecond; one that takes so long has no end.
-const PATIENCE: Duration = Duration::from_secs(2);
+const PATIENCE: Duration = Duration::from_secs(10);
 
 fn main() {
     let arguments: Vec<String> = env::args().skip(1).collect();

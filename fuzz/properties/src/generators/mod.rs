@@ -11,6 +11,7 @@ mod edges;
 mod encode;
 mod numbers;
 mod points;
+mod rounded;
 
 use arbitrary::{Result, Unstructured};
 

@@ -4,6 +4,7 @@ use arbitrary::{Result, Unstructured};
 
 use super::FAR_POINTS;
 use super::numbers::{MAGNITUDES, byte, nudged, small, wide};
+use super::rounded::rounded;
 
 /// What is special about the points of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +24,8 @@ pub enum Shape {
     OnSegments,
     /// Steps along one line, with a few points beside it: flat triangles, overlapping edges.
     Line,
-    /// A parabola: every corner of the front convex, flips without end.
+    /// A parabola, steep or flat: every corner of the front convex, flips without end, and long convex
+    /// stretches for the upper hull and for pockets.
     Parabola,
     /// Teeth that alternate high and low: deep pockets, long edges that switch between triangles and front.
     Comb,
@@ -36,8 +38,8 @@ pub enum Shape {
     /// Small polygons on a lattice, with their edges: holes, polygons that touch at a vertex or along
     /// an edge.
     Polygons,
-    /// Lattice, circle, line or segments moved by a few units in the last place: the exact stages of the
-    /// predicates with either sign and zero.
+    /// Lattice, circle, line or segments moved by a few units in the last place, or a circle or segment
+    /// as rounding leaves it: the exact stages of the predicates with either sign and zero.
     Nudged,
     /// Small multiples of magnitudes over the whole range of doubles, subnormals included.
     Magnitudes,
@@ -67,7 +69,7 @@ impl Shape {
     ];
 }
 
-type Points = Vec<[f64; 2]>;
+pub(super) type Points = Vec<[f64; 2]>;
 type Edges = Vec<[usize; 2]>;
 
 /// Up to `n` points of this shape, and the edges that belong to it.
@@ -99,7 +101,10 @@ pub(super) fn read(
         Shape::Circle => circle(n, bytes)?,
         Shape::OnSegments => on_segments(n, bytes)?,
         Shape::Line => line(n, bytes)?,
-        Shape::Parabola => each(n, bytes, |_, b| small(b, 60).map(|x| [x, x * x]))?,
+        Shape::Parabola => {
+            let flatness = 2f64.powi(-i32::from(byte(bytes)? & 15));
+            each(n, bytes, |_, b| small(b, 60).map(|x| [x, x * x * flatness]))?
+        }
         Shape::Comb => each(n, bytes, |i, b| {
             let height = if i % 2 == 0 { 100.0 } else { 0.0 };
             Ok([2.0 * count(i), height + small(b, 12)?])
@@ -166,7 +171,7 @@ pub(super) fn read(
 }
 
 /// Up to `n` points, as long as there are bytes.
-fn each(
+pub(super) fn each(
     n: usize,
     bytes: &mut Unstructured<'_>,
     mut point: impl FnMut(usize, &mut Unstructured<'_>) -> Result<[f64; 2]>,
@@ -263,7 +268,11 @@ fn moved(n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
     let kind = byte(bytes)?;
     let scale = SCALES[usize::from(kind >> 2 & 3)];
     let offset = if kind & 16 == 0 { 0.0 } else { 1e6 };
-    let (mut points, _) = read(BASES[usize::from(kind & 3)], n, bytes)?;
+    let mut points = if kind & 32 == 0 {
+        read(BASES[usize::from(kind & 3)], n, bytes)?.0
+    } else {
+        rounded(kind & 1 == 0, n, bytes)?
+    };
     for point in &mut points {
         let steps = byte(bytes)?;
         let steps = [steps & 7, steps >> 3 & 7];
