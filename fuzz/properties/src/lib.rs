@@ -14,6 +14,8 @@ pub mod oracle;
 pub mod random;
 pub mod reached;
 pub mod runs;
+pub mod scalars;
+pub mod steps;
 pub mod valid;
 
 pub use input::Input;
@@ -40,5 +42,9 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "canonical",
         test: canonical::test,
+    },
+    Target {
+        name: "scalars",
+        test: scalars::test,
     },
 ];
