@@ -7,6 +7,7 @@
 
 pub mod bits;
 pub mod canonical;
+pub mod fronts;
 pub mod generators;
 pub mod input;
 pub mod minimize;
@@ -46,5 +47,9 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "scalars",
         test: scalars::test,
+    },
+    Target {
+        name: "fronts",
+        test: fronts::test,
     },
 ];
