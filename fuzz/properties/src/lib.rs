@@ -14,6 +14,7 @@ pub mod minimize;
 pub mod oracle;
 pub mod random;
 pub mod reached;
+pub mod replay;
 pub mod runs;
 pub mod scalars;
 pub mod steps;
@@ -51,5 +52,9 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "fronts",
         test: fronts::test,
+    },
+    Target {
+        name: "replay",
+        test: replay::test,
     },
 ];
