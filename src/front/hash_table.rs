@@ -76,7 +76,7 @@ impl FrontSearch for HashTable {
         around
             .filter_map(|i| self.table.get(i?).and_then(live))
             .next()
-            .or(self.last)
+            .or_else(|| live(&self.last))
             .unwrap_or(front.left_end())
     }
 

@@ -16,7 +16,8 @@ impl FrontSearch for Linear {
     }
 
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
-        self.last.unwrap_or(front.left_end())
+        let live = self.last.filter(|&node| front.contains(node));
+        live.unwrap_or(front.left_end())
     }
 
     fn inserted(&mut self, node: FrontNode, _: f64) {

@@ -15,6 +15,9 @@
 //! | [`SkipList`] | O(log n) expected | fronts of any shape |
 //! | [`Linear`] | O(n) | showing what a structure must do |
 //!
+//! A structure can be tested without a sweep: [`Front`], [`FrontNode`] and [`Domain`] can be made and
+//! changed by hand.
+//!
 //! Differs from the paper: the paper's structure is the hash table; the others are for comparison.
 
 mod hash_table;
@@ -36,6 +39,14 @@ impl FrontNode {
         FrontNode(vertex)
     }
 
+    /// The vertex of this rank, for tests of a structure.
+    ///
+    /// # Panics
+    /// If the rank does not fit in 32 bits.
+    pub fn from_rank(rank: usize) -> Self {
+        FrontNode(index(rank))
+    }
+
     pub(crate) fn vertex(self) -> VertexId {
         self.0
     }
@@ -53,7 +64,8 @@ pub struct Domain<'a> {
 }
 
 impl<'a> Domain<'a> {
-    pub(crate) fn new(near: &'a [[f64; 2]]) -> Self {
+    /// Of the vertices with these coordinates `[x, y]`, by rank.
+    pub fn new(near: &'a [[f64; 2]]) -> Self {
         Domain { near }
     }
 
@@ -127,6 +139,27 @@ struct Neighbors {
 }
 
 /// The advancing front: which vertices are on it, and their neighbours left and right.
+///
+/// The sweep keeps the one that a structure gets to see. To test a structure alone, keep one by hand:
+///
+/// ```
+/// use sweep_cdt::{Domain, Front, FrontNode, FrontSearch, SkipList};
+///
+/// let points = [[0.0, 0.0], [6.0, 0.0], [3.0, 1.0]];
+/// let mut front = Front::new(points.len());
+/// let mut structure = SkipList::new(Domain::new(&points));
+/// let [a, b, c] = [0, 1, 2].map(FrontNode::from_rank);
+/// for (node, left) in [(a, front.left_end()), (b, a), (c, a)] {
+///     front.insert(node, left);
+///     structure.inserted(node, points[node.rank()][0]);
+/// }
+/// assert!(front.contains(structure.locate(4.0, &front)));
+///
+/// front.remove(c);
+/// structure.removed(c, 3.0);
+/// assert!(front.contains(structure.locate(4.0, &front)));
+/// assert_eq!((front.after(a), front.before(a)), (Some(b), Some(front.left_end())));
+/// ```
 #[derive(Debug)]
 pub struct Front {
     nodes: Vec<Neighbors>,
@@ -135,7 +168,10 @@ pub struct Front {
 
 impl Front {
     /// The front of `vertices` vertices before the first of them: P-1 and P-2 only.
-    pub(crate) fn new(vertices: usize) -> Front {
+    ///
+    /// # Panics
+    /// If the vertices and these two cannot be numbered in 32 bits.
+    pub fn new(vertices: usize) -> Front {
         let mut nodes = vec![
             Neighbors {
                 prev: NONE,
@@ -160,18 +196,27 @@ impl Front {
     }
 
     /// Whether a node is on the front now.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
     pub fn contains(&self, node: FrontNode) -> bool {
         let Neighbors { prev, next } = self.nodes[node.rank()];
         prev != NONE || next != NONE
     }
 
     /// The node to the right of one on the front; `None` after the right end.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
     pub fn after(&self, node: FrontNode) -> Option<FrontNode> {
         let next = self.nodes[node.rank()].next;
         (next != NONE).then_some(FrontNode(next))
     }
 
     /// The node to the left of one on the front; `None` before the left end.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
     pub fn before(&self, node: FrontNode) -> Option<FrontNode> {
         let prev = self.nodes[node.rank()].prev;
         (prev != NONE).then_some(FrontNode(prev))
@@ -187,9 +232,39 @@ impl Front {
         self.nodes[v as usize].prev
     }
 
+    /// Puts `node` between `left` and the node to the right of it.
+    ///
+    /// The front does not know coordinates: that x ascends from left to right is for the caller to see
+    /// to.
+    ///
+    /// # Panics
+    /// If `node` is none of the vertices or on the front already, or `left` is not on the front or its
+    /// right end.
+    pub fn insert(&mut self, node: FrontNode, left: FrontNode) {
+        assert!(node < self.left_end(), "there is no such vertex");
+        assert!(!self.contains(node), "the node is on the front already");
+        assert!(
+            self.contains(left) && left != self.right_end(),
+            "nothing can be put behind this node"
+        );
+        self.put(node.0, left.0);
+    }
+
+    /// Takes `node` off.
+    ///
+    /// # Panics
+    /// If `node` is not on the front or one of its ends.
+    pub fn remove(&mut self, node: FrontNode) {
+        assert!(
+            node < self.left_end() && self.contains(node),
+            "the node cannot be taken off the front"
+        );
+        self.take(node.0);
+    }
+
     /// Puts `v` between `left` and its next.
     #[inline(always)]
-    pub(crate) fn insert(&mut self, v: VertexId, left: VertexId) {
+    pub(crate) fn put(&mut self, v: VertexId, left: VertexId) {
         let right = self.next(left);
         self.nodes[v as usize] = Neighbors {
             prev: left,
@@ -201,7 +276,7 @@ impl Front {
 
     /// Takes `v` off.
     #[inline(always)]
-    pub(crate) fn remove(&mut self, v: VertexId) {
+    pub(crate) fn take(&mut self, v: VertexId) {
         let Neighbors { prev, next } = self.nodes[v as usize];
         self.nodes[v as usize] = Neighbors {
             prev: NONE,

@@ -160,7 +160,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Puts `v` on the front between `left` and the node after it.
     #[inline(always)]
     fn put_on_front(&mut self, v: VertexId, left: VertexId) {
-        self.front.insert(v, left);
+        self.front.put(v, left);
         self.tell(|name| Event::FrontInsert {
             vertex: name(v),
             after: name(left),
@@ -172,7 +172,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Takes `v`, which triangles now cover, off the front.
     #[inline(always)]
     fn take_off_front(&mut self, v: VertexId) {
-        self.front.remove(v);
+        self.front.take(v);
         self.tell(|name| Event::FrontRemove { vertex: name(v) });
         self.search
             .removed(FrontNode::new(v), self.predicates.near(v)[0]);

@@ -9,7 +9,6 @@
 //! fail, other flips, another side of every asymmetry. What mirrors may change is told by the oracle,
 //! which shares no code with the crate, and so is whether edges cross.
 
-use arbitrary::Unstructured;
 use sweep_cdt::{Error, Fill, Heuristics, Triangulator};
 
 use crate::oracle::{Answer, check_found, crosses, firm_sides, found, sorted};
@@ -18,10 +17,7 @@ use crate::{Input, generators, reached};
 
 /// The property for the choices and the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
-    let mut bytes = Unstructured::new(bytes);
-    // Reading is total but for a type that has no values.
-    let choices = bytes.arbitrary().unwrap_or_default();
-    let input = generators::read(&mut bytes).unwrap_or_default();
+    let (choices, input) = generators::input_with_choices(bytes);
     reached::sample(&input);
     judge(&input, choices);
 }

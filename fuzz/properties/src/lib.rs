@@ -14,7 +14,9 @@ pub mod minimize;
 pub mod oracle;
 pub mod random;
 pub mod reached;
+pub mod replay;
 pub mod runs;
+pub mod scalars;
 pub mod valid;
 pub mod verify;
 
@@ -35,11 +37,18 @@ pub struct Target {
 pub const TARGETS: &[Target] = &[
     target("valid", valid::test, Some(generators::input)),
     target("bits", bits::test, Some(bits::input)),
-    target("canonical", canonical::test, None),
+    target("scalars", scalars::test, Some(after_choices)),
+    target("canonical", canonical::test, Some(after_choices)),
+    target("replay", replay::test, Some(after_choices)),
     target("verify", verify::test, None),
     target("formats", formats::test, None),
 ];
 
 const fn target(name: &'static str, test: fn(&[u8]), input: Option<fn(&[u8]) -> Input>) -> Target {
     Target { name, test, input }
+}
+
+/// The input of a property that has choices of its own.
+fn after_choices(bytes: &[u8]) -> Input {
+    generators::input_with_choices(bytes).1
 }

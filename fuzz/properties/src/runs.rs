@@ -164,7 +164,7 @@ impl Sample for BigRational {
 }
 
 /// A scalar that has nothing but the trait: not even `Clone` or `Debug`.
-struct Archetype(BigRational);
+pub struct Archetype(BigRational);
 
 impl Archetype {
     fn minus(&self, other: &Archetype) -> BigRational {

@@ -34,6 +34,14 @@ pub fn input(bytes: &[u8]) -> Input {
     read(&mut Unstructured::new(bytes)).unwrap_or_default()
 }
 
+/// Choices of the property's own, out of the first eight bytes, and the input that the others stand for.
+pub fn input_with_choices(bytes: &[u8]) -> (u64, Input) {
+    let mut bytes = Unstructured::new(bytes);
+    // Reading is total but for a type that has no values.
+    let choices = bytes.arbitrary().unwrap_or_default();
+    (choices, read(&mut bytes).unwrap_or_default())
+}
+
 /// Takes an input out of the bytes, all of which it uses.
 ///
 /// # Errors

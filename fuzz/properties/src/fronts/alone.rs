@@ -1,0 +1,176 @@
+//! Structures without a sweep, against a list.
+//!
+//! The list holds the nodes of the front from left to right, and finds a place by looking at all. Doubles
+//! near the coordinates may be equal where the coordinates are not, and infinite, so both are drawn here
+//! and equal ones lie in any order.
+
+use arbitrary::{Result, Unstructured};
+use sweep_cdt::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+
+/// As many vertices at most.
+const VERTICES: usize = 100;
+
+/// Coordinates that are drawn often.
+const SPECIAL: [f64; 12] = [
+    0.0,
+    -0.0,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::MAX,
+    f64::MIN,
+    5e-324,
+    -5e-324,
+    1.0,
+    1.0 + f64::EPSILON,
+    1e9,
+    -1e300,
+];
+
+/// A byte for the number of vertices, their x, and then one change or search after the other.
+pub(super) fn test(bytes: &mut Unstructured<'_>) -> Result<()> {
+    let n = usize::from(bytes.arbitrary::<u8>()?) % (VERTICES + 1);
+    let mut points = Vec::new();
+    for _ in 0..n {
+        points.push([coordinate(bytes)?, 0.0]);
+    }
+    let mut model = Model::new(&points);
+    while !bytes.is_empty() {
+        let place = usize::from(bytes.arbitrary::<u8>()?);
+        match place % 4 {
+            0 if !model.nodes.is_empty() => model.remove(place / 4),
+            1 => model.search(coordinate(bytes)?),
+            _ => model.insert(place / 4),
+        }
+    }
+    Ok(())
+}
+
+/// A small integer, or one of the special numbers.
+fn coordinate(bytes: &mut Unstructured<'_>) -> Result<f64> {
+    let byte: i8 = bytes.arbitrary()?;
+    let special = SPECIAL.get(usize::from(byte.unsigned_abs() / 4));
+    Ok(match special {
+        Some(&x) if byte % 2 == 0 => x,
+        _ => f64::from(byte / 4),
+    })
+}
+
+/// What is on the front, and the structures, which must know.
+struct Model<'a> {
+    points: &'a [[f64; 2]],
+    inserted: usize,
+    /// From left to right.
+    nodes: Vec<FrontNode>,
+    front: Front,
+    hash_table: HashTable,
+    skip_list: SkipList,
+    linear: Linear,
+}
+
+impl Model<'_> {
+    fn new(points: &[[f64; 2]]) -> Model<'_> {
+        let domain = Domain::new(points);
+        Model {
+            points,
+            inserted: 0,
+            nodes: Vec::new(),
+            front: Front::new(points.len()),
+            hash_table: HashTable::new(domain),
+            skip_list: SkipList::new(domain),
+            linear: Linear::new(domain),
+        }
+    }
+
+    fn x(&self, node: FrontNode) -> f64 {
+        self.points[node.rank()][0]
+    }
+
+    /// How many nodes have an x of at most this.
+    fn place(&self, x: f64) -> usize {
+        self.nodes.iter().filter(|&&node| self.x(node) <= x).count()
+    }
+
+    /// The node before a place on the list.
+    fn before(&self, place: usize) -> FrontNode {
+        place
+            .checked_sub(1)
+            .map_or(self.front.left_end(), |i| self.nodes[i])
+    }
+
+    /// Puts the next vertex on the front, before some of the equal ones.
+    fn insert(&mut self, choice: usize) {
+        let Some(&[x, _]) = self.points.get(self.inserted) else {
+            return;
+        };
+        let node = FrontNode::from_rank(self.inserted);
+        self.inserted += 1;
+        let equal = self.nodes.iter().filter(|&&other| self.x(other) == x);
+        let place = self.place(x) - choice % (equal.count() + 1);
+        self.front.insert(node, self.before(place));
+        self.nodes.insert(place, node);
+        self.hash_table.inserted(node, x);
+        self.skip_list.inserted(node, x);
+        self.linear.inserted(node, x);
+        self.check();
+    }
+
+    fn remove(&mut self, choice: usize) {
+        let node = self.nodes.remove(choice % self.nodes.len());
+        let x = self.x(node);
+        self.front.remove(node);
+        self.hash_table.removed(node, x);
+        self.skip_list.removed(node, x);
+        self.linear.removed(node, x);
+        self.check();
+    }
+
+    /// Whether each structure names a node, from which the walk ends where the list says.
+    fn search(&mut self, x: f64) {
+        let expected = self.before(self.place(x));
+        let starts = [
+            self.hash_table.locate(x, &self.front),
+            self.skip_list.locate(x, &self.front),
+            self.linear.locate(x, &self.front),
+        ];
+        for start in starts {
+            assert!(self.front.contains(start), "{start:?} is not on the front");
+            assert_eq!(
+                self.walk(start, x),
+                expected,
+                "from {start:?} (left) to {x}"
+            );
+        }
+    }
+
+    /// The last node whose x is at most this, from any node on.
+    fn walk(&self, start: FrontNode, x: f64) -> FrontNode {
+        let is_after = |&node: &FrontNode| {
+            node == self.front.right_end() || (node != self.front.left_end() && self.x(node) > x)
+        };
+        let mut at = start;
+        while is_after(&at) {
+            at = self.front.before(at).expect("the left end is before all");
+        }
+        while let Some(next) = self.front.after(at).filter(|next| !is_after(next)) {
+            at = next;
+        }
+        at
+    }
+
+    /// Whether the front is the list, in both directions.
+    fn check(&self) {
+        let ends = [self.front.left_end(), self.front.right_end()];
+        let mut expected = vec![ends[0]];
+        expected.extend(&self.nodes);
+        expected.push(ends[1]);
+        for pair in expected.windows(2) {
+            assert_eq!(self.front.after(pair[0]), Some(pair[1]), "after");
+            assert_eq!(self.front.before(pair[1]), Some(pair[0]), "before");
+        }
+        assert_eq!(self.front.before(ends[0]), None, "before the left end");
+        assert_eq!(self.front.after(ends[1]), None, "after the right end");
+        let on_front = (0..self.points.len()).map(FrontNode::from_rank);
+        let count = on_front.filter(|&node| self.front.contains(node)).count();
+        assert_eq!(count, self.nodes.len(), "vertices on the front");
+    }
+}

@@ -1,0 +1,73 @@
+//! A front structure may be slow, but never changes a step; and it keeps to its contract alone, too.
+//!
+//! Half of the inputs are swept with every structure, one of which names nodes that are as bad as can be:
+//! the events must be those of the first. The other half is no input of a sweep: points go on and off a
+//! front in ways that no sweep would take, and a list of them is the judge (`alone`).
+
+mod alone;
+
+use arbitrary::Unstructured;
+use sweep_cdt::{Domain, Front, FrontNode, FrontSearch, HashTable, Heuristics, Linear, SkipList};
+
+use crate::steps::Steps;
+use crate::{Input, generators, reached};
+
+/// The property for the choices and the input, or the changes of a front, that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let mut bytes = Unstructured::new(bytes);
+    // Reading is total but for a type that has no values.
+    let choices: u8 = bytes.arbitrary().unwrap_or_default();
+    if choices & 1 == 0 {
+        let input = generators::read(&mut bytes).unwrap_or_default();
+        reached::sample(&input);
+        judge(&input, choices >> 1);
+    } else {
+        alone::test(&mut bytes).unwrap_or_default();
+    }
+}
+
+/// Panics unless the sweep of this input, all of whose coordinates are finite, takes the same steps with
+/// every structure.
+fn judge(Input { points, edges }: &Input, choices: u8) {
+    let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
+    let heuristics = settings[usize::from(choices) % settings.len()];
+    let steps = Steps::of::<f64, HashTable>(points, edges, heuristics);
+    steps.assert_same::<f64, SkipList>(points, edges, "skip list");
+    steps.assert_same::<f64, Linear>(points, edges, "linear");
+    steps.assert_same::<f64, Astray>(points, edges, "a structure that leads astray");
+}
+
+/// Names both ends and all nodes ever inserted in turn, as far as they are on the front.
+struct Astray {
+    nodes: Vec<FrontNode>,
+    turn: usize,
+}
+
+impl FrontSearch for Astray {
+    fn new(_: Domain<'_>) -> Self {
+        Astray {
+            nodes: Vec::new(),
+            turn: 0,
+        }
+    }
+
+    fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
+        self.turn += 1;
+        match self.turn % 3 {
+            0 => front.left_end(),
+            1 => front.right_end(),
+            _ => {
+                let node = self.nodes[self.turn % self.nodes.len()];
+                if front.contains(node) {
+                    node
+                } else {
+                    front.right_end()
+                }
+            }
+        }
+    }
+
+    fn inserted(&mut self, node: FrontNode, _: f64) {
+        self.nodes.push(node);
+    }
+}
