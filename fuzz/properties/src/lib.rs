@@ -6,11 +6,13 @@
 //! this runs without a fuzzer too: the crate's own tests give it random bytes and the corpus.
 
 pub mod bits;
+pub mod differential;
 pub mod formats;
 pub mod generators;
 pub mod input;
 pub mod minimize;
 pub mod oracle;
+pub mod peers;
 pub mod reached;
 pub mod runs;
 pub mod valid;
@@ -44,5 +46,9 @@ pub const TARGETS: &[Target] = &[
     Target {
         name: "formats",
         test: formats::test,
+    },
+    Target {
+        name: "differential",
+        test: differential::test,
     },
 ];

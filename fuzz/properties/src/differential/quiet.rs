@@ -1,0 +1,30 @@
+//! Panics that are expected, and must neither be printed nor end the process.
+//!
+//! A fuzz target's process has a panic hook that aborts. One hook around it, set once, that does nothing
+//! on a thread which is asking another program, costs nothing per call, and leaves all other panics as
+//! they are.
+
+use std::cell::Cell;
+use std::panic::{set_hook, take_hook};
+use std::sync::Once;
+
+thread_local! {
+    static IS_QUIET: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Calls a function that catches its own panics, without the hook.
+pub(super) fn quietly<T>(call: impl FnOnce() -> T) -> T {
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let loud = take_hook();
+        set_hook(Box::new(move |panic| {
+            if !IS_QUIET.get() {
+                loud(panic);
+            }
+        }));
+    });
+    let before = IS_QUIET.replace(true);
+    let result = call();
+    IS_QUIET.set(before);
+    result
+}
