@@ -30,11 +30,14 @@ pub(super) fn count(
     again: &dyn Fn(&Input) -> Option<&'static str>,
 ) {
     static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
-    let folder = FOLDER.get_or_init(|| std::env::var_os("SWEEP_CDT_PEER_FAULTS").map(PathBuf::from));
+    let folder =
+        FOLDER.get_or_init(|| std::env::var_os("SWEEP_CDT_PEER_FAULTS").map(PathBuf::from));
     let (Some(folder), Ok(mut counts)) = (folder, COUNTS.lock()) else {
         return;
     };
-    let count = counts.entry((program, fault.unwrap_or("right"))).or_default();
+    let count = counts
+        .entry((program, fault.unwrap_or("right")))
+        .or_default();
     *count += 1;
     // A report that cannot be written must not stop a campaign.
     if let Some(fault) = fault

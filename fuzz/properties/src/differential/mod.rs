@@ -111,7 +111,9 @@ fn agrees<N: Number>(
     let triangles: Vec<[usize; 3]> = triangles.iter().map(named).collect();
     let mut sides = BTreeSet::new();
     let is_new = |&[a, b, c]: &[usize; 3]| {
-        [[a, b], [b, c], [c, a]].into_iter().all(|side| sides.insert(side))
+        [[a, b], [b, c], [c, a]]
+            .into_iter()
+            .all(|side| sides.insert(side))
     };
     triangles.len() == answer.triangles.len()
         && triangles.iter().all(|t| turn(t) == Greater)

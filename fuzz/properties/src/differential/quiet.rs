@@ -28,3 +28,27 @@ pub(super) fn quietly<T>(call: impl FnOnce() -> T) -> T {
     IS_QUIET.set(before);
     result
 }
+
+#[test]
+fn only_other_panics_reach_the_hook() {
+    use std::panic::catch_unwind;
+    use std::sync::Mutex;
+
+    static HEARD: Mutex<Vec<&str>> = Mutex::new(Vec::new());
+    let loud = take_hook();
+    set_hook(Box::new(move |panic| {
+        match panic.payload().downcast_ref::<&str>() {
+            Some(text @ (&"before" | &"expected" | &"after")) => {
+                HEARD.lock().expect("no panic holds it").push(text);
+            }
+            _ => loud(panic),
+        }
+    }));
+    assert!(catch_unwind(|| panic!("before")).is_err());
+    assert!(quietly(|| catch_unwind(|| panic!("expected"))).is_err());
+    assert!(catch_unwind(|| panic!("after")).is_err());
+    assert_eq!(
+        *HEARD.lock().expect("no panic holds it"),
+        ["before", "after"]
+    );
+}
