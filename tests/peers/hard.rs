@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 use sweep_cdt::formats::{Graph, Input, InputFormat, Source, read};
 use sweep_cdt::{Triangulation, Verifier, triangulate};
 
-use crate::crates::{Answer, PROGRAMS};
+use sweep_cdt_properties::peers::{Answer, PROGRAMS};
 
 /// How long a program may take for one input.
 const PATIENCE: Duration = Duration::from_secs(20);

@@ -2,5 +2,4 @@
 #![cfg(feature = "cli")]
 
 mod chosen;
-mod crates;
 mod hard;

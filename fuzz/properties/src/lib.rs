@@ -7,16 +7,19 @@
 
 pub mod bits;
 pub mod canonical;
+pub mod differential;
 pub mod formats;
 pub mod generators;
 pub mod input;
 pub mod minimize;
 pub mod oracle;
+pub mod peers;
 pub mod random;
 pub mod reached;
 pub mod replay;
 pub mod runs;
 pub mod scalars;
+pub mod steps;
 pub mod valid;
 pub mod verify;
 
@@ -42,6 +45,7 @@ pub const TARGETS: &[Target] = &[
     target("replay", replay::test, Some(after_choices)),
     target("verify", verify::test, None),
     target("formats", formats::test, None),
+    target("differential", differential::test, None),
 ];
 
 const fn target(name: &'static str, test: fn(&[u8]), input: Option<fn(&[u8]) -> Input>) -> Target {

@@ -25,7 +25,7 @@ const DIVISORS: [u64; 8] = [3, 7, 10, 49, 60, 1_000_000_007, (1 << 53) + 1, u64:
 pub fn test(bytes: &[u8]) {
     let (choices, input) = generators::input_with_choices(bytes);
     reached::sample(&input);
-    judge(&input, choices);
+    judge(&input, choices.to_le_bytes()[0]);
 }
 
 /// Panics unless all scalars agree on this input, all of whose coordinates are finite. Of the choices

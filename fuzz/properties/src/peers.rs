@@ -1,24 +1,27 @@
 //! Other crates behind one signature.
+//!
+//! They may panic, recurse without end or never come back: who calls them must take that into account.
 
 use std::collections::HashMap;
 
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
 /// Triangles, or in which words the input is refused.
-pub(crate) type Answer = Result<Vec<[usize; 3]>, String>;
+pub type Answer = Result<Vec<[usize; 3]>, String>;
 
 /// A crate's function.
-pub(crate) type Program = fn(&[[f64; 2]], &[[usize; 2]]) -> Answer;
+pub type Program = fn(&[[f64; 2]], &[[usize; 2]]) -> Answer;
 
 /// All of them, and whether they take edges. (`cdt` does, but answers another question then: it returns
 /// the triangles inside closed chains of edges.)
-pub(crate) const PROGRAMS: [(&str, Program, bool); 3] = [
+pub const PROGRAMS: [(&str, Program, bool); 3] = [
     ("spade", spade, true),
     ("cdt", cdt, false),
     ("delaunator", delaunator, false),
 ];
 
-pub(crate) fn spade(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Answer {
+/// `spade`, which bulk-loads the points and then adds the edges.
+pub fn spade(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Answer {
     let vertices = points.iter().map(|&[x, y]| Point2::new(x, y)).collect();
     let result =
         ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(vertices, edges.to_vec())
@@ -34,13 +37,15 @@ pub(crate) fn spade(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Answer {
         .collect())
 }
 
-pub(crate) fn cdt(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
+/// `cdt`, without edges.
+pub fn cdt(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
     let points: Vec<(f64, f64)> = points.iter().map(|&[x, y]| (x, y)).collect();
     let triangles = cdt::triangulate_points(&points).map_err(|error| error.to_string())?;
     Ok(triangles.into_iter().map(|(a, b, c)| [a, b, c]).collect())
 }
 
-pub(crate) fn delaunator(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
+/// `delaunator`, which gives clockwise triangles.
+pub fn delaunator(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
     let points: Vec<delaunator::Point> = points
         .iter()
         .map(|&[x, y]| delaunator::Point { x, y })

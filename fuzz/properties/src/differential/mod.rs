@@ -1,0 +1,128 @@
+//! Other programs on the same input: whoever differs from the exact oracle is wrong, and it is not us.
+//!
+//! The oracle's [`check`] passes our result first, or the property fails. Then the sides that no choice
+//! among cocircular triangles can change must be those of the other program too; where they are not, and
+//! where it panics or refuses, the fault is theirs, and is counted. The verifier of the crate must say the
+//! same of their triangles: on foreign results it is itself under test.
+//!
+//! Programs are asked only what they may be expected to take: numbers of moderate size, no points too
+//! close to each other, edges that have a length and do not cross. They run in this process, so one that overflows the
+//! stack or does not come back ends the campaign with the input at hand.
+
+mod faults;
+mod quiet;
+
+use std::cmp::Ordering::{Greater, Less};
+use std::collections::BTreeSet;
+use std::panic::catch_unwind;
+
+use sweep_cdt::{Verifier, triangulate};
+
+use crate::oracle::{Answer, Graph, Integers, Number, Point, check, firm_sides, integers};
+use crate::peers::{PROGRAMS, Program};
+use crate::{Input, generators, reached};
+use quiet::quietly;
+
+/// The property for the input that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let input = generators::input(bytes);
+    reached::sample(&input);
+    let Some(answer) = right_answer(&input) else {
+        return;
+    };
+    for (name, program, takes_edges) in PROGRAMS {
+        if is_question(&input, takes_edges) {
+            let fault = fault(&input, &answer, program);
+            faults::count(&input, name, fault, &|input| {
+                let answer = right_answer(input).filter(|_| is_question(input, takes_edges))?;
+                self::fault(input, &answer, program)
+            });
+        }
+    }
+}
+
+/// Our result, passed by the oracle, unless edges cross.
+fn right_answer(input: &Input) -> Option<Answer> {
+    let Input { points, edges } = input;
+    let result = triangulate(points, edges).ok()?;
+    Some(check(points, edges, &result))
+}
+
+/// Whether a program may be asked this.
+///
+/// `spade` takes magnitudes from 2^-142 to 2^201; `delaunator` and `cdt` name no limits, but compute
+/// squares of squares in doubles, and `delaunator` drops points within 2^-51 of each other.
+fn is_question(input: &Input, takes_edges: bool) -> bool {
+    const SPADE: [f64; 2] = [1e-42, 1e60];
+    const OTHERS: [f64; 2] = [1e-9, 1e15];
+    let [least, most] = if takes_edges { SPADE } else { OTHERS };
+    let has_size = |x: &f64| *x == 0.0 || (least..=most).contains(&x.abs());
+    let are_close = |p: &[f64; 2], q: &[f64; 2]| (0..2).all(|i| (p[i] - q[i]).abs() <= least);
+    let mut points = input.points.iter().enumerate();
+    (takes_edges || input.edges.is_empty())
+        && input.points.as_flattened().iter().all(has_size)
+        && (takes_edges || !points.any(|(i, p)| input.points[..i].iter().any(|q| are_close(p, q))))
+}
+
+/// What is wrong with a program's answer: the name of the first violation, that there is none, or that
+/// it panics.
+fn fault(input: &Input, answer: &Answer, program: Program) -> Option<&'static str> {
+    let Input { points, edges } = input;
+    let has_length = |(e, _): &(usize, &[usize; 2])| answer.chains[*e].len() > 1;
+    let numbered = edges.iter().enumerate();
+    let edges: Vec<[usize; 2]> = numbered.filter(has_length).map(|(_, &e)| e).collect();
+    match quietly(|| catch_unwind(|| program(points, &edges))) {
+        Err(_) => Some("panic"),
+        // Without triangles there is nothing to answer.
+        Ok(Err(_)) => (!answer.triangles.is_empty()).then_some("refused"),
+        Ok(Ok(triangles)) => {
+            let verifier = Verifier::new().accept_clockwise(true);
+            let verdict = verifier.verify(points, &edges, &triangles);
+            let is_right = match integers(points) {
+                Integers::Small(exact) => agrees(&exact, points, answer, &triangles),
+                Integers::Big(exact) => agrees(&exact, points, answer, &triangles),
+            };
+            assert_eq!(
+                verdict.is_ok(),
+                is_right,
+                "{verdict:?} of {triangles:?} for\n{input}"
+            );
+            verdict.err().map(|violations| violations.list[0].name())
+        }
+    }
+}
+
+/// Whether triangles, all of one orientation, are the right ones but for choices among cocircular ones.
+///
+/// Their sides with a triangle on one side only are then the hull's, so they cover it once.
+fn agrees<N: Number>(
+    exact: &[Point<N>],
+    points: &[[f64; 2]],
+    answer: &Answer,
+    triangles: &[[usize; 3]],
+) -> bool {
+    let graph = Graph::new(exact, &[]);
+    let turn = |&[a, b, c]: &[usize; 3]| graph.orient(a, b, c);
+    let is_clockwise = triangles.first().is_some_and(|t| turn(t) == Less);
+    let named = |&[a, b, c]: &[usize; 3]| {
+        let corners = if is_clockwise { [b, a, c] } else { [a, b, c] };
+        corners.map(|v| answer.representatives[v])
+    };
+    let triangles: Vec<[usize; 3]> = triangles.iter().map(named).collect();
+    let mut sides = BTreeSet::new();
+    let is_new = |&[a, b, c]: &[usize; 3]| {
+        [[a, b], [b, c], [c, a]]
+            .into_iter()
+            .all(|side| sides.insert(side))
+    };
+    triangles.len() == answer.triangles.len()
+        && triangles.iter().all(|t| turn(t) == Greater)
+        && triangles.iter().all(is_new)
+        && {
+            let theirs = Answer {
+                triangles,
+                ..answer.clone()
+            };
+            firm_sides(points, &theirs) == firm_sides(points, answer)
+        }
+}
