@@ -79,6 +79,7 @@ fn is_crossing(input: &Input, pair: [usize; 2]) -> bool {
     let edges = pair.map(|e| input.edges[e]);
     match integers(&input.points) {
         Integers::Small(points) => !Graph::new(&points, &edges).crossings().is_empty(),
+        Integers::Medium(points) => !Graph::new(&points, &edges).crossings().is_empty(),
         Integers::Big(points) => !Graph::new(&points, &edges).crossings().is_empty(),
     }
 }

@@ -64,6 +64,7 @@ fn triangles_by_definition_pass_the_local_tests() {
         match verdict(&input.points, &input.edges) {
             Ok(answer) => match integers(&input.points) {
                 Integers::Small(points) => check_answer(&points, &input.edges, &answer),
+                Integers::Medium(points) => check_answer(&points, &input.edges, &answer),
                 Integers::Big(points) => check_answer(&points, &input.edges, &answer),
             },
             Err(_) => crossing += 1,

@@ -6,6 +6,7 @@
 //! a number that no power of two makes whole: doubles near such coordinates are rounded, which may
 //! change the steps, but not the result.
 
+use bnum::types::I256;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::{Error, HashTable, Heuristics, Scalar, Triangulation, triangulate};
@@ -54,8 +55,10 @@ fn judge_scalar<S: Sample>(input: &Input, steps: &Steps, name: &str) {
 
 /// The input scaled to integers, and these divided.
 fn judge_divided(input: &Input, expected: &Result<Triangulation, Error>, divisor: u64) {
+    let widened = |x: I256| x.to_string().parse().expect("an integer");
     let points: Vec<[BigInt; 2]> = match integers(&input.points) {
         Integers::Small(points) => points.iter().map(|p| p.map(BigInt::from)).collect(),
+        Integers::Medium(points) => points.iter().map(|p| p.map(widened)).collect(),
         Integers::Big(points) => points,
     };
     assert_same(&points, &input.edges, expected, "as integers");

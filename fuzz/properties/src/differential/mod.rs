@@ -80,6 +80,7 @@ fn fault(input: &Input, answer: &Answer, program: Program) -> Option<&'static st
             let verdict = verifier.verify(points, &edges, &triangles);
             let is_right = match integers(points) {
                 Integers::Small(exact) => agrees(&exact, points, answer, &triangles),
+                Integers::Medium(exact) => agrees(&exact, points, answer, &triangles),
                 Integers::Big(exact) => agrees(&exact, points, answer, &triangles),
             };
             assert_eq!(

@@ -25,6 +25,7 @@ pub fn check(points: &[[f64; 2]], edges: &[[usize; 2]], result: &Triangulation) 
 pub fn check_found(points: &[[f64; 2]], edges: &[[usize; 2]], answer: &Answer) {
     match integers(points) {
         Integers::Small(points) => check_answer(&points, edges, answer),
+        Integers::Medium(points) => check_answer(&points, edges, answer),
         Integers::Big(points) => check_answer(&points, edges, answer),
     }
 }
@@ -250,6 +251,7 @@ fn check_side<N: Number>(points: &[Point<N>], [a, b]: [usize; 2], c: usize, d: u
 pub fn firm_sides(points: &[[f64; 2]], answer: &Answer) -> BTreeSet<[usize; 2]> {
     match integers(points) {
         Integers::Small(points) => firm(&points, answer),
+        Integers::Medium(points) => firm(&points, answer),
         Integers::Big(points) => firm(&points, answer),
     }
 }

@@ -43,6 +43,7 @@ pub type Verdict = Result<Answer, Vec<[usize; 2]>>;
 pub fn verdict(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Verdict {
     match integers(points) {
         Integers::Small(points) => exact_verdict(&points, edges),
+        Integers::Medium(points) => exact_verdict(&points, edges),
         Integers::Big(points) => exact_verdict(&points, edges),
     }
 }
@@ -74,6 +75,7 @@ pub fn crosses(points: &[[f64; 2]], edges: &[[usize; 2]], pair: [usize; 2]) -> b
     let edges = pair.map(|e| edges[e]);
     match integers(points) {
         Integers::Small(points) => !Graph::new(&points, &edges).crossings().is_empty(),
+        Integers::Medium(points) => !Graph::new(&points, &edges).crossings().is_empty(),
         Integers::Big(points) => !Graph::new(&points, &edges).crossings().is_empty(),
     }
 }

@@ -17,6 +17,7 @@ pub fn is_right(points: &[[f64; 2]], edges: &[[usize; 2]], triangles: &[[usize; 
     }
     match integers(points) {
         Integers::Small(points) => is_exactly_right(&points, edges, triangles),
+        Integers::Medium(points) => is_exactly_right(&points, edges, triangles),
         Integers::Big(points) => is_exactly_right(&points, edges, triangles),
     }
 }

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use bnum::types::I256;
 use num_bigint::BigInt;
 use num_traits::{Float, Signed, Zero};
 
@@ -12,10 +13,12 @@ impl<T: Signed + Ord + Clone> Number for T {}
 /// A point.
 pub type Point<N> = [N; 2];
 
-/// Points as integers: 128 bits where the predicates fit in, else as many as it takes.
+/// Points as integers: 128 or 256 bits where the predicates fit in, else as many as it takes.
 pub enum Integers {
     /// Small ones.
     Small(Vec<Point<i128>>),
+    /// Such as doubles of about the same size.
+    Medium(Vec<Point<I256>>),
     /// Large ones.
     Big(Vec<Point<BigInt>>),
 }
@@ -23,6 +26,8 @@ pub enum Integers {
 /// Coordinates of so many bits leave room in an `i128` for products of four differences, two of them
 /// of twice the length, and a few sums.
 const SMALL_BITS: u32 = 28;
+/// The same for an `I256`.
+const MEDIUM_BITS: u32 = 60;
 
 /// The points multiplied by the one power of two that makes them the smallest integers.
 pub fn integers(points: &[[f64; 2]]) -> Integers {
@@ -60,6 +65,12 @@ pub fn integers(points: &[[f64; 2]]) -> Integers {
             (mantissa, exponent) => i128::from(mantissa) << shift(exponent),
         };
         Integers::Small(points.iter().map(|p| p.map(integer)).collect())
+    } else if bits <= MEDIUM_BITS {
+        let integer = |x| match parts(x) {
+            (0, _) => I256::zero(),
+            (mantissa, exponent) => I256::from(mantissa) << shift(exponent),
+        };
+        Integers::Medium(points.iter().map(|p| p.map(integer)).collect())
     } else {
         let integer = |x| match parts(x) {
             (0, _) => BigInt::zero(),
