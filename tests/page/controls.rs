@@ -131,6 +131,70 @@ fn a_step_is_the_same_from_everywhere() {
     assert_quiet(&browser);
 }
 
+/// What is above the list of steps has room for every sentence, so that nothing moves from step to
+/// step; nothing is wider or higher than the window, the legend ends above the controls, and no vertex
+/// is below a button.
+#[test]
+fn the_page_stands_still() {
+    let (_folder, page) = page(&scattered(), ALL);
+    for size in [[1280, 800], [800, 600], [480, 800], [390, 800]] {
+        let Some(browser) = Browser::open(size) else {
+            return;
+        };
+        browser.load(&page, "");
+        let found = browser.run(
+            "const heights = new Set();
+             for (let step = BEFORE; step <= LAST; step++) {
+               show(step);
+               heights.add(element('told').offsetHeight);
+             }
+             const { scrollWidth, scrollHeight } = document.documentElement;
+             return [[...heights].length, scrollWidth - innerWidth, scrollHeight - innerHeight]",
+        );
+        assert_eq!(found, serde_json::json!([1, 0, 0]), "{size:?}");
+        let found = browser.run(
+            "element('legend').open = true;
+             view.resize();
+             const place = (name) => document.querySelector(name).getBoundingClientRect();
+             const isCovered = (v) => {
+               const [[x, y], { right, bottom }] = [view.place(v), place('#zoom')];
+               return x < right + 4 && y < bottom + 4;
+             };
+             return [place('#legend').bottom <= place('footer').top,
+               [...trace.points.keys()].filter(isCovered)]",
+        );
+        assert_eq!(found, serde_json::json!([true, []]), "{size:?}");
+        assert_quiet(&browser);
+    }
+}
+
+/// The page draws a circle for each test that is not excused.
+#[test]
+fn circles() {
+    let Some(browser) = Browser::open([800, 600]) else {
+        return;
+    };
+    let (_folder, page) = page(&scattered(), ALL);
+    browser.load(&page, "");
+    let counts = browser.run(
+        "let drawn = 0; View.prototype.circle = () => { drawn += 1; };
+         let [real, excused, wrong] = [0, 0, []];
+         for (let step = BEFORE + 1; step <= LAST; step++) {
+           drawn = 0;
+           show(step);
+           const sentence = element('sentence').textContent;
+           const isExcused = sentence.includes('No circle is drawn');
+           const isTest = ['is legal', 'is illegal'].some((words) => sentence.includes(words));
+           if (drawn !== (isTest && !isExcused ? 1 : 0)) wrong.push(step);
+           real += drawn;
+           excused += isExcused;
+         }
+         return [real > 0, excused > 0, wrong]",
+    );
+    assert_eq!(counts, serde_json::json!([true, true, []]));
+    assert_quiet(&browser);
+}
+
 #[test]
 fn a_part_of_a_trace() {
     let Some(browser) = Browser::open([800, 600]) else {

@@ -8,9 +8,11 @@ use sweep_cdt::formats::write_sheet;
 use super::inputs::{many, scattered};
 use super::{ALL, Browser, assert_quiet, events, page};
 
-/// The last step with a change of that name.
-const LAST_WITH: &str = "const lastWith = (wanted) => trace.first + trace.steps.findLastIndex(
-    (step) => step.slice(2).some(([name]) => name === wanted));";
+/// The last step with a change of that name, and the last one told in these words.
+const FIND: &str = "const lastWith = (wanted) => trace.first + trace.steps.findLastIndex(
+    (step) => step.slice(2).some(([name]) => name === wanted));
+  const lastTold = (words) => trace.first + trace.steps.findLastIndex(
+    (step) => step[1].includes(words));";
 
 #[test]
 fn screenshots() {
@@ -25,22 +27,25 @@ fn screenshots() {
     fs::write(folder.join("sheet.svg"), sheet).expect("a file");
 
     let (small, large) = (page(&graph, ALL), page(&many(1500), ALL));
-    for size in [[1280, 800], [800, 600], [390, 800]] {
+    let part = page(&graph, 150..=170);
+    for size in [[1280, 800], [800, 600], [480, 800], [390, 800]] {
         let Some(browser) = Browser::open(size) else {
             return;
         };
         for (name, (_, page), script) in [
             ("input", &small, "show(0)"),
             ("illegal", &small, "show(lastWith('illegal'))"),
+            ("artificial", &small, "show(lastTold('No circle is drawn'))"),
             ("swap", &small, "show(lastWith('gone'))"),
             ("pierced", &small, "show(lastWith('pierce'))"),
             ("polygons", &small, "show(225)"),
             ("end", &small, "show(LAST)"),
+            ("legend", &part, "element('legend').open = true"),
             ("large", &large, "show(9000)"),
             ("near", &large, "show(9000); element('near-step').click()"),
         ] {
             browser.load(page, "");
-            browser.run(&format!("{LAST_WITH} {script}"));
+            browser.run(&format!("{FIND} {script}"));
             assert_quiet(&browser);
             let file = format!("{name}-{}x{}.png", size[0], size[1]);
             fs::write(folder.join(file), browser.picture()).expect("a file");

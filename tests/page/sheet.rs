@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use sweep_cdt::formats::{Graph, MOST_PANELS, write_sheet};
+use sweep_cdt::trace::{Event, Outcome, Vertex};
 
 use super::inputs::{many, scattered};
 use super::{ALL, events};
@@ -38,6 +39,36 @@ fn too_many_steps() {
     let sheet = sheet(&many(400), ALL);
     assert_eq!(panels(&sheet), MOST_PANELS);
     assert!(sheet.contains("The first 60 of "));
+}
+
+/// Of the steps of a test, those with an artificial point say why they show no circle.
+#[test]
+fn circles() {
+    let graph = scattered();
+    let (mut real, mut artificial) = (0, 0);
+    for (step, event) in (1..).zip(events(&graph)) {
+        let Event::Test {
+            edge: [a, b],
+            opposite: [p, q],
+            outcome,
+        } = event
+        else {
+            continue;
+        };
+        let sheet = sheet(&graph, step..=step);
+        let has_circle = ["legal", "illegal"]
+            .iter()
+            .any(|class| sheet.contains(&format!("<circle class=\"{class}\"")));
+        let is_excused = sheet.contains("No circle is drawn");
+        let is_real = [a, b, p, q].iter().all(|v| matches!(v, Vertex::Input(_)));
+        if outcome == Outcome::Fixed {
+            assert!(!has_circle && !is_excused, "{event}");
+        } else {
+            assert_eq!([has_circle, is_excused], [is_real, !is_real], "{event}");
+            *(if is_real { &mut real } else { &mut artificial }) += 1;
+        }
+    }
+    assert!(real > 0 && artificial > 0);
 }
 
 /// What cannot be placed leaves no trace in the numbers of the file.

@@ -1,6 +1,8 @@
 //! Traces: the same for every scalar and front; replayed, they give the result; damaged, they are
 //! refused.
 
+mod large;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::trace::{BadTrace, Trace};

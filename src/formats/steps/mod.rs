@@ -16,7 +16,8 @@
 //! | edge that was swapped, that came | red | dots, a heavy line |
 //!
 //! The colours are Okabe and Ito's, which colour-blind people can tell. Sides to the artificial points
-//! P-1 and P-2, which are directions, are horizontal rays to the left and to the right.
+//! P-1 and P-2, which are directions, are horizontal rays to the left and to the right, and a test that
+//! involves one of them has no circle.
 
 mod change;
 mod frame;

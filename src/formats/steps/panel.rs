@@ -126,8 +126,8 @@ impl<'a> Panel<'a> {
                 };
                 self.path(out, "quad", &[*p, *a, *q, *b], true);
                 self.path(out, class, &[*a, *b], false);
-                let corners = [a, b, p].map(|&v| self.unit_place(v));
-                if let [Some(a), Some(b), Some(p)] = corners
+                let corners = [a, b, p, q].map(|&v| self.unit_place(v));
+                if let [Some(a), Some(b), Some(p), Some(_)] = corners
                     && *outcome != Outcome::Fixed
                     && let Some((center, radius)) = circle([a, b, p])
                 {

@@ -1,6 +1,6 @@
 //! Each event told to a reader: a heading that names the part of the paper, and a sentence.
 
-use crate::trace::{Event, Outcome, PartCase, PointCase, Side, Why};
+use crate::trace::{Event, Outcome, PartCase, PointCase, Side, Vertex, Why};
 
 /// The part of the algorithm that an event belongs to, with section or figure.
 pub(super) fn heading(event: &Event) -> &'static str {
@@ -77,12 +77,19 @@ pub(super) fn sentence(event: &Event) -> String {
             opposite: [p, q],
             outcome,
         } => {
+            let is_real = [a, b, p, q].iter().all(|v| matches!(v, Vertex::Input(_)));
+            let circle = match outcome {
+                Outcome::Legal | Outcome::Illegal if !is_real => {
+                    " No circle is drawn: artificial points are directions."
+                }
+                _ => "",
+            };
             let outcome = match outcome {
                 Outcome::Legal => "It is legal and stays.",
                 Outcome::Illegal => "It is illegal and will be swapped.",
                 Outcome::Fixed => "It is a constraint and stays.",
             };
-            format!("The edge {a}–{b} between vertices {p} and {q} is tested. {outcome}")
+            format!("The edge {a}–{b} between vertices {p} and {q} is tested. {outcome}{circle}")
         }
         Event::Flip {
             edge: [a, b],

@@ -26,6 +26,8 @@ const STYLES = {
 };
 /** Vertices get numbers where they are so far apart, in pixels. */
 const ROOM_FOR_NUMBERS = 24;
+/** What the buttons take on the left, in pixels. */
+const BUTTONS = 56;
 
 class View {
   constructor(canvas) {
@@ -52,7 +54,7 @@ class View {
   showAll() {
     const [width, height] = trace.size;
     const margin = Math.min(60, 0.1 * Math.min(this.width, this.height));
-    const across = (this.width - 2 * margin) / Math.max(width, 1e-9);
+    const across = (this.width - 2 * Math.max(margin, BUTTONS)) / Math.max(width, 1e-9);
     const up = (this.height - 2 * margin) / Math.max(height, 1e-9);
     this.scale = Math.max(Math.min(across, up, 1e6), 1);
     this.middle = [width / 2, height / 2];
@@ -152,7 +154,7 @@ class View {
         this.ring(a, 9);
       } else if (["legal", "illegal", "fixed"].includes(name)) {
         this.lines("quad", [p, a, q, b], true);
-        if (name !== "fixed" && Math.min(a, b, p) >= 0) {
+        if (name !== "fixed" && Math.min(...vertices) >= 0) {
           this.circle(name, this.places([a, b, p]));
         }
         const { stroke, dash } = name === "fixed" ? STYLES.line : STYLES[name];
