@@ -1,7 +1,7 @@
 //! A nursery of bugs: deliberate faults in the crate, to see which fuzz target finds which, and how soon.
 //!
 //! The table `faults.toml` names each fault, the right text of the source and the wrong one. All of them
-//! are planted at once into a *copy* of the crate, as `{ if planted(7) { wrong } else { right } }`, and
+//! are planted at once into a *copy* of the crate, as `if planted(7) { wrong } else { right }`, and
 //! the environment of a process chooses one, so that one build serves all. The crate itself knows nothing
 //! of this.
 //!
@@ -79,10 +79,15 @@ pub fn plant(file: &Path, source: &str, faults: &[Fault]) -> Result<String, Stri
     let mut planted = source.to_owned();
     for &(from, to, number) in places.iter().rev() {
         let Fault { right, wrong, .. } = &faults[number];
-        planted.replace_range(
-            from..to,
-            &format!("{{ if crate::nursery::planted({number}) {{ {wrong} }} else {{ {right} }} }}"),
-        );
+        let choice =
+            format!("if crate::nursery::planted({number}) {{ {wrong} }} else {{ {right} }}");
+        let is_statement = right.ends_with([';', '}']);
+        let text = if is_statement {
+            choice
+        } else {
+            format!("({choice})")
+        };
+        planted.replace_range(from..to, &text);
     }
     Ok(planted)
 }
