@@ -35,7 +35,7 @@ fn judge(input: &Input, choices: u8) {
     let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
     let heuristics = settings[usize::from(choices >> 5) % settings.len()];
     let steps = Steps::of::<f64, HashTable>(&input.points, &input.edges, heuristics);
-    judge_scalar::<f32>(input, &steps, "f32");
+    judge_single(input, &steps);
     judge_scalar::<i32>(input, &steps, "i32");
     judge_scalar::<i64>(input, &steps, "i64");
     judge_scalar::<BigInt>(input, &steps, "BigInt");
@@ -44,6 +44,19 @@ fn judge(input: &Input, choices: u8) {
         judge_scalar::<Archetype>(input, &steps, "the plainest scalar");
         let divisor = DIVISORS[usize::from(choices >> 2) % DIVISORS.len()];
         judge_divided(input, &steps.result, divisor);
+    }
+}
+
+/// The input in `f32`, rounded where that does not hold it: else hardly a coordinate would use all bits.
+fn judge_single(input: &Input, steps: &Steps) {
+    let Input { points, edges } = input;
+    let rounded: Vec<[f32; 2]> = points.iter().map(|p| p.map(|x| x as f32)).collect();
+    let doubles: Vec<[f64; 2]> = rounded.iter().map(|p| p.map(f64::from)).collect();
+    if doubles == *points {
+        steps.assert_same::<f32, HashTable>(&rounded, edges, "f32");
+    } else if doubles.iter().flatten().all(|x| x.is_finite()) {
+        Steps::of::<f64, HashTable>(&doubles, edges, Heuristics::FAST)
+            .assert_same::<f32, HashTable>(&rounded, edges, "f32, rounded");
     }
 }
 
