@@ -152,7 +152,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// Whether a strictly convex stretch remains so with one more corner, closed by its chord.
     fn stays_convex(&mut self, stretch: &[Corner], corner: Corner) -> bool {
-        let [first, second, .., a, b] = *stretch else {
+        // The two ends may share a corner: a stretch begins with three.
+        let (&[first, second, ..], &[.., a, b]) = (stretch, stretch) else {
             return false;
         };
         self.turns_left(a, b, corner)

@@ -150,6 +150,39 @@ fn a_raster_needs_no_flip() {
     }
 }
 
+/// Closed corner by corner, these would take flips by the square of the number of points.
+#[test]
+fn long_convex_chains_take_few_flips() {
+    let n = 2000_i32;
+    let parabola: Vec<[i64; 2]> = (-n / 2..n / 2)
+        .map(i64::from)
+        .map(|x| [1000 * i64::from(n) * x, x * x])
+        .collect();
+    // The parabola as a pocket under an edge from its first to its last point, and as the upper hull.
+    let last = parabola.len() - 1;
+    let cubic: Vec<[i64; 2]> = (0..i64::from(n))
+        .map(|x| [x * 1_000_000, x * x * x / 1000])
+        .collect();
+    for (points, edges) in [
+        (&parabola, vec![[0, last]]),
+        (&parabola, vec![]),
+        (&cubic, vec![]),
+    ] {
+        for heuristics in [Heuristics::FAST, Heuristics::OFF] {
+            let run = Triangulator::new()
+                .heuristics(heuristics)
+                .triangulate_with_stats(points, &edges);
+            let (_, stats) = run.expect("no edges cross");
+            let flips = stats.counters.flips;
+            assert!(
+                flips < 4 * points.len() as u64,
+                "{flips} flips for {} points",
+                points.len()
+            );
+        }
+    }
+}
+
 /// How many points a side of the grid has.
 const GRID: u32 = 12;
 

@@ -9,6 +9,7 @@ pub mod bits;
 pub mod canonical;
 pub mod differential;
 pub mod formats;
+pub mod fronts;
 pub mod generators;
 pub mod input;
 pub mod minimize;
@@ -41,6 +42,7 @@ pub const TARGETS: &[Target] = &[
     target("valid", valid::test, Some(generators::input)),
     target("bits", bits::test, Some(bits::input)),
     target("scalars", scalars::test, Some(after_choices)),
+    target("fronts", fronts::test, Some(after_choices)),
     target("canonical", canonical::test, Some(after_choices)),
     target("replay", replay::test, Some(after_choices)),
     target("verify", verify::test, None),

@@ -2,10 +2,10 @@
 
 use num_rational::BigRational;
 use sweep_cdt::{HashTable, Heuristics, Linear, SkipList};
+use sweep_cdt_properties::Input;
 
 use super::observe;
 use crate::generators::{Random, medium};
-use crate::input::Input;
 
 /// Panics, with the first step that differs, unless fronts and scalars take the same steps.
 fn assert_same_steps(input: &Input, heuristics: Heuristics) {
