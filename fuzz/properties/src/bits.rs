@@ -56,3 +56,18 @@ fn read(bytes: &mut Unstructured<'_>) -> Result<Input> {
     }
     Ok(input)
 }
+
+/// Bytes that stand for this input, if there are any: few points and edges.
+pub fn encode(Input { points, edges }: &Input) -> Option<Vec<u8>> {
+    if points.len() > POINTS || edges.len() > EDGES {
+        return None;
+    }
+    let mut bytes = vec![u8::try_from(points.len()).ok()?];
+    for x in points.iter().flatten() {
+        bytes.extend(x.to_bits().to_le_bytes());
+    }
+    for &end in edges.iter().flatten() {
+        bytes.push(u8::try_from(end).ok()?);
+    }
+    Some(bytes)
+}

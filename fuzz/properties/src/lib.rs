@@ -34,27 +34,88 @@ pub struct Target {
     /// Panics if the property does not hold for what the bytes stand for.
     pub test: fn(&[u8]),
     /// The points and edges that the bytes stand for, if it is those that are tested.
-    pub input: Option<fn(&[u8]) -> Input>,
+    pub input: fn(&[u8]) -> Option<Input>,
+    /// Bytes that stand for points and edges, if there are any.
+    encode: fn(&Input) -> Option<Vec<u8>>,
+    /// The property's own choices, which come before those: seeds are made with each of them.
+    choices: &'static [&'static [u8]],
 }
 
 /// All properties.
 pub const TARGETS: &[Target] = &[
-    target("valid", valid::test, Some(generators::input)),
-    target("bits", bits::test, Some(bits::input)),
-    target("scalars", scalars::test, Some(after_choices)),
-    target("fronts", fronts::test, Some(after_choices)),
-    target("canonical", canonical::test, Some(after_choices)),
-    target("replay", replay::test, Some(after_choices)),
-    target("verify", verify::test, None),
-    target("formats", formats::test, None),
-    target("differential", differential::test, None),
+    GENERATED.named("valid", valid::test),
+    Target {
+        input: |bytes| Some(bits::input(bytes)),
+        encode: bits::encode,
+        ..GENERATED.named("bits", bits::test)
+    },
+    CHOOSING.named("scalars", scalars::test),
+    Target {
+        input: fronts::input,
+        ..CHOOSING.named("fronts", fronts::test)
+    },
+    CHOOSING.named("canonical", canonical::test),
+    CHOOSING.named("replay", replay::test),
+    Target {
+        input: |_| None,
+        choices: &[&[1, 2, 1, 0, 3], &[2, 3, 1, 0, 3, 4, 7, 2, 1]],
+        ..GENERATED.named("verify", verify::test)
+    },
+    Target {
+        input: |_| None,
+        choices: &[&[8; 14], &[250; 14]],
+        ..GENERATED.named("formats", formats::test)
+    },
+    GENERATED.named("differential", differential::test),
 ];
 
-const fn target(name: &'static str, test: fn(&[u8]), input: Option<fn(&[u8]) -> Input>) -> Target {
-    Target { name, test, input }
+/// A target whose bytes are those of a generated input.
+const GENERATED: Target = Target {
+    name: "",
+    test: |_| {},
+    input: |bytes| Some(generators::input(bytes)),
+    encode: generators::encode,
+    choices: &[&[]],
+};
+
+/// A target whose bytes are choices of its own and those of a generated input.
+const CHOOSING: Target = Target {
+    input: |bytes| Some(generators::input_with_choices(bytes).1),
+    choices: &[&[0; 8]],
+    ..GENERATED
+};
+
+impl Target {
+    const fn named(self, name: &'static str, test: fn(&[u8])) -> Target {
+        Target { name, test, ..self }
+    }
+
+    /// Bytes to begin with that stand for this input, once for each of some choices.
+    pub fn seeds(&self, input: &Input) -> Vec<Vec<u8>> {
+        let Some(bytes) = (self.encode)(input) else {
+            return Vec::new();
+        };
+        self.after_choices(&bytes)
+    }
+
+    /// These bytes of a generated input, once after each of some choices.
+    pub fn after_choices(&self, bytes: &[u8]) -> Vec<Vec<u8>> {
+        let choices = self.choices.iter();
+        choices.map(|lead| [*lead, bytes].concat()).collect()
+    }
 }
 
-/// The input of a property that has choices of its own.
-fn after_choices(bytes: &[u8]) -> Input {
-    generators::input_with_choices(bytes).1
+#[test]
+fn seeds_stand_for_their_input() {
+    let wanted = Input::parse("0 0, 3 0, 3 2, -5 7", "0 2, 1 3");
+    for target in TARGETS {
+        for bytes in target.seeds(&wanted) {
+            let found = (target.input)(&bytes);
+            assert!(
+                found.is_none_or(|found| found.to_string() == wanted.to_string()),
+                "{}",
+                target.name
+            );
+        }
+    }
 }

@@ -5,7 +5,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
-use sweep_cdt_properties::generators::encode;
 use sweep_cdt_properties::{Input, TARGETS, Target};
 
 #[derive(Parser)]
@@ -24,9 +23,11 @@ enum Verb {
         /// Files and folders.
         paths: Vec<PathBuf>,
     },
-    /// Writes seeds into a folder: one for each input file (JSON: `points`, `edges`) that bytes can stand for,
-    /// and chance ones for every shape of points with every pattern of edges.
+    /// Writes seeds into a folder: for each input file (JSON: `points`, `edges`) that bytes can stand for, and
+    /// chance ones for every shape of points with every pattern of edges.
     Seeds {
+        /// The property.
+        target: String,
         /// The folder.
         folder: PathBuf,
         /// Input files and folders of them.
@@ -57,16 +58,20 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             println!("{}: {count} files", target.name);
         }
-        Verb::Seeds { folder, paths } => {
+        Verb::Seeds {
+            target,
+            folder,
+            paths,
+        } => {
+            let target = named(&target)?;
             for path in paths {
                 for file in files(&path)? {
                     let text = fs::read_to_string(&file)?;
                     let name = file.file_stem().unwrap_or_default();
                     // What is no input of finite numbers is left to the readers' own seeds.
-                    if let Ok(Parsed { points, edges }) = serde_json::from_str(&text)
-                        && let Some(bytes) = encode(&Input { points, edges })
-                    {
-                        fs::write(folder.join(name), bytes)?;
+                    if let Ok(Parsed { points, edges }) = serde_json::from_str(&text) {
+                        let seeds = target.seeds(&Input { points, edges });
+                        write(&folder, &name.to_string_lossy(), seeds)?;
                     }
                 }
             }
@@ -76,7 +81,11 @@ fn main() -> Result<(), Box<dyn Error>> {
                     let mixed = (i + 1 + 64 * u32::from(kind)).wrapping_mul(0x9e37_79b9);
                     (mixed >> 24) as u8
                 }));
-                fs::write(folder.join(format!("shape_{kind}")), bytes)?;
+                write(
+                    &folder,
+                    &format!("shape_{kind}"),
+                    target.after_choices(&bytes),
+                )?;
             }
         }
         Verb::Show {
@@ -85,11 +94,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             folder,
         } => {
             let bytes = fs::read(file)?;
-            let Some(input) = named(&target)?.input else {
+            let Some(input) = (named(&target)?.input)(&bytes) else {
                 fs::write(folder.join("row.txt"), format!("{bytes:?}\n"))?;
                 return Ok(());
             };
-            let input = input(&bytes);
             println!("{input}");
             fs::write(folder.join("row.txt"), format!("{input}\n"))?;
             let json = format!(
@@ -107,6 +115,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 struct Parsed {
     points: Vec<[f64; 2]>,
     edges: Vec<[usize; 2]>,
+}
+
+fn write(folder: &Path, name: &str, seeds: Vec<Vec<u8>>) -> std::io::Result<()> {
+    for (i, seed) in seeds.into_iter().enumerate() {
+        fs::write(folder.join(format!("{name}_{i}")), seed)?;
+    }
+    Ok(())
 }
 
 fn named(name: &str) -> Result<&'static Target, String> {

@@ -16,7 +16,7 @@ use crate::{Input, generators, reached};
 pub fn test(bytes: &[u8]) {
     let mut bytes = Unstructured::new(bytes);
     // Reading is total but for a type that has no values.
-    let choices: u8 = bytes.arbitrary().unwrap_or_default();
+    let choices: u64 = bytes.arbitrary().unwrap_or_default();
     if choices & 1 == 0 {
         let input = generators::read(&mut bytes).unwrap_or_default();
         reached::sample(&input);
@@ -26,11 +26,17 @@ pub fn test(bytes: &[u8]) {
     }
 }
 
+/// The input that the bytes stand for, if it is swept.
+pub fn input(bytes: &[u8]) -> Option<Input> {
+    let (choices, input) = generators::input_with_choices(bytes);
+    (choices & 1 == 0).then_some(input)
+}
+
 /// Panics unless the sweep of this input, all of whose coordinates are finite, takes the same steps with
 /// every structure.
-fn judge(Input { points, edges }: &Input, choices: u8) {
+fn judge(Input { points, edges }: &Input, choices: u64) {
     let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
-    let heuristics = settings[usize::from(choices) % settings.len()];
+    let heuristics = settings[(choices % 3) as usize];
     let steps = Steps::of::<f64, HashTable>(points, edges, heuristics);
     steps.assert_same::<f64, SkipList>(points, edges, "skip list");
     steps.assert_same::<f64, Linear>(points, edges, "linear");
