@@ -29,32 +29,27 @@ fn big<T: Copy + Into<BigInt>>(points: &[[T; 2]]) -> Vec<[BigInt; 2]> {
     points.iter().map(|p| p.map(Into::into)).collect()
 }
 
+/// The corners of a square, and points on and beside its diagonals.
+fn square<T: Copy + From<i8>>(least: T, most: T) -> Vec<[T; 2]> {
+    let [minus, zero, one] = [-1, 0, 1].map(T::from);
+    vec![
+        [least, least],
+        [most, least],
+        [most, most],
+        [least, most],
+        [zero, one],
+        [zero, most],
+        [one, zero],
+        [minus, minus],
+    ]
+}
+
 #[test]
 fn the_largest_integers() {
     let edges = [[0, 2], [4, 5]];
-    let (least, most) = (i32::MIN, i32::MAX);
-    let points = [
-        [least, least],
-        [most, least],
-        [most, most],
-        [least, most],
-        [0, 1],
-        [0, most],
-        [1, 0],
-        [-1, -1],
-    ];
+    let points = square(i32::MIN, i32::MAX);
     agrees(&points, &big(&points), &edges);
-    let (least, most) = (i64::MIN, i64::MAX);
-    let points = [
-        [least, least],
-        [most, least],
-        [most, most],
-        [least, most],
-        [0, 1],
-        [0, most],
-        [1, 0],
-        [-1, -1],
-    ];
+    let points = square(i64::MIN, i64::MAX);
     agrees(&points, &big(&points), &edges);
 }
 
