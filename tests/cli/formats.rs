@@ -147,3 +147,23 @@ fn svg_tells_triangles_edges_and_hull_apart() {
     let output = run(FORMATS, &format!("{CONTOURS} -o - --output-format svg"));
     assert!(printed(&output).len() < 700_000);
 }
+
+#[test]
+fn svg_is_the_same_for_subnormal_and_huge_coordinates() {
+    let picture = |exponent: &str| {
+        let points = ["0,0", "4,0", "0,4", "4,4"].map(|point| {
+            let [x, y] = [&point[..1], &point[2..]].map(|digit| format!("{digit}{exponent}"));
+            format!("[{x},{y}]")
+        });
+        let input = format!("{{\"points\":[{}]}}", points.join(","));
+        let output = run_with_input(
+            "- --input-format json -o - --output-format svg",
+            input.as_bytes(),
+        );
+        printed(&output).to_owned()
+    };
+    let expected = picture("");
+    for exponent in ["e-323", "e-300", "e307"] {
+        assert_eq!(picture(exponent), expected, "4{exponent}");
+    }
+}

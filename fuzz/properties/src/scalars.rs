@@ -63,6 +63,13 @@ fn judge_single(input: &Input, steps: &Steps) {
 fn judge_scalar<S: Sample>(input: &Input, steps: &Steps, name: &str) {
     if let Some(points) = convert::<S>(&input.points) {
         steps.assert_same::<S, HashTable>(&points, &input.edges, name);
+        if let Ok(result) = &steps.result {
+            let report = result.verify(&points, &input.edges);
+            assert!(
+                report.is_ok_and(|report| report.is_canonical()),
+                "{name}: verified"
+            );
+        }
     }
 }
 

@@ -41,6 +41,7 @@ fn judge(Input { points, edges }: &Input, choices: u64) {
     steps.assert_same::<f64, SkipList>(points, edges, "skip list");
     steps.assert_same::<f64, Linear>(points, edges, "linear");
     steps.assert_same::<f64, Astray>(points, edges, "a structure that leads astray");
+    steps.assert_same::<f64, Idle>(points, edges, "a structure that knows nothing");
 }
 
 /// Names both ends and all nodes ever inserted in turn, as far as they are on the front.
@@ -75,5 +76,20 @@ impl FrontSearch for Astray {
 
     fn inserted(&mut self, node: FrontNode, _: f64) {
         self.nodes.push(node);
+    }
+}
+
+/// Names the same end always.
+struct Idle;
+
+impl FrontSearch for Idle {
+    fn new(domain: Domain<'_>) -> Self {
+        let count = domain.len();
+        assert_eq!(domain.is_empty(), count == 0);
+        Idle
+    }
+
+    fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
+        front.right_end()
     }
 }

@@ -99,6 +99,7 @@ fn judge(case: &Case, in_parallel: bool) {
         assert_eq!(verdict.is_ok(), is_right, "{verdict:?} of {case:?}");
     }
     check_list(case, &verdict);
+    check_short_list(case, &verdict);
     let verifier = Verifier::new();
     if in_parallel {
         let again = verifier.verify_parallel(points, edges, triangles);
@@ -124,12 +125,29 @@ fn judge(case: &Case, in_parallel: bool) {
     let _ = verifier.boundary(&chains).verify(points, edges, triangles);
 }
 
+/// Whether a verifier that lists one violation, and tells how far it is, finds the same.
+fn check_short_list(case: &Case, verdict: &std::result::Result<Report, Violations>) {
+    let progress = |done, all| assert!(done <= all, "{done} of {all}");
+    let verifier = Verifier::default().limit(1).progress(&progress);
+    let found = verifier.verify(&case.points, &case.edges, &case.triangles);
+    let mut expected = verdict.clone();
+    if let Err(violations) = &mut expected {
+        violations.list.truncate(1);
+        assert!(
+            violations
+                .to_string()
+                .contains(&violations.list[0].to_string())
+        );
+    }
+    assert_eq!(found, expected, "one listed (left)");
+}
+
 /// Whether the violations listed name what is there, and can be told.
 fn check_list(case: &Case, verdict: &std::result::Result<Report, Violations>) {
     let Err(violations) = verdict else { return };
     assert_eq!(violations.list.len(), violations.found.min(100));
     for violation in &violations.list {
-        assert!(!violation.to_string().is_empty());
+        assert!(!violation.to_string().is_empty() && !violation.name().is_empty());
         let named = violation.offenders();
         let is_below = |list: &[usize], count: usize| list.iter().all(|&i| i < count);
         let is_out_of_range = matches!(

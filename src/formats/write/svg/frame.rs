@@ -14,8 +14,8 @@ const MARGIN: i64 = 28 * PIXEL;
 pub(super) struct Frame {
     /// Half the lower left corner; halves, since the difference of two doubles may overflow.
     low: [f64; 2],
-    /// Units of the picture for half a unit of the input.
-    scale: f64,
+    /// Half the longer side of the bounding box: divided by it first, no distance overflows.
+    longer: f64,
     /// Width and height of the bounding box.
     size: [i64; 2],
     /// About the distance of vertices that are neighbours, in pixels.
@@ -34,17 +34,12 @@ impl Frame {
         };
         let ((left, width), (bottom, height)) = (range(0), range(1));
         let longer = width.max(height);
-        let scale = if longer > 0.0 {
-            LONG_SIDE / longer
-        } else {
-            0.0
-        };
         let count = points.len().max(1) as f64;
         let square = (width / longer * (height / longer) / count).sqrt();
         Frame {
             low: [left, bottom],
-            scale,
-            size: [units(width * scale), units(height * scale)],
+            longer,
+            size: [width, height].map(|side| scaled(side, longer)),
             spacing: square.max(1.0 / count) * LONG_SIDE / PIXEL as f64,
         }
     }
@@ -60,11 +55,16 @@ impl Frame {
     /// The place of a point.
     pub(super) fn place<S: Scalar>(&self, [x, y]: &[S; 2]) -> [i64; 2] {
         let [left, bottom] = self.low;
-        let across = units((half(x) - left) * self.scale);
-        let up = units((half(y) - bottom) * self.scale);
+        let across = scaled(half(x) - left, self.longer);
+        let up = scaled(half(y) - bottom, self.longer);
         let [width, height] = self.outer();
         [(width - self.size[0]) / 2 + across, height - MARGIN - up]
     }
+}
+
+/// A distance in units of the picture; 0 if all points are in one place.
+fn scaled(distance: f64, longer: f64) -> i64 {
+    units(distance / longer * LONG_SIDE)
 }
 
 /// Half a coordinate, as a finite double.
