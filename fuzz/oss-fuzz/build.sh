@@ -3,7 +3,7 @@
 # .clusterfuzzlite/Dockerfile, for ClusterFuzzLite. $SRC/sweep-cdt is the checkout; the default toolchain is a
 # nightly one (elsewhere: RUSTUP_TOOLCHAIN=nightly).
 cd "$SRC/sweep-cdt"
-cargo fuzz build -O --debug-assertions --no-trace-compares
+cargo fuzz build --no-trace-compares
 built=$(find fuzz/target -type d -path '*-linux-*/release' -print -quit)
 for source in fuzz/fuzz_targets/*.rs; do
     target=$(basename "$source" .rs)
