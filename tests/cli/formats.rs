@@ -147,3 +147,11 @@ fn svg_tells_triangles_edges_and_hull_apart() {
     let output = run(FORMATS, &format!("{CONTOURS} -o - --output-format svg"));
     assert!(printed(&output).len() < 700_000);
 }
+
+/// Closer than any double could spread over the width of a picture.
+#[test]
+fn svg_of_subnormal_coordinates_has_a_size() {
+    let input = br#"{"points": [[0, 0], [1e-323, 0], [0, 1e-323]]}"#;
+    let output = run_with_input("- --input-format json -o - --output-format svg", input);
+    assert!(printed(&output).contains("width=\"836\""));
+}

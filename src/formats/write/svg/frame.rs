@@ -34,8 +34,9 @@ impl Frame {
         };
         let ((left, width), (bottom, height)) = (range(0), range(1));
         let longer = width.max(height);
+        // Finite: what is closer than doubles can be scaled is drawn on one place.
         let scale = if longer > 0.0 {
-            LONG_SIDE / longer
+            (LONG_SIDE / longer).min(f64::MAX)
         } else {
             0.0
         };
