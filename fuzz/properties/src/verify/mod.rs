@@ -5,8 +5,8 @@
 //! compares everything with everything in exact integers; for more points it is that the constrained
 //! Delaunay triangulation is unique up to cocircular vertices, so that a result which the oracle's
 //! [`check`](crate::oracle::check) has passed tells which triangles are right. Neither shares code with
-//! the verifier. Its options are then held against its own plain verdict, and a hole is declared in what
-//! is right.
+//! the verifier. What it calls canonical must be the sweep's answer. Its options are then held against its
+//! own plain verdict, and a hole is declared in what is right.
 
 mod changes;
 mod facts;
@@ -56,13 +56,15 @@ pub fn test(bytes: &[u8]) {
     judge(&case.unwrap_or_default(), style >> 2 & 7 == 0);
 }
 
-/// Points of any bits or on a lattice, and indices of which most are in range.
+/// Points of any bits, no numbers or on a lattice, and indices of which most are in range.
 fn garbage(bytes: &mut Unstructured<'_>) -> Result<Case> {
     let mut case = Case::default();
     let counts: [u8; 3] = bytes.arbitrary()?;
     let [points, triangles, edges] = counts.map(|count| usize::from(count) % (GARBAGE + 1));
     let number = |bytes: &mut Unstructured<'_>| match bytes.arbitrary::<u8>()? {
         255 => bytes.arbitrary::<f64>(),
+        254 => Ok(f64::NAN),
+        253 => Ok(f64::INFINITY),
         place => Ok(f64::from(place & 3)),
     };
     for _ in 0..points {
@@ -131,6 +133,10 @@ fn judge(case: &Case, in_parallel: bool) {
     let verdict = verify(points, edges, triangles);
     if let Some(is_right) = facts::is_certainly_right(case) {
         assert_eq!(verdict.is_ok(), is_right, "{verdict:?} of {case:?}");
+    }
+    if let (Ok(report), Ok(result)) = (&verdict, triangulate(points, edges)) {
+        let is_ours = facts::canonical(&result, triangles) == result.canonical_triangles();
+        assert_eq!(report.is_canonical(), is_ours, "canonical (left) {case:?}");
     }
     check_list(case, &verdict);
     let verifier = Verifier::new();
