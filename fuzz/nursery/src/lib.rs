@@ -1,32 +1,52 @@
 //! A nursery of bugs: deliberate faults in the crate, to see which fuzz target finds which, and how soon.
 //!
-//! The table `faults.toml` names each fault, the right text of the source and the wrong one. All of them
-//! are planted at once into a *copy* of the crate, as `if planted(7) { wrong } else { right }`, and
-//! the environment of a process chooses one, so that one build serves all. The crate itself knows nothing
-//! of this.
+//! The tables in `faults`, one for each kind, name each fault, the right text of the source and the wrong
+//! one. All of them are planted at once into a *copy* of the crate, as `if planted(7) { wrong } else {
+//! right }`, and the environment of a process chooses one, so that one build serves all. The crate itself
+//! knows nothing of this.
 //!
 //! A right text is an expression, or statements without a `let`, that occurs once in its file outside of
 //! constants.
 
 mod copy;
+mod page;
 
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
 pub use copy::copy;
+pub use page::{Find, Row, page, table};
 
-/// Names the chosen fault in the environment, by its place in the table.
+/// Names the chosen fault in the environment, by its place in the list of all.
 pub const CHOICE: &str = "SWEEP_CDT_FAULT";
+
+const TABLES: [&str; 11] = [
+    include_str!("../faults/order.toml"),
+    include_str!("../faults/predicates.toml"),
+    include_str!("../faults/point.toml"),
+    include_str!("../faults/fill.toml"),
+    include_str!("../faults/edge.toml"),
+    include_str!("../faults/mesh.toml"),
+    include_str!("../faults/front.toml"),
+    include_str!("../faults/scalar.toml"),
+    include_str!("../faults/trace.toml"),
+    include_str!("../faults/verify.toml"),
+    include_str!("../faults/formats.toml"),
+];
 
 #[derive(Deserialize)]
 struct Table {
+    kind: String,
     fault: Vec<Fault>,
 }
 
-/// One row of the table.
+/// One row of a table.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Fault {
+    /// What its table is about.
+    #[serde(skip)]
+    pub kind: String,
     /// A short name.
     pub name: String,
     /// The file under `src`.
@@ -39,13 +59,21 @@ pub struct Fault {
     pub wrong: String,
 }
 
-/// The table.
+/// All faults, those of one kind after the other.
 ///
 /// # Panics
-/// If it cannot be read.
+/// If a table cannot be read.
 pub fn faults() -> Vec<Fault> {
-    let table: Table = toml::from_str(include_str!("../faults.toml")).expect("a table of faults");
-    table.fault
+    let mut faults = Vec::new();
+    for text in TABLES {
+        let Table { kind, fault } = toml::from_str(text).expect("a table of faults");
+        let of_kind = |fault| Fault {
+            kind: kind.clone(),
+            ..fault
+        };
+        faults.extend(fault.into_iter().map(of_kind));
+    }
+    faults
 }
 
 /// The folder of the crate.

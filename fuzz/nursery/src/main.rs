@@ -1,16 +1,18 @@
-//! Plants the faults, builds the targets, and prints how many executions each target needs for each
-//! fault: `cargo run --release -p sweep-cdt-nursery [NAME ...]`, in `fuzz`, for all faults or for those
-//! whose names contain one of the words.
+//! Plants the faults, builds the targets, and tells how many executions each target needs for each fault:
+//! `cargo run --release -p sweep-cdt-nursery > ../docs/nursery.md` in `fuzz` for the page of all faults,
+//! with words after it for the rows of those whose names contain one of the words.
 //!
 //! Each target gets [`FEW`] executions for each fault; a fault that none has found then gets [`MANY`].
-//! The first row is the crate without a fault, which gets [`MANY`] and must not fail. The command fails
-//! if that does, or if a fault is not found at all.
+//! For the page, the crate without a fault gets [`MANY`] too and must not fail. The command fails if that
+//! does, or if a fault is not found at all.
 
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
+use std::sync::Mutex;
+use std::thread;
 
-use sweep_cdt_nursery::{CHOICE, copy, faults, root};
+use sweep_cdt_nursery::{CHOICE, Fault, Find, Row, copy, faults, page, root, table};
 use sweep_cdt_properties::TARGETS;
 
 /// Executions for each fault and target.
@@ -21,41 +23,24 @@ const MANY: u64 = 100_000;
 fn main() -> ExitCode {
     let words: Vec<String> = env::args().skip(1).collect();
     let runner = build();
-    let faults = faults();
-    println!(
-        "| fault | {} |",
-        TARGETS
-            .iter()
-            .map(|t| t.name)
-            .collect::<Vec<_>>()
-            .join(" | ")
-    );
-    println!("|---|{}", "---:|".repeat(TARGETS.len()));
-
-    let mut is_good = true;
+    let is_asked =
+        |fault: &Fault| words.is_empty() || words.iter().any(|word| fault.name.contains(word));
+    let numbered = faults().into_iter().enumerate();
+    let (numbers, faults): (Vec<usize>, Vec<Fault>) =
+        numbered.filter(|(_, fault)| is_asked(fault)).unzip();
+    let rows = in_parallel(&numbers, |number| {
+        let row = row(&runner, number);
+        eprintln!("fault {number}:\n{}", messages(&row));
+        row
+    });
+    let mut is_good = rows.iter().all(|row| row.iter().any(Option::is_some));
     if words.is_empty() {
-        let found = TARGETS
-            .iter()
-            .map(|target| run(&runner, None, target.name, MANY));
-        let found: Vec<_> = found.collect();
-        print("(none)", &found);
-        is_good = found.iter().all(Option::is_none);
-    }
-    for (number, fault) in faults.iter().enumerate() {
-        if !words.is_empty() && !words.iter().any(|word| fault.name.contains(word)) {
-            continue;
-        }
-        let run = |executions| -> Vec<Option<Find>> {
-            let each = TARGETS.iter();
-            each.map(|target| run(&runner, Some(number), target.name, executions))
-                .collect()
-        };
-        let mut found = run(FEW);
-        if found.iter().all(Option::is_none) {
-            found = run(MANY);
-        }
-        print(&fault.name, &found);
-        is_good &= found.iter().any(Option::is_some);
+        let none = all_targets(&runner, None, MANY);
+        eprintln!("no fault:\n{}", messages(&none));
+        is_good &= none.iter().all(Option::is_none);
+        print!("{}", page(&faults, &none, &rows));
+    } else {
+        print!("{}", table(&faults, &rows));
     }
     if is_good {
         ExitCode::SUCCESS
@@ -64,24 +49,49 @@ fn main() -> ExitCode {
     }
 }
 
-/// What a target found.
-struct Find {
-    executions: String,
-    message: String,
+/// Makes a row for each number, as many at a time as the machine has cores.
+fn in_parallel(numbers: &[usize], make: impl Fn(usize) -> Row + Sync) -> Vec<Row> {
+    let left = Mutex::new(numbers.iter().enumerate());
+    let done = Mutex::new(vec![Row::new(); numbers.len()]);
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let next = left.lock().expect("no panic").next();
+                    let Some((place, &number)) = next else { break };
+                    let row = make(number);
+                    done.lock().expect("no panic")[place] = row;
+                }
+            });
+        }
+    });
+    done.into_inner().expect("no panic")
 }
 
-/// Prints a row of the table, and on the error stream what the finds were.
-fn print(name: &str, found: &[Option<Find>]) {
-    let cells: Vec<&str> = found
-        .iter()
-        .map(|find| find.as_ref().map_or("-", |find| &find.executions))
-        .collect();
-    println!("| {name} | {} |", cells.join(" | "));
-    for (target, find) in TARGETS.iter().zip(found) {
-        if let Some(Find { message, .. }) = find {
-            eprintln!("{name}, {}: {message}", target.name);
-        }
+/// What the targets find of a fault.
+fn row(runner: &Path, number: usize) -> Row {
+    let row = all_targets(runner, Some(number), FEW);
+    if row.iter().any(Option::is_some) {
+        row
+    } else {
+        all_targets(runner, Some(number), MANY)
     }
+}
+
+fn all_targets(runner: &Path, number: Option<usize>, executions: u64) -> Row {
+    TARGETS
+        .iter()
+        .map(|target| run(runner, number, target.name, executions))
+        .collect()
+}
+
+/// What the finds were.
+fn messages(row: &Row) -> String {
+    let found = TARGETS.iter().zip(row);
+    found
+        .filter_map(|(target, find)| Some((target.name, find.as_ref()?)))
+        .map(|(name, find)| format!("  {name}, {}: {}\n", find.execution, find.message))
+        .collect()
 }
 
 /// Makes the copy with the faults and builds it.
@@ -122,7 +132,7 @@ fn run(runner: &Path, fault: Option<usize>, target: &str, executions: u64) -> Op
     }
     let mut words = line.trim().splitn(3, ' ').skip(1).map(str::to_owned);
     Some(Find {
-        executions: words.next().unwrap_or_else(|| "died".to_owned()),
+        execution: words.next().unwrap_or_else(|| "died".to_owned()),
         message: words.next().unwrap_or_default(),
     })
 }

@@ -13,6 +13,9 @@ const POINTS: usize = 64;
 /// And coordinates of so many characters, so that fractions are soon added.
 const CHARACTERS: usize = 2000;
 
+/// So many coordinates are read as numbers of each kind.
+const NUMBERS: usize = 4;
+
 /// A coordinate of files that can be compared by all its bits.
 pub(super) trait Exact: Coordinate + std::fmt::Debug {
     /// What was read, in this type.
@@ -58,6 +61,8 @@ impl Exact for Rational {
 
 /// Writes a graph that was read, and its triangulation if it has one, and reads all of that.
 pub(super) fn write<S: Exact>(graph: &Graph<S>) {
+    let coordinates = graph.points.as_flattened().iter();
+    coordinates.take(NUMBERS).for_each(|x| number(&x.text()));
     let mut node = Vec::new();
     write_node(graph, &mut node).expect("memory takes all that is written");
     let vertices = Graph {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use sweep_cdt::{Error, triangulate};
+use sweep_cdt::{Error, Triangulation, triangulate};
 
 use super::Case;
 use crate::oracle::{check, crosses, firm_sides, is_right, sorted};
@@ -44,11 +44,7 @@ fn by_uniqueness(case: &Case) -> Option<bool> {
         Err(error) => panic!("no reason for: {error}"),
     };
     let right = check(points, edges, &result);
-    let mut given: Vec<[usize; 3]> = triangles
-        .iter()
-        .map(|corners| lowest_first(corners.map(|v| result.representative(v))))
-        .collect();
-    given.sort_unstable();
+    let given = canonical(&result, triangles);
     if given == right.triangles {
         return Some(true);
     }
@@ -56,6 +52,16 @@ fn by_uniqueness(case: &Case) -> Option<bool> {
     let may_be_right =
         firm != all && given.len() == right.triangles.len() && firm.is_subset(&sides(&given));
     if may_be_right { None } else { Some(false) }
+}
+
+/// The triangles as [`Triangulation::canonical_triangles`] lists those of a result.
+pub(super) fn canonical(result: &Triangulation, triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
+    let mut list: Vec<[usize; 3]> = triangles
+        .iter()
+        .map(|corners| lowest_first(corners.map(|v| result.representative(v))))
+        .collect();
+    list.sort_unstable();
+    list
 }
 
 fn sides(triangles: &[[usize; 3]]) -> BTreeSet<[usize; 2]> {

@@ -1,11 +1,12 @@
 //! The verifier accepts what is right and nothing else, and no input makes it panic.
 //!
-//! A right answer is broken by up to three changes, or triangles are garbage from the start. For a few
-//! points the judge is [`is_right`](crate::oracle::is_right), which compares everything with everything
-//! in exact integers; for more points it is that the constrained Delaunay triangulation is unique up to
-//! cocircular vertices, so that a result which the oracle's [`check`](crate::oracle::check) has passed
-//! tells which triangles are right. Neither shares code with the verifier. Its options are then held
-//! against its own plain verdict.
+//! A right answer is broken by up to three changes, or triangles are garbage from the start, or go round
+//! a hub more than once. For a few points the judge is [`is_right`](crate::oracle::is_right), which
+//! compares everything with everything in exact integers; for more points it is that the constrained
+//! Delaunay triangulation is unique up to cocircular vertices, so that a result which the oracle's
+//! [`check`](crate::oracle::check) has passed tells which triangles are right. Neither shares code with
+//! the verifier. What it calls canonical must be the sweep's answer. Its options are then held against its
+//! own plain verdict, and a hole is declared in what is right.
 
 mod changes;
 mod facts;
@@ -17,6 +18,22 @@ use crate::{Input, generators, reached};
 
 /// As many points, triangles or edges of garbage at most.
 const GARBAGE: usize = 12;
+
+/// Points on a circle about the origin, counter-clockwise.
+const RIM: [[f64; 2]; 12] = [
+    [5.0, 0.0],
+    [4.0, 3.0],
+    [3.0, 4.0],
+    [0.0, 5.0],
+    [-3.0, 4.0],
+    [-4.0, 3.0],
+    [-5.0, 0.0],
+    [-4.0, -3.0],
+    [-3.0, -4.0],
+    [0.0, -5.0],
+    [3.0, -4.0],
+    [4.0, -3.0],
+];
 
 /// A triangulation to verify.
 #[derive(Debug, Default)]
@@ -32,19 +49,22 @@ pub fn test(bytes: &[u8]) {
     // Reading is total but for a type that has no values.
     let style: u8 = bytes.arbitrary().unwrap_or_default();
     let case = match style & 3 {
+        0 if style >> 6 == 0 => wound(&mut bytes),
         0 => garbage(&mut bytes),
         count => changed(count, &mut bytes),
     };
     judge(&case.unwrap_or_default(), style >> 2 & 7 == 0);
 }
 
-/// Points of any bits or on a lattice, and indices of which most are in range.
+/// Points of any bits, no numbers or on a lattice, and indices of which most are in range.
 fn garbage(bytes: &mut Unstructured<'_>) -> Result<Case> {
     let mut case = Case::default();
     let counts: [u8; 3] = bytes.arbitrary()?;
     let [points, triangles, edges] = counts.map(|count| usize::from(count) % (GARBAGE + 1));
     let number = |bytes: &mut Unstructured<'_>| match bytes.arbitrary::<u8>()? {
         255 => bytes.arbitrary::<f64>(),
+        254 => Ok(f64::NAN),
+        253 => Ok(f64::INFINITY),
         place => Ok(f64::from(place & 3)),
     };
     for _ in 0..points {
@@ -63,6 +83,22 @@ fn garbage(bytes: &mut Unstructured<'_>) -> Result<Case> {
         case.edges.push([index(bytes)?, index(bytes)?]);
     }
     Ok(case)
+}
+
+/// Triangles from a hub to points around it, each over so many of them: above one they go round more than
+/// once, on one closed line or on more, and no two of them conflict.
+fn wound(bytes: &mut Unstructured<'_>) -> Result<Case> {
+    let counts: [u8; 2] = bytes.arbitrary()?;
+    let n = 3 + usize::from(counts[0] % 5);
+    let over = 1 + usize::from(counts[1] % 3);
+    let mut points = vec![[0.0, 0.0]];
+    points.extend((0..n).map(|i| RIM[i * RIM.len() / n]));
+    let triangles = (0..n).map(|i| [0, 1 + i, 1 + (i + over) % n]);
+    Ok(Case {
+        triangles: triangles.collect(),
+        points,
+        edges: Vec::new(),
+    })
 }
 
 /// A right answer to an input, changed so many times.
@@ -98,6 +134,10 @@ fn judge(case: &Case, in_parallel: bool) {
     if let Some(is_right) = facts::is_certainly_right(case) {
         assert_eq!(verdict.is_ok(), is_right, "{verdict:?} of {case:?}");
     }
+    if let (Ok(report), Ok(result)) = (&verdict, triangulate(points, edges)) {
+        let is_ours = facts::canonical(&result, triangles) == result.canonical_triangles();
+        assert_eq!(report.is_canonical(), is_ours, "canonical (left) {case:?}");
+    }
     check_list(case, &verdict);
     check_short_list(case, &verdict);
     let verifier = Verifier::new();
@@ -113,13 +153,17 @@ fn judge(case: &Case, in_parallel: bool) {
         "clockwise triangles accepted (left) of {case:?}"
     );
     if let Ok(result) = triangulate(points, &[]) {
-        let hull = [result.hull().collect()];
-        let within = verifier.boundary(&hull).verify(points, edges, triangles);
+        let hull: Vec<usize> = result.hull().collect();
+        let declared = [hull.clone()];
+        let within = verifier.boundary(&declared);
         assert_eq!(
-            within.is_ok(),
+            within.verify(points, edges, triangles).is_ok(),
             verdict.is_ok(),
             "within the hull (left) of {case:?}"
         );
+        if verdict.is_ok() {
+            judge_hole(case, hull);
+        }
     }
     let chains: Vec<Vec<usize>> = triangles.iter().map(|t| t.to_vec()).collect();
     let _ = verifier.boundary(&chains).verify(points, edges, triangles);
@@ -140,6 +184,32 @@ fn check_short_list(case: &Case, verdict: &std::result::Result<Report, Violation
         );
     }
     assert_eq!(found, expected, "one listed (left)");
+}
+
+/// Panics unless a triangle of a right answer that has no side on the hull must be there, but for a
+/// declared hole, where it must not be.
+fn judge_hole(case: &Case, hull: Vec<usize>) {
+    let Case {
+        points,
+        edges,
+        triangles,
+    } = case;
+    let next = |list: &[usize], i: usize| list[(i + 1) % list.len()];
+    let is_on_hull = |from: usize, to: usize| {
+        let ends = [points[from], points[to]];
+        (0..hull.len()).any(|i| [points[hull[i]], points[next(&hull, i)]] == ends)
+    };
+    let is_inner = |t: &[usize; 3]| !(0..3).any(|i| is_on_hull(t[i], next(t, i)));
+    let Some(t) = triangles.iter().position(is_inner) else {
+        return;
+    };
+    let mut others = triangles.clone();
+    let [a, b, c] = others.swap_remove(t);
+    let declared = [hull, vec![c, b, a]];
+    let within = Verifier::new().boundary(&declared);
+    let is_right = |triangles| within.verify(points, edges, triangles).is_ok();
+    assert!(is_right(&others), "a hole at {t} in {case:?}");
+    assert!(!is_right(triangles), "no hole at {t} in {case:?}");
 }
 
 /// Whether the violations listed name what is there, and can be told.
