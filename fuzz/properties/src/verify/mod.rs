@@ -166,7 +166,8 @@ fn judge(case: &Case, in_parallel: bool) {
         }
     }
     let chains: Vec<Vec<usize>> = triangles.iter().map(|t| t.to_vec()).collect();
-    let _ = verifier.boundary(&chains).verify(points, edges, triangles);
+    let within = verifier.boundary(&chains).verify(points, edges, triangles);
+    check_list(case, &within);
 }
 
 /// Whether a verifier that lists one violation, and tells how far it is, finds the same.
