@@ -36,8 +36,8 @@ const OPEN: u32 = 1 << 30;
 const MARK: VertexId = VertexId::MAX;
 
 impl Link {
-    /// No triangle now or ever: the outside of the hull.
-    pub(crate) const OUTSIDE: Link = Link(FIXED | OPEN | (OPEN - 1));
+    /// No triangle now or ever: the outside of the hull. Fixed and open, by a number that no side has.
+    pub(crate) const OUTSIDE: Link = Link(u32::MAX);
     /// How many triangles a link can number; open sides have as many numbers.
     pub(crate) const LIMIT: usize = 1 << 28;
 

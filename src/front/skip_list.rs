@@ -100,9 +100,31 @@ impl SkipList {
     }
 }
 
-/// How many levels a node is linked at: at least one, each further one with chance 1/4.
+/// How many levels a node is linked at, if there are as many: at least one, each further one with
+/// chance 1/4.
 fn height(node: FrontNode) -> usize {
     let mixed = (node.rank() as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let mixed = (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    1 + ((mixed >> 32 | 1 << 31).trailing_zeros() as usize / 2).min(LEVELS - 1)
+    1 + (mixed >> 32).trailing_zeros() as usize / 2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FrontNode, height};
+
+    #[test]
+    fn every_fourth_node_of_a_level_is_on_the_next() {
+        let mut on_level = [0_i32; 40];
+        for rank in 0..1 << 16 {
+            for count in &mut on_level[..height(FrontNode::from_rank(rank))] {
+                *count += 1;
+            }
+        }
+        let mut expected = 1 << 16;
+        for count in &on_level[..5] {
+            assert!((count - expected).abs() <= expected / 4, "{on_level:?}");
+            expected /= 4;
+        }
+        assert_eq!(on_level[16], 0, "none is much higher");
+    }
 }

@@ -161,9 +161,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 && lower <= low
                 && high <= upper
                 && lower != upper
-                && [r, s].iter().all(|&v| {
-                    v == upper || v == lower || self.predicates.orient2d(upper, lower, v) == Equal
-                })
+                && [r, s]
+                    .iter()
+                    .all(|&v| self.predicates.orient2d(upper, lower, v) == Equal)
             {
                 crossed = other;
             }

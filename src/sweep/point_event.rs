@@ -129,7 +129,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         far: VertexId,
         may_be_obtuse: &mut bool,
     ) -> bool {
-        if far >= self.predicates.left || corner >= self.predicates.left {
+        // Beyond an artificial corner there is no node, whose number is larger still.
+        if far >= self.predicates.left {
             return false;
         }
         let [[px, py], [cx, cy], [fx, fy]] = [p, corner, far].map(|v| self.predicates.near(v));

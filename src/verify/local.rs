@@ -116,10 +116,10 @@ impl<S: Scalar> Mesh<'_, S> {
                 if twin >= FIXED || twin as usize > 3 * t + i {
                     continue;
                 }
-                let (u, j) = (twin as usize / 3, twin as usize % 3);
+                let (u, twin) = (twin as usize / 3, twin as usize);
                 let ([a, b, c], d) = (
                     [triangle[i], triangle[(i + 1) % 3], triangle[(i + 2) % 3]],
-                    self.triangles[u][(j + 2) % 3],
+                    self.triangles[u][(twin + 2) % 3],
                 );
                 part.free += 1;
                 match self.signs.in_circle([a, b, c, d], &mut part.tally) {

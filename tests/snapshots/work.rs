@@ -8,7 +8,14 @@ use sweep_cdt::{Heuristics, Triangulator};
 use crate::assert_snapshot;
 
 /// The names of the snapshots.
-pub(crate) const NAMES: &[&str] = &["work_comb", "work_contours", "work_lattice", "work_uniform"];
+pub(crate) const NAMES: &[&str] = &[
+    "work_comb",
+    "work_contours",
+    "work_crowded",
+    "work_crowded_more",
+    "work_lattice",
+    "work_uniform",
+];
 
 /// Compares all counters with a snapshot.
 fn check(name: &str, points: &[[f64; 2]], edges: &[[usize; 2]]) {
@@ -44,17 +51,31 @@ fn contours() {
     check("work_contours", &graph.points, &graph.edges);
 }
 
-#[test]
-fn uniform() {
+/// Points by chance in a square, x to some power: the higher, the more lie on the left.
+fn by_chance(count: usize, power: i32) -> Vec<[f64; 2]> {
     // Knuth's MMIX generator; its upper 32 bits.
     let mut state = 1_u64;
     let mut next = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005);
         state = state.wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(state >> 32).expect("32 bits"))
+        f64::from(u32::try_from(state >> 32).expect("32 bits")) / 4_294_967_296.0
     };
-    let points: Vec<[f64; 2]> = (0..10_000).map(|_| [next(), next()]).collect();
-    check("work_uniform", &points, &[]);
+    (0..count).map(|_| [next().powi(power), next()]).collect()
+}
+
+#[test]
+fn uniform() {
+    check("work_uniform", &by_chance(10_000, 1), &[]);
+}
+
+#[test]
+fn crowded() {
+    // Not so much that the hash table gives up equal intervals; so much that it does.
+    for (name, power) in [("work_crowded", 2), ("work_crowded_more", 3)] {
+        let points = by_chance(5000, power);
+        let points: Vec<_> = points.iter().map(|[x, y]| [x - 0.25, *y]).collect();
+        check(name, &points, &[]);
+    }
 }
 
 #[test]

@@ -1,8 +1,10 @@
 //! Coordinates that no double holds, and inputs that are refused.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::{Error, Scalar, Triangulation, triangulate};
+use sweep_cdt::{Error, Scalar, Triangulation, Violation, triangulate, verify};
 
 use sweep_cdt_properties::oracle::{exact_verdict, found};
 
@@ -99,4 +101,37 @@ fn edges_to_nowhere_are_refused() {
     );
     let error = triangulate::<f64>(&[], &[[0, 0]]).unwrap_err();
     assert_eq!(error, Error::EdgeOutOfRange { edge: 0, vertex: 0 });
+}
+
+/// A coordinate that takes no memory.
+#[derive(Clone, Copy)]
+struct Nothing;
+
+impl Scalar for Nothing {
+    fn approx(&self) -> f64 {
+        0.0
+    }
+
+    fn compare(&self, _: &Self) -> Ordering {
+        Ordering::Equal
+    }
+
+    fn orient2d(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
+        Ordering::Equal
+    }
+
+    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
+        Ordering::Equal
+    }
+}
+
+#[test]
+fn more_than_can_be_numbered_is_refused() {
+    let (given, limit) = (1 << 27, (1 << 27) - 4);
+    let error = triangulate(&[[Nothing; 2]; 1 << 27], &[]).unwrap_err();
+    assert_eq!(error, Error::TooManyPoints { given, limit });
+
+    let (given, limit) = ((1 << 31) + 1, 1 << 31);
+    let violations = verify(&[[Nothing; 2]; (1 << 31) + 1], &[], &[]).unwrap_err();
+    assert_eq!(violations.list, [Violation::TooLarge { given, limit }]);
 }

@@ -3,6 +3,7 @@
 //! * `oracle`: what the result must be, written for clarity, in exact integers, from the definition.
 //! * `runs`: the table of scalars, fronts and heuristics. A new one is one line there.
 //! * `cases`: small named inputs. `hard`: inputs that broke other programs. `random`: generated ones.
+//! * `statistics`: what a run tells of itself.
 //! * `trace`: the steps are the same for every scalar and front, and replaying them gives the result.
 //!
 //! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin, and
@@ -15,4 +16,5 @@ mod limits;
 mod oracle;
 mod random;
 mod runs;
+mod statistics;
 mod trace;

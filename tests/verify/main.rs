@@ -1,6 +1,9 @@
 //! The verifier must pass what is right and name what is wrong.
 
 mod case;
+mod chunks;
+mod domains;
+mod equal;
 mod faults;
 mod naive;
 mod reports;

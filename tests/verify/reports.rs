@@ -36,6 +36,42 @@ fn offenders() {
 }
 
 #[test]
+fn a_hole_is_named() {
+    let mut case = random();
+    let [a, b, c] = case.triangles.swap_remove(case.inner_triangle());
+    let list = case.verify().unwrap_err().list;
+    let [Violation::ExtraBoundary { side, sides: 3 }] = list[..] else {
+        panic!("{list:?}");
+    };
+    // As the triangles around it have it.
+    assert!([[b, a], [c, b], [a, c]].contains(&side), "{side:?}");
+}
+
+#[test]
+fn texts() {
+    let violations = |limit| {
+        let (case, verifier) = (square(1.0), Verifier::new().limit(limit));
+        verifier
+            .verify(&case.points, &[], &case.triangles)
+            .unwrap_err()
+    };
+    assert_eq!(
+        violations(1).to_string(),
+        "no constrained Delaunay triangulation: side 3-1 of triangles 1 and 0 is not Delaunay: \
+         the circle of one holds vertex 2 or 0 of the other"
+    );
+    assert_eq!(
+        violations(0).to_string(),
+        "no constrained Delaunay triangulation: 1 violations"
+    );
+    let options = format!("{:?}", Verifier::new().limit(7).accept_clockwise(true));
+    assert_eq!(
+        options,
+        "Verifier { clockwise: true, boundary: None, limit: 7, .. }"
+    );
+}
+
+#[test]
 fn correct_results() {
     let mut rng = Random(2);
     for n in (3..60).chain([1000, 40_000]) {
@@ -47,9 +83,11 @@ fn correct_results() {
             .collect();
         assert!(Case::of(lattice, &[]).verify().unwrap().is_canonical());
     }
-    let report = constrained().verify().unwrap();
+    let case = constrained();
+    let report = case.verify().unwrap();
+    assert_eq!(report.triangles, case.triangles.len());
     assert!(report.constrained_sides >= 5, "{report:?}");
-    assert_eq!(report.edges, constrained().edges.len());
+    assert_eq!(report.edges, case.edges.len());
 }
 
 #[test]
@@ -72,7 +110,7 @@ fn duplicates_through_any_of_them() {
         [0.0, 0.0],
         [1.0, 0.0],
         [0.0, 1.0],
-        [1.0, 0.0],
+        [1.0, -0.0],
         [-0.0, 1.0],
         [1.0, 2.0],
     ];
@@ -85,6 +123,34 @@ fn duplicates_through_any_of_them() {
         ),
         (6, 4, 1)
     );
+}
+
+#[test]
+fn edges_given_twice() {
+    let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    let triangles = [[0, 1, 3], [1, 2, 3]];
+    for edge in [[0, 1], [1, 3]] {
+        let [a, b] = edge;
+        let report = verify(&points, &[edge, [b, a], edge], &triangles).unwrap();
+        assert_eq!(report.constrained_sides, 1, "{edge:?}");
+    }
+}
+
+#[test]
+fn both_triangles_of_a_side_given_twice() {
+    let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [1.0, -1.0]];
+    let triangles = [[0, 1, 2], [0, 1, 2], [1, 0, 3], [1, 0, 3]];
+    let list = verify(&points, &[], &triangles).unwrap_err().list;
+    let expected = [
+        ([0, 1], [0, 1]),
+        ([1, 0], [2, 3]),
+        ([2, 0], [0, 1]),
+        ([0, 3], [2, 3]),
+        ([1, 2], [0, 1]),
+        ([3, 1], [2, 3]),
+    ];
+    let repeated = |(side, triangles)| Violation::RepeatedSide { side, triangles };
+    assert_eq!(list, expected.map(repeated));
 }
 
 #[test]
