@@ -211,6 +211,10 @@ fn judge_hole(case: &Case, hull: Vec<usize>) {
     let is_right = |triangles| within.verify(points, edges, triangles).is_ok();
     assert!(is_right(&others), "a hole at {t} in {case:?}");
     assert!(!is_right(triangles), "no hole at {t} in {case:?}");
+    let unaware = Verifier::new().boundary(&declared[..1]);
+    let verdict = unaware.verify(points, edges, &others);
+    assert!(verdict.is_err(), "a hole not declared at {t} in {case:?}");
+    check_list(case, &verdict);
 }
 
 /// Whether the violations listed name what is there, and can be told.
