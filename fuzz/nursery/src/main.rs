@@ -16,7 +16,7 @@ use sweep_cdt_nursery::{CHOICE, Fault, Find, Row, copy, faults, page, root, tabl
 use sweep_cdt_properties::TARGETS;
 
 /// Executions for each fault and target.
-const FEW: u64 = 2_000;
+const FEW: u64 = 10_000;
 /// Executions for a fault that is hard to find.
 const MANY: u64 = 100_000;
 
