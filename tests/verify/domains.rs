@@ -3,7 +3,7 @@
 use sweep_cdt::{Verifier, Violation};
 
 /// A square ring around a hole.
-const POINTS: [[f64; 2]; 8] = [
+pub(crate) const POINTS: [[f64; 2]; 8] = [
     [0.0, 0.0],
     [9.0, 0.0],
     [9.0, 9.0],
@@ -13,7 +13,7 @@ const POINTS: [[f64; 2]; 8] = [
     [6.0, 6.0],
     [3.0, 6.0],
 ];
-const RING: [[usize; 3]; 8] = [
+pub(crate) const RING: [[usize; 3]; 8] = [
     [0, 5, 4],
     [0, 1, 5],
     [1, 6, 5],

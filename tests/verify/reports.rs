@@ -3,6 +3,7 @@
 use sweep_cdt::{Verifier, Violation, verify};
 
 use crate::case::*;
+use crate::domains;
 
 #[test]
 fn offenders() {
@@ -194,18 +195,9 @@ fn canonical_choice() {
 #[test]
 fn domains_with_holes() {
     // A square ring around a hole, and a point in the hole.
-    let mut points: Vec<[f64; 2]> = vec![[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]];
-    points.extend([[3.0, 3.0], [6.0, 3.0], [6.0, 6.0], [3.0, 6.0], [4.0, 4.0]]);
-    let mut ring = vec![
-        [0, 5, 4],
-        [0, 1, 5],
-        [1, 6, 5],
-        [1, 2, 6],
-        [2, 7, 6],
-        [2, 3, 7],
-        [3, 4, 7],
-        [3, 0, 4],
-    ];
+    let mut points = domains::POINTS.to_vec();
+    points.push([4.0, 4.0]);
+    let mut ring = domains::RING.to_vec();
     let chains = [vec![0, 1, 2, 3], vec![4, 7, 6, 5]];
     let verifier = Verifier::new().boundary(&chains);
     let report = verifier.verify(&points, &[[4, 5]], &ring).unwrap();
