@@ -1,8 +1,9 @@
 //! `BigRational`: doubles where the numbers are doubles; else big integers over a common denominator,
 //! behind the floating-point [`filter`].
 //!
-//! Why it is right: multiplying all coordinates by one positive number changes no sign. With a common
-//! multiple of the denominators they become integers, whose determinants need no fractions and hence no
+//! Why it is right: multiplying all coordinates by one number other than zero multiplies the determinants by
+//! its square or fourth power, and changes no sign. With a common multiple of the denominators, whichever
+//! sign it has, they become integers, whose determinants need no fractions and hence no
 //! greatest common divisors, and which often are small: decimals or thirds are decided in machine
 //! integers ([`wide`]).
 //!
@@ -11,7 +12,7 @@
 
 use std::cmp::Ordering;
 
-use num_bigint::{BigInt, Sign};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
@@ -101,9 +102,6 @@ fn integers<const N: usize>(points: [&[BigRational; 2]; N]) -> [[BigInt; 2]; N] 
                 unit * denominator
             };
         }
-    }
-    if unit.sign() == Sign::Minus {
-        unit = -unit;
     }
     points.map(|p| [0, 1].map(|i| p[i].numer() * (&unit / p[i].denom())))
 }

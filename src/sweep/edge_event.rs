@@ -56,6 +56,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 
     /// Inserts one edge. `around` is a triangle at the upper end, and will be one near the edge.
+    ///
+    /// An edge that it crosses is met by the survey, which follows it to its end: afterwards pockets are
+    /// filled and free sides are flipped, and the only new fixed sides are parts of this edge.
     fn insert_edge(
         &mut self,
         upper: VertexId,

@@ -152,10 +152,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// Whether a strictly convex stretch remains so with one more corner, closed by its chord.
     fn stays_convex(&mut self, stretch: &[Corner], corner: Corner) -> bool {
-        // The two ends may share a corner: a stretch begins with three.
-        let (&[first, second, ..], &[.., a, b]) = (stretch, stretch) else {
-            return false;
-        };
+        // Of three corners, with which a stretch begins, the second is both.
+        let [first, second] = [stretch[0], stretch[1]];
+        let [a, b] = [stretch[stretch.len() - 2], stretch[stretch.len() - 1]];
         self.turns_left(a, b, corner)
             && self.turns_left(b, corner, first)
             && self.turns_left(corner, first, second)

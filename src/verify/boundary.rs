@@ -12,7 +12,9 @@ use super::report::Violation;
 use super::signs::Tally;
 use crate::Scalar;
 
-/// Checks that the open sides are one convex chain that winds once.
+/// Checks that the open sides are one convex chain that winds once. There are triangles, all turn left, and
+/// none has a side in common with another on the same side of it; so some sides are open: across a side
+/// with two triangles as many of them cover the plane, and far away none does.
 pub(super) fn check_hull<S: Scalar>(
     mesh: &Mesh<'_, S>,
     boundary: &[u32],
@@ -46,8 +48,7 @@ pub(super) fn check_hull<S: Scalar>(
         let least = |k: usize| lowest(&chains[k]).expect("no chain is empty");
         mesh.signs.order(least(i), least(j))
     });
-    let Some(outer) = outer else { return };
-    let outer = chains.swap_remove(outer);
+    let outer = chains.swap_remove(outer.expect("triangles that turn left have a boundary"));
     for chain in &chains {
         let side = [chain[0], chain[1 % chain.len()]].map(|v| mesh.signs.name(v));
         findings.add(Violation::ExtraBoundary {
@@ -58,8 +59,8 @@ pub(super) fn check_hull<S: Scalar>(
     check_convex(mesh, &outer, tally, findings);
 }
 
-/// The closed chains of sides, given by start, of which each vertex starts at most one; as many sides
-/// end in a vertex as start there, because each triangle's do.
+/// The closed chains of sides, given by start, of which each vertex starts at most one. As many sides end
+/// in a vertex as start there, because each triangle's do, so that each chain goes on until it is closed.
 fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let mut visited = vec![false; sides.len()];
     let mut result = Vec::new();
@@ -68,10 +69,8 @@ fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
         while !visited[at] {
             visited[at] = true;
             chain.push(sides[at][0]);
-            match sides.binary_search_by_key(&sides[at][1], |side| side[0]) {
-                Ok(next) => at = next,
-                Err(_) => break,
-            }
+            let end = sides[at][1];
+            at = sides.partition_point(|side| side[0] < end);
         }
         if !chain.is_empty() {
             result.push(chain);

@@ -16,8 +16,11 @@ const NEEDED_OF_FUZZ: [&str; 5] = [
     "properties",
 ];
 
+/// The source that chooses a fault, which the crate has not.
+const PLANTED: &str = "nursery.rs";
+
 /// Copies the crate into this folder, every fault planted. Files that stay the same are not written, so
-/// that they are not compiled again.
+/// that they are not compiled again, and those that are no more are removed.
 ///
 /// # Errors
 /// If files cannot be read or written, or a fault cannot be planted.
@@ -30,7 +33,7 @@ pub fn copy(to: &Path, faults: &[Fault]) -> io::Result<()> {
         copy_all(&from, &to.join("fuzz").join(name), Path::new(""), &[])?;
     }
     write(
-        &to.join("src/nursery.rs"),
+        &to.join("src").join(PLANTED),
         include_str!("planted.rs").as_bytes(),
     )
 }
@@ -39,6 +42,7 @@ pub fn copy(to: &Path, faults: &[Fault]) -> io::Result<()> {
 fn copy_all(from: &Path, to: &Path, inside: &Path, faults: &[Fault]) -> io::Result<()> {
     if from.is_dir() {
         fs::create_dir_all(to)?;
+        remove_strangers(from, to)?;
         for entry in fs::read_dir(from)? {
             let name = entry?.file_name();
             copy_all(
@@ -60,6 +64,22 @@ fn copy_all(from: &Path, to: &Path, inside: &Path, faults: &[Fault]) -> io::Resu
         planted = format!("#![allow(warnings)]\n{planted}\nmod nursery;\n");
     }
     write(to, planted.as_bytes())
+}
+
+/// Removes from one folder what the other has not.
+fn remove_strangers(from: &Path, to: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(to)? {
+        let (name, path) = entry.map(|entry| (entry.file_name(), entry.path()))?;
+        if name == PLANTED || from.join(&name).exists() {
+            continue;
+        }
+        if path.is_dir() {
+            fs::remove_dir_all(path)?;
+        } else {
+            fs::remove_file(path)?;
+        }
+    }
+    Ok(())
 }
 
 fn write(to: &Path, bytes: &[u8]) -> io::Result<()> {

@@ -2,9 +2,9 @@
 //! `cargo run --release -p sweep-cdt-nursery > ../docs/nursery.md` in `fuzz` for the page of all faults,
 //! with words after it for the rows of those whose names contain one of the words.
 //!
-//! Each target gets [`FEW`] executions for each fault; a fault that none has found then gets [`MANY`].
-//! For the page, the crate without a fault gets [`MANY`] too and must not fail. The command fails if that
-//! does, or if a fault is not found at all.
+//! Each target gets [`FEW`] executions for each fault; for a fault that none has found then one target after
+//! the other gets [`MANY`], until one finds it. For the page, the crate without a fault gets [`MANY`] of each
+//! target and must not fail. The command fails if that does, or if a fault is not found at all.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use std::sync::Mutex;
 use std::thread;
 
 use sweep_cdt_nursery::{CHOICE, Fault, Find, Row, copy, faults, page, root, table};
-use sweep_cdt_properties::TARGETS;
+use sweep_cdt_properties::{TARGETS, Target};
 
 /// Executions for each fault and target.
 const FEW: u64 = 10_000;
@@ -73,19 +73,16 @@ fn in_parallel(numbers: &[Option<usize>], make: impl Fn(Option<usize>) -> Row + 
 
 /// What the targets find of a fault, or without one.
 fn row(runner: &Path, number: Option<usize>) -> Row {
-    let row = all_targets(runner, number, FEW);
-    if row.iter().any(Option::is_some) {
-        row
-    } else {
-        all_targets(runner, number, MANY)
+    let run = |target: &Target, executions| run(runner, number, target.name, executions);
+    let mut row: Row = TARGETS.iter().map(|target| run(target, FEW)).collect();
+    if row.iter().all(Option::is_none) {
+        let mut places = row.iter_mut().zip(TARGETS);
+        places.any(|(find, target)| {
+            *find = run(target, MANY);
+            find.is_some()
+        });
     }
-}
-
-fn all_targets(runner: &Path, number: Option<usize>, executions: u64) -> Row {
-    TARGETS
-        .iter()
-        .map(|target| run(runner, number, target.name, executions))
-        .collect()
+    row
 }
 
 /// What the finds were.

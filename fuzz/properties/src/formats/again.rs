@@ -7,6 +7,7 @@ use sweep_cdt::formats::{
 use sweep_cdt::{Scalar, Triangulation, triangulate};
 
 use super::source;
+use crate::oracle::canonical;
 
 /// Inputs that are written whole have so many points at most.
 const POINTS: usize = 64;
@@ -152,10 +153,40 @@ fn write_result<S: Exact>(graph: &Graph<S>, result: &Triangulation, node: &[u8])
     if S::APPROX_IS_EXACT {
         reads(ResultFormat::Obj, obj, None);
     }
+    assert_matches(graph, result);
     let mut picture = Vec::new();
     sweep_cdt::formats::write(OutputFormat::Svg, graph, result, &mut picture)
         .expect("memory takes all that is written");
     assert_picture(picture);
+}
+
+/// Panics unless a result whose vertices stand in another order is read as the same.
+fn assert_matches<S: Exact>(graph: &Graph<S>, result: &Triangulation) {
+    let last = graph.points.len().wrapping_sub(1);
+    let reversed = Graph {
+        points: graph.points.iter().rev().cloned().collect(),
+        edges: graph
+            .edges
+            .iter()
+            .map(|edge| edge.map(|v| last - v))
+            .collect(),
+        ..*graph
+    };
+    let mut node = Vec::new();
+    write_node(&reversed, &mut node).expect("memory takes all that is written");
+    let again = triangulate(&reversed.points, &reversed.edges).expect("the order does not matter");
+    let [(_, ele), _, (_, obj)] = &files(&reversed, &again, &node);
+    let ele = &ele[..ele.len() - node.len() - 1];
+    let reads = |format: ResultFormat, file: &[u8], node: Option<&Source>| {
+        let triangles = read_result(format, &source(file), node, graph);
+        let triangles = triangles.unwrap_or_else(|error| panic!("{format:?}: {error}"));
+        let list = canonical(result, &triangles.list);
+        assert_eq!(list, result.canonical_triangles(), "{format:?}, reversed");
+    };
+    reads(ResultFormat::Ele, ele, Some(&source(&node)));
+    if S::APPROX_IS_EXACT {
+        reads(ResultFormat::Obj, obj, None);
+    }
 }
 
 /// Panics if a picture has coordinates that are no numbers.

@@ -1,6 +1,7 @@
 //! Files with a generated input and its triangulation, whole and damaged.
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use sweep_cdt::formats::{Graph, InputFormat, write_node};
 use sweep_cdt::triangulate;
@@ -66,17 +67,36 @@ fn edges<S>(graph: &Graph<S>) -> String {
     text + "0\n"
 }
 
-/// The same bytes with a few replaced, removed or put in: where, how many, by what.
+/// The same bytes with a few replaced, removed or put in: where, how many, by what. The few are as many as
+/// it says, or one of the words, or of the first few words, which tell how many lines there are.
 pub(super) fn damaged(file: &[u8], damage: &[[u8; 4]]) -> Vec<u8> {
     let mut file = file.to_vec();
     for &[high, low, length, token] in damage {
-        let at = usize::from(u16::from_be_bytes([high, low])) % (file.len() + 1);
-        let end = (at + usize::from(length % 8)).min(file.len());
+        let place = usize::from(u16::from_be_bytes([high, low]));
+        let range = match length >> 6 {
+            0 | 1 => {
+                let at = place % (file.len() + 1);
+                at..(at + usize::from(length % 8)).min(file.len())
+            }
+            2 => word(&file, place),
+            _ => word(&file, place % 4),
+        };
         let token = match TOKENS.get(usize::from(token % 32)) {
             Some(token) => token.as_bytes(),
             None => &[token],
         };
-        file.splice(at..end, token.iter().copied());
+        file.splice(range, token.iter().copied());
     }
     file
+}
+
+/// Where one of the words is.
+fn word(file: &[u8], number: usize) -> Range<usize> {
+    let is_end = |byte: &u8| byte.is_ascii_whitespace() || b",:[]{}".contains(byte);
+    let words = file.split(is_end).filter(|word| !word.is_empty());
+    let Some(word) = words.clone().nth(number % words.count().max(1)) else {
+        return 0..0;
+    };
+    let from = word.as_ptr().addr() - file.as_ptr().addr();
+    from..from + word.len()
 }

@@ -65,19 +65,20 @@ fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
         traces::run(&graph);
         return Ok(());
     }
-    let files = if style & 4 == 0 {
-        files::written(&graph)
-    } else {
-        files::written(&with_fractions(&graph, style))
+    let files = match style >> 2 {
+        0 => files::written(&graph),
+        1 => files::written(&with_fractions(&graph, "3")),
+        2 => files::written(&with_fractions(&graph, "1000000007")),
+        // Whole numbers that are no doubles.
+        _ => files::written(&with_fractions(&graph, "1/9007199254740993")),
     };
     let (reader, text) = &files[usize::from(which) % files.len()];
     try_reader(*reader, &files::damaged(text, &damage));
     Ok(())
 }
 
-/// The same graph, every other vertex divided by a number that is no power of two.
-fn with_fractions(graph: &Graph<f64>, style: u8) -> Graph<Rational> {
-    let divisor = if style & 8 == 0 { "3" } else { "1000000007" };
+/// The same graph, every other vertex divided by a number.
+fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<Rational> {
     let divided = |(v, point): (usize, &[f64; 2])| {
         let divisor = if v % 2 == 0 { divisor } else { "1" };
         point.map(|x| {
@@ -123,7 +124,7 @@ fn try_reader(reader: Reader, bytes: &[u8]) {
                 first_edge: 1,
             };
             try_result(format, &main, node.as_ref(), &graph);
-            try_result(format, &main, node.as_ref(), &with_fractions(&graph, 0));
+            try_result(format, &main, node.as_ref(), &with_fractions(&graph, "3"));
         }
         Reader::Trace => traces::try_text(&String::from_utf8_lossy(bytes)),
         Reader::Numbers => {

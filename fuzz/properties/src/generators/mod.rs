@@ -70,8 +70,12 @@ pub fn read_shape(shape: Shape, bytes: &mut Unstructured<'_>) -> Result<Input> {
     Ok(Input { points, edges })
 }
 
-/// Mirrors, turns by 90 degrees, or moves up and down by powers of two, all exactly.
-fn disguise(kind: u8, points: &mut [[f64; 2]]) {
+/// So far below 1 that products of four differences, but not of two, underflow.
+const TINY: i32 = -266;
+
+/// Mirrors, turns by 90 degrees, or moves up and down by powers of two, all exactly; or shrinks all points
+/// to a speck far from one more point, so that nothing can make them large again.
+fn disguise(kind: u8, points: &mut Vec<[f64; 2]>) {
     let change = |[x, y]: [f64; 2]| match kind {
         1 => [-x, y],
         2 => [y, -x],
@@ -79,17 +83,20 @@ fn disguise(kind: u8, points: &mut [[f64; 2]]) {
         4 => [-x, -y],
         5 => [x * 2f64.powi(-40), y * 2f64.powi(-40)],
         6 => [x * 2f64.powi(130), y * 2f64.powi(130)],
+        7 => [x * 2f64.powi(TINY), y * 2f64.powi(TINY)],
         _ => [x, y],
     };
     let changed: Vec<[f64; 2]> = points.iter().copied().map(change).collect();
     // What would overflow, or lose digits, stays as it is.
-    let scale = 2f64.powi([0, 0, 0, 0, 0, 40, -130, 0][usize::from(kind)]);
+    let scale = 2f64.powi([0, 0, 0, 0, 0, 40, -130, -TINY][usize::from(kind)]);
     let is_exact = changed
         .iter()
         .flatten()
         .zip(points.iter().flatten())
         .all(|(new, old)| kind < 5 || (new * scale).to_bits() == old.to_bits());
-    if is_exact {
-        points.copy_from_slice(&changed);
+    let is_small = points.len() < FAR_POINTS;
+    if is_exact && (kind < 7 || is_small) {
+        *points = changed;
+        points.extend((kind == 7).then_some([1.0, 0.5]));
     }
 }

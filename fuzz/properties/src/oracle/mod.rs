@@ -108,6 +108,24 @@ pub fn found(result: &Triangulation, points: usize, edges: usize) -> Answer {
     }
 }
 
+/// The triangles as [`Triangulation::canonical_triangles`] lists those of a result.
+pub fn canonical(result: &Triangulation, triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
+    let mut list: Vec<[usize; 3]> = triangles
+        .iter()
+        .map(|corners| lowest_first(corners.map(|v| result.representative(v))))
+        .collect();
+    list.sort_unstable();
+    list
+}
+
+fn lowest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
+    match a.min(b).min(c) {
+        least if least == a => [a, b, c],
+        least if least == b => [b, c, a],
+        _ => [c, a, b],
+    }
+}
+
 /// The lower of two first.
 pub fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
     [a.min(b), a.max(b)]

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use sweep_cdt::{Error, Triangulation, triangulate};
+use sweep_cdt::{Error, triangulate};
 
 use super::Case;
-use crate::oracle::{check, crosses, firm_sides, is_right, sorted};
+use crate::oracle::{canonical, check, crosses, firm_sides, is_right, sorted};
 
 /// Up to so many points, and twice as many triangles, everything is compared with everything.
 const BY_DEFINITION: usize = 8;
@@ -54,25 +54,7 @@ fn by_uniqueness(case: &Case) -> Option<bool> {
     if may_be_right { None } else { Some(false) }
 }
 
-/// The triangles as [`Triangulation::canonical_triangles`] lists those of a result.
-pub(super) fn canonical(result: &Triangulation, triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
-    let mut list: Vec<[usize; 3]> = triangles
-        .iter()
-        .map(|corners| lowest_first(corners.map(|v| result.representative(v))))
-        .collect();
-    list.sort_unstable();
-    list
-}
-
 fn sides(triangles: &[[usize; 3]]) -> BTreeSet<[usize; 2]> {
     let of_one = |&[a, b, c]: &[usize; 3]| [[a, b], [b, c], [c, a]].map(sorted);
     triangles.iter().flat_map(of_one).collect()
-}
-
-fn lowest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
-    match a.min(b).min(c) {
-        least if least == a => [a, b, c],
-        least if least == b => [b, c, a],
-        _ => [c, a, b],
-    }
 }

@@ -14,6 +14,7 @@ mod facts;
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::{Report, Verifier, Violation, Violations, triangulate, verify};
 
+use crate::oracle::canonical;
 use crate::{Input, generators, reached};
 
 /// As many points, triangles or edges of garbage at most.
@@ -135,7 +136,7 @@ fn judge(case: &Case, in_parallel: bool) {
         assert_eq!(verdict.is_ok(), is_right, "{verdict:?} of {case:?}");
     }
     if let (Ok(report), Ok(result)) = (&verdict, triangulate(points, edges)) {
-        let is_ours = facts::canonical(&result, triangles) == result.canonical_triangles();
+        let is_ours = canonical(&result, triangles) == result.canonical_triangles();
         assert_eq!(report.is_canonical(), is_ours, "canonical (left) {case:?}");
     }
     check_list(case, &verdict);
@@ -174,6 +175,7 @@ fn judge(case: &Case, in_parallel: bool) {
 fn check_short_list(case: &Case, verdict: &std::result::Result<Report, Violations>) {
     let progress = |done, all| assert!(done <= all, "{done} of {all}");
     let verifier = Verifier::default().limit(1).progress(&progress);
+    assert!(format!("{verifier:?}").contains("limit: 1"));
     let found = verifier.verify(&case.points, &case.edges, &case.triangles);
     let mut expected = verdict.clone();
     if let Err(violations) = &mut expected {

@@ -1,0 +1,108 @@
+//! A trace gives the triangulation again, in either format; a damaged one is refused, or no worse for it.
+//!
+//! The replay knows no coordinates, so it cannot agree with the sweep by computing the same. In the text
+//! (`damage`) a line is removed, doubled, changed or moved, the end is cut off, or two vertices change their
+//! names. That must be refused, at that line or a later one; or be a change that [`Trace::replay`] says it
+//! cannot notice, and then the triangles are the same.
+
+mod damage;
+
+use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::{HashTable, Heuristics};
+
+use damage::{Damage, Kind};
+
+use crate::random::Random;
+use crate::steps::Steps;
+use crate::{Input, generators, reached};
+
+/// The property for the choices and the input that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let (choices, input) = generators::input_with_choices(bytes);
+    reached::sample(&input);
+    judge(&input, choices);
+}
+
+/// Panics unless the trace of this input, all of whose coordinates are finite, replays, and the damaged
+/// one that follows from `choices` is refused or harmless.
+fn judge(Input { points, edges }: &Input, choices: u64) {
+    let random = &mut Random::new(choices);
+    let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
+    let steps = Steps::of::<f64, HashTable>(points, edges, random.pick(&settings));
+    let trace = &steps.trace;
+    let text = random.pick(&[text, lines])(trace);
+    assert_eq!(Trace::parse(&text).as_ref(), Ok(trace), "read again (left)");
+    match &steps.result {
+        Ok(result) => {
+            let triangles = result.canonical_triangles();
+            assert_eq!(trace.replay().as_ref(), Ok(&triangles), "replayed (left)");
+            judge_damaged(&Damage::new(&text, trace, random), trace, &triangles);
+        }
+        Err(_) => {
+            let line = trace.replay().map_err(|bad| bad.line);
+            assert_eq!(line, Err(trace.events.len() + 2), "the trace has no end");
+        }
+    }
+}
+
+fn text(trace: &Trace) -> String {
+    let mut text = Vec::new();
+    trace.write_text(&mut text).expect("memory takes all");
+    String::from_utf8(text).expect("text")
+}
+
+fn lines(trace: &Trace) -> String {
+    let mut text = Vec::new();
+    trace.write_lines(&mut text).expect("memory takes all");
+    String::from_utf8(text).expect("text")
+}
+
+/// Panics unless this is refused at a line that may be blamed, or harmless.
+fn judge_damaged(damage: &Damage, trace: &Trace, triangles: &[[usize; 3]]) {
+    let parsed = Trace::parse(&damage.text);
+    let events = parsed.as_ref().map_or(0, |trace| trace.events.len());
+    match parsed.clone().and_then(|trace| trace.replay()) {
+        Err(bad) => {
+            let first = damage.at[0] + 1;
+            let last = damage.text.lines().count() + 1;
+            let blamed = first..=last.max(first);
+            assert!(blamed.contains(&bad.line), "{bad}, but {damage:?}");
+        }
+        Ok(found) => {
+            assert_eq!(found, triangles, "{damage:?}");
+            let is_same = parsed.as_ref() == Ok(trace);
+            let event = |line: usize| line.checked_sub(1).map(|step| trace.events[step]);
+            let is_harmless = match (damage.at.map(event), damage.kind) {
+                _ if is_same => true,
+                ([Some(a), Some(b)], Kind::Removed | Kind::Swapped) => may_move(a, b),
+                ([Some(a), Some(b)], Kind::Doubled) => is_informal(a) || is_informal(b),
+                ([Some(a), _], Kind::Edited) => matches!(a, Event::Edge { .. }),
+                _ => false,
+            };
+            assert!(is_harmless, "not noticed in {events} events: {damage:?}");
+        }
+    }
+}
+
+/// Whether no triangle depends on such an event.
+fn is_informal(event: Event) -> bool {
+    matches!(event, Event::Test { .. } | Event::Switch { .. })
+}
+
+/// Whether the replay may not notice that these have changed places, or that one, given twice, is missing.
+fn may_move(a: Event, b: Event) -> bool {
+    use Event::{Edge, FrontRemove, Removed, Triangle};
+    if a == b {
+        return is_informal(a);
+    }
+    is_informal(a)
+        || is_informal(b)
+        || matches!(
+            (a, b),
+            (
+                FrontRemove { .. } | Triangle { .. },
+                FrontRemove { .. } | Triangle { .. }
+            ) | (Removed { .. }, Removed { .. })
+                | (Edge { .. }, Edge { .. })
+        )
+}
