@@ -154,23 +154,10 @@ impl<'a, S: Scalar, P: Probe> Predicates<'a, S, P> {
         if self.vertices.scale.is_exact() {
             return Equal;
         }
-        match (self.is_artificial(a), self.is_artificial(b)) {
-            (false, false) => self.exact(a)[0].compare(&self.exact(b)[0]),
-            (true, true) => a.cmp(&b),
-            (true, false) => {
-                if a == self.left {
-                    Less
-                } else {
-                    Greater
-                }
-            }
-            (false, true) => {
-                if b == self.left {
-                    Greater
-                } else {
-                    Less
-                }
-            }
+        let side = |v| i8::from(v == self.right) - i8::from(v == self.left);
+        match side(a).cmp(&side(b)) {
+            Equal if !self.is_artificial(a) => self.exact(a)[0].compare(&self.exact(b)[0]),
+            order => order,
         }
     }
 

@@ -1,5 +1,6 @@
 //! The straight-line graph behind an input: vertices, the pieces of edges between them, crossings.
 
+use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,7 +20,12 @@ pub struct Graph<'a, N> {
     pub chains: Vec<Vec<usize>>,
     /// All pairs of neighbours in chains, lower index first, each once.
     pub pieces: Vec<[usize; 2]>,
+    /// The turns of three points that were asked for, if there are few points: each is asked for often.
+    turns: Vec<Cell<Option<Ordering>>>,
 }
+
+/// Up to so many points turns are kept.
+const FEW: usize = 12;
 
 impl<'a, N: Number> Graph<'a, N> {
     /// The graph of these points and edges.
@@ -39,6 +45,14 @@ impl<'a, N: Number> Graph<'a, N> {
             vertices,
             chains: Vec::new(),
             pieces: Vec::new(),
+            turns: vec![
+                Cell::default();
+                if points.len() > FEW {
+                    0
+                } else {
+                    points.len().pow(3)
+                }
+            ],
         };
         graph.chains = graph.edges.iter().map(|&edge| graph.chain(edge)).collect();
         let pieces: BTreeSet<[usize; 2]> = graph
@@ -52,7 +66,14 @@ impl<'a, N: Number> Graph<'a, N> {
 
     /// `Greater` if three points turn left.
     pub fn orient(&self, a: usize, b: usize, c: usize) -> Ordering {
-        orient(&self.points[a], &self.points[b], &self.points[c])
+        let turn = || orient(&self.points[a], &self.points[b], &self.points[c]);
+        let n = self.points.len();
+        let Some(kept) = self.turns.get((a * n + b) * n + c) else {
+            return turn();
+        };
+        let known = kept.get().unwrap_or_else(turn);
+        kept.set(Some(known));
+        known
     }
 
     /// Whether `v` lies on the line segment `edge`, ends included.

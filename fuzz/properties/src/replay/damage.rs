@@ -1,6 +1,5 @@
 //! Traces with one fault in their text.
 
-use std::collections::BTreeMap;
 use std::mem::discriminant;
 
 use sweep_cdt::trace::{Event, Trace};
@@ -34,7 +33,7 @@ impl Damage {
     pub(super) fn new(text: &str, trace: &Trace, random: &mut Random) -> Damage {
         use Kind::{Cut, Doubled, Edited, Removed, Renamed, Swapped};
         let mut lines: Vec<&str> = text.lines().collect();
-        let [i, j] = [0, 1].map(|_| any_or_rare(&lines, random));
+        let [i, j] = [0, 1].map(|_| any_or_rare(trace, random));
         let near = (i + 1).min(lines.len() - 1);
         let other = if random.one_in(2) { near } else { j };
         let (edited, renamed);
@@ -79,18 +78,25 @@ impl Damage {
 }
 
 /// Any line; half of the time one of a kind, each of which is as likely.
-fn any_or_rare(lines: &[&str], random: &mut Random) -> usize {
-    if random.one_in(2) {
-        return random.below(lines.len());
+fn any_or_rare(trace: &Trace, random: &mut Random) -> usize {
+    let events = &trace.events;
+    if events.is_empty() || random.one_in(2) {
+        return random.below(1 + events.len());
     }
-    let mut kinds: BTreeMap<Vec<&str>, Vec<usize>> = BTreeMap::new();
-    for (i, line) in lines.iter().enumerate() {
-        let is_name = |word: &&str| word.ends_with(|c: char| c.is_ascii_digit());
-        let kind = words(line).into_iter().filter(|word| !is_name(word));
-        kinds.entry(kind.collect()).or_default().push(i);
+    let mut kinds: Vec<(_, Vec<usize>)> = Vec::new();
+    for (line, event) in (1..).zip(events) {
+        let outcome = match event {
+            Event::Test { outcome, .. } => Some(*outcome),
+            _ => None,
+        };
+        let kind = (discriminant(event), outcome);
+        match kinds.iter_mut().find(|(other, _)| *other == kind) {
+            Some((_, lines)) => lines.push(line),
+            None => kinds.push((kind, vec![line])),
+        }
     }
     let kind = random.below(kinds.len());
-    random.pick(kinds.values().nth(kind).expect("a kind"))
+    random.pick(&kinds[kind].1)
 }
 
 /// A line with the same sort of event.

@@ -3,8 +3,9 @@
 //! The replay knows no coordinates, so it cannot agree with the sweep by computing the same. In the text
 //! (`damage`) a line is removed, doubled, changed or moved, the end is cut off, or two vertices change their
 //! names. That must be refused, at that line or a later one; or be a change that [`Trace::replay`] says it
-//! cannot notice, and then the triangles are the same.
+//! cannot notice, and then the triangles are the same. And what a run counts is what it tells (`counts`).
 
+mod counts;
 mod damage;
 
 use sweep_cdt::trace::{Event, Trace};
@@ -25,10 +26,12 @@ pub fn test(bytes: &[u8]) {
 
 /// Panics unless the trace of this input, all of whose coordinates are finite, replays, and the damaged
 /// one that follows from `choices` is refused or harmless.
-fn judge(Input { points, edges }: &Input, choices: u64) {
+fn judge(input: &Input, choices: u64) {
+    let Input { points, edges } = input;
     let random = &mut Random::new(choices);
     let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
-    let steps = Steps::of::<f64, HashTable>(points, edges, random.pick(&settings));
+    let heuristics = random.pick(&settings);
+    let steps = Steps::of::<f64, HashTable>(points, edges, heuristics);
     let trace = &steps.trace;
     let text = random.pick(&[text, lines])(trace);
     assert_eq!(Trace::parse(&text).as_ref(), Ok(trace), "read again (left)");
@@ -36,6 +39,7 @@ fn judge(Input { points, edges }: &Input, choices: u64) {
         Ok(result) => {
             let triangles = result.canonical_triangles();
             assert_eq!(trace.replay().as_ref(), Ok(&triangles), "replayed (left)");
+            counts::judge(input, heuristics, trace, result);
             judge_damaged(&Damage::new(&text, trace, random), trace, &triangles);
         }
         Err(_) => {

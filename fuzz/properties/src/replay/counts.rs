@@ -1,0 +1,86 @@
+//! A counting run does what an observed one tells.
+
+use sweep_cdt::trace::{Event, PointCase, Trace, Why};
+use sweep_cdt::{Heuristics, Triangulation, Triangulator};
+
+use crate::Input;
+
+/// Panics unless a run that counts, and tells how far it is, has the same result as this one, and has counted
+/// what this one told.
+pub(super) fn judge(
+    Input { points, edges }: &Input,
+    heuristics: Heuristics,
+    trace: &Trace,
+    expected: &Triangulation,
+) {
+    let mut reports = 0;
+    let mut progress = |done, all| {
+        assert!(done < all, "{done} of {all}");
+        reports += 1;
+    };
+    let (result, stats) = Triangulator::new()
+        .heuristics(heuristics)
+        .progress(&mut progress)
+        .triangulate_with_stats(points, edges)
+        .expect("as without counting");
+    let counts = [
+        stats.points,
+        stats.edges,
+        stats.duplicates,
+        stats.triangles,
+        stats.hull,
+    ];
+    let there = [
+        points.len(),
+        edges.len(),
+        expected.duplicates().len(),
+        expected.len(),
+        expected.hull().len(),
+    ];
+    assert_eq!(counts, there, "the counts (left)");
+    assert!(result.triangles().eq(expected.triangles()));
+    assert_eq!(
+        reports,
+        u32::from(!points.is_empty()),
+        "reports of progress"
+    );
+
+    let told =
+        |is: fn(&Event) -> bool| trace.events.iter().filter(|event| is(event)).count() as u64;
+    macro_rules! told {
+        ($pattern:pat) => {
+            told(|event| matches!(event, $pattern))
+        };
+    }
+    let done = stats.counters;
+    let counts = [
+        done.flips,
+        done.left_cases,
+        done.fills,
+        done.basin_triangles,
+        done.pocket_triangles,
+        done.hull_triangles,
+        done.pierced,
+        done.edges_present + done.edges_inserted,
+    ];
+    let there = [
+        told!(Event::Flip { .. }),
+        told!(Event::Point {
+            case: PointCase::Left,
+            ..
+        }),
+        told!(Event::Triangle { why: Why::Fill, .. }),
+        told!(Event::Triangle {
+            why: Why::Basin,
+            ..
+        }),
+        told!(Event::Triangle {
+            why: Why::Pocket,
+            ..
+        }),
+        told!(Event::Triangle { why: Why::Hull, .. }),
+        told!(Event::Pierced { .. }),
+        told!(Event::Fixed { .. }),
+    ];
+    assert_eq!(counts, there, "the counters (left)");
+}
