@@ -86,8 +86,9 @@ impl Trace {
     ///
     /// Not to be told without geometry, and so not noticed: that a test is missing or comes at another
     /// time, except the one just before a flip; that a switch of a mixed part is missing; the number of
-    /// an input edge (but that it is new); which pseudo-polygon is the upper one; and the order of steps
-    /// of one kind that do not touch each other. None of these changes a triangle.
+    /// an input edge (but that it is new); which pseudo-polygon is the upper one; for which of the two
+    /// heuristics a triangle is made that both may ask for; and the order of steps of one kind that do not
+    /// touch each other. None of these changes a triangle.
     ///
     /// # Errors
     /// [`BadTrace`] names the first line that contradicts those before it, or says that lines are

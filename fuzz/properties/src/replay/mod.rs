@@ -8,7 +8,7 @@
 mod counts;
 mod damage;
 
-use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::trace::{Event, Trace, Why};
 use sweep_cdt::{HashTable, Heuristics};
 
 use damage::{Damage, Kind};
@@ -80,11 +80,38 @@ fn judge_damaged(damage: &Damage, trace: &Trace, triangles: &[[usize; 3]]) {
                 _ if is_same => true,
                 ([Some(a), Some(b)], Kind::Removed | Kind::Swapped) => may_move(a, b),
                 ([Some(a), Some(b)], Kind::Doubled) => is_informal(a) || is_informal(b),
-                ([Some(a), _], Kind::Edited) => matches!(a, Event::Edge { .. }),
+                ([Some(a), _], Kind::Edited) => {
+                    let edited = parsed.map(|trace| trace.events[damage.at[0] - 1]);
+                    edited.is_ok_and(|edited| may_stand_for(edited, a))
+                }
                 _ => false,
             };
             assert!(is_harmless, "not noticed in {events} events: {damage:?}");
         }
+    }
+}
+
+/// Whether the replay may not notice that one event is told for the other.
+fn may_stand_for(a: Event, b: Event) -> bool {
+    use Event::{Edge, Triangle};
+    match (a, b) {
+        (
+            Edge { upper, lower, .. },
+            Edge {
+                upper: u, lower: l, ..
+            },
+        ) => [upper, lower] == [u, l],
+        (
+            Triangle { vertices, why },
+            Triangle {
+                vertices: v,
+                why: w,
+            },
+        ) => {
+            let is_heuristic = |why| matches!(why, Why::Fill | Why::Basin);
+            vertices == v && is_heuristic(why) && is_heuristic(w)
+        }
+        _ => false,
     }
 }
 
