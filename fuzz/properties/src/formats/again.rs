@@ -137,13 +137,25 @@ pub(super) fn files<S: Coordinate>(
     ]
 }
 
+/// The triangles of a result that must be readable.
+fn triangles<S: Exact>(
+    format: ResultFormat,
+    file: &[u8],
+    node: Option<&Source>,
+    graph: &Graph<S>,
+) -> Vec<[usize; 3]> {
+    let triangles = read_result(format, &source(file), node, graph);
+    triangles
+        .unwrap_or_else(|error| panic!("{format:?}: {error}"))
+        .list
+}
+
 fn write_result<S: Exact>(graph: &Graph<S>, result: &Triangulation, node: &[u8]) {
     let [(_, ele), (_, json), (_, obj)] = &files(graph, result, node);
     assert_reads(InputFormat::Json, json, None, graph);
-    let reads = |format: ResultFormat, file: &[u8], node: Option<&Source>| {
-        let triangles = read_result(format, &source(file), node, graph);
-        let triangles = triangles.unwrap_or_else(|error| panic!("{format:?}: {error}"));
-        assert_eq!(triangles.list, result.canonical_triangles(), "{format:?}");
+    let reads = |format, file: &[u8], node: Option<&Source>| {
+        let list = triangles(format, file, node, graph);
+        assert_eq!(list, result.canonical_triangles(), "{format:?}");
     };
     let ele = &ele[..ele.len() - node.len() - 1];
     reads(ResultFormat::Ele, ele, None);
@@ -177,10 +189,8 @@ fn assert_matches<S: Exact>(graph: &Graph<S>, result: &Triangulation) {
     let again = triangulate(&reversed.points, &reversed.edges).expect("the order does not matter");
     let [(_, ele), _, (_, obj)] = &files(&reversed, &again, &node);
     let ele = &ele[..ele.len() - node.len() - 1];
-    let reads = |format: ResultFormat, file: &[u8], node: Option<&Source>| {
-        let triangles = read_result(format, &source(file), node, graph);
-        let triangles = triangles.unwrap_or_else(|error| panic!("{format:?}: {error}"));
-        let list = canonical(result, &triangles.list);
+    let reads = |format, file: &[u8], node: Option<&Source>| {
+        let list = canonical(result, &triangles(format, file, node, graph));
         assert_eq!(list, result.canonical_triangles(), "{format:?}, reversed");
     };
     reads(ResultFormat::Ele, ele, Some(&source(&node)));

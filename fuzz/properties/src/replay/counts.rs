@@ -47,11 +47,6 @@ pub(super) fn judge(
 
     let told =
         |is: fn(&Event) -> bool| trace.events.iter().filter(|event| is(event)).count() as u64;
-    macro_rules! told {
-        ($pattern:pat) => {
-            told(|event| matches!(event, $pattern))
-        };
-    }
     let done = stats.counters;
     let counts = [
         done.flips,
@@ -63,24 +58,28 @@ pub(super) fn judge(
         done.pierced,
         done.edges_present + done.edges_inserted,
     ];
+    let made = |asked: Why| {
+        let is_asked =
+            |event: &&Event| matches!(event, Event::Triangle { why, .. } if *why == asked);
+        trace.events.iter().filter(is_asked).count() as u64
+    };
     let there = [
-        told!(Event::Flip { .. }),
-        told!(Event::Point {
-            case: PointCase::Left,
-            ..
+        told(|event| matches!(event, Event::Flip { .. })),
+        told(|event| {
+            matches!(
+                event,
+                Event::Point {
+                    case: PointCase::Left,
+                    ..
+                }
+            )
         }),
-        told!(Event::Triangle { why: Why::Fill, .. }),
-        told!(Event::Triangle {
-            why: Why::Basin,
-            ..
-        }),
-        told!(Event::Triangle {
-            why: Why::Pocket,
-            ..
-        }),
-        told!(Event::Triangle { why: Why::Hull, .. }),
-        told!(Event::Pierced { .. }),
-        told!(Event::Fixed { .. }),
+        made(Why::Fill),
+        made(Why::Basin),
+        made(Why::Pocket),
+        made(Why::Hull),
+        told(|event| matches!(event, Event::Pierced { .. })),
+        told(|event| matches!(event, Event::Fixed { .. })),
     ];
     assert_eq!(counts, there, "the counters (left)");
 }
