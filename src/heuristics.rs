@@ -17,19 +17,19 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Heuristics {
-    /// How wide the angle between a new triangle's edge and the next front edge may be for a further
-    /// triangle to be added there (figure 9).
-    pub fill: Fill,
+    /// Which corners of the front beside the new vertex are narrow enough to be closed by a further
+    /// triangle: the angle between a new triangle's side and the next front segment (figure 9).
+    pub corners: Corners,
     /// Whether basins are filled: stretches of the front that fall away from the new point more
     /// steeply than 45 degrees, an angle of more than 3pi/4 with the vertical (figure 10).
-    pub basin: bool,
+    pub basins: bool,
 }
 
-/// Up to which angle the point event adds triangles left and right of the new point (figure 9).
+/// Up to which angle the point event closes corners left and right of the new vertex (figure 9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Fill {
-    /// None are added.
+pub enum Corners {
+    /// None are closed.
     Off,
     /// Below pi/2, the paper's angle.
     RightAngle,
@@ -40,18 +40,18 @@ pub enum Fill {
 impl Heuristics {
     /// The fastest setting measured, wider angles and no basins; the default.
     pub const FAST: Heuristics = Heuristics {
-        fill: Fill::Wide,
-        basin: false,
+        corners: Corners::Wide,
+        basins: false,
     };
     /// The paper's setting: pi/2 and 3pi/4.
     pub const PAPER: Heuristics = Heuristics {
-        fill: Fill::RightAngle,
-        basin: true,
+        corners: Corners::RightAngle,
+        basins: true,
     };
     /// Neither heuristic: only the triangles that the point event needs.
     pub const OFF: Heuristics = Heuristics {
-        fill: Fill::Off,
-        basin: false,
+        corners: Corners::Off,
+        basins: false,
     };
 }
 

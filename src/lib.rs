@@ -21,7 +21,7 @@ pub mod verify;
 
 pub use error::Error;
 pub use front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
-pub use heuristics::{Fill, Heuristics};
+pub use heuristics::{Corners, Heuristics};
 pub use scalar::{Scalar, Unbounded};
 pub use stats::{Counters, Stats};
 pub use triangulation::Triangulation;

@@ -52,8 +52,8 @@ pub struct Counters {
     pub front_steps: u64,
     /// Point events of the left case (figure 8).
     pub left_cases: u64,
-    /// Triangles added by the pi/2 heuristic (figure 9).
-    pub fills: u64,
+    /// Triangles that close narrow corners of the front: the pi/2 heuristic (figure 9).
+    pub narrow_corners: u64,
     /// Triangles added below the front by the basin heuristic (figure 10).
     pub basin_triangles: u64,
     /// Edges (or pieces) that were there already (section 3.4.2).

@@ -23,11 +23,11 @@ pub(crate) struct Settings {
 
     /// Switch off the pi/2 heuristic
     #[arg(long)]
-    no_fill: bool,
+    no_narrow_corners: bool,
 
     /// Switch off the basin heuristic
     #[arg(long)]
-    no_basin: bool,
+    no_basins: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -106,10 +106,10 @@ impl Settings {
             Preset::Fast => Heuristics::FAST,
             Preset::Paper => Heuristics::PAPER,
         };
-        if self.no_fill {
-            heuristics.fill = Heuristics::OFF.fill;
+        if self.no_narrow_corners {
+            heuristics.corners = Heuristics::OFF.corners;
         }
-        heuristics.basin &= !self.no_basin;
+        heuristics.basins &= !self.no_basins;
         heuristics
     }
 }

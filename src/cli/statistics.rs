@@ -58,7 +58,7 @@ pub(crate) fn write(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
             ("flips", count.flips),
             ("front steps", count.front_steps),
             ("left cases", count.left_cases),
-            ("triangles: pi/2", count.fills),
+            ("triangles: narrow corners", count.narrow_corners),
             ("triangles: basins", count.basin_triangles),
             ("triangles: pockets", count.pocket_triangles),
             ("triangles: hull", count.hull_triangles),

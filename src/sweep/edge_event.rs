@@ -23,7 +23,7 @@ use super::traverse::{Crossed, Part, Spoke};
 use crate::front::FrontSearch;
 use crate::mesh::{VertexId, index};
 use crate::probe::Probe;
-use crate::trace::{Event, PartCase, Why};
+use crate::trace::{EdgePosition, Event, Why};
 use crate::{Error, Scalar};
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
@@ -120,20 +120,20 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// known before. Returns how many are now.
     fn tell_part(&mut self, from: VertexId, part: Part, pockets: usize) -> usize {
         let now = self.traversal.pockets.len();
-        let case = match (
+        let position = match (
             part.present,
             now > pockets,
             self.traversal.pierced.is_empty(),
         ) {
-            (Some(_), ..) => PartCase::Present,
-            (None, false, _) => PartCase::BelowFront,
-            (None, true, true) => PartCase::FrontOnly,
-            (None, true, false) => PartCase::Mixed,
+            (Some(_), ..) => EdgePosition::Present,
+            (None, false, _) => EdgePosition::BelowFront,
+            (None, true, true) => EdgePosition::FrontOnly,
+            (None, true, false) => EdgePosition::Mixed,
         };
         self.tell(|name| Event::Part {
             from: name(from),
             to: name(part.end),
-            case,
+            position,
         });
         now
     }
@@ -145,7 +145,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.mesh.fix(side);
             self.predicates.probe.count(|c| c.edges_present += 1);
             self.tell(|name| Event::Fixed {
-                edge: [from, part.end].map(name),
+                side: [from, part.end].map(name),
             });
             [part.start, part.onward]
         } else {

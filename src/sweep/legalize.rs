@@ -76,8 +76,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     fn flip(&mut self, t: TriangleId, i: u32) -> Link {
         let ([p, a, b], q) = self.quadrilateral(t, i);
         self.tell(|name| Event::Flip {
-            edge: [a, b].map(name),
-            to: [p, q].map(name),
+            side: [a, b].map(name),
+            new_side: [p, q].map(name),
         });
         self.predicates.probe.count(|c| c.flips += 1);
         self.mesh.flip(t, i)
@@ -111,9 +111,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     fn tell_test(&mut self, t: TriangleId, i: u32, outcome: Outcome) {
         if P::EVENTS {
             let ([p, a, b], q) = self.quadrilateral(t, i);
-            let (edge, opposite) = ([a, b], [p, q]);
+            let (side, opposite) = ([a, b], [p, q]);
             self.tell(|name| Event::Test {
-                edge: edge.map(name),
+                side: side.map(name),
                 opposite: opposite.map(name),
                 outcome,
             });

@@ -14,7 +14,7 @@
 //! Cost: a search, a few walk steps, and a constant number of triangles and flips on average.
 //!
 //! Differs from the paper: the left case is the middle case and one forced corner; angles are compared
-//! by dot products; [`Fill::Wide`] goes a little beyond pi/2; a basin is filled as far up as its rim
+//! by dot products; [`Corners::Wide`] goes a little beyond pi/2; a basin is filled as far up as its rim
 //! beside the new vertex, to the upper hull of that stretch.
 
 use std::cmp::Ordering::{Equal, Greater, Less};
@@ -22,7 +22,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use super::Sweep;
 use crate::Scalar;
 use crate::front::{Front, FrontSearch};
-use crate::heuristics::Fill;
+use crate::heuristics::Corners;
 use crate::mesh::{Link, VertexId, next};
 use crate::probe::Probe;
 use crate::trace::{Event, PointCase, Why};
@@ -57,10 +57,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.predicates.probe.count(|c| c.left_cases += 1);
             self.close_left(p, Why::Point);
         }
-        if self.heuristics.fill != Fill::Off {
+        if self.heuristics.corners != Corners::Off {
             self.fill_beside(p);
         }
-        if self.heuristics.basin {
+        if self.heuristics.basins {
             self.fill_basins(p);
         }
     }
@@ -93,7 +93,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Heuristic (i), figure 9: closes the corners right and left of `p` while they are narrow.
     #[inline(always)]
     fn fill_beside(&mut self, p: VertexId) {
-        let mut may_be_obtuse = self.heuristics.fill == Fill::Wide;
+        let mut may_be_obtuse = self.heuristics.corners == Corners::Wide;
         loop {
             let corner = self.front.next(p);
             let far = self.front.next(corner);
@@ -103,9 +103,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 break;
             }
             self.close_right(p);
-            self.predicates.probe.count(|c| c.fills += 1);
+            self.predicates.probe.count(|c| c.narrow_corners += 1);
         }
-        let mut may_be_obtuse = self.heuristics.fill == Fill::Wide;
+        let mut may_be_obtuse = self.heuristics.corners == Corners::Wide;
         loop {
             let corner = self.front.prev(p);
             let far = self.front.prev(corner);
@@ -114,8 +114,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             {
                 break;
             }
-            self.close_left(p, Why::Fill);
-            self.predicates.probe.count(|c| c.fills += 1);
+            self.close_left(p, Why::NarrowCorner);
+            self.predicates.probe.count(|c| c.narrow_corners += 1);
         }
     }
 
@@ -151,7 +151,11 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let corner = self.front.next(p);
         let far = self.front.next(corner);
         let (outer, spoke) = (self.mesh.open(corner), self.mesh.open(p));
-        let t = self.make([p, corner, far], [outer, Link::open(p), spoke], Why::Fill);
+        let t = self.make(
+            [p, corner, far],
+            [outer, Link::open(p), spoke],
+            Why::NarrowCorner,
+        );
         self.take_off_front(corner);
         self.legalize_fan(t, far);
         self.legalize_side(Link::new(t, 2));

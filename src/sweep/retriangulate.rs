@@ -21,7 +21,7 @@ use crate::Scalar;
 use crate::front::FrontSearch;
 use crate::mesh::{Link, VertexId, next, prev};
 use crate::probe::Probe;
-use crate::trace::{Event, Side, Why};
+use crate::trace::{Event, PseudoPolygon, Why};
 
 /// The open sides around both pseudo-polygons, by number.
 #[derive(Debug, Default)]
@@ -76,14 +76,14 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.mesh.remove(&traversal.pierced);
         self.traversal = traversal;
 
-        let (left_side, right_side) = match self.predicates.compare_x(from, to) {
-            Ordering::Greater => (Side::Lower, Side::Upper),
-            _ => (Side::Upper, Side::Lower),
+        let (left_polygon, right_polygon) = match self.predicates.compare_x(from, to) {
+            Ordering::Greater => (PseudoPolygon::Lower, PseudoPolygon::Upper),
+            _ => (PseudoPolygon::Upper, PseudoPolygon::Lower),
         };
-        for (chain, side) in [(&mut left, left_side), (&mut right, right_side)] {
+        for (chain, polygon) in [(&mut left, left_polygon), (&mut right, right_polygon)] {
             for corner in chain.iter() {
                 self.tell(|name| Event::Border {
-                    side,
+                    polygon,
                     vertex: name(corner.vertex),
                 });
             }
@@ -98,7 +98,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let link = self.mesh.open(right[0].side);
         self.mesh.connect(link.fix(), self.mesh.open(left[0].side));
         self.tell(|name| Event::Fixed {
-            edge: [from, to].map(name),
+            side: [from, to].map(name),
         });
         self.mesh.close(open);
         let [from, to] = [prev(link.corner()), next(link.corner())];

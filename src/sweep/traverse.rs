@@ -259,7 +259,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     ) -> Result<Place, Crossed> {
         self.tell(|name| Event::Switch {
             to_front: true,
-            at: [left, right].map(name),
+            segment: [left, right].map(name),
         });
         // Of a segment's ends the first one on the way lies above the edge, the other one below.
         let is_rightward = self.predicates.compare_x(from, to) == Less;
@@ -296,7 +296,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let crossed = if is_rightward { [last, at] } else { [at, last] };
         self.tell(|name| Event::Switch {
             to_front: false,
-            at: crossed.map(name),
+            segment: crossed.map(name),
         });
         let link = self.mesh.open(crossed[0]);
         if link.is_fixed() {

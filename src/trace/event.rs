@@ -80,21 +80,21 @@ pub enum Event {
         /// What for.
         why: Why,
     },
-    /// The legalization tests an edge (figure 2).
+    /// The legalization tests a side (figure 2).
     Test {
-        /// The ends of the edge.
-        edge: [Vertex; 2],
+        /// The ends of the side.
+        side: [Vertex; 2],
         /// The vertices opposite to it in its two triangles.
         opposite: [Vertex; 2],
         /// What follows.
         outcome: Outcome,
     },
-    /// An edge is swapped (figure 3).
+    /// A side is swapped (figure 3).
     Flip {
-        /// The ends of the edge that goes.
-        edge: [Vertex; 2],
-        /// The ends of the edge that comes.
-        to: [Vertex; 2],
+        /// The ends of the side that goes.
+        side: [Vertex; 2],
+        /// The ends of the side that comes.
+        new_side: [Vertex; 2],
     },
     /// A vertex joins the advancing front.
     FrontInsert {
@@ -123,7 +123,7 @@ pub enum Event {
         to_front: bool,
         /// The front segment that the edge crosses, left end first; twice the upper end of a part that
         /// begins above the front.
-        at: [Vertex; 2],
+        segment: [Vertex; 2],
     },
     /// A part of the edge has been traversed, down to the next vertex on it.
     Part {
@@ -131,8 +131,8 @@ pub enum Event {
         from: Vertex,
         /// Its lower end: that of the edge, or a vertex found on the edge.
         to: Vertex,
-        /// What is in its way.
-        case: PartCase,
+        /// Where it lies against the advancing front.
+        position: EdgePosition,
     },
     /// A triangle that the edge pierces is removed (figure 12).
     Pierced {
@@ -142,14 +142,14 @@ pub enum Event {
     /// The next vertex on the border of a pseudo-polygon (figure 12), both ends of the part included.
     Border {
         /// Which pseudo-polygon.
-        side: Side,
+        polygon: PseudoPolygon,
         /// The vertex.
         vertex: Vertex,
     },
     /// An edge, or part of one, is fixed: a constrained side that is never flipped.
     Fixed {
         /// Its ends, upper one first.
-        edge: [Vertex; 2],
+        side: [Vertex; 2],
     },
     /// The sweep has passed all vertices; finalization (section 3.5) begins.
     Finalization,
@@ -191,8 +191,8 @@ pub enum Why {
     First,
     /// Needed by a point event (figures 7 and 8).
     Point,
-    /// The pi/2 heuristic (figure 9).
-    Fill,
+    /// A narrow corner of the front beside the new vertex: the pi/2 heuristic (figure 9).
+    NarrowCorner,
     /// The basin heuristic (figure 10).
     Basin,
     /// A pocket of the front under an edge (figures 13 and 14).
@@ -219,14 +219,14 @@ pub enum Outcome {
     Fixed,
 }
 
-/// What is in the way of a part of an edge.
+/// The position of a part of an edge against the advancing front (section 3.4.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
     feature = "cli",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
-pub enum PartCase {
+pub enum EdgePosition {
     /// It is a side of the triangulation already: all steps are bypassed.
     Present,
     /// Triangles only: it lies below the front (figure 12).
@@ -244,7 +244,7 @@ pub enum PartCase {
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
-pub enum Side {
+pub enum PseudoPolygon {
     /// Above the edge.
     Upper,
     /// Below it.

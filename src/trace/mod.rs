@@ -4,12 +4,12 @@
 //! A trace is written in one of two formats, both with a header line that gives the version and then
 //! one line a step: as text, made to be read beside the paper, or as JSON Lines for programs.
 //!
-//! Text (`sweep-cdt trace 1`):
+//! Text (`sweep-cdt trace 2`):
 //!
 //! ```text
 //! sorted 4                                            the sweep order, one vertex a line
 //! point 7: middle case, projected on segment 3 5      or `left case`
-//! triangle 7 3 5 (point)                              or first, pi/2 fill, basin, pocket,
+//! triangle 7 3 5 (point)                              or first, narrow corner, basin, pocket,
 //!                                                     pseudo-polygon, upper hull
 //! test 3 5 against 7 2: illegal                       or legal, fixed
 //! flip 3 5 to 7 2
@@ -26,7 +26,7 @@
 //! finished: 12 triangles
 //! ```
 //!
-//! JSON Lines: the header is `{"format":"sweep-cdt trace","version":1}`; each step is an object whose
+//! JSON Lines: the header is `{"format":"sweep-cdt trace","version":2}`; each step is an object whose
 //! `event` is the name of the variant of [`Event`] in lower case with hyphens, and whose other members
 //! are its fields; words are written the same way. Vertices are numbers, or `"P-1"` and `"P-2"`. A part
 //! of a trace says at which step it begins: `from step 120` in the header, or `"from":120`.
@@ -38,8 +38,8 @@ mod replay;
 mod text;
 mod whole;
 
-pub use event::{Event, Outcome, PartCase, PointCase, Side, Vertex, Why};
+pub use event::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 pub use whole::{BadTrace, Trace};
 
 /// The version of both formats.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;

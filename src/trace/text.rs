@@ -7,14 +7,16 @@
 use std::fmt;
 use std::io::{self, Write};
 
-use super::{BadTrace, Event, Outcome, PartCase, PointCase, Side, Trace, VERSION, Vertex, Why};
+use super::{
+    BadTrace, EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Trace, VERSION, Vertex, Why,
+};
 
 const HEADER: &str = "sweep-cdt trace";
 
 const WHYS: [(Why, &str); 7] = [
     (Why::First, "first"),
     (Why::Point, "point"),
-    (Why::Fill, "pi/2 fill"),
+    (Why::NarrowCorner, "narrow corner"),
     (Why::Basin, "basin"),
     (Why::Pocket, "pocket"),
     (Why::PseudoPolygon, "pseudo-polygon"),
@@ -27,13 +29,16 @@ const OUTCOMES: [(Outcome, &str); 3] = [
 ];
 const POINT_CASES: [(PointCase, &str); 2] =
     [(PointCase::Middle, "middle"), (PointCase::Left, "left")];
-const PART_CASES: [(PartCase, &str); 4] = [
-    (PartCase::Present, "there already"),
-    (PartCase::BelowFront, "below the front"),
-    (PartCase::FrontOnly, "front only"),
-    (PartCase::Mixed, "mixed"),
+const POSITIONS: [(EdgePosition, &str); 4] = [
+    (EdgePosition::Present, "there already"),
+    (EdgePosition::BelowFront, "below the front"),
+    (EdgePosition::FrontOnly, "front only"),
+    (EdgePosition::Mixed, "mixed"),
 ];
-const SIDES: [(Side, &str); 2] = [(Side::Upper, "upper"), (Side::Lower, "lower")];
+const POLYGONS: [(PseudoPolygon, &str); 2] = [
+    (PseudoPolygon::Upper, "upper"),
+    (PseudoPolygon::Lower, "lower"),
+];
 
 fn word<T: PartialEq>(table: &[(T, &'static str)], value: &T) -> &'static str {
     let row = table.iter().find(|(other, _)| other == value);
@@ -66,7 +71,7 @@ impl fmt::Display for Event {
                 why,
             } => write!(f, "triangle {a} {b} {c} ({})", word(&WHYS, why)),
             Event::Test {
-                edge: [a, b],
+                side: [a, b],
                 opposite: [p, q],
                 outcome,
             } => {
@@ -74,8 +79,8 @@ impl fmt::Display for Event {
                 write!(f, "test {a} {b} against {p} {q}: {outcome}")
             }
             Event::Flip {
-                edge: [a, b],
-                to: [p, q],
+                side: [a, b],
+                new_side: [p, q],
             } => write!(f, "flip {a} {b} to {p} {q}"),
             Event::FrontInsert { vertex, after } => write!(f, "front gains {vertex} after {after}"),
             Event::FrontRemove { vertex } => write!(f, "front loses {vertex}"),
@@ -84,21 +89,25 @@ impl fmt::Display for Event {
             }
             Event::Switch {
                 to_front,
-                at: [l, r],
+                segment: [l, r],
             } => {
                 let to = if *to_front { "the front" } else { "triangles" };
                 write!(f, "switch to {to} at {l} {r}")
             }
-            Event::Part { from, to, case } => {
-                write!(f, "part {from} {to}: {}", word(&PART_CASES, case))
+            Event::Part { from, to, position } => {
+                write!(f, "part {from} {to}: {}", word(&POSITIONS, position))
             }
             Event::Pierced {
                 vertices: [a, b, c],
             } => write!(f, "pierced {a} {b} {c}"),
-            Event::Border { side, vertex } => {
-                write!(f, "border {vertex} ({} pseudo-polygon)", word(&SIDES, side))
+            Event::Border { polygon, vertex } => {
+                write!(
+                    f,
+                    "border {vertex} ({} pseudo-polygon)",
+                    word(&POLYGONS, polygon)
+                )
             }
-            Event::Fixed { edge: [a, b] } => write!(f, "fixed {a} {b}"),
+            Event::Fixed { side: [a, b] } => write!(f, "fixed {a} {b}"),
             Event::Finalization => write!(f, "finalization"),
             Event::Removed {
                 vertices: [a, b, c],
@@ -121,7 +130,7 @@ fn vertices<const N: usize>(words: [&str; N]) -> Option<[Vertex; N]> {
     vertices?.try_into().ok()
 }
 
-/// The event that a line tells, by its words alone.
+/// The event that a line names, by its words alone.
 fn event(line: &str) -> Option<Event> {
     let is_mark = |c: char| c.is_whitespace() || ":,()".contains(c);
     let words: Vec<&str> = line
@@ -140,13 +149,13 @@ fn event(line: &str) -> Option<Event> {
             why: value(&WHYS, why)?,
         },
         ["test", a, b, "against", p, q, outcome] => Event::Test {
-            edge: vertices([a, b])?,
+            side: vertices([a, b])?,
             opposite: vertices([p, q])?,
             outcome: value(&OUTCOMES, &[outcome])?,
         },
         ["flip", a, b, "to", p, q] => Event::Flip {
-            edge: vertices([a, b])?,
-            to: vertices([p, q])?,
+            side: vertices([a, b])?,
+            new_side: vertices([p, q])?,
         },
         ["front", "gains", v, "after", left] => Event::FrontInsert {
             vertex: vertex(v)?,
@@ -160,22 +169,22 @@ fn event(line: &str) -> Option<Event> {
         },
         ["switch", "to", ref to @ .., "at", l, r] => Event::Switch {
             to_front: matches!(to, ["the", "front"]),
-            at: vertices([l, r])?,
+            segment: vertices([l, r])?,
         },
-        ["part", from, to, ref case @ ..] => Event::Part {
+        ["part", from, to, ref position @ ..] => Event::Part {
             from: vertex(from)?,
             to: vertex(to)?,
-            case: value(&PART_CASES, case)?,
+            position: value(&POSITIONS, position)?,
         },
         ["pierced", a, b, c] => Event::Pierced {
             vertices: vertices([a, b, c])?,
         },
-        ["border", v, side, "pseudo-polygon"] => Event::Border {
-            side: value(&SIDES, &[side])?,
+        ["border", v, polygon, "pseudo-polygon"] => Event::Border {
+            polygon: value(&POLYGONS, &[polygon])?,
             vertex: vertex(v)?,
         },
         ["fixed", a, b] => Event::Fixed {
-            edge: vertices([a, b])?,
+            side: vertices([a, b])?,
         },
         ["finalization"] => Event::Finalization,
         ["removed", a, b, c] => Event::Removed {

@@ -21,7 +21,7 @@ use super::{Event, replay, text};
 /// let mut text = Vec::new();
 /// trace.write_text(&mut text)?;
 /// let text = String::from_utf8(text)?;
-/// assert!(text.starts_with("sweep-cdt trace 1\nsorted 0\nsorted 1\nsorted 3\nsorted 2\n"));
+/// assert!(text.starts_with("sweep-cdt trace 2\nsorted 0\nsorted 1\nsorted 3\nsorted 2\n"));
 ///
 /// let read = Trace::parse(&text)?;
 /// assert_eq!(read, trace);

@@ -42,9 +42,9 @@ fn settings_change_no_byte() {
         "--front linear",
         "--scalar rational",
         "--heuristics paper",
-        "--no-fill",
-        "--no-basin",
-        "--no-fill --no-basin --front skip-list --scalar rational",
+        "--no-narrow-corners",
+        "--no-basins",
+        "--no-narrow-corners --no-basins --front skip-list --scalar rational",
     ];
     let all = ["ele", "json", "obj", "svg"].as_slice();
     for (input, formats) in [

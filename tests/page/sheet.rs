@@ -48,7 +48,7 @@ fn circles() {
     let (mut real, mut artificial) = (0, 0);
     for (step, event) in (1..).zip(events(&graph)) {
         let Event::Test {
-            edge: [a, b],
+            side: [a, b],
             opposite: [p, q],
             outcome,
         } = event

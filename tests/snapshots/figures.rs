@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 use sweep_cdt::trace::{Event, Trace};
-use sweep_cdt::{Fill, Heuristics, Triangulator};
+use sweep_cdt::{Corners, Heuristics, Triangulator};
 
 use crate::assert_snapshot;
 use sweep_cdt_properties::Input;
@@ -16,7 +16,7 @@ const PAPER: Heuristics = Heuristics::PAPER;
 /// The basin heuristic alone.
 fn basins() -> Heuristics {
     let mut heuristics = PAPER;
-    heuristics.fill = Fill::Off;
+    heuristics.corners = Corners::Off;
     heuristics
 }
 
@@ -49,8 +49,8 @@ cases! {
         ["point 2: middle case, projected on segment 0 1", "triangle 2 0 1 (point)", "front gains 2 after 0"];
     figure_08_left_case: OFF, "0 0, 9 1, 4 2, 4 6", "",
         ["point 3: left case, projected on segment 2 1", "triangle 3 2 1 (point)", "triangle 3 0 2 (point)", "front loses 2"];
-    figure_09_pi_2_fill: PAPER, "0 0, 6 1, 12 2, 14 8, 7 9", "",
-        ["point 4: middle case, projected on segment 1 2", "triangle 4 2 3 (pi/2 fill)", "front loses 2"];
+    figure_09_narrow_corner: PAPER, "0 0, 6 1, 12 2, 14 8, 7 9", "",
+        ["point 4: middle case, projected on segment 1 2", "triangle 4 2 3 (narrow corner)", "front loses 2"];
     figure_10_basin: basins(), "0 0.25, 2 0, 4 0.125, 6 4.5, -6 5, -6.5 9.5", "",
         ["point 5: middle case, projected on segment P-1 4", "front loses 0", "front loses 1", "front loses 2"];
     figure_11_first_pierced_triangle: PAPER, "0 0, 6 1, 3 2, 5 4, 2 8", "1 4",

@@ -63,7 +63,7 @@ fn the_papers_situations_occur() {
     let paper = |name| with(Heuristics::PAPER, name);
     assert_eq!(paper("figure 7: middle case").left_cases, 0);
     assert_eq!(paper("figure 8: left case").left_cases, 1);
-    assert!(paper("figure 9: fill while the angle is below pi/2").fills >= 1);
+    assert!(paper("figure 9: fill while the angle is below pi/2").narrow_corners >= 1);
     assert!(paper("figure 10: basin").basin_triangles >= 1);
     assert_eq!(paper("figure 11: first pierced triangle").pierced, 2);
     // Without the heuristics the front stays as the figures draw it.

@@ -267,7 +267,7 @@ fn a_part_of_a_trace_is_read_but_not_replayed() {
     };
     let text = text(&part);
     assert!(
-        text.starts_with("sweep-cdt trace 1 from step 4\n"),
+        text.starts_with("sweep-cdt trace 2 from step 4\n"),
         "{text}"
     );
     assert_eq!(Trace::parse(&text).as_ref(), Ok(&part));
@@ -282,30 +282,30 @@ fn a_part_of_a_trace_is_read_but_not_replayed() {
 #[test]
 fn what_is_no_trace_is_refused() {
     let cases = [
-        ("", "line 1: is not the header `sweep-cdt trace 1`"),
+        ("", "line 1: is not the header `sweep-cdt trace 2`"),
         (
             "sweep-cdt trace 2\n",
-            "line 1: is not the header `sweep-cdt trace 1`",
+            "line 1: is not the header `sweep-cdt trace 2`",
         ),
-        ("sweep-cdt trace 1\n", "line 2: the trace ends too early"),
+        ("sweep-cdt trace 2\n", "line 2: the trace ends too early"),
         (
-            "sweep-cdt trace 1\nsorted  3\n",
+            "sweep-cdt trace 2\nsorted  3\n",
             "line 2: is no step: \"sorted  3\"",
         ),
         (
-            "sweep-cdt trace 1\nsorted 0\nsorted 0\n",
+            "sweep-cdt trace 2\nsorted 0\nsorted 0\n",
             "line 3: vertex 0 is sorted twice",
         ),
         (
-            "sweep-cdt trace 1\nsorted -1\n",
+            "sweep-cdt trace 2\nsorted -1\n",
             "line 2: is no step: \"sorted -1\"",
         ),
         (
-            "sweep-cdt trace 1\nfinalization\nfinished: 0 triangles\nsorted 0\n",
+            "sweep-cdt trace 2\nfinalization\nfinished: 0 triangles\nsorted 0\n",
             "line 4: the trace is over",
         ),
         #[cfg(feature = "cli")]
-        ("{}\n", "line 1: is not the header of a trace of version 1"),
+        ("{}\n", "line 1: is not the header of a trace of version 2"),
         #[cfg(feature = "cli")]
         (
             "{\"format\":\"sweep-cdt trace\",\"version\":1}\n{\"event\":\"sorted\",\"vertex\":1,\"x\":0}\n",
@@ -325,7 +325,7 @@ fn json_lines_are_as_documented() {
     let (trace, _) = trace(&input, Heuristics::FAST);
     let lines = lines(&trace);
     let some = [
-        r#"{"format":"sweep-cdt trace","version":1}"#,
+        r#"{"format":"sweep-cdt trace","version":2}"#,
         r#"{"event":"sorted","vertex":0}"#,
         r#"{"event":"triangle","vertices":[0,"P-1","P-2"],"why":"first"}"#,
         r#"{"event":"front-insert","vertex":0,"after":"P-1"}"#,

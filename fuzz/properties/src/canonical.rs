@@ -9,7 +9,7 @@
 //! fail, other flips, another side of every asymmetry. What mirrors may change is told by the oracle,
 //! which shares no code with the crate, and so is whether edges cross.
 
-use sweep_cdt::{Error, Fill, Heuristics, Triangulator};
+use sweep_cdt::{Corners, Error, Heuristics, Triangulator};
 
 use crate::oracle::{Answer, check_found, crosses, firm_sides, found, sorted};
 use crate::random::Random;
@@ -69,8 +69,8 @@ fn answer_by(input: &Input, heuristics: Heuristics) -> Option<Answer> {
 /// Any setting but the default.
 fn heuristics(random: &mut Random) -> Heuristics {
     let mut heuristics = Heuristics::OFF;
-    heuristics.fill = random.pick(&[Fill::Off, Fill::RightAngle, Fill::Wide]);
-    heuristics.basin = heuristics.fill == Fill::Wide || random.one_in(2);
+    heuristics.corners = random.pick(&[Corners::Off, Corners::RightAngle, Corners::Wide]);
+    heuristics.basins = heuristics.corners == Corners::Wide || random.one_in(2);
     heuristics
 }
 

@@ -8,7 +8,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::{Mutex, OnceLock};
 
-use sweep_cdt::trace::{Event, PartCase, PointCase, Why};
+use sweep_cdt::trace::{Event, EdgePosition, PointCase, Why};
 use sweep_cdt::{Heuristics, Triangulator};
 
 use crate::Input;
@@ -83,17 +83,17 @@ fn reached(input: &Input) -> [bool; NAMES.len()] {
                 case: PointCase::Left,
                 ..
             } => reached[0] = true,
-            Event::Triangle { why: Why::Fill, .. } => reached[1] = true,
+            Event::Triangle { why: Why::NarrowCorner, .. } => reached[1] = true,
             Event::Triangle {
                 why: Why::Basin, ..
             } => reached[2] = true,
             Event::Flip { .. } => reached[3] = true,
             Event::Edge { upper: end, .. } => upper = Some(end),
-            Event::Part { case, from, .. } => {
-                reached[4] |= case == PartCase::Present;
-                reached[5] |= case == PartCase::BelowFront;
-                reached[6] |= case == PartCase::FrontOnly;
-                reached[7] |= case == PartCase::Mixed;
+            Event::Part { position, from, .. } => {
+                reached[4] |= position == EdgePosition::Present;
+                reached[5] |= position == EdgePosition::BelowFront;
+                reached[6] |= position == EdgePosition::FrontOnly;
+                reached[7] |= position == EdgePosition::Mixed;
                 reached[8] |= upper != Some(from);
             }
             Event::Triangle { why: Why::Hull, .. } => reached[9] = true,

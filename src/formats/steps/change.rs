@@ -1,6 +1,6 @@
 //! What an event changes in the picture.
 
-use crate::trace::{Event, Outcome, Side, Vertex};
+use crate::trace::{Event, Outcome, PseudoPolygon, Vertex};
 
 /// A change of the picture. The last four only point at something, for the length of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub(super) enum Change {
     /// An edge is being inserted from its upper end to its lower one.
     Edge([Vertex; 2]),
     /// A pseudo-polygon has one more vertex.
-    Border(Side, Vertex),
+    Border(PseudoPolygon, Vertex),
     /// A constraint is there, and the pseudo-polygons are done with.
     Fix([Vertex; 2]),
     /// Look at this vertex.
@@ -51,8 +51,8 @@ impl Change {
             Change::Join(v, after) => ("join", codes(&[*v, *after])),
             Change::Leave(v) => ("leave", codes(&[*v])),
             Change::Edge(ends) => ("edge", codes(ends)),
-            Change::Border(Side::Upper, v) => ("upper", codes(&[*v])),
-            Change::Border(Side::Lower, v) => ("lower", codes(&[*v])),
+            Change::Border(PseudoPolygon::Upper, v) => ("upper", codes(&[*v])),
+            Change::Border(PseudoPolygon::Lower, v) => ("lower", codes(&[*v])),
             Change::Fix(ends) => ("fix", codes(ends)),
             Change::Vertex(v) => ("vertex", codes(&[*v])),
             Change::Line(ends) => ("line", codes(ends)),
@@ -92,13 +92,13 @@ pub(super) fn changes(event: &Event) -> Vec<Change> {
             _ => vec![C::Add(vertices)],
         },
         Event::Test {
-            edge: [a, b],
+            side: [a, b],
             opposite: [p, q],
             outcome,
         } => vec![C::Test([a, b, p, q], outcome)],
         Event::Flip {
-            edge: [a, b],
-            to: [p, q],
+            side: [a, b],
+            new_side: [p, q],
         } => vec![
             C::Remove([p, a, b]),
             C::Remove([q, b, a]),
@@ -110,12 +110,14 @@ pub(super) fn changes(event: &Event) -> Vec<Change> {
         Event::FrontInsert { vertex, after } => vec![C::Join(vertex, after), C::Vertex(vertex)],
         Event::FrontRemove { vertex } => vec![C::Leave(vertex), C::Vertex(vertex)],
         Event::Edge { upper, lower, .. } => vec![C::Edge([upper, lower]), C::Vertex(upper)],
-        Event::Switch { at: [a, b], .. } if a == b => vec![C::Vertex(a)],
-        Event::Switch { at, .. } => vec![C::Line(at)],
+        Event::Switch {
+            segment: [a, b], ..
+        } if a == b => vec![C::Vertex(a)],
+        Event::Switch { segment, .. } => vec![C::Line(segment)],
         Event::Part { from, to, .. } => vec![C::Vertex(from), C::Vertex(to)],
         Event::Pierced { vertices } => vec![C::Pierce(vertices)],
-        Event::Border { side, vertex } => vec![C::Border(side, vertex), C::Vertex(vertex)],
-        Event::Fixed { edge } => vec![C::Fix(edge), C::Line(edge)],
+        Event::Border { polygon, vertex } => vec![C::Border(polygon, vertex), C::Vertex(vertex)],
+        Event::Fixed { side } => vec![C::Fix(side), C::Line(side)],
         Event::Finalization => vec![C::Swept],
         Event::Removed { vertices } => vec![C::Remove(vertices)],
         Event::Finished { .. } => vec![C::End],

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::change::{Change, changes};
-use crate::trace::{Event, Side, Vertex};
+use crate::trace::{Event, PseudoPolygon, Vertex};
 
 /// The state of the sweep, without any coordinate.
 #[derive(Debug)]
@@ -62,7 +62,10 @@ impl Scene {
         all.extend(self.is_swept.then_some(Change::Swept));
         all.extend(self.edge.map(Change::Edge));
         all.extend(self.pierced.iter().copied().map(Change::Pierce));
-        for (side, border) in [Side::Upper, Side::Lower].into_iter().zip(&self.borders) {
+        for (side, border) in [PseudoPolygon::Upper, PseudoPolygon::Lower]
+            .into_iter()
+            .zip(&self.borders)
+        {
             all.extend(border.iter().map(|&vertex| Change::Border(side, vertex)));
         }
         all

@@ -1,6 +1,6 @@
 //! Each event told to a reader: a heading that names the part of the paper, and a sentence.
 
-use crate::trace::{Event, Outcome, PartCase, PointCase, Side, Vertex, Why};
+use crate::trace::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 
 /// The part of the algorithm that an event belongs to, with section or figure.
 pub(super) fn heading(event: &Event) -> &'static str {
@@ -13,7 +13,7 @@ pub(super) fn heading(event: &Event) -> &'static str {
         Event::Triangle { why, .. } => match why {
             Why::First => "Initial triangle · figure 6",
             Why::Point => "Point event, new triangle · section 3.4.1",
-            Why::Fill => "Narrow angle is filled · figure 9",
+            Why::NarrowCorner => "Narrow angle is filled · figure 9",
             Why::Basin => "Basin is filled · figure 10",
             Why::Pocket => "Pocket under the edge · figure 13",
             Why::PseudoPolygon => "Pseudo-polygon is filled · figure 12",
@@ -24,11 +24,11 @@ pub(super) fn heading(event: &Event) -> &'static str {
         Event::FrontInsert { .. } | Event::FrontRemove { .. } => "Advancing front · figure 7",
         Event::Edge { .. } => "Edge event · section 3.4.2",
         Event::Switch { .. } => "Edge event, switch of traversal · figure 14",
-        Event::Part { case, .. } => match case {
-            PartCase::Present => "Edge event, edge is there · section 3.4.2",
-            PartCase::BelowFront => "Edge event, below the front · figure 12",
-            PartCase::FrontOnly => "Edge event, front only · figure 13",
-            PartCase::Mixed => "Edge event, mixed · figure 14",
+        Event::Part { position, .. } => match position {
+            EdgePosition::Present => "Edge event, edge is there · section 3.4.2",
+            EdgePosition::BelowFront => "Edge event, below the front · figure 12",
+            EdgePosition::FrontOnly => "Edge event, front only · figure 13",
+            EdgePosition::Mixed => "Edge event, mixed · figure 14",
         },
         Event::Pierced { .. } => "Edge event, pierced triangle · figures 11, 12",
         Event::Border { .. } => "Edge event, pseudo-polygon · figure 12",
@@ -64,7 +64,7 @@ pub(super) fn sentence(event: &Event) -> String {
             let why = match why {
                 Why::First => "of the first vertex and the artificial points",
                 Why::Point => "from the new vertex to the front",
-                Why::Fill => "where the front had a narrow angle",
+                Why::NarrowCorner => "where the front had a narrow angle",
                 Why::Basin => "in a basin of the front",
                 Why::Pocket => "where the front ran below the edge",
                 Why::PseudoPolygon => "in the pseudo-polygon",
@@ -73,7 +73,7 @@ pub(super) fn sentence(event: &Event) -> String {
             format!("Triangle {a} {b} {c} is made {why}.")
         }
         Event::Test {
-            edge: [a, b],
+            side: [a, b],
             opposite: [p, q],
             outcome,
         } => {
@@ -92,8 +92,8 @@ pub(super) fn sentence(event: &Event) -> String {
             format!("The edge {a}–{b} between vertices {p} and {q} is tested. {outcome}{circle}")
         }
         Event::Flip {
-            edge: [a, b],
-            to: [p, q],
+            side: [a, b],
+            new_side: [p, q],
         } => format!("The edge {a}–{b} is swapped for {p}–{q}."),
         Event::FrontInsert { vertex, after } => {
             format!("Vertex {vertex} joins the advancing front, right of {after}.")
@@ -104,29 +104,31 @@ pub(super) fn sentence(event: &Event) -> String {
         Event::Edge { edge, upper, lower } => {
             format!("Input edge {edge} is inserted, from vertex {upper} down to {lower}.")
         }
-        Event::Switch { to_front, at } => switch(*to_front, at.map(|vertex| vertex.to_string())),
-        Event::Part { from, to, case } => {
-            let case = match case {
-                PartCase::Present => "is a side already, so that all steps are bypassed",
-                PartCase::BelowFront => "lies below the front and pierces triangles",
-                PartCase::FrontOnly => "runs above the front alone",
-                PartCase::Mixed => "pierces triangles and crosses the front",
+        Event::Switch { to_front, segment } => {
+            switch(*to_front, segment.map(|vertex| vertex.to_string()))
+        }
+        Event::Part { from, to, position } => {
+            let position = match position {
+                EdgePosition::Present => "is a side already, so that all steps are bypassed",
+                EdgePosition::BelowFront => "lies below the front and pierces triangles",
+                EdgePosition::FrontOnly => "runs above the front alone",
+                EdgePosition::Mixed => "pierces triangles and crosses the front",
             };
-            format!("The edge from {from} to {to} {case}.")
+            format!("The edge from {from} to {to} {position}.")
         }
         Event::Pierced {
             vertices: [a, b, c],
         } => {
             format!("The edge pierces triangle {a} {b} {c}, which is removed.")
         }
-        Event::Border { side, vertex } => {
-            let side = match side {
-                Side::Upper => "upper",
-                Side::Lower => "lower",
+        Event::Border { polygon, vertex } => {
+            let polygon = match polygon {
+                PseudoPolygon::Upper => "upper",
+                PseudoPolygon::Lower => "lower",
             };
-            format!("Vertex {vertex} is on the border of the {side} pseudo-polygon.")
+            format!("Vertex {vertex} is on the border of the {polygon} pseudo-polygon.")
         }
-        Event::Fixed { edge: [a, b] } => {
+        Event::Fixed { side: [a, b] } => {
             format!("The side {a}–{b} is fixed: a constraint, never to be swapped.")
         }
         Event::Finalization => "All vertices are swept. The hull is to be completed.".to_owned(),

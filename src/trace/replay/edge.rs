@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use super::super::{PartCase, Side as Polygon, Vertex};
+use super::super::{EdgePosition, PseudoPolygon, Vertex};
 use super::mesh::{self, Mesh, Side, across};
 
 /// The edge being inserted.
@@ -29,7 +29,7 @@ struct Hole {
     sides: HashSet<Side>,
     border: Vec<Side>,
     /// The pseudo-polygon that the border told last belongs to, and its end.
-    polygon: Option<(Polygon, Vertex)>,
+    polygon: Option<(PseudoPolygon, Vertex)>,
     /// How many borders are complete.
     complete: usize,
 }
@@ -65,20 +65,21 @@ impl Edge {
         self.is_surveyed() && self.fixed == self.parts.len()
     }
 
-    pub(super) fn switch(&mut self, to_front: bool, at: [Vertex; 2]) -> Result<(), String> {
+    pub(super) fn switch(&mut self, to_front: bool, segment: [Vertex; 2]) -> Result<(), String> {
         let is_on_front = self.switches.last().is_some_and(|&(to_front, _)| to_front);
         if self.is_surveyed() || is_on_front == to_front {
             return Err("no switch can be here".to_owned());
         }
-        let is_at_vertex = at[0] == at[1];
+        let [left, right] = segment;
+        let is_at_vertex = left == right;
         // Only the first switch is at a vertex, where the part begins; no crossed segment ends there.
         let is_right = if is_at_vertex {
-            at[0] == self.at && self.switches.is_empty()
+            left == self.at && self.switches.is_empty()
         } else {
-            !at.contains(&self.at)
+            !segment.contains(&self.at)
         };
         if !is_right {
-            return Err(format!("the edge cannot be at {} {} now", at[0], at[1]));
+            return Err(format!("the edge cannot be at {left} {right} now"));
         }
         self.switches.push((to_front, is_at_vertex));
         Ok(())
@@ -87,7 +88,7 @@ impl Edge {
     pub(super) fn part(
         &mut self,
         [from, to]: [Vertex; 2],
-        case: PartCase,
+        position: EdgePosition,
         mesh: &Mesh,
     ) -> Result<(), String> {
         if self.is_surveyed() || from != self.at {
@@ -95,13 +96,13 @@ impl Edge {
         }
         let is_there = mesh.has([from, to]) || mesh.has([to, from]);
         let met = match self.switches[..] {
-            [] if is_there => PartCase::Present,
-            [] => PartCase::BelowFront,
-            [(_, true)] => PartCase::FrontOnly,
-            _ => PartCase::Mixed,
+            [] if is_there => EdgePosition::Present,
+            [] => EdgePosition::BelowFront,
+            [(_, true)] => EdgePosition::FrontOnly,
+            _ => EdgePosition::Mixed,
         };
-        if case != met {
-            return Err("the steps before make it another case".to_owned());
+        if position != met {
+            return Err("the steps before make it another position".to_owned());
         }
         self.switches.clear();
         self.parts.push([from, to]);
@@ -136,7 +137,7 @@ impl Edge {
     }
 
     /// The borders: that left of the part from its lower end, then that right of it from its upper end.
-    pub(super) fn border(&mut self, side: Polygon, v: Vertex) -> Result<(), String> {
+    pub(super) fn border(&mut self, polygon: PseudoPolygon, v: Vertex) -> Result<(), String> {
         let [from, to] = self.current()?;
         let hole = &mut self.hole;
         let (start, end) = if hole.complete == 0 {
@@ -145,18 +146,18 @@ impl Edge {
             (from, to)
         };
         let reaches_end = hole.last.is_some_and(|last| last.contains(&to));
-        let Some((polygon, last)) = hole.polygon else {
+        let Some((begun, last)) = hole.polygon else {
             if v != start || !reaches_end || hole.complete > 1 {
                 return Err(format!("no border begins at {v} now"));
             }
-            hole.polygon = Some((side, v));
+            hole.polygon = Some((polygon, v));
             return Ok(());
         };
-        if side != polygon || !hole.sides.remove(&[last, v]) {
+        if polygon != begun || !hole.sides.remove(&[last, v]) {
             return Err(format!("the border does not lead to {v}"));
         }
         hole.border.push([last, v]);
-        hole.polygon = Some((side, v));
+        hole.polygon = Some((polygon, v));
         if v == end {
             hole.polygon = None;
             hole.complete += 1;

@@ -17,11 +17,11 @@ impl Replay {
             } => self.point(vertex, case, segment),
             Event::Triangle { vertices, why } => self.triangle(vertices, why, is_due),
             Event::Test {
-                edge,
+                side,
                 opposite,
                 outcome,
-            } => self.test(edge, opposite, outcome),
-            Event::Flip { edge, to } => self.flip(edge, to, is_due),
+            } => self.test(side, opposite, outcome),
+            Event::Flip { side, new_side } => self.flip(side, new_side, is_due),
             Event::FrontInsert { vertex, after } => {
                 ensure(is_due, || {
                     format!("vertex {vertex} does not join the front now")
@@ -30,27 +30,27 @@ impl Replay {
             }
             Event::FrontRemove { vertex } => self.front.remove(vertex),
             Event::Edge { edge, upper, lower } => self.begin_edge(edge, upper, lower),
-            Event::Switch { to_front, at } => {
-                let [left, right] = at;
-                ensure(left == right || self.front.is_segment(at), || {
+            Event::Switch { to_front, segment } => {
+                let [left, right] = segment;
+                ensure(left == right || self.front.is_segment(segment), || {
                     format!("there is no front segment {left} {right}")
                 })?;
-                inserted(&mut self.edge)?.switch(to_front, at)
+                inserted(&mut self.edge)?.switch(to_front, segment)
             }
-            Event::Part { from, to, case } => {
+            Event::Part { from, to, position } => {
                 ensure(self.is_below(to, from), || {
                     format!("vertex {to} is not below vertex {from}")
                 })?;
-                inserted(&mut self.edge)?.part([from, to], case, &self.mesh)
+                inserted(&mut self.edge)?.part([from, to], position, &self.mesh)
             }
             Event::Pierced { vertices } => {
                 inserted(&mut self.edge)?.pierce(vertices, &self.mesh)?;
                 self.mesh.remove(vertices)
             }
-            Event::Border { side, vertex } => inserted(&mut self.edge)?.border(side, vertex),
-            Event::Fixed { edge } => {
-                inserted(&mut self.edge)?.fix(edge, &self.mesh)?;
-                self.mesh.fix(edge);
+            Event::Border { polygon, vertex } => inserted(&mut self.edge)?.border(polygon, vertex),
+            Event::Fixed { side } => {
+                inserted(&mut self.edge)?.fix(side, &self.mesh)?;
+                self.mesh.fix(side);
                 Ok(())
             }
             Event::Finalization => self.finalize(),
@@ -122,7 +122,7 @@ impl Replay {
         let may_be_here = match why {
             Why::First => self.first(vertices),
             Why::Point => is_due || self.is_second(vertices),
-            Why::Fill => is_sweeping && self.edge.is_none() && self.filled(vertices),
+            Why::NarrowCorner => is_sweeping && self.edge.is_none() && self.filled(vertices),
             Why::Basin => is_sweeping && self.edge.is_none() && self.below.is_none(),
             Why::Pocket => self.edge.as_ref().is_some_and(Edge::may_fill_pockets),
             Why::PseudoPolygon => self.edge.as_ref().is_some_and(Edge::may_fill_polygon),
@@ -180,28 +180,35 @@ impl Replay {
 
     fn test(
         &mut self,
-        edge: [Vertex; 2],
+        side: [Vertex; 2],
         opposite: [Vertex; 2],
         outcome: Outcome,
     ) -> Result<(), String> {
-        let ([a, b], [p, q]) = (edge, opposite);
-        ensure(self.mesh.is_between(edge, opposite), || {
+        let ([a, b], [p, q]) = (side, opposite);
+        ensure(self.mesh.is_between(side, opposite), || {
             format!("side {a} {b} is not between {p} and {q}")
         })?;
-        let is_fixed = self.mesh.is_fixed(edge);
+        let is_fixed = self.mesh.is_fixed(side);
         ensure(is_fixed == (outcome == Outcome::Fixed), || {
             let not = if is_fixed { "" } else { "not " };
-            format!("edge {a} {b} is {not}fixed")
+            format!("side {a} {b} is {not}fixed")
         })?;
         if outcome == Outcome::Illegal {
-            self.due.push_back(Event::Flip { edge, to: opposite });
+            self.due.push_back(Event::Flip {
+                side,
+                new_side: opposite,
+            });
         }
         Ok(())
     }
 
-    /// Swaps an edge after the test that asks for it.
-    fn flip(&mut self, edge: [Vertex; 2], to: [Vertex; 2], is_due: bool) -> Result<(), String> {
-        let ([a, b], [p, q]) = (edge, to);
+    /// Swaps a side after the test that asks for it.
+    fn flip(
+        &mut self,
+        [a, b]: [Vertex; 2],
+        [p, q]: [Vertex; 2],
+        is_due: bool,
+    ) -> Result<(), String> {
         ensure(is_due, || "no test asks for this flip".to_owned())?;
         self.mesh.remove([a, b, p])?;
         self.mesh.remove([b, a, q])?;
@@ -244,7 +251,7 @@ impl Replay {
         self.mesh.remove(vertices)
     }
 
-    fn finish(&mut self, told: u32) -> Result<(), String> {
+    fn finish(&mut self, expected: u32) -> Result<(), String> {
         ensure(self.phase >= Phase::Finalizing, || {
             "the finalization is missing".to_owned()
         })?;
@@ -254,7 +261,7 @@ impl Replay {
             !triangles.iter().flatten().any(|&v| is_artificial(v)),
             || "an artificial triangle is left".to_owned(),
         )?;
-        ensure(u32::try_from(triangles.len()) == Ok(told), || {
+        ensure(u32::try_from(triangles.len()) == Ok(expected), || {
             format!("there are {} triangles", triangles.len())
         })?;
         self.mesh.check_disc(&self.order)

@@ -51,7 +51,7 @@ pub(super) fn judge(
     let counts = [
         done.flips,
         done.left_cases,
-        done.fills,
+        done.narrow_corners,
         done.basin_triangles,
         done.pocket_triangles,
         done.hull_triangles,
@@ -74,7 +74,7 @@ pub(super) fn judge(
                 }
             )
         }),
-        made(Why::Fill),
+        made(Why::NarrowCorner),
         made(Why::Basin),
         made(Why::Pocket),
         made(Why::Hull),

@@ -108,7 +108,7 @@ fn may_stand_for(a: Event, b: Event) -> bool {
                 why: w,
             },
         ) => {
-            let is_heuristic = |why| matches!(why, Why::Fill | Why::Basin);
+            let is_heuristic = |why| matches!(why, Why::NarrowCorner | Why::Basin);
             vertices == v && is_heuristic(why) && is_heuristic(w)
         }
         _ => false,
