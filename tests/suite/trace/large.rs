@@ -49,7 +49,7 @@ fn thousands_of_points_even_and_skewed() {
     }
 }
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "formats")]
 #[test]
 fn contours() {
     use sweep_cdt::formats::{Input as Read, InputFormat, Source, read};
