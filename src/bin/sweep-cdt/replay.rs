@@ -4,9 +4,9 @@ use std::io::Write;
 
 use sweep_cdt::trace::Trace;
 
-use super::failure::Failure;
-use super::file::FileArg;
-use super::output::print;
+use crate::shared::failure::Failure;
+use crate::shared::file_argument::FileArg;
+use crate::shared::output::print;
 
 /// Rebuild the triangles from a trace
 ///

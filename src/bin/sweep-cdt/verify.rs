@@ -6,13 +6,14 @@ use std::path::PathBuf;
 use sweep_cdt::formats::{Coordinate, Graph, read_result, write_violations_svg};
 use sweep_cdt::{Scalar, Verifier};
 
-use super::certificate::{self, Fingerprint, Subject};
-use super::draft::Drafts;
-use super::failure::Failure;
-use super::input::{InputArgs, ResultArgs, ResultFiles};
-use super::output::{print, refuse_overwriting};
-use super::scalar::{Job, ScalarArgs};
-use super::verdict::{self, report, violations};
+use crate::certificate::{self, Fingerprint, Subject};
+use crate::shared::arithmetic::{Job, ScalarArgs};
+use crate::shared::atomic_files::Drafts;
+use crate::shared::failure::Failure;
+use crate::shared::input::{InputArgs, ResultArgs, ResultFiles};
+use crate::shared::output::{print, refuse_overwriting};
+use crate::shared::report;
+use crate::shared::verification::{self, violations};
 
 /// Verify a triangulation that any program has made
 ///
@@ -129,7 +130,7 @@ impl Job for Run<'_> {
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
             .limit(arguments.limit);
-        let answer = verdict::verify(verifier, points, &graph.edges, &triangles.list);
+        let answer = verification::verify(verifier, points, &graph.edges, &triangles.list);
 
         let subject = Subject {
             input: self.of_input,
@@ -155,10 +156,10 @@ impl Job for Run<'_> {
                 return certificate::write(&subject, &answer, out);
             }
             let (input, result) = (arguments.input.name(), arguments.result.result.name());
-            verdict::write_verdict(&answer, &result, &input, out)?;
+            report::write_verdict(&answer, &result, &input, out)?;
             writeln!(out)?;
-            verdict::write_counts(report(&answer), out)?;
-            verdict::write_violations(&answer, graph, &triangles, out)
+            report::write_counts(verification::report(&answer), out)?;
+            report::write_violations(&answer, graph, &triangles, out)
         })?;
         answer.map(|_| ()).map_err(|_| Failure::Wrong)
     }

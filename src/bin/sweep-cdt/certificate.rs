@@ -10,7 +10,7 @@ use serde_json::value::RawValue;
 use sha2::{Digest, Sha256};
 use sweep_cdt::formats::{Coordinate, Graph, Matching, Source, Triangles, json_coordinate};
 
-use super::verdict::{Answer, report, violations};
+use crate::shared::verification::{Answer, report, violations};
 
 /// A file by name and contents.
 #[derive(Serialize)]

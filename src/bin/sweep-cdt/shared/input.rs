@@ -3,7 +3,7 @@
 use sweep_cdt::formats::{Input, InputFormat, ReadError, ResultFormat, Source, read};
 
 use super::failure::Failure;
-use super::file::{FileArg, load};
+use super::file_argument::{FileArg, load};
 
 /// Arguments that name an input.
 #[derive(clap::Args)]
@@ -13,7 +13,7 @@ pub(crate) struct InputArgs {
     pub(crate) input: FileArg,
 
     /// Format of the input, where its name does not end in it
-    #[arg(long, value_name = "FORMAT", value_parser = super::names(InputFormat::ALL, InputFormat::name))]
+    #[arg(long, value_name = "FORMAT", value_parser = super::format::names(InputFormat::ALL, InputFormat::name))]
     input_format: Option<InputFormat>,
 }
 
@@ -49,7 +49,7 @@ pub(crate) struct ResultArgs {
     pub(crate) result: FileArg,
 
     /// Format of the result, where its name does not end in it
-    #[arg(long, value_name = "FORMAT", value_parser = super::names(ResultFormat::ALL, ResultFormat::name))]
+    #[arg(long, value_name = "FORMAT", value_parser = super::format::names(ResultFormat::ALL, ResultFormat::name))]
     result_format: Option<ResultFormat>,
 }
 

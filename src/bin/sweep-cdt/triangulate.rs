@@ -6,13 +6,14 @@ use std::io::{self, Write};
 use sweep_cdt::formats::{Coordinate, Graph};
 use sweep_cdt::{Scalar, Triangulation, Verifier};
 
-use super::failure::Failure;
-use super::input::InputArgs;
-use super::output::{OutputArgs, Target, print, save};
-use super::scalar::{Job, ScalarArgs};
-use super::settings::Settings;
-use super::statistics;
-use super::verdict::{self, verify};
+use crate::shared::arithmetic::{Job, ScalarArgs};
+use crate::shared::failure::Failure;
+use crate::shared::input::InputArgs;
+use crate::shared::output::{OutputArgs, Target, print, save};
+use crate::shared::report;
+use crate::shared::settings::Settings;
+use crate::shared::verification::verify;
+use crate::statistics;
 
 /// Triangulate points and edges
 ///
@@ -109,8 +110,8 @@ impl Job for Run<'_> {
             .map_err(|error| self.error(&graph.as_numbered(error)))?;
         let verdict = if self.arguments.verify {
             let triangles: Vec<[usize; 3]> = result.triangles().collect();
-            let report = verify(Verifier::new(), points, &graph.edges, &triangles);
-            Some(report.map_err(|violations| self.error(&violations))?)
+            let answer = verify(Verifier::new(), points, &graph.edges, &triangles);
+            Some(answer.map_err(|violations| self.error(&violations))?)
         } else {
             None
         };
@@ -125,7 +126,7 @@ impl Job for Run<'_> {
                 None => {}
             }
             match verdict {
-                Some(report) => verdict::write_verdict(&Ok(report), "the result", self.name, out),
+                Some(report) => report::write_verdict(&Ok(report), "the result", self.name, out),
                 None => Ok(()),
             }
         })

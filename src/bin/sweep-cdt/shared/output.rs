@@ -8,9 +8,9 @@ use sweep_cdt::formats::{
     Coordinate, Graph, Input, InputFormat, OutputFormat, read, write, write_node,
 };
 
-use super::draft::Drafts;
+use super::atomic_files::Drafts;
 use super::failure::Failure;
-use super::file::{FileArg, load};
+use super::file_argument::{FileArg, load};
 
 /// What names standard output among the outputs.
 const STDOUT: &str = "-";
@@ -23,7 +23,7 @@ pub(crate) struct OutputArgs {
     output: Vec<PathBuf>,
 
     /// Format of standard output
-    #[arg(long, value_name = "FORMAT", value_parser = super::names(OutputFormat::ALL, OutputFormat::name))]
+    #[arg(long, value_name = "FORMAT", value_parser = super::format::names(OutputFormat::ALL, OutputFormat::name))]
     output_format: Option<OutputFormat>,
 }
 

@@ -9,12 +9,12 @@ use sweep_cdt::Scalar;
 use sweep_cdt::formats::{Coordinate, Graph, write_page, write_sheet};
 use sweep_cdt::trace::Event;
 
-use super::draft::Drafts;
-use super::failure::Failure;
-use super::input::InputArgs;
-use super::output::{print, refuse_overwriting};
-use super::scalar::{Job, ScalarArgs};
-use super::settings::Settings;
+use crate::shared::arithmetic::{Job, ScalarArgs};
+use crate::shared::atomic_files::Drafts;
+use crate::shared::failure::Failure;
+use crate::shared::input::InputArgs;
+use crate::shared::output::{print, refuse_overwriting};
+use crate::shared::settings::Settings;
 
 /// What names standard output.
 const STDOUT: &str = "-";
@@ -35,7 +35,7 @@ pub(crate) struct Trace {
     output: PathBuf,
 
     /// Format of standard output
-    #[arg(long, value_name = "FORMAT", default_value = "txt", value_parser = super::names(Format::ALL, Format::name))]
+    #[arg(long, value_name = "FORMAT", default_value = "txt", value_parser = crate::shared::format::names(Format::ALL, Format::name))]
     output_format: Format,
 
     /// First step to write, counted from 1
