@@ -21,9 +21,9 @@ use shared::failure::Failure;
 
 /// Exact constrained Delaunay triangulation by a sweep line.
 ///
-/// Reads points and edges in the plane and finds the constrained Delaunay triangulation of them, or
-/// verifies one that any program has made. All decisions are exact: every finite input without crossing
-/// edges has one result, the same for all settings.
+/// Reads points and edges in the plane and finds their constrained Delaunay triangulation, or verifies
+/// one that any program has made. All decisions are exact: every finite input without crossing edges
+/// has one result, the same for all settings.
 #[derive(Parser)]
 #[command(name = "sweep-cdt", version, max_term_width = 100)]
 struct Cli {
@@ -52,7 +52,7 @@ fn main() -> ExitCode {
             .error(clap::error::ErrorKind::ValueValidation, message)
             .exit(),
         Err(Failure::Error(message)) => {
-            // Where standard error is closed there is nobody to tell.
+            // If standard error is closed, the message has no reader.
             let _ = writeln!(
                 io::stderr(),
                 "error: {}",

@@ -62,9 +62,7 @@ fn contours() {
         name.to_owned(),
         std::fs::read(name).expect("a readable file"),
     );
-    let no_other = || unreachable!("it has vertices");
-    let Ok(Read::Doubles(graph)) = read(InputFormat::Poly, &Source { name, bytes }, no_other)
-    else {
+    let Ok(Read::Doubles(graph)) = read(InputFormat::Poly, &Source { name, bytes }, None) else {
         panic!("the file holds doubles");
     };
     let input = Input {

@@ -1,4 +1,4 @@
-//! A file to read, or standard input.
+//! A path on the command line, where `-` stands for standard input or output.
 
 use std::ffi::OsString;
 use std::io::{self, Read};
@@ -6,83 +6,84 @@ use std::path::{Path, PathBuf};
 
 use sweep_cdt::formats::{ReadError, Source};
 
-use super::failure::{Failure, reason};
+use super::failure::reason;
 
-/// A path from the command line; `-` stands for standard input.
+/// A file, or standard input or output.
 #[derive(Clone)]
-pub(crate) struct FileArg(PathBuf);
+pub(crate) enum FileArgument {
+    Standard,
+    File(PathBuf),
+}
 
-impl From<OsString> for FileArg {
-    fn from(path: OsString) -> Self {
-        FileArg(path.into())
+impl From<OsString> for FileArgument {
+    fn from(text: OsString) -> Self {
+        if text == "-" {
+            FileArgument::Standard
+        } else {
+            FileArgument::File(text.into())
+        }
     }
 }
 
-impl FileArg {
-    /// How messages call it.
-    pub(crate) fn name(&self) -> String {
-        if self.is_stdin() {
-            "standard input".to_owned()
-        } else {
-            self.0.display().to_string()
+impl FileArgument {
+    /// What messages call it where it is an input.
+    pub(crate) fn input_name(&self) -> String {
+        match self {
+            FileArgument::Standard => "standard input".to_owned(),
+            FileArgument::File(path) => path.display().to_string(),
         }
     }
 
-    pub(crate) fn is_stdin(&self) -> bool {
-        self.0 == Path::new("-")
+    pub(crate) fn is_standard(&self) -> bool {
+        matches!(self, FileArgument::Standard)
     }
 
-    /// Whether it is this file.
+    /// The path, if it is a file.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        match self {
+            FileArgument::Standard => None,
+            FileArgument::File(path) => Some(path),
+        }
+    }
+
+    /// Whether it is a file that exists.
+    pub(crate) fn exists(&self) -> bool {
+        self.path().is_some_and(Path::exists)
+    }
+
+    /// Whether it is the file of this path.
     pub(crate) fn is_file(&self, path: &Path) -> bool {
         let place = |path: &Path| std::fs::canonicalize(path).ok();
-        !self.is_stdin() && place(path).is_some_and(|other| place(&self.0) == Some(other))
-    }
-
-    /// The path of the file beside it with another extension; standard input has none.
-    pub(crate) fn beside(&self, extension: &str) -> Option<PathBuf> {
-        (!self.is_stdin()).then(|| self.0.with_extension(extension))
-    }
-
-    /// The format, given by an `option` or by the extension.
-    pub(crate) fn format<F: Copy, const N: usize>(
-        &self,
-        (option, given): (&str, Option<F>),
-        all: [F; N],
-        name: fn(F) -> &'static str,
-    ) -> Result<F, Failure> {
-        let by_extension = || {
-            let extension = self.0.extension()?;
-            let is_named = |&format: &F| extension.eq_ignore_ascii_case(name(format));
-            all.into_iter().find(is_named)
-        };
-        given.or_else(by_extension).ok_or_else(|| {
-            let name = self.name();
-            Failure::Usage(format!(
-                "the format of {name} is not known by its name: add {option}"
-            ))
-        })
+        let own = self.path().and_then(place);
+        own.is_some() && own == place(path)
     }
 
     /// Reads all of it to memory.
     pub(crate) fn load(&self) -> Result<Source, ReadError> {
-        if !self.is_stdin() {
-            return load(&self.0);
+        match self {
+            FileArgument::File(path) => load(path),
+            FileArgument::Standard => {
+                let mut bytes = Vec::new();
+                let read = io::stdin().lock().read_to_end(&mut bytes);
+                source(self.input_name(), read.map(|_| bytes))
+            }
         }
-        let mut bytes = Vec::new();
-        match io::stdin().lock().read_to_end(&mut bytes) {
-            Ok(_) => Ok(Source {
-                name: self.name(),
-                bytes,
-            }),
-            Err(error) => Err(ReadError::of_file(self.name(), reason(&error))),
-        }
+    }
+
+    /// The file beside it with another extension; standard input has none.
+    pub(crate) fn beside(&self, extension: &str) -> Option<FileArgument> {
+        self.path()
+            .map(|path| FileArgument::File(path.with_extension(extension)))
     }
 }
 
 /// Reads a file to memory.
 pub(crate) fn load(path: &Path) -> Result<Source, ReadError> {
-    let name = path.display().to_string();
-    match std::fs::read(path) {
+    source(path.display().to_string(), std::fs::read(path))
+}
+
+fn source(name: String, bytes: io::Result<Vec<u8>>) -> Result<Source, ReadError> {
+    match bytes {
         Ok(bytes) => Ok(Source { name, bytes }),
         Err(error) => Err(ReadError::of_file(name, reason(&error))),
     }

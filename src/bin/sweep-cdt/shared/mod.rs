@@ -8,6 +8,7 @@ pub(crate) mod format;
 pub(crate) mod input;
 pub(crate) mod output;
 pub(crate) mod progress;
+pub(crate) mod rationals;
 pub(crate) mod report;
 pub(crate) mod settings;
 pub(crate) mod table;

@@ -1,77 +1,61 @@
 //! The outputs of a run: all of them are written, or none.
 
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use sweep_cdt::Triangulation;
 use sweep_cdt::formats::{
     Coordinate, Graph, Input, InputFormat, OutputFormat, read, write, write_node,
 };
 
-use super::atomic_files::Drafts;
+use super::atomic_files::AtomicFiles;
 use super::failure::Failure;
-use super::file_argument::{FileArg, load};
-
-/// What names standard output among the outputs.
-const STDOUT: &str = "-";
+use super::file_argument::{FileArgument, load};
+use super::format;
 
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
     /// File to write: .ele, .json, .obj or .svg; may be given several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
-    output: Vec<PathBuf>,
+    output: Vec<FileArgument>,
 
     /// Format of standard output
-    #[arg(long, value_name = "FORMAT", value_parser = super::format::names(OutputFormat::ALL, OutputFormat::name))]
+    #[arg(long, value_name = "FORMAT", value_parser = format::parser::<OutputFormat>())]
     output_format: Option<OutputFormat>,
 }
 
 /// A place to write to, and what.
 pub(crate) struct Target {
-    path: PathBuf,
+    file: FileArgument,
     format: OutputFormat,
 }
 
 impl OutputArgs {
     /// The outputs, each with its format. None of them may be the input.
-    pub(crate) fn targets(&self, input: &FileArg) -> Result<Vec<Target>, Failure> {
-        refuse_overwriting(&[input], &self.output)?;
-        self.output.iter().map(|path| self.target(path)).collect()
+    pub(crate) fn targets(&self, input: &FileArgument) -> Result<Vec<Target>, Failure> {
+        refuse_overwriting(&[input], self.output.iter().filter_map(FileArgument::path))?;
+        let target = |file: &FileArgument| {
+            Ok(Target {
+                file: file.clone(),
+                format: format::of_output(file, self.output_format)?,
+            })
+        };
+        self.output.iter().map(target).collect()
     }
 
     /// Whether one of the outputs is standard output.
     pub(crate) fn has_stdout(&self) -> bool {
-        self.output.iter().any(|path| path == Path::new(STDOUT))
-    }
-
-    fn target(&self, path: &Path) -> Result<Target, Failure> {
-        let extension = path.extension().unwrap_or_default();
-        let named = |format: &OutputFormat| extension.eq_ignore_ascii_case(format.name());
-        let format = if path == Path::new(STDOUT) {
-            self.output_format
-                .ok_or_else(|| "standard output needs a format: add --output-format".to_owned())
-        } else {
-            OutputFormat::ALL.into_iter().find(named).ok_or_else(|| {
-                format!(
-                    "{}: only .ele, .json, .obj and .svg can be written",
-                    path.display()
-                )
-            })
-        };
-        Ok(Target {
-            path: path.to_owned(),
-            format: format.map_err(Failure::Usage)?,
-        })
+        self.output.iter().any(FileArgument::is_standard)
     }
 }
 
 /// Refuses outputs that are one of the inputs.
 pub(crate) fn refuse_overwriting<'a>(
-    inputs: &[&FileArg],
-    outputs: impl IntoIterator<Item = &'a PathBuf>,
+    inputs: &[&FileArgument],
+    outputs: impl IntoIterator<Item = &'a Path>,
 ) -> Result<(), Failure> {
-    let is_input = |path: &&PathBuf| inputs.iter().any(|input| input.is_file(path));
+    let is_input = |path: &&Path| inputs.iter().any(|input| input.is_file(path));
     match outputs.into_iter().find(is_input) {
         None => Ok(()),
         Some(path) => Err(Failure::Usage(format!(
@@ -87,22 +71,22 @@ pub(crate) fn save<S: Coordinate>(
     graph: &Graph<S>,
     result: &Triangulation,
 ) -> Result<(), Failure> {
-    let mut drafts = Drafts::default();
-    for Target { path, format } in targets {
-        if path == Path::new(STDOUT) {
+    let mut files = AtomicFiles::default();
+    for Target { file, format } in targets {
+        let Some(path) = file.path() else {
             print(|out| write(*format, graph, result, out))?;
             continue;
-        }
-        drafts.add(path, |out| write(*format, graph, result, out))?;
+        };
+        files.add(path, |out| write(*format, graph, result, out))?;
         let node = path.with_extension("node");
-        if *format == OutputFormat::Ele && !is_node_of(&node, graph) {
-            drafts.add(&node, |out| write_node(graph, out))?;
+        if *format == OutputFormat::Ele && !holds_vertices(&node, graph) {
+            files.add(&node, |out| write_node(graph, out))?;
         }
     }
-    drafts.persist()
+    files.persist()
 }
 
-/// Writes to standard output. That nobody reads it any more is no failure.
+/// Writes to standard output. A reader that has closed its end of the pipe is no failure.
 pub(crate) fn print(
     write: impl FnOnce(&mut BufWriter<io::StdoutLock<'_>>) -> io::Result<()>,
 ) -> Result<(), Failure> {
@@ -115,16 +99,13 @@ pub(crate) fn print(
     }
 }
 
-/// Whether a `.node` is there already and holds the vertices of `graph`.
-fn is_node_of<S: Coordinate>(path: &Path, graph: &Graph<S>) -> bool {
-    let no_other = || unreachable!("a .node refers to no other file");
+/// Whether there is a `.node` of this path already that holds the vertices of `graph`.
+fn holds_vertices<S: Coordinate>(path: &Path, graph: &Graph<S>) -> bool {
     let Ok(source) = load(path) else { return false };
-    let Ok(there) = read(InputFormat::Node, &source, no_other) else {
-        return false;
-    };
-    let there = match there {
-        Input::Doubles(there) => node_text(&there),
-        Input::Rationals(there) => node_text(&there),
+    let there = match read(InputFormat::Node, &source, None) {
+        Ok(Input::Doubles(there)) => node_text(&there),
+        Ok(Input::Rationals(there)) => node_text(&there),
+        Err(_) => return false,
     };
     there == node_text(graph)
 }
