@@ -1,8 +1,7 @@
-//! Why an input is refused: every error names the offenders by the caller's own indices.
+//! Why an input is refused. Every error names the offenders by the caller's own indices, and its
+//! sentence stands on its variant.
 
-use std::fmt;
-
-/// An input that has no constrained Delaunay triangulation, and who is to blame.
+/// Why an input is refused, and which of its points and edges are to blame.
 ///
 /// All indices are positions in the slices that the caller passed, counted from 0. Everything that is
 /// not listed here is accepted: duplicate points and edges, edges of no length, edges through
@@ -17,15 +16,17 @@ use std::fmt;
 /// assert_eq!(error, Error::CrossingEdges { edges: [0, 1] });
 /// assert_eq!(error.to_string(), "edges 0 and 1 cross");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A coordinate of this point is NaN or infinite.
+    #[error("vertex {vertex} has a coordinate that is not finite")]
     NonFiniteCoordinate {
         /// The first such point.
         vertex: usize,
     },
     /// An end of this edge is not the index of a point.
+    #[error("edge {edge} ends at vertex {vertex}, which does not exist")]
     EdgeOutOfRange {
         /// The first such edge.
         edge: usize,
@@ -33,40 +34,25 @@ pub enum Error {
         vertex: usize,
     },
     /// Two edges cross at a point inside both of them that is not a vertex.
+    #[error("edges {} and {} cross", edges[0], edges[1])]
     CrossingEdges {
         /// The two edges, lower index first.
         edges: [usize; 2],
     },
-    /// More points or edges than the index type can number.
+    /// More points than can be numbered.
+    #[error("{given} points are more than the limit of {limit}")]
     TooManyPoints {
         /// How many there are.
         given: usize,
         /// How many there may be.
         limit: usize,
     },
+    /// More edges than can be numbered.
+    #[error("{given} edges are more than the limit of {limit}")]
+    TooManyEdges {
+        /// How many there are.
+        given: usize,
+        /// How many there may be.
+        limit: usize,
+    },
 }
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Error::NonFiniteCoordinate { vertex } => {
-                write!(f, "vertex {vertex} has a coordinate that is not finite")
-            }
-            Error::EdgeOutOfRange { edge, vertex } => {
-                write!(
-                    f,
-                    "edge {edge} ends at vertex {vertex}, which does not exist"
-                )
-            }
-            Error::CrossingEdges { edges: [a, b] } => write!(f, "edges {a} and {b} cross"),
-            Error::TooManyPoints { given, limit } => {
-                write!(
-                    f,
-                    "{given} points or edges are more than the {limit} that fit"
-                )
-            }
-        }
-    }
-}
-
-impl std::error::Error for Error {}

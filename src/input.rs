@@ -68,7 +68,10 @@ impl Edges {
 
 /// Sorts and merges the points.
 pub(crate) fn vertices<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> {
-    check_count(points.len())?;
+    check_count(points.len(), |given, limit| Error::TooManyPoints {
+        given,
+        limit,
+    })?;
     if let Some(vertex) = points
         .iter()
         .position(|p| !(p[0].is_finite() && p[1].is_finite()))
@@ -126,7 +129,10 @@ pub(crate) fn edges(
     points: usize,
     edges: &[[usize; 2]],
 ) -> Result<(Edges, Vec<[u32; 2]>), Error> {
-    check_count(edges.len())?;
+    check_count(edges.len(), |given, limit| Error::TooManyEdges {
+        given,
+        limit,
+    })?;
     if edges.is_empty() {
         return Ok((Edges::default(), Vec::new()));
     }
@@ -166,11 +172,11 @@ pub(crate) fn edges(
     Ok((Edges { first, list }, ends))
 }
 
-fn check_count(given: usize) -> Result<(), Error> {
+fn check_count(given: usize, error: fn(usize, usize) -> Error) -> Result<(), Error> {
     // Twice as many triangles as points, and some for the artificial ones.
     let limit = Link::LIMIT / 2 - 4;
     if given > limit {
-        Err(Error::TooManyPoints { given, limit })
+        Err(error(given, limit))
     } else {
         Ok(())
     }

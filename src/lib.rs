@@ -2,7 +2,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
-#[cfg(feature = "cli")]
+#[cfg(feature = "formats")]
 pub mod formats;
 mod front;
 mod heuristics;

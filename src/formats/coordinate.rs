@@ -7,42 +7,46 @@ pub trait Coordinate: Scalar + Clone + PartialEq {
     /// The value of a token such as `12`, `-0.5`, `1e-3` or `2/3`.
     ///
     /// # Errors
-    /// See [`Unreadable`].
-    fn from_text(token: &str) -> Result<Self, Unreadable>;
+    /// See [`CoordinateError`].
+    fn from_text(token: &str) -> Result<Self, CoordinateError>;
 
     /// The shortest text from which [`from_text`](Coordinate::from_text) makes the same value again.
     fn text(&self) -> String;
 }
 
-/// Why a token gives no coordinate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unreadable {
+/// Why a token gives no coordinate: a sentence that begins with the token.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CoordinateError {
     /// It is not a number.
+    #[error("is not a coordinate")]
     NotANumber,
     /// It is a fraction, and the type has none.
+    #[error("is a fraction")]
     Fraction,
     /// It has more digits than are read.
+    #[error("has too many digits")]
     TooLong,
 }
 
 /// The nearest double. `nan` and `inf` are read too, for the library to refuse them.
 ///
 /// ```
-/// use sweep_cdt::formats::{Coordinate, Unreadable};
+/// use sweep_cdt::formats::{Coordinate, CoordinateError};
 ///
 /// assert_eq!(f64::from_text("-1e-3"), Ok(-0.001));
-/// assert_eq!(f64::from_text("2/3"), Err(Unreadable::Fraction));
+/// assert_eq!(f64::from_text("2/3"), Err(CoordinateError::Fraction));
 /// assert_eq!(0.1.text(), "0.1");
 /// assert_eq!(4e300.text(), "4e300");
 /// assert_eq!(7.0.text(), "7");
 /// ```
 impl Coordinate for f64 {
-    fn from_text(token: &str) -> Result<Self, Unreadable> {
+    fn from_text(token: &str) -> Result<Self, CoordinateError> {
         token.parse().map_err(|_| {
             if token.contains('/') {
-                Unreadable::Fraction
+                CoordinateError::Fraction
             } else {
-                Unreadable::NotANumber
+                CoordinateError::NotANumber
             }
         })
     }

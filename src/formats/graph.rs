@@ -39,7 +39,7 @@ impl<S> Graph<S> {
             Error::CrossingEdges { edges } => Error::CrossingEdges {
                 edges: edges.map(edge_number),
             },
-            Error::TooManyPoints { .. } => error,
+            Error::TooManyPoints { .. } | Error::TooManyEdges { .. } => error,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! File formats: what the command reads and writes.
+//! File formats: graphs and triangulations, read and written.
 //!
 //! | name | read | written |
 //! |---|---|---|
@@ -9,7 +9,7 @@
 //! | `obj` | vertices and triangles | vertices and triangles (Wavefront) |
 //! | `svg` | | a picture |
 //!
-//! Readers take bytes, never panic on any of them, and say in which line they stumbled. Writers list
+//! Readers take bytes, never panic on any of them, and name the line that is wrong. Writers list
 //! triangles in [canonical order](crate::Triangulation::canonical_triangles), so that what they write
 //! depends on nothing but the input.
 //!
@@ -22,11 +22,8 @@ mod read;
 mod steps;
 mod write;
 
-pub use coordinate::{Coordinate, Unreadable};
+pub use coordinate::{Coordinate, CoordinateError};
 pub use graph::Graph;
-pub use rational::{Rational, exact};
-pub use read::{
-    Input, InputFormat, Matching, ReadError, ResultFormat, Source, Triangles, read, read_result,
-};
+pub use read::{Input, InputFormat, ReadError, ResultFormat, Source, Triangles, read, read_result};
 pub use steps::{MOST_PANELS, MOST_STEPS, write_page, write_sheet};
-pub use write::{OutputFormat, json_coordinate, write, write_node, write_violations_svg};
+pub use write::{OutputFormat, write, write_node, write_violations_svg};

@@ -8,16 +8,16 @@ use std::fmt;
 
 /// A vertex as events name it: the input index that stands for it, or an artificial point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "cli", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "formats", derive(serde::Serialize, serde::Deserialize))]
 pub enum Vertex {
     /// The artificial point P-1, far to the left (section 3.3).
-    #[cfg_attr(feature = "cli", serde(rename = "P-1"))]
+    #[cfg_attr(feature = "formats", serde(rename = "P-1"))]
     Left,
     /// The artificial point P-2, far to the right (section 3.3).
-    #[cfg_attr(feature = "cli", serde(rename = "P-2"))]
+    #[cfg_attr(feature = "formats", serde(rename = "P-2"))]
     Right,
     /// A point of the input, by its index; of equal ones the lowest.
-    #[cfg_attr(feature = "cli", serde(untagged))]
+    #[cfg_attr(feature = "formats", serde(untagged))]
     Input(u32),
 }
 
@@ -53,7 +53,7 @@ impl fmt::Display for Vertex {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "cli",
+    feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
     serde(tag = "event", rename_all = "kebab-case", deny_unknown_fields)
 )]
@@ -168,7 +168,7 @@ pub enum Event {
 /// Where the projection of a new vertex falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "cli",
+    feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
@@ -182,7 +182,7 @@ pub enum PointCase {
 /// What a triangle is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "cli",
+    feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
@@ -206,7 +206,7 @@ pub enum Why {
 /// How a legalization test ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "cli",
+    feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
@@ -222,7 +222,7 @@ pub enum Outcome {
 /// The position of a part of an edge against the advancing front (section 3.4.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "cli",
+    feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
@@ -240,7 +240,7 @@ pub enum EdgePosition {
 /// One of the two pseudo-polygons of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "cli",
+    feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]

@@ -32,7 +32,7 @@
 //! of a trace says at which step it begins: `from step 120` in the header, or `"from":120`.
 
 mod event;
-#[cfg(feature = "cli")]
+#[cfg(feature = "formats")]
 mod lines;
 mod replay;
 mod text;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io::{self, Write};
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "formats")]
 use super::lines;
 use super::{Event, replay, text};
 
@@ -49,7 +49,7 @@ impl Trace {
     ///
     /// # Errors
     /// Those of `out`.
-    #[cfg(feature = "cli")]
+    #[cfg(feature = "formats")]
     pub fn write_lines(&self, mut out: impl Write) -> io::Result<()> {
         lines::write(self, &mut out)
     }
@@ -59,7 +59,7 @@ impl Trace {
     /// # Errors
     /// [`BadTrace`] names the first line that is no line of a trace.
     pub fn parse(text: &str) -> Result<Trace, BadTrace> {
-        #[cfg(feature = "cli")]
+        #[cfg(feature = "formats")]
         if text.starts_with('{') {
             return lines::read(text);
         }

@@ -3,8 +3,10 @@
 
 use std::cmp::Ordering;
 use std::ops::Range;
+#[cfg(feature = "parallel")]
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
+#[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
 use super::Verifier;
@@ -59,6 +61,7 @@ pub(super) fn serial<S: Scalar>(
 }
 
 /// On all threads of the current rayon pool.
+#[cfg(feature = "parallel")]
 pub(super) fn parallel<S: Scalar + Sync>(
     mesh: &Mesh<'_, S>,
     pass: Pass<'_>,

@@ -191,6 +191,7 @@ impl<'a> Verifier<'a> {
     ///
     /// # Errors
     /// [`Violations`], if `triangles` is no constrained Delaunay triangulation of `points` with `edges`.
+    #[cfg(feature = "parallel")]
     pub fn verify_parallel<S: Scalar + Sync>(
         &self,
         points: &[[S; 2]],

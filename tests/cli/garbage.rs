@@ -74,8 +74,7 @@ fn source(bytes: Vec<u8>) -> Source {
 }
 
 fn load(name: &str) -> Input {
-    let no_other = || unreachable!("all in one file");
-    read(InputFormat::Poly, &source(bytes_of(name)), no_other).expect("a good file")
+    read(InputFormat::Poly, &source(bytes_of(name)), None).expect("a good file")
 }
 
 /// Pseudo-random numbers (a linear congruence, upper bits).

@@ -7,6 +7,7 @@ mod formats;
 mod garbage;
 mod refuted;
 mod runs;
+mod tables;
 mod trace;
 mod verify;
 

@@ -1,6 +1,6 @@
-//! Settings, summary and statistics.
+//! Settings and summary.
 
-use crate::{CONTOURS, FORMATS, folder, printed, run, run_with_input};
+use crate::{CONTOURS, FORMATS, printed, run, run_with_input};
 
 #[test]
 fn inputs_without_triangles_are_no_errors() {
@@ -68,27 +68,4 @@ fn settings_change_no_byte() {
             }
         }
     }
-}
-
-#[test]
-fn statistics_are_printed_on_demand() {
-    let output = run(FORMATS, "ten.poly --stats");
-    let table = printed(&output);
-    for name in [
-        "points",
-        "duplicates",
-        "initialization",
-        "sweeping",
-        "finalization",
-        "flips",
-    ] {
-        assert_eq!(
-            table.lines().filter(|line| line.starts_with(name)).count(),
-            1,
-            "{name}"
-        );
-    }
-    let folder = folder(&[]);
-    let input = format!("{FORMATS}/ten.poly");
-    assert_eq!(printed(&run(&folder, &format!("{input} -o ten.svg"))), "");
 }

@@ -175,7 +175,7 @@ fn steps_that_there_are_not_are_refused() {
             assert_eq!(refused.status.code(), Some(2), "{range}");
             assert!(text(&refused.stderr).starts_with("error: "), "{range}");
         }
-        let error = format!("{input}: there is no step 99999, the last one is {last}");
+        let error = format!("{input}: there is no step 99999; the last step is {last}");
         assert_fails(&run("--from 99999"), &error);
         assert_eq!(names(folder.path()), Vec::<String>::new());
     }

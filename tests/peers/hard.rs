@@ -171,9 +171,7 @@ fn graph(path: &Path) -> Option<Graph<f64>> {
     let name = path.display().to_string();
     let bytes = fs::read(path).expect("a file");
     let source = Source { name, bytes };
-    match read(InputFormat::Json, &source, || {
-        unreachable!("JSON is one file")
-    }) {
+    match read(InputFormat::Json, &source, None) {
         Ok(Input::Doubles(graph)) => Some(graph),
         _ => None,
     }

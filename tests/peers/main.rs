@@ -1,5 +1,5 @@
 //! Results of other programs: the right ones verify, and a wrong one is told.
-#![cfg(feature = "cli")]
+#![cfg(feature = "formats")]
 
 mod chosen;
 mod hard;

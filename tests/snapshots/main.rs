@@ -3,7 +3,7 @@
 //!
 //! They lie in `snapshots/`, plain text to be read with the paper at hand. `INSTA_UPDATE=always cargo
 //! test --test snapshots` writes them anew; what changed must then be looked at by a person.
-#![cfg(feature = "cli")]
+#![cfg(feature = "formats")]
 
 mod figures;
 mod work;

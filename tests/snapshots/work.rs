@@ -42,9 +42,7 @@ fn contours() {
         name: path.display().to_string(),
         bytes: std::fs::read(&path).expect("a readable file"),
     };
-    let input = read(InputFormat::Poly, &source, || {
-        unreachable!("it has vertices")
-    });
+    let input = read(InputFormat::Poly, &source, None);
     let Ok(Read::Doubles(graph)) = input else {
         panic!("doubles are in {}", source.name);
     };

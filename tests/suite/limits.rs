@@ -130,6 +130,12 @@ fn more_than_can_be_numbered_is_refused() {
     let (given, limit) = (1 << 27, (1 << 27) - 4);
     let error = triangulate(&[[Nothing; 2]; 1 << 27], &[]).unwrap_err();
     assert_eq!(error, Error::TooManyPoints { given, limit });
+    // Zeros from the system: no memory is touched.
+    let edges = vec![[0; 2]; 1 << 27];
+    let error = triangulate::<f64>(&[], &edges).unwrap_err();
+    assert_eq!(error, Error::TooManyEdges { given, limit });
+    let sentence = "134217728 edges are more than the limit of 134217724";
+    assert_eq!(error.to_string(), sentence);
 
     let (given, limit) = ((1 << 31) + 1, 1 << 31);
     let violations = verify(&[[Nothing; 2]; (1 << 31) + 1], &[], &[]).unwrap_err();

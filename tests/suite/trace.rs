@@ -68,7 +68,7 @@ fn text(trace: &Trace) -> String {
     String::from_utf8(text).expect("text")
 }
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "formats")]
 fn lines(trace: &Trace) -> String {
     let mut text = Vec::new();
     trace.write_lines(&mut text).expect("memory takes all");
@@ -80,7 +80,7 @@ fn assert_replays(input: &Input) {
     for heuristics in HEURISTICS {
         let (trace, result) = trace(input, heuristics);
         assert_eq!(Trace::parse(&text(&trace)).as_ref(), Ok(&trace));
-        #[cfg(feature = "cli")]
+        #[cfg(feature = "formats")]
         assert_eq!(Trace::parse(&lines(&trace)).as_ref(), Ok(&trace));
         let replayed = trace.replay();
         match result {
@@ -271,7 +271,7 @@ fn a_part_of_a_trace_is_read_but_not_replayed() {
         "{text}"
     );
     assert_eq!(Trace::parse(&text).as_ref(), Ok(&part));
-    #[cfg(feature = "cli")]
+    #[cfg(feature = "formats")]
     assert_eq!(Trace::parse(&lines(&part)).as_ref(), Ok(&part));
     assert_eq!(
         part.replay().unwrap_err().to_string(),
@@ -304,11 +304,11 @@ fn what_is_no_trace_is_refused() {
             "sweep-cdt trace 2\nfinalization\nfinished: 0 triangles\nsorted 0\n",
             "line 4: the trace is over",
         ),
-        #[cfg(feature = "cli")]
+        #[cfg(feature = "formats")]
         ("{}\n", "line 1: is not the header of a trace of version 2"),
-        #[cfg(feature = "cli")]
+        #[cfg(feature = "formats")]
         (
-            "{\"format\":\"sweep-cdt trace\",\"version\":1}\n{\"event\":\"sorted\",\"vertex\":1,\"x\":0}\n",
+            "{\"format\":\"sweep-cdt trace\",\"version\":2}\n{\"event\":\"sorted\",\"vertex\":1,\"x\":0}\n",
             "line 2: is no step: \"{\\\"event\\\":\\\"sorted\\\",\\\"vertex\\\":1,\\\"x\\\":0}\"",
         ),
     ];
@@ -318,7 +318,7 @@ fn what_is_no_trace_is_refused() {
     }
 }
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "formats")]
 #[test]
 fn json_lines_are_as_documented() {
     let input = Input::parse("0 0, 2 0, 1 1", "");

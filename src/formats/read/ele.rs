@@ -5,26 +5,24 @@
 //! <triangle> <vertex> <vertex> <vertex> [attributes]       numbered from 0 or from 1
 //! ```
 //!
-//! Vertices are numbered as in the `.node` beside it, and without one from where the triangles are, as
+//! Vertices are numbered as in the `.node` beside it; without one, from 0 or 1 as the triangles are, as
 //! Triangle does.
 
-use crate::formats::Coordinate;
-use crate::formats::read::lines::Lines;
-use crate::formats::read::result::Content;
+use crate::formats::read::content::Corners;
+use crate::formats::read::source::{ReadError, Source};
+use crate::formats::read::token_lines::Lines;
 use crate::formats::read::triangle::{numbered, read_node};
-use crate::formats::read::{Source, Stop};
 
 /// Reads a `.ele`; `node` is the `.node` beside it.
-pub(super) fn read<S: Coordinate>(
-    source: &Source,
-    node: Option<&Source>,
-) -> Result<Content<S>, Stop> {
+pub(super) fn read<'a>(
+    source: &'a Source,
+    node: Option<&'a Source>,
+) -> Result<Corners<'a>, ReadError> {
     let mut lines = Lines::new(source);
     let mut line = lines.expect_line(|| "the number of triangles".to_owned())?;
     let count = line.index("a number of triangles")?;
     if !matches!(line.token(), None | Some(b"3")) {
-        let message = "only triangles of 3 vertices are read";
-        return Err(line.error(message.to_owned()).into());
+        return Err(line.error("only triangles of 3 vertices are read"));
     }
     let mut triangles = Vec::with_capacity(lines.capacity(count));
     let mut first_triangle = 0;
@@ -41,15 +39,15 @@ pub(super) fn read<S: Coordinate>(
     }
     if let Some(line) = lines.next_line() {
         let message = format!("the first line announces only {count} triangles");
-        return Err(line.error(message).into());
+        return Err(line.error(message));
     }
-    let node = node.map(read_node).transpose()?;
-    Ok(Content {
+    let vertices = node.map(read_node).transpose()?;
+    Ok(Corners {
         triangles,
-        first_triangle,
-        first_vertex: node
+        first: first_triangle,
+        first_vertex: vertices
             .as_ref()
-            .map_or(first_triangle, |node| node.first_vertex),
-        points: node.map(|node| node.points),
+            .map_or(first_triangle, |vertices| vertices.first),
+        vertices,
     })
 }

@@ -1,16 +1,15 @@
-//! JSON: an object with `points`, pairs of coordinates, and `edges`, pairs of positions in `points`; of
-//! a result only `triangles`, triples of positions in the input's points, or all of them in one list.
+//! JSON: an object with `points`, pairs of coordinates, and `edges`, pairs of positions in `points`. Of
+//! a result only `triangles` is read: triples of positions in the input's points, or all of them in one
+//! list.
 //!
 //! A coordinate is a number, or a string with what JSON has no numbers for: `"2/3"`, `"nan"`, `"inf"`,
-//! `"-inf"`. Other members are ignored. Numbers are kept as text until all is read, so that each is
-//! converted once and exactly.
+//! `"-inf"`. Other members are ignored.
 
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use crate::formats::read::result::Content;
-use crate::formats::read::{ReadError, Source, Stop, coordinate};
-use crate::formats::{Coordinate, Graph};
+use crate::formats::read::content::{Corners, Edges, Syntax, Vertices};
+use crate::formats::read::source::{ReadError, Source};
 
 #[derive(Deserialize)]
 struct Document<'a> {
@@ -31,72 +30,53 @@ struct Flat {
 }
 
 /// Reads a `.json` with a graph.
-pub(super) fn read<S: Coordinate>(source: &Source) -> Result<Graph<S>, Stop> {
+pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     let Document { points, edges } =
         serde_json::from_slice(&source.bytes).map_err(|error| unreadable(source, &error))?;
-    let value = |raw: &RawValue| {
-        let text = raw.get();
-        let string = text
-            .starts_with('"')
-            .then(|| serde_json::from_str::<String>(text).ok())
-            .flatten();
-        coordinate(string.as_deref().unwrap_or(text).as_bytes(), |message| {
-            let (line, column) = position(source, text);
-            at(source, line, column, &message)
-        })
-    };
-    let points = points
+    let coordinates = points
         .into_iter()
-        .map(|[x, y]| Ok([value(x)?, value(y)?]))
-        .collect::<Result<Vec<[S; 2]>, Stop>>()?;
-    Ok(Graph {
-        points,
+        .map(|point| point.map(|raw| raw.get().as_bytes()))
+        .collect();
+    let vertices = Vertices {
+        source,
+        syntax: Syntax::Json,
+        coordinates,
+        first: 0,
+    };
+    Ok(Edges {
+        vertices,
         edges,
-        first_vertex: 0,
-        first_edge: 0,
+        first: 0,
     })
 }
 
 /// Reads a `.json` with triangles.
-pub(super) fn read_triangles<S>(source: &Source) -> Result<Content<S>, Stop> {
+pub(super) fn read_triangles(source: &Source) -> Result<Corners<'_>, ReadError> {
     let triangles = serde_json::from_slice(&source.bytes)
         .map(|Triples { triangles }| triangles)
         .or_else(|error| flat(source).ok_or_else(|| unreadable(source, &error)))?;
-    Ok(Content {
+    Ok(Corners {
         triangles,
-        first_triangle: 0,
+        first: 0,
         first_vertex: 0,
-        points: None,
+        vertices: None,
     })
 }
 
-/// The triangles where three corners after the other stand in one list.
+/// The triangles, where all corners stand in one list, three for each.
 fn flat(source: &Source) -> Option<Vec<[usize; 3]>> {
     let Flat { triangles: corners } = serde_json::from_slice(&source.bytes).ok()?;
     let (triangles, rest) = corners.as_chunks();
     rest.is_empty().then(|| triangles.to_vec())
 }
 
-/// Line and column of a piece of the source.
-fn position(source: &Source, piece: &str) -> (usize, usize) {
-    let offset = piece.as_ptr().addr() - source.bytes.as_ptr().addr();
-    let before = &source.bytes[..offset];
-    let line_start = before
-        .iter()
-        .rposition(|&byte| byte == b'\n')
-        .map_or(0, |end| end + 1);
-    let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
-    (line, offset - line_start + 1)
-}
-
+/// What serde says, with its position where messages have it.
 fn unreadable(source: &Source, error: &serde_json::Error) -> ReadError {
-    at(source, error.line(), error.column(), &error.to_string())
-}
-
-fn at(source: &Source, line: usize, column: usize, message: &str) -> ReadError {
+    let (line, column) = (error.line(), error.column());
+    let message = error.to_string();
     let message = message
         .strip_suffix(&format!(" at line {line} column {column}"))
-        .unwrap_or(message);
+        .unwrap_or(&message);
     ReadError {
         line: Some(line).filter(|&line| line > 0),
         column: Some(column).filter(|&column| column > 0),

@@ -1,43 +1,45 @@
-//! Wavefront's `.obj`: the `v` lines, of which z is not read, and the `f` lines.
+//! Wavefront's `.obj`: x and y of the `v` lines, and the `f` lines.
 //!
-//! A corner of a face may go on with texture and normal (`7/1/2`), and may count back from the last
-//! vertex so far (`-1`). Vertices and faces are numbered from 1. Other statements are read over.
+//! The vertex of a corner may be followed by texture and normal (`7/1/2`), which are ignored, and may
+//! be counted back from the last vertex so far (`-1`). Vertices and faces are numbered from 1. Other
+//! lines are ignored.
 
-use crate::formats::Coordinate;
-use crate::formats::read::lines::{Line, Lines};
-use crate::formats::read::result::Content;
-use crate::formats::read::{ReadError, Source, Stop, quoted};
+use crate::formats::read::content::{Corners, Syntax, Vertices};
+use crate::formats::read::source::{ReadError, Source, quoted};
+use crate::formats::read::token_lines::{Line, Lines};
 
 /// Reads a `.obj`.
-pub(super) fn read<S: Coordinate>(source: &Source) -> Result<Content<S>, Stop> {
+pub(super) fn read(source: &Source) -> Result<Corners<'_>, ReadError> {
     let mut lines = Lines::new(source);
-    let (mut points, mut triangles) = (Vec::new(), Vec::new());
+    let (mut coordinates, mut triangles) = (Vec::new(), Vec::new());
     while let Some(mut line) = lines.next_line() {
         match line.token() {
-            Some(b"v") => points.push([
-                line.coordinate("an x coordinate")?,
-                line.coordinate("a y coordinate")?,
-            ]),
+            Some(b"v") => coordinates.push(line.coordinates()?),
             Some(b"f") => {
-                let mut corner = || corner(&mut line, points.len());
+                let mut corner = || corner(&mut line, coordinates.len());
                 triangles.push([corner()?, corner()?, corner()?]);
                 if line.token().is_some() {
-                    let message = "the face has more than 3 corners";
-                    return Err(line.error(message.to_owned()).into());
+                    return Err(line.error("the face has more than 3 corners"));
                 }
             }
             _ => {}
         }
     }
-    Ok(Content {
+    let vertices = Vertices {
+        source,
+        syntax: Syntax::Plain,
+        coordinates,
+        first: 1,
+    };
+    Ok(Corners {
         triangles,
-        first_triangle: 1,
+        first: 1,
         first_vertex: 1,
-        points: Some(points),
+        vertices: Some(vertices),
     })
 }
 
-/// The vertex of a corner, of which `count` were listed so far.
+/// The vertex of a corner, where `count` vertices are listed so far.
 fn corner(line: &mut Line<'_>, count: usize) -> Result<usize, ReadError> {
     const WHAT: &str = "a vertex's number";
     let token = line.expect_token(WHAT)?;

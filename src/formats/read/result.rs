@@ -1,13 +1,25 @@
-//! Results of any program: triangles, and whose vertices they name.
+//! Reading a result of any program: its triangles, and which vertices of the input they name.
 
 use std::collections::HashSet;
 
-use crate::formats::read::{ReadError, Source, Stop, ele, json, matching, obj};
-use crate::formats::{Coordinate, Graph};
+use crate::formats::read::content::{Corners, Vertices};
+use crate::formats::read::source::{ReadError, Source};
+use crate::formats::read::{ele, json, matching, obj};
+use crate::formats::{Coordinate, CoordinateError, Graph};
 use crate::verify::{Offenders, Violation};
 
-/// What [`read_result`] understands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What [`read_result`] understands. Each format is named by the extension of its files.
+///
+/// ```
+/// use sweep_cdt::formats::ResultFormat;
+///
+/// assert_eq!("ele".parse(), Ok(ResultFormat::Ele));
+/// assert_eq!(<&str>::from(ResultFormat::Obj), "obj");
+/// ```
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
+)]
+#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
 #[non_exhaustive]
 pub enum ResultFormat {
     /// Triangle's triangles.
@@ -16,20 +28,6 @@ pub enum ResultFormat {
     Json,
     /// Wavefront's vertices and faces.
     Obj,
-}
-
-impl ResultFormat {
-    /// All of them.
-    pub const ALL: [ResultFormat; 3] = [ResultFormat::Ele, ResultFormat::Json, ResultFormat::Obj];
-
-    /// The name, which is the extension of its files.
-    pub fn name(self) -> &'static str {
-        match self {
-            ResultFormat::Ele => "ele",
-            ResultFormat::Json => "json",
-            ResultFormat::Obj => "obj",
-        }
-    }
 }
 
 /// Triangles of a file, by vertices of the input.
@@ -43,34 +41,17 @@ pub struct Triangles {
     pub first: usize,
     /// The file's numbers of corners that are no vertices of the input.
     pub strangers: Vec<usize>,
-    /// How the vertices of the file were found among those of the input.
-    pub matching: Matching,
-}
-
-/// How the vertices of a result are those of the input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Matching {
-    /// Those of the same number.
-    Numbers,
-    /// Those with exactly the same coordinates.
-    Coordinates,
-}
-
-/// A result as it stands in a file.
-pub(super) struct Content<S> {
-    /// The corners as the file numbers them.
-    pub(super) triangles: Vec<[usize; 3]>,
-    pub(super) first_triangle: usize,
-    pub(super) first_vertex: usize,
-    /// The vertices, where the file has any.
-    pub(super) points: Option<Vec<[S; 2]>>,
+    /// Whether vertices were matched with those of the input by their coordinates; otherwise they were
+    /// matched by their numbers.
+    pub matched_by_coordinates: bool,
 }
 
 /// Reads a triangulation of `input`; `node` is the `.node` beside a `.ele`.
 ///
-/// Vertices of the file are those of the input with the same coordinates, where there is one for each
-/// or where their counts differ; otherwise (if the file has rounded coordinates or none) those with the
-/// same numbers. Corners may be out of range: that is for the verifier to say.
+/// A vertex of the file is matched with the vertex of the input that has the same coordinates, if there
+/// is one for each or the counts of vertices differ. Otherwise (if the file has rounded coordinates or
+/// none) it is matched with the one of the same number. Corners may be out of range: the verifier
+/// reports them.
 ///
 /// ```
 /// use sweep_cdt::formats::{Graph, ResultFormat, Source, read_result};
@@ -92,32 +73,43 @@ pub fn read_result<S: Coordinate>(
     node: Option<&Source>,
     input: &Graph<S>,
 ) -> Result<Triangles, ReadError> {
-    let content = match format {
-        ResultFormat::Ele => ele::read(source, node),
-        ResultFormat::Json => json::read_triangles(source),
-        ResultFormat::Obj => obj::read(source),
+    let corners = match format {
+        ResultFormat::Ele => ele::read(source, node)?,
+        ResultFormat::Json => json::read_triangles(source)?,
+        ResultFormat::Obj => obj::read(source)?,
     };
-    match content {
-        Ok(content) => Ok(of_input(content, input)),
-        Err(Stop::Bad(error)) => Err(error),
-        Err(Stop::Fraction) => {
-            let with_points = node.unwrap_or(source);
-            let message = "has fractions, and the input has none";
-            Err(ReadError::of_file(&with_points.name, message))
-        }
-    }
+    let points = match &corners.vertices {
+        Some(vertices) => Some(points_of(vertices)?),
+        None => None,
+    };
+    Ok(by_input_vertices(corners, points, input))
 }
 
-fn of_input<S: Coordinate>(content: Content<S>, input: &Graph<S>) -> Triangles {
+/// The vertices of a file, in the type of the input's.
+fn points_of<S: Coordinate>(vertices: &Vertices<'_>) -> Result<Vec<[S; 2]>, ReadError> {
+    vertices.points().map_err(|(why, error)| match why {
+        CoordinateError::Fraction => ReadError::of_file(
+            &vertices.source.name,
+            "has fractions, and the input has none",
+        ),
+        _ => error,
+    })
+}
+
+/// The triangles by vertices of the input; `points` are those of the file.
+fn by_input_vertices<S: Coordinate>(
+    corners: Corners<'_>,
+    points: Option<Vec<[S; 2]>>,
+    input: &Graph<S>,
+) -> Triangles {
     let count = input.points.len();
-    let places = content
-        .points
+    let places = points
         .filter(|points| *points != input.points)
         .map(|points| matching::places(&points, &input.points))
         .filter(|places| places.len() != count || places.iter().all(Option::is_some));
     let mut strangers = Vec::new();
     let mut vertex = |number: usize| {
-        let listed = number.checked_sub(content.first_vertex);
+        let listed = number.checked_sub(corners.first_vertex);
         let place = listed.and_then(|at| match &places {
             Some(places) => places.get(at).copied().flatten(),
             None => Some(at).filter(|&at| at < count),
@@ -127,15 +119,14 @@ fn of_input<S: Coordinate>(content: Content<S>, input: &Graph<S>) -> Triangles {
             count + strangers.len() - 1
         })
     };
-    let corners = content.triangles.into_iter();
+    let triangles = corners.triangles.into_iter();
     Triangles {
-        list: corners.map(|triangle| triangle.map(&mut vertex)).collect(),
-        first: content.first_triangle,
+        list: triangles
+            .map(|triangle| triangle.map(&mut vertex))
+            .collect(),
+        first: corners.first,
         strangers,
-        matching: match places {
-            Some(_) => Matching::Coordinates,
-            None => Matching::Numbers,
-        },
+        matched_by_coordinates: places.is_some(),
     }
 }
 

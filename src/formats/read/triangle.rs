@@ -10,53 +10,55 @@
 //!          holes and regions                          not read
 //! ```
 //!
-//! Attributes and markers are read over. Stricter than Triangle, which reads past them: numbers must
-//! be consecutive, since messages name vertices and edges by them.
+//! Attributes and markers are ignored. Numbers must be consecutive, since messages name vertices and
+//! edges by them; Triangle itself ignores them.
 
-use crate::formats::read::lines::{Line, Lines};
-use crate::formats::read::{ReadError, Source, Stop};
-use crate::formats::{Coordinate, Graph};
+use crate::formats::read::content::{Edges, Syntax, Vertices};
+use crate::formats::read::source::{ReadError, Source};
+use crate::formats::read::token_lines::{Line, Lines};
 
 /// Reads a `.node`.
-pub(super) fn read_node<S: Coordinate>(source: &Source) -> Result<Graph<S>, Stop> {
+pub(super) fn read_node(source: &Source) -> Result<Vertices<'_>, ReadError> {
     let mut lines = Lines::new(source);
     let count = vertex_count(&mut lines)?;
-    let graph = vertices(&mut lines, count)?;
+    let vertices = read_vertices(source, &mut lines, count)?;
     match lines.next_line() {
-        Some(line) => Err(line
-            .error(format!("the first line announces only {count} vertices"))
-            .into()),
-        None => Ok(graph),
+        Some(line) => Err(line.error(format!("the first line announces only {count} vertices"))),
+        None => Ok(vertices),
     }
 }
 
 /// Reads a `.poly`; `node` is where its vertices are if it holds none.
-pub(super) fn read_poly<S: Coordinate>(
-    source: &Source,
-    node: Option<&Source>,
-) -> Result<Graph<S>, Stop> {
+pub(super) fn read_poly<'a>(
+    source: &'a Source,
+    node: Option<&'a Source>,
+) -> Result<Edges<'a>, ReadError> {
     let mut lines = Lines::new(source);
-    let count = vertex_count(&mut lines)?;
-    let mut graph = match node {
-        Some(node) => read_node(node)?,
-        None => vertices(&mut lines, count)?,
+    let vertices = match (vertex_count(&mut lines)?, node) {
+        (0, Some(node)) => read_node(node)?,
+        (0, None) => {
+            return Err(ReadError {
+                missing_node: true,
+                ..ReadError::of_file(&source.name, "no vertices, and no .node beside it")
+            });
+        }
+        (count, _) => read_vertices(source, &mut lines, count)?,
     };
     let count = lines
         .expect_line(|| "the number of edges".to_owned())?
         .index("a number of edges")?;
-    graph.edges.reserve(lines.capacity(count));
+    let mut edges = Vec::with_capacity(lines.capacity(count));
+    let mut first = vertices.first;
     for edge in 0..count {
         let mut line = lines.expect_line(|| format!("edge {} of {count}", edge + 1))?;
-        numbered(&mut line, edge, &mut graph.first_edge, "an edge's number")?;
-        let ends = [end(&mut line, &graph)?, end(&mut line, &graph)?];
-        graph.edges.push(ends);
+        numbered(&mut line, edge, &mut first, "an edge's number")?;
+        edges.push([end(&mut line, &vertices)?, end(&mut line, &vertices)?]);
     }
-    Ok(graph)
-}
-
-/// Whether a `.poly` leaves its vertices to the `.node` beside it.
-pub(super) fn has_no_vertices(source: &Source) -> Result<bool, ReadError> {
-    Ok(vertex_count(&mut Lines::new(source))? == 0)
+    Ok(Edges {
+        vertices,
+        edges,
+        first,
+    })
 }
 
 /// The number of vertices from the first line.
@@ -65,30 +67,31 @@ fn vertex_count(lines: &mut Lines<'_>) -> Result<usize, ReadError> {
     let count = line.index("a number of vertices")?;
     match line.token() {
         None | Some(b"2") => Ok(count),
-        Some(_) => Err(line.error("only 2 dimensions are read".to_owned())),
+        Some(_) => Err(line.error("only 2 dimensions are read")),
     }
 }
 
-fn vertices<S: Coordinate>(lines: &mut Lines<'_>, count: usize) -> Result<Graph<S>, Stop> {
-    let mut points = Vec::with_capacity(lines.capacity(count));
-    let mut first_vertex = 0;
+fn read_vertices<'a>(
+    source: &'a Source,
+    lines: &mut Lines<'a>,
+    count: usize,
+) -> Result<Vertices<'a>, ReadError> {
+    let mut coordinates = Vec::with_capacity(lines.capacity(count));
+    let mut first = 0;
     for vertex in 0..count {
         let mut line = lines.expect_line(|| format!("vertex {} of {count}", vertex + 1))?;
-        numbered(&mut line, vertex, &mut first_vertex, "a vertex's number")?;
-        points.push([
-            line.coordinate("an x coordinate")?,
-            line.coordinate("a y coordinate")?,
-        ]);
+        numbered(&mut line, vertex, &mut first, "a vertex's number")?;
+        coordinates.push(line.coordinates()?);
     }
-    Ok(Graph {
-        points,
-        edges: Vec::new(),
-        first_vertex,
-        first_edge: first_vertex,
+    Ok(Vertices {
+        source,
+        syntax: Syntax::Plain,
+        coordinates,
+        first,
     })
 }
 
-/// Reads the number of record `at`, which for the first one tells where the file's numbers begin.
+/// Reads the number of record `at`. The number of the first one is where the file's numbers begin.
 pub(super) fn numbered(
     line: &mut Line<'_>,
     at: usize,
@@ -107,10 +110,10 @@ pub(super) fn numbered(
 }
 
 /// Reads an end of an edge.
-fn end<S>(line: &mut Line<'_>, graph: &Graph<S>) -> Result<usize, ReadError> {
+fn end(line: &mut Line<'_>, vertices: &Vertices<'_>) -> Result<usize, ReadError> {
     let number = line.index("a vertex's number")?;
     number
-        .checked_sub(graph.first_vertex)
-        .filter(|&vertex| vertex < graph.points.len())
+        .checked_sub(vertices.first)
+        .filter(|&vertex| vertex < vertices.coordinates.len())
         .ok_or_else(|| line.error(format!("vertex {number} does not exist")))
 }

@@ -28,6 +28,16 @@ pub(super) fn write<S>(
 
 /// Writes the vertices as a `.node`.
 ///
+/// ```
+/// use sweep_cdt::formats::{Graph, write_node};
+///
+/// let graph = Graph { points: vec![[0.5, 2.0]], first_vertex: 1, ..Graph::default() };
+/// let mut text = Vec::new();
+/// write_node(&graph, &mut text)?;
+/// assert_eq!(text, b"1 2 0 0\n1 0.5 2\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
 /// # Errors
 /// Those of `out`.
 pub fn write_node<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {

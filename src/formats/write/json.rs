@@ -64,11 +64,8 @@ fn member<T: Serialize>(
     out.write_all(b"]")
 }
 
-/// A coordinate as it stands in JSON: a number, or a string with a fraction.
-///
-/// # Panics
-/// If it is not finite.
-pub fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
+/// A finite coordinate as it stands in JSON: a number, or a string with a fraction.
+fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
     let text = value.text();
     let text = if text.contains('/') {
         format!("\"{text}\"")

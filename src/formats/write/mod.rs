@@ -9,14 +9,23 @@ mod trails;
 use std::io::{self, Write};
 
 pub use ele::write_node;
-pub use json::json_coordinate;
 pub use svg::write_violations_svg;
 
 use crate::Triangulation;
 use crate::formats::{Coordinate, Graph};
 
-/// What [`write()`] makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What [`write()`] makes. Each format is named by the extension of its files.
+///
+/// ```
+/// use sweep_cdt::formats::OutputFormat;
+///
+/// assert_eq!("svg".parse(), Ok(OutputFormat::Svg));
+/// assert_eq!(<&str>::from(OutputFormat::Ele), "ele");
+/// ```
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
+)]
+#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
 #[non_exhaustive]
 pub enum OutputFormat {
     /// Triangle's triangles, numbered as the input.
@@ -29,27 +38,18 @@ pub enum OutputFormat {
     Svg,
 }
 
-impl OutputFormat {
-    /// All of them.
-    pub const ALL: [OutputFormat; 4] = [
-        OutputFormat::Ele,
-        OutputFormat::Json,
-        OutputFormat::Obj,
-        OutputFormat::Svg,
-    ];
-
-    /// The name, which is the extension of its files.
-    pub fn name(self) -> &'static str {
-        match self {
-            OutputFormat::Ele => "ele",
-            OutputFormat::Json => "json",
-            OutputFormat::Obj => "obj",
-            OutputFormat::Svg => "svg",
-        }
-    }
-}
-
 /// Writes `result`, the triangulation of `graph`.
+///
+/// ```
+/// use sweep_cdt::formats::{Graph, OutputFormat, write};
+///
+/// let graph = Graph { points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], ..Graph::default() };
+/// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
+/// let mut text = Vec::new();
+/// write(OutputFormat::Ele, &graph, &result, &mut text)?;
+/// assert_eq!(text, b"1 3 0\n0 0 1 2\n");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// Those of `out`.

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::Triangulation;
 use crate::formats::{Coordinate, Graph};
 
-/// Writes vertices (rationals as the doubles near them) and triangles.
+/// Writes vertices (rationals rounded to doubles) and triangles.
 pub(super) fn write<S: Coordinate>(
     graph: &Graph<S>,
     result: &Triangulation,

@@ -49,7 +49,7 @@ fn thousands_of_points_even_and_skewed() {
     }
 }
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "formats")]
 #[test]
 fn contours() {
     use sweep_cdt::formats::{Input as Read, InputFormat, Source, read};
@@ -62,9 +62,7 @@ fn contours() {
         name.to_owned(),
         std::fs::read(name).expect("a readable file"),
     );
-    let no_other = || unreachable!("it has vertices");
-    let Ok(Read::Doubles(graph)) = read(InputFormat::Poly, &Source { name, bytes }, no_other)
-    else {
+    let Ok(Read::Doubles(graph)) = read(InputFormat::Poly, &Source { name, bytes }, None) else {
         panic!("the file holds doubles");
     };
     let input = Input {

@@ -1,8 +1,9 @@
 //! What was read, written and read again.
 
+use num_rational::BigRational;
 use sweep_cdt::formats::{
-    Coordinate, Graph, Input, InputFormat, OutputFormat, Rational, ResultFormat, Source, exact,
-    read, read_result, write_node,
+    Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read, read_result,
+    write_node,
 };
 use sweep_cdt::{Scalar, Triangulation, triangulate};
 
@@ -38,15 +39,17 @@ impl Exact for f64 {
 }
 
 /// A file whose fractions are all doubles may hold none.
-impl Exact for Rational {
-    fn graph(input: Input) -> Graph<Rational> {
+impl Exact for BigRational {
+    fn graph(input: Input) -> Graph<BigRational> {
         match input {
             Input::Rationals(graph) => graph,
             Input::Doubles(graph) => Graph {
                 points: graph
                     .points
                     .iter()
-                    .map(|p| p.map(|x| exact(x).expect("only fractions were written")))
+                    .map(|p| {
+                        p.map(|x| BigRational::from_float(x).expect("only fractions were written"))
+                    })
                     .collect(),
                 edges: graph.edges,
                 first_vertex: graph.first_vertex,
@@ -55,7 +58,7 @@ impl Exact for Rational {
         }
     }
 
-    fn is_same(&self, other: &Rational) -> bool {
+    fn is_same(&self, other: &BigRational) -> bool {
         self == other
     }
 }
@@ -92,8 +95,7 @@ pub(super) fn assert_reads<S: Exact>(
     node: Option<&[u8]>,
     graph: &Graph<S>,
 ) {
-    let beside = || Ok(source(node.expect("the vertices are in the file")));
-    let input = read(format, &source(file), beside);
+    let input = read(format, &source(file), node.map(source).as_ref());
     let again = S::graph(input.unwrap_or_else(|error| panic!("{format:?}: {error}")));
     let is_same = again.points.len() == graph.points.len()
         && again
@@ -214,11 +216,15 @@ pub(super) fn number(token: &str) {
             "{token}"
         );
     }
-    let Ok(fraction) = Rational::from_text(token) else {
+    let Ok(fraction) = BigRational::from_text(token) else {
         return;
     };
     let text = fraction.text();
-    assert_eq!(Rational::from_text(&text), Ok(fraction.clone()), "{token}");
+    assert_eq!(
+        BigRational::from_text(&text),
+        Ok(fraction.clone()),
+        "{token}"
+    );
     if let Ok(x) = double
         && x.is_normal()
     {

@@ -9,10 +9,11 @@ mod files;
 mod traces;
 
 use arbitrary::{Result, Unstructured};
+use num_rational::BigRational;
 use sweep_cdt::Verifier;
 use sweep_cdt::formats::{
-    Coordinate, Graph, Input, InputFormat, Rational, ReadError, ResultFormat, Source, exact, read,
-    read_result, write_violations_svg,
+    Coordinate, Graph, Input, InputFormat, ResultFormat, Source, read, read_result,
+    write_violations_svg,
 };
 
 use crate::{generators, reached};
@@ -78,12 +79,12 @@ fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
 }
 
 /// The same graph, every other vertex divided by a number.
-fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<Rational> {
+fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
     let divided = |(v, point): (usize, &[f64; 2])| {
         let divisor = if v % 2 == 0 { divisor } else { "1" };
         point.map(|x| {
-            let divisor = Rational::from_text(divisor).expect("a number");
-            exact(x).expect("generated points are finite") / divisor
+            let divisor = BigRational::from_text(divisor).expect("a number");
+            BigRational::from_float(x).expect("generated points are finite") / divisor
         })
     };
     Graph {
@@ -107,14 +108,11 @@ fn try_reader(reader: Reader, bytes: &[u8]) {
     let main = files.next().expect("there is a first part");
     let node = files.next();
     match reader {
-        Reader::Input(format) => {
-            let node = || node.ok_or_else(|| ReadError::of_file("file", "no .node"));
-            match read(format, &main, node) {
-                Ok(Input::Doubles(graph)) => again::write(&graph),
-                Ok(Input::Rationals(graph)) => again::write(&graph),
-                Err(error) => assert!(!error.to_string().is_empty()),
-            }
-        }
+        Reader::Input(format) => match read(format, &main, node.as_ref()) {
+            Ok(Input::Doubles(graph)) => again::write(&graph),
+            Ok(Input::Rationals(graph)) => again::write(&graph),
+            Err(error) => assert!(!error.to_string().is_empty()),
+        },
         Reader::Result(format) => {
             let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 0.5]];
             let graph = Graph {

@@ -1,37 +1,29 @@
-//! The command line: one file a subcommand, and what they share.
+//! The command `sweep-cdt`: one file a subcommand, and what they share.
 //!
 //! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or
-//! written, or with a report where a result is not correct; 2 for wrong usage. A reader that closes its end of the pipe early ends the run quietly.
+//! written, or with a report where a result is not correct; 2 for wrong usage. A reader that closes
+//! its end of the pipe early ends the run quietly.
 
 mod certificate;
-mod draft;
-mod failure;
-mod file;
-mod input;
-mod output;
-mod progress;
 mod replay;
-mod scalar;
-mod settings;
+mod shared;
 mod statistics;
 mod trace;
 mod triangulate;
-mod verdict;
 mod verify;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{CommandFactory, Parser, Subcommand};
 
-use failure::Failure;
+use shared::failure::Failure;
 
 /// Exact constrained Delaunay triangulation by a sweep line.
 ///
-/// Reads points and edges in the plane and finds the constrained Delaunay triangulation of them, or
-/// verifies one that any program has made. All decisions are exact: every finite input without crossing
-/// edges has one result, the same for all settings.
+/// Reads points and edges in the plane and finds their constrained Delaunay triangulation, or verifies
+/// one that any program has made. All decisions are exact: every finite input without crossing edges
+/// has one result, the same for all settings.
 #[derive(Parser)]
 #[command(name = "sweep-cdt", version, max_term_width = 100)]
 struct Cli {
@@ -47,8 +39,7 @@ enum Command {
     Replay(replay::Replay),
 }
 
-/// Runs the command line of this process.
-pub(crate) fn main() -> ExitCode {
+fn main() -> ExitCode {
     let outcome = match Cli::parse().command {
         Command::Triangulate(command) => command.run(),
         Command::Verify(command) => command.run(),
@@ -61,7 +52,7 @@ pub(crate) fn main() -> ExitCode {
             .error(clap::error::ErrorKind::ValueValidation, message)
             .exit(),
         Err(Failure::Error(message)) => {
-            // Where standard error is closed there is nobody to tell.
+            // If standard error is closed, the message has no reader.
             let _ = writeln!(
                 io::stderr(),
                 "error: {}",
@@ -71,15 +62,4 @@ pub(crate) fn main() -> ExitCode {
         }
         Err(Failure::Wrong) => ExitCode::FAILURE,
     }
-}
-
-/// Reads one of a few values by name.
-fn names<T: Copy + Send + Sync + 'static, const N: usize>(
-    values: [T; N],
-    name: fn(T) -> &'static str,
-) -> impl TypedValueParser<Value = T> {
-    PossibleValuesParser::new(values.map(name)).map(move |given| {
-        let found = values.into_iter().find(|&value| name(value) == given);
-        found.expect("only names of values are let through")
-    })
 }

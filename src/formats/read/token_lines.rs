@@ -1,7 +1,6 @@
-//! Text in lines of tokens, as in Triangle's files: `#` begins a comment, blank lines do not count.
+//! Text as lines of tokens, as in Triangle's files: `#` begins a comment, blank lines do not count.
 
-use crate::formats::Coordinate;
-use crate::formats::read::{ReadError, Source, Stop, coordinate, quoted};
+use crate::formats::read::source::{ReadError, Source, quoted};
 
 /// The lines of a file that hold anything, one after the other.
 pub(super) struct Lines<'a> {
@@ -40,14 +39,14 @@ impl<'a> Lines<'a> {
         None
     }
 
-    /// The next line, or an error that says what was to come.
+    /// The next line, or an error that says what is missing.
     pub(super) fn expect_line(
         &mut self,
         what: impl FnOnce() -> String,
     ) -> Result<Line<'a>, ReadError> {
         self.next_line().ok_or_else(|| {
             let message = format!("the file ends where {} should follow", what());
-            error_at(self.source, self.number.max(1), message)
+            self.source.error_in_line(self.number.max(1), message)
         })
     }
 
@@ -86,27 +85,22 @@ impl<'a> Line<'a> {
             .ok_or_else(|| self.error(format!("{} is not {what}", quoted(token))))
     }
 
-    /// The next token as a coordinate.
-    pub(super) fn coordinate<S: Coordinate>(&mut self, what: &str) -> Result<S, Stop> {
-        let token = self.expect_token(what)?;
-        coordinate(token, |message| self.error(message))
+    /// The next two tokens, the coordinates of a vertex.
+    pub(super) fn coordinates(&mut self) -> Result<[&'a [u8]; 2], ReadError> {
+        Ok([
+            self.expect_token("an x coordinate")?,
+            self.expect_token("a y coordinate")?,
+        ])
     }
 
     /// An error in this line.
-    pub(super) fn error(&self, message: String) -> ReadError {
-        error_at(self.source, self.number, message)
+    pub(super) fn error(&self, message: impl Into<String>) -> ReadError {
+        self.source.error_in_line(self.number, message)
     }
 
-    /// The next token, or an error that says `what` was to come.
+    /// The next token, or an error that says `what` is missing.
     pub(super) fn expect_token(&mut self, what: &str) -> Result<&'a [u8], ReadError> {
         self.token()
             .ok_or_else(|| self.error(format!("the line ends where {what} should follow")))
-    }
-}
-
-fn error_at(source: &Source, line: usize, message: String) -> ReadError {
-    ReadError {
-        line: Some(line),
-        ..ReadError::of_file(&source.name, message)
     }
 }

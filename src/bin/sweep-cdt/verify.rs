@@ -6,19 +6,21 @@ use std::path::PathBuf;
 use sweep_cdt::formats::{Coordinate, Graph, read_result, write_violations_svg};
 use sweep_cdt::{Scalar, Verifier};
 
-use super::certificate::{self, Fingerprint, Subject};
-use super::draft::Drafts;
-use super::failure::Failure;
-use super::input::{InputArgs, ResultArgs, ResultFiles};
-use super::output::{print, refuse_overwriting};
-use super::scalar::{Job, ScalarArgs};
-use super::verdict::{self, report, violations};
+use crate::certificate::{self, Fingerprint, Subject};
+use crate::shared::arithmetic::{Job, ScalarArgs};
+use crate::shared::atomic_files::AtomicFiles;
+use crate::shared::failure::Failure;
+use crate::shared::input::{InputArgs, ResultArgs, ResultFiles};
+use crate::shared::output::{print, refuse_overwriting};
+use crate::shared::report;
+use crate::shared::verification::{self, violations};
 
-/// Verify a triangulation that any program has made
+/// Verify the triangulation that any program has made
 ///
 /// Proves by exact arithmetic that the triangles are a constrained Delaunay triangulation of the input,
-/// or says what is wrong and where: triangles that tile the convex hull, with every point a corner,
-/// every edge a side (or several, where points lie on it), and every other side locally Delaunay.
+/// or says what is wrong and where. In a correct one the triangles tile the convex hull of the points,
+/// every point is a corner, every edge is a side (or a chain of sides, where points lie on it), and
+/// every other side is locally Delaunay.
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Verify {
@@ -35,7 +37,7 @@ pub(crate) struct Verify {
     #[arg(long)]
     clockwise: bool,
 
-    /// How many violations are listed
+    /// How many violations to list
     #[arg(long, value_name = "N", default_value_t = 20)]
     limit: usize,
 
@@ -43,7 +45,7 @@ pub(crate) struct Verify {
     #[arg(long)]
     json: bool,
 
-    /// Draw a picture with the first violations from near
+    /// Draw a picture, with close-ups of the first violations
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
 
@@ -54,24 +56,25 @@ pub(crate) struct Verify {
 
 const AFTER_HELP: &str = "\
 Result:
-  .ele     Triangle's triangles, numbered from 0 or 1; with the .node beside it, if there is one
-  .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; from 0, as in `points`
-  .obj     `v` and `f` lines; z is not read
-  A vertex of the result is the one of the input with the same coordinates, if there is one for
-  each or their counts differ; otherwise (rounded coordinates, or none) the one of the same number.
+  .ele     Triangle's triangles, numbered from 0 or 1, and the .node beside it, if there is one
+  .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; numbered from 0
+  .obj     `v` and `f` lines; z is ignored
+  Vertices of the result are matched with those of the input by their coordinates. If the result
+  has as many vertices and some match none (rounded coordinates), or if it has no coordinates, all
+  are matched by their numbers.
 
 Violations:
   triangle-out-of-range, edge-out-of-range    a vertex that does not exist
   flat-triangle, reversed-triangle            corners that are not counter-clockwise
-  repeated-side                               two triangles on one side of a side
+  repeated-side                               two triangles that lie on the same side of a side
   pinched-boundary, extra-boundary,
-  concave-boundary, winding-boundary          triangles that do not fill the convex hull, once
-  unused-point, no-triangles, wrong-count     points that are no corners
-  missing-edge                                an input edge that is no chain of sides
+  concave-boundary, winding-boundary          triangles that do not cover the convex hull once
+  unused-point, no-triangles, wrong-count     points that are not corners
+  missing-edge                                an input edge that is not a chain of sides
   not-delaunay                                a side that should be flipped
 
 Exit status:
-  0  correct   1  not correct, or unreadable   2  wrong usage
+  0  correct   1  wrong, or unreadable   2  wrong usage
 
 Examples:
   triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
@@ -81,12 +84,12 @@ impl Verify {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let files = [&self.input.input, &self.result.result];
-        if files.iter().all(|file| file.is_stdin()) {
+        if files.iter().all(|file| file.is_standard()) {
             let message = "only one of INPUT and RESULT can be standard input";
             return Err(Failure::Usage(message.to_owned()));
         }
         let outputs = self.svg.iter().chain(&self.certificate);
-        refuse_overwriting(&files, outputs)?;
+        refuse_overwriting(&files, outputs.map(PathBuf::as_path))?;
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
         let input = self
             .input
@@ -129,7 +132,7 @@ impl Job for Run<'_> {
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
             .limit(arguments.limit);
-        let answer = verdict::verify(verifier, points, &graph.edges, &triangles.list);
+        let answer = verification::verify(verifier, points, &graph.edges, &triangles.list);
 
         let subject = Subject {
             input: self.of_input,
@@ -139,26 +142,26 @@ impl Job for Run<'_> {
             graph,
             triangles: &triangles,
         };
-        let mut drafts = Drafts::default();
+        let mut files = AtomicFiles::default();
         if let Some(path) = &arguments.certificate {
-            drafts.add(path, |out| certificate::write(&subject, &answer, out))?;
+            files.add(path, |out| certificate::write(&subject, &answer, out))?;
         }
         if let Some(path) = &arguments.svg {
             let (list, found) = violations(&answer);
-            drafts.add(path, |out| {
+            files.add(path, |out| {
                 write_violations_svg(graph, &triangles, list, found, out)
             })?;
         }
-        drafts.persist()?;
+        files.persist()?;
         print(|out| {
             if arguments.json {
                 return certificate::write(&subject, &answer, out);
             }
-            let (input, result) = (arguments.input.name(), arguments.result.result.name());
-            verdict::write_verdict(&answer, &result, &input, out)?;
+            let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
+            report::write_verdict(&answer, &result, &input, out)?;
             writeln!(out)?;
-            verdict::write_counts(report(&answer), out)?;
-            verdict::write_violations(&answer, graph, &triangles, out)
+            report::write_counts(verification::report(&answer), out)?;
+            report::write_violations(&answer, graph, &triangles, out)
         })?;
         answer.map(|_| ()).map_err(|_| Failure::Wrong)
     }

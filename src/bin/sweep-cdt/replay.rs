@@ -1,31 +1,31 @@
-//! `sweep-cdt replay`: a trace, taken step by step on an empty mesh.
+//! `sweep-cdt replay`: the triangles that a trace builds.
 
 use std::io::Write;
 
 use sweep_cdt::trace::Trace;
 
-use super::failure::Failure;
-use super::file::FileArg;
-use super::output::print;
+use crate::shared::failure::Failure;
+use crate::shared::file_argument::FileArgument;
+use crate::shared::output::print;
 
 /// Rebuild the triangles from a trace
 ///
-/// Takes the steps of a trace on an empty mesh, without any geometry, and prints the triangles, or says
-/// in which line the trace is one that no run can have made: cut short, shuffled or edited.
+/// Repeats the steps of a trace on an empty mesh, without any geometry, and prints the triangles. If no
+/// run can have made the trace (it is cut short, shuffled or edited), names the first wrong line.
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Replay {
     /// Trace to read, text or JSON Lines; `-` for standard input
     #[arg(value_name = "TRACE")]
-    trace: FileArg,
+    trace: FileArgument,
 }
 
 const AFTER_HELP: &str = "\
-Output: one triangle a line, its vertices counter-clockwise from the lowest, numbered from 0; sorted,
-as in the .json that `sweep-cdt triangulate` writes.
+Output: one triangle a line, its vertices counter-clockwise from the lowest, numbered from 0. The
+lines are sorted, as in the .json that `sweep-cdt triangulate` writes.
 
 Exit status:
-  0  done   1  no whole trace, or unreadable   2  wrong usage";
+  0  done   1  no complete trace, or unreadable   2  wrong usage";
 
 impl Replay {
     /// Runs the subcommand.

@@ -3,46 +3,45 @@
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
-use std::path::{Path, PathBuf};
 
+use strum::{EnumString, IntoStaticStr, VariantArray};
 use sweep_cdt::Scalar;
 use sweep_cdt::formats::{Coordinate, Graph, write_page, write_sheet};
 use sweep_cdt::trace::Event;
 
-use super::draft::Drafts;
-use super::failure::Failure;
-use super::input::InputArgs;
-use super::output::{print, refuse_overwriting};
-use super::scalar::{Job, ScalarArgs};
-use super::settings::Settings;
-
-/// What names standard output.
-const STDOUT: &str = "-";
+use crate::shared::arithmetic::{Job, ScalarArgs};
+use crate::shared::atomic_files::AtomicFiles;
+use crate::shared::failure::Failure;
+use crate::shared::file_argument::FileArgument;
+use crate::shared::format;
+use crate::shared::input::InputArgs;
+use crate::shared::output::{print, refuse_overwriting};
+use crate::shared::settings::Settings;
 
 /// Record every step of the sweep
 ///
-/// Triangulates and writes what is done, one step a line, in the words of the paper (Domiter and Žalik
-/// 2008): sweep order, point events, triangles, legalization, edge events, finalization. Vertices and
-/// edges are numbered from 0, in whatever way the input numbers them.
+/// Triangulates and writes each step on a line, in the words of the paper (Domiter and Žalik 2008):
+/// sweep order, point events, triangles, legalization, edge events, finalization. Vertices and edges
+/// are numbered from 0, however the input numbers them.
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Trace {
     #[command(flatten)]
     input: InputArgs,
 
-    /// File to write: .txt, .jsonl, .html or .svg; `-` for standard output, as by default
-    #[arg(short, long, value_name = "OUTPUT", default_value = STDOUT)]
-    output: PathBuf,
+    /// File to write: .txt, .jsonl, .html or .svg; `-` for standard output
+    #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
+    output: FileArgument,
 
     /// Format of standard output
-    #[arg(long, value_name = "FORMAT", default_value = "txt", value_parser = super::names(Format::ALL, Format::name))]
-    output_format: Format,
+    #[arg(long, value_name = "FORMAT", default_value = "txt", value_parser = format::parser::<TraceFormat>())]
+    output_format: TraceFormat,
 
     /// First step to write, counted from 1
     #[arg(long, value_name = "K", default_value_t = NonZeroUsize::MIN)]
     from: NonZeroUsize,
 
-    /// Last step to write; the end, if there are fewer
+    /// Last step to write [default: the last one]
     #[arg(long, value_name = "K", default_value_t = NonZeroUsize::MAX, hide_default_value = true)]
     to: NonZeroUsize,
 
@@ -55,15 +54,15 @@ pub(crate) struct Trace {
 
 const AFTER_HELP: &str = "\
 Output:
-  .txt     to be read beside the paper: `point 7: middle case, projected on segment 3 5`
+  .txt     text, to read beside the paper: `point 7: middle case, projected on segment 3 5`
   .jsonl   JSON Lines, for programs
-  .html    one page that draws the steps, for a browser: slider, play, keys, zoom; up to 20,000 steps
-  .svg     one step, or a sheet of up to 60
-  The first two begin with a line that gives the version, so that step k is line k + 1. The same input gives
-  the same steps for every scalar and front; heuristics change them.
+  .html    a page that draws up to 20,000 steps in a browser: slider, play, keys, zoom
+  .svg     a picture of up to 60 steps
+  .txt and .jsonl begin with a line that gives the version, so step k is on line k + 1. Scalars and
+  fronts do not change the steps; heuristics do.
 
 Exit status:
-  0  done   1  wrong input, nothing is written   2  wrong usage
+  0  done   1  wrong input, nothing written   2  wrong usage
 
 Examples:
   sweep-cdt trace terrain.poly --heuristics paper | less
@@ -71,30 +70,25 @@ Examples:
   sweep-cdt trace terrain.poly -o steps.html
   sweep-cdt trace terrain.poly -o steps.svg --from 120 --to 131";
 
-#[derive(Clone, Copy)]
-enum Format {
+/// What `trace` writes. Each format is named by the extension of its files.
+#[derive(Clone, Copy, EnumString, IntoStaticStr, VariantArray)]
+#[strum(ascii_case_insensitive)]
+enum TraceFormat {
+    #[strum(serialize = "txt")]
     Text,
+    #[strum(serialize = "jsonl")]
     JsonLines,
+    #[strum(serialize = "html")]
     Page,
+    #[strum(serialize = "svg")]
     Sheet,
 }
 
-impl Format {
-    const ALL: [Format; 4] = [Format::Text, Format::JsonLines, Format::Page, Format::Sheet];
-
-    fn name(self) -> &'static str {
-        match self {
-            Format::Text => "txt",
-            Format::JsonLines => "jsonl",
-            Format::Page => "html",
-            Format::Sheet => "svg",
-        }
-    }
-
-    /// Whether all steps are needed: a picture shows what those before it left, a page tells how many
-    /// there are.
+impl TraceFormat {
+    /// Whether all steps are needed: a picture shows what the steps before it made, a page says how many
+    /// steps there are.
     fn needs_all(self) -> bool {
-        matches!(self, Format::Page | Format::Sheet)
+        matches!(self, TraceFormat::Page | TraceFormat::Sheet)
     }
 
     /// Writes `events`, which begin at step `first`, or at 1 where all are needed.
@@ -108,10 +102,10 @@ impl Format {
         let skipped = steps.start() - 1;
         let trace = |events| sweep_cdt::trace::Trace { skipped, events };
         match self {
-            Format::Text => trace(events).write_text(out),
-            Format::JsonLines => trace(events).write_lines(out),
-            Format::Page => write_page(graph, &events, steps, &mut out),
-            Format::Sheet => write_sheet(graph, &events, steps, &mut out),
+            TraceFormat::Text => trace(events).write_text(out),
+            TraceFormat::JsonLines => trace(events).write_lines(out),
+            TraceFormat::Page => write_page(graph, &events, steps, &mut out),
+            TraceFormat::Sheet => write_sheet(graph, &events, steps, &mut out),
         }
     }
 }
@@ -121,11 +115,11 @@ impl Trace {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         if self.from > self.to {
             let (first, last) = (self.from, self.to);
-            let message = format!("the last step, {last}, is before the first one, {first}");
+            let message = format!("--to {last} is before --from {first}");
             return Err(Failure::Usage(message));
         }
-        refuse_overwriting(&[&self.input.input], [&self.output])?;
-        let format = self.format()?;
+        refuse_overwriting(&[&self.input.input], self.output.path())?;
+        let format = format::of_output(&self.output, Some(self.output_format))?;
         let input = self.input.read(|_| ())?;
         let name = self.input.name();
         let run = Run {
@@ -135,32 +129,13 @@ impl Trace {
         };
         self.scalar.apply(&name, &input, run)
     }
-
-    fn is_stdout(&self) -> bool {
-        self.output == Path::new(STDOUT)
-    }
-
-    fn format(&self) -> Result<Format, Failure> {
-        if self.is_stdout() {
-            return Ok(self.output_format);
-        }
-        let extension = self.output.extension().unwrap_or_default();
-        let is_named = |format: &Format| extension.eq_ignore_ascii_case(format.name());
-        let format = Format::ALL.into_iter().find(is_named);
-        format.ok_or_else(|| {
-            let path = self.output.display();
-            Failure::Usage(format!(
-                "{path}: only .txt, .jsonl, .html and .svg can be written"
-            ))
-        })
-    }
 }
 
 /// A run with an input that is read.
 struct Run<'a> {
     arguments: &'a Trace,
     name: &'a str,
-    format: Format,
+    format: TraceFormat,
 }
 
 impl Job for Run<'_> {
@@ -188,15 +163,15 @@ impl Job for Run<'_> {
         })?;
         if first > step {
             let name = self.name;
-            let message = format!("{name}: there is no step {first}, the last one is {step}");
+            let message = format!("{name}: there is no step {first}; the last step is {step}");
             return Err(Failure::Error(message));
         }
         let write = |out: &mut dyn Write| self.format.write(graph, events, first..=last, out);
-        if self.arguments.is_stdout() {
+        let Some(path) = output.path() else {
             return print(|out| write(out));
-        }
-        let mut drafts = Drafts::default();
-        drafts.add(output, |out| write(out))?;
-        drafts.persist()
+        };
+        let mut files = AtomicFiles::default();
+        files.add(path, |out| write(out))?;
+        files.persist()
     }
 }

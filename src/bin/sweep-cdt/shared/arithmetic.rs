@@ -1,19 +1,20 @@
 //! The arithmetic of a run.
 
 use clap::ValueEnum;
-use sweep_cdt::formats::{Coordinate, Graph, Input, exact};
+use sweep_cdt::formats::{Coordinate, Graph, Input};
 use sweep_cdt::{Error, Scalar};
 
 use super::failure::Failure;
+use super::rationals::{self, exact};
 
 /// Arguments that select the arithmetic.
 #[derive(clap::Args)]
 pub(crate) struct ScalarArgs {
-    /// Arithmetic; by default rational where the input has fractions, else f64
+    /// Arithmetic [default: rational if the input has fractions, otherwise f64]
     ///
-    /// Both are exact. In an input with a fraction (`p/q`) all numbers are taken as written: 0.1 is
-    /// one tenth. In any other input each number is the double nearest to it, for both kinds of
-    /// arithmetic, so that they give the same triangles. f64 refuses fractions.
+    /// Both are exact and give the same triangles. If the input has a fraction (`p/q`), every number
+    /// means what it says: 0.1 is one tenth. Otherwise every number is read as the nearest double. f64
+    /// refuses fractions.
     #[arg(long, value_enum)]
     scalar: Option<Kind>,
 }
@@ -26,9 +27,9 @@ enum Kind {
     Rational,
 }
 
-/// What is done with an input, in whatever arithmetic.
+/// What a subcommand does with its input, in any arithmetic.
 pub(crate) trait Job {
-    /// Does it: `points` are those of `graph` in the arithmetic of this name.
+    /// Does it. `points` are those of `graph`, in the arithmetic called `scalar`.
     fn run<S: Coordinate, T: Scalar + Sync>(
         self,
         graph: &Graph<S>,
@@ -38,14 +39,15 @@ pub(crate) trait Job {
 }
 
 impl ScalarArgs {
-    /// Does a job with the input of this name.
+    /// Does a job with the input called `name`.
     pub(crate) fn apply(&self, name: &str, input: &Input, job: impl Job) -> Result<(), Failure> {
         let rational = matches!(self.scalar, Some(Kind::Rational));
         match input {
             Input::Doubles(graph) => {
                 refuse_non_finite(name, graph)?;
                 if rational {
-                    job.run(graph, &exact_points(&graph.points), "rational")
+                    let points: Vec<_> = graph.points.iter().map(|p| p.map(exact)).collect();
+                    job.run(graph, &points, "rational")
                 } else {
                     job.run(graph, &graph.points, "f64")
                 }
@@ -53,7 +55,9 @@ impl ScalarArgs {
             Input::Rationals(_) if matches!(self.scalar, Some(Kind::F64)) => Err(Failure::Error(
                 format!("{name}: has fractions, which --scalar f64 refuses"),
             )),
-            Input::Rationals(graph) => job.run(graph, &graph.points, "rational"),
+            Input::Rationals(graph) => {
+                job.run(graph, &rationals::points(&graph.points), "rational")
+            }
         }
     }
 }
@@ -67,10 +71,4 @@ fn refuse_non_finite(name: &str, graph: &Graph<f64>) -> Result<(), Failure> {
             Err(Failure::Error(format!("{name}: {error}")))
         }
     }
-}
-
-/// The exact values of doubles.
-fn exact_points(points: &[[f64; 2]]) -> Vec<[sweep_cdt::formats::Rational; 2]> {
-    let value = |x| exact(x).expect("others were refused");
-    points.iter().map(|point| point.map(value)).collect()
 }

@@ -1,4 +1,4 @@
-//! `sweep-cdt triangulate`: the main job.
+//! `sweep-cdt triangulate`: points and edges in, their triangulation out.
 
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -6,19 +6,20 @@ use std::io::{self, Write};
 use sweep_cdt::formats::{Coordinate, Graph};
 use sweep_cdt::{Scalar, Triangulation, Verifier};
 
-use super::failure::Failure;
-use super::input::InputArgs;
-use super::output::{OutputArgs, Target, print, save};
-use super::scalar::{Job, ScalarArgs};
-use super::settings::Settings;
-use super::statistics;
-use super::verdict::{self, verify};
+use crate::shared::arithmetic::{Job, ScalarArgs};
+use crate::shared::failure::Failure;
+use crate::shared::input::InputArgs;
+use crate::shared::output::{OutputArgs, Target, print, save};
+use crate::shared::report;
+use crate::shared::settings::Settings;
+use crate::shared::verification::verify;
+use crate::statistics;
 
 /// Triangulate points and edges
 ///
-/// Reads points and edges and writes their constrained Delaunay triangulation: triangles that cover
-/// the convex hull of the points, every edge a side (or several, where points lie on it), and as near
-/// to a Delaunay triangulation as the edges allow. Without -o a summary is printed.
+/// Reads points and edges and writes their constrained Delaunay triangulation. The triangles cover the
+/// convex hull of the points. Every edge is a side of triangles, or a chain of sides where points lie on
+/// it. Every other side is locally Delaunay. Without -o a summary is printed.
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Triangulate {
@@ -34,7 +35,8 @@ pub(crate) struct Triangulate {
 
     /// Verify the result before anything is written
     ///
-    /// By the verifier, which shares nothing with the sweep; see `sweep-cdt verify`.
+    /// The verifier shares the exact predicates with the sweep and no other code; see `sweep-cdt
+    /// verify`.
     #[arg(long)]
     verify: bool,
 
@@ -49,19 +51,19 @@ const AFTER_HELP: &str = "\
 Input:
   .node    Triangle's vertices; numbered from 0 or 1
   .poly    Triangle's vertices and segments; with 0 vertices, those of the .node beside it.
-           Attributes, markers, holes and regions are read over
+           Attributes, markers, holes and regions are ignored
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\"
 
-Output, triangles always in the same order:
+Output, with the triangles always in the same order:
   .ele     Triangle's triangles, numbered as the input. A .node with the vertices is written beside
-           it unless one with the same vertices is there
+           it, unless there is one with the same vertices
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0
-  .obj     for 3D programs, z = 0
+  .obj     vertices and triangles for 3D programs; z is 0
   .svg     a picture: triangles grey, edges blue, hull orange
 
 Exit status:
-  0  done   1  wrong input, nothing is written   2  wrong usage
+  0  done   1  wrong input, nothing written   2  wrong usage
 
 Examples:
   sweep-cdt triangulate terrain.poly -o terrain.svg
@@ -109,8 +111,8 @@ impl Job for Run<'_> {
             .map_err(|error| self.error(&graph.as_numbered(error)))?;
         let verdict = if self.arguments.verify {
             let triangles: Vec<[usize; 3]> = result.triangles().collect();
-            let report = verify(Verifier::new(), points, &graph.edges, &triangles);
-            Some(report.map_err(|violations| self.error(&violations))?)
+            let answer = verify(Verifier::new(), points, &graph.edges, &triangles);
+            Some(answer.map_err(|violations| self.error(&violations))?)
         } else {
             None
         };
@@ -125,7 +127,7 @@ impl Job for Run<'_> {
                 None => {}
             }
             match verdict {
-                Some(report) => verdict::write_verdict(&Ok(report), "the result", self.name, out),
+                Some(report) => report::write_verdict(&Ok(report), "the result", self.name, out),
                 None => Ok(()),
             }
         })

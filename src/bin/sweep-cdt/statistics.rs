@@ -5,6 +5,8 @@ use std::time::Duration;
 
 use sweep_cdt::Stats;
 
+use crate::shared::table::{NAME, NUMBER, rows};
+
 /// Writes the numbers of a run, in groups; the phases are those of the paper's table 2.
 pub(crate) fn write(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
     let count = stats.counters;
@@ -67,23 +69,4 @@ pub(crate) fn write(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
             ("triangles pierced", count.pierced),
         ],
     )
-}
-
-pub(crate) const NAME: usize = 22;
-pub(crate) const NUMBER: usize = 16;
-
-/// Writes names and numbers in columns.
-pub(crate) fn rows(out: &mut impl Write, rows: &[(&str, u64)]) -> io::Result<()> {
-    for (name, number) in rows {
-        writeln!(out, "{name:NAME$}{:>NUMBER$}", grouped(*number))?;
-    }
-    Ok(())
-}
-
-/// A number with commas between its thousands.
-fn grouped(number: u64) -> String {
-    if number < 1000 {
-        return number.to_string();
-    }
-    format!("{},{:03}", grouped(number / 1000), number % 1000)
 }

@@ -1,6 +1,6 @@
-//! What was verified, of which files, and how it came out: as JSON, for machines and for the record.
+//! The certificate of a verification: the files, the counts and the verdict, as JSON.
 //!
-//! The same files give the same bytes: there is no time, no path and nothing of the machine in it.
+//! The same files give the same bytes: it holds no time, no path and nothing of the machine.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -8,9 +8,9 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::value::RawValue;
 use sha2::{Digest, Sha256};
-use sweep_cdt::formats::{Coordinate, Graph, Matching, Source, Triangles, json_coordinate};
+use sweep_cdt::formats::{Coordinate, Graph, Source, Triangles};
 
-use super::verdict::{Answer, report, violations};
+use crate::shared::verification::{Answer, report, violations};
 
 /// A file by name and contents.
 #[derive(Serialize)]
@@ -111,7 +111,7 @@ pub(crate) fn write<S: Coordinate>(
         let vertices = subject.triangles.vertices_of(subject.graph, violation);
         let place = |v: usize| Place {
             vertex: v + subject.graph.first_vertex,
-            at: subject.graph.points[v].each_ref().map(json_coordinate),
+            at: subject.graph.points[v].each_ref().map(coordinate),
         };
         Item {
             class: violation.name(),
@@ -129,9 +129,10 @@ pub(crate) fn write<S: Coordinate>(
         input: subject.input,
         result: subject.result,
         scalar: subject.scalar,
-        vertices_matched_by: match subject.triangles.matching {
-            Matching::Numbers => "numbers",
-            Matching::Coordinates => "coordinates",
+        vertices_matched_by: if subject.triangles.matched_by_coordinates {
+            "coordinates"
+        } else {
+            "numbers"
         },
         clockwise_accepted: subject.clockwise,
         clockwise: report.clockwise,
@@ -155,4 +156,15 @@ pub(crate) fn write<S: Coordinate>(
     };
     serde_json::to_writer_pretty(&mut *out, &certificate)?;
     writeln!(out)
+}
+
+/// A finite coordinate: a number, or a string with a fraction.
+fn coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
+    let text = value.text();
+    let text = if text.contains('/') {
+        format!("\"{text}\"")
+    } else {
+        text
+    };
+    RawValue::from_string(text).expect("a finite number, or a string without special characters")
 }

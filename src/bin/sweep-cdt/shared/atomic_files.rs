@@ -1,7 +1,7 @@
-//! Files that are written all or none.
+//! Files of which all are written, or none.
 //!
-//! Each goes to a temporary file in its folder; only when all are complete are they renamed. Should a
-//! rename fail, the files renamed before it are removed again.
+//! Each is written to a temporary file in its folder. Only when all are complete are they renamed. If
+//! one rename fails, the files renamed before it are removed again.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -11,12 +11,12 @@ use tempfile::NamedTempFile;
 
 use super::failure::Failure;
 
-/// Complete files under temporary names, which go when this does.
+/// Complete files under temporary names; they are removed when this is dropped.
 #[derive(Default)]
-pub(crate) struct Drafts(Vec<(NamedTempFile, PathBuf)>);
+pub(crate) struct AtomicFiles(Vec<(NamedTempFile, PathBuf)>);
 
-impl Drafts {
-    /// Writes one more.
+impl AtomicFiles {
+    /// Writes one more file, under its temporary name.
     pub(crate) fn add(
         &mut self,
         path: &Path,
@@ -35,7 +35,7 @@ impl Drafts {
         Ok(())
     }
 
-    /// Gives all of them their names.
+    /// Renames all files to their own names.
     pub(crate) fn persist(self) -> Result<(), Failure> {
         let mut done = Vec::new();
         for (file, path) in self.0 {

@@ -17,7 +17,7 @@ pub(crate) struct Settings {
     #[arg(long, value_enum, default_value_t = Front::Hash)]
     front: Front,
 
-    /// Angles up to which triangles are added early
+    /// Angles up to which triangles are made early
     #[arg(long, value_enum, default_value_t = Preset::Fast)]
     heuristics: Preset,
 
@@ -36,13 +36,13 @@ enum Front {
     Hash,
     /// Skip list
     SkipList,
-    /// Walk from the last place: slow for many points
+    /// Walk from the last place found; slow for many points
     Linear,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Preset {
-    /// What measured fastest
+    /// The angles measured as fastest
     Fast,
     /// The paper's pi/2 and 3pi/4
     Paper,

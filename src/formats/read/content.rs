@@ -1,0 +1,88 @@
+//! What a file holds, with coordinates still as text.
+//!
+//! Whether a file holds doubles or fractions is known only when all of it is read: in a file with a
+//! fraction, `0.1` is one tenth. So the readers only find where each coordinate stands, and
+//! [`Vertices::points`] converts them all, first to doubles and, where it meets a fraction, once more to
+//! rationals.
+
+use std::borrow::Cow;
+
+use crate::formats::read::source::{ReadError, Source, quoted};
+use crate::formats::{Coordinate, CoordinateError};
+
+/// The vertices of a file.
+pub(super) struct Vertices<'a> {
+    pub(super) source: &'a Source,
+    pub(super) syntax: Syntax,
+    /// Where the coordinates stand: pieces of the source.
+    pub(super) coordinates: Vec<[&'a [u8]; 2]>,
+    /// The file's number of the first vertex.
+    pub(super) first: usize,
+}
+
+/// How coordinates stand in a file.
+#[derive(Clone, Copy)]
+pub(super) enum Syntax {
+    /// As they are.
+    Plain,
+    /// As JSON's numbers and strings; errors name their columns.
+    Json,
+}
+
+/// Vertices and edges.
+pub(super) struct Edges<'a> {
+    pub(super) vertices: Vertices<'a>,
+    /// Positions in `vertices`.
+    pub(super) edges: Vec<[usize; 2]>,
+    /// The file's number of the first edge.
+    pub(super) first: usize,
+}
+
+/// Triangles, and the vertices where the file has any.
+pub(super) struct Corners<'a> {
+    /// The corners as the file numbers them.
+    pub(super) triangles: Vec<[usize; 3]>,
+    /// The file's number of the first triangle.
+    pub(super) first: usize,
+    /// The file's number of the first vertex.
+    pub(super) first_vertex: usize,
+    pub(super) vertices: Option<Vertices<'a>>,
+}
+
+impl Vertices<'_> {
+    /// The coordinates as values of a type; or the first one that is none, and why.
+    pub(super) fn points<S: Coordinate>(
+        &self,
+    ) -> Result<Vec<[S; 2]>, (CoordinateError, ReadError)> {
+        let value = |piece: &[u8]| {
+            let text = self.syntax.text(piece);
+            S::from_text(&text).map_err(|error| (error, self.error(piece, &text, error)))
+        };
+        let point = |&[x, y]: &[&[u8]; 2]| Ok([value(x)?, value(y)?]);
+        self.coordinates.iter().map(point).collect()
+    }
+
+    fn error(&self, piece: &[u8], text: &str, error: CoordinateError) -> ReadError {
+        let (line, column) = self.source.position(piece);
+        let shown = match self.syntax {
+            Syntax::Plain => quoted(piece),
+            Syntax::Json => quoted(text.as_bytes()),
+        };
+        ReadError {
+            column: matches!(self.syntax, Syntax::Json).then_some(column),
+            ..self.source.error_in_line(line, format!("{shown} {error}"))
+        }
+    }
+}
+
+impl Syntax {
+    /// The text of a coordinate.
+    fn text(self, piece: &[u8]) -> Cow<'_, str> {
+        match self {
+            Syntax::Json if piece.starts_with(b"\"") => {
+                serde_json::from_slice::<String>(piece).map_or("".into(), Cow::Owned)
+            }
+            _ => String::from_utf8_lossy(piece),
+        }
+    }
+}
