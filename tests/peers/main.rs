@@ -1,4 +1,4 @@
-//! Results of other programs: the right ones verify, and a wrong one is told.
+//! Results of other programs: the verifier accepts the right ones and refuses the wrong ones.
 #![cfg(feature = "cli")]
 
 mod chosen;
