@@ -4,6 +4,7 @@
 
 mod inputs;
 
+use inputs::Named;
 use peak_alloc::PeakAlloc;
 
 #[global_allocator]
@@ -14,7 +15,7 @@ fn main() {
         "{:24} {:>8} {:>14} {:>14}",
         "bytes a point", "points", "peak", "result"
     );
-    for input in inputs::inputs() {
+    for Named { name, input } in inputs::inputs() {
         let before = MEMORY.current_usage();
         MEMORY.reset_peak_usage();
         let result = sweep_cdt::triangulate(&input.points, &input.edges).expect("a valid input");
@@ -24,8 +25,7 @@ fn main() {
             per_point(MEMORY.current_usage()),
         );
         println!(
-            "{:24} {:>8} {peak:>14.1} {kept:>14.1}",
-            input.name,
+            "{name:24} {:>8} {peak:>14.1} {kept:>14.1}",
             input.points.len()
         );
         drop(result);

@@ -8,8 +8,9 @@ mod inputs;
 
 use std::time::Instant;
 
-use inputs::Input;
+use inputs::Named;
 use spade::{ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, Triangulation};
+use sweep_cdt_testing::Input;
 
 /// How often each program runs on each input; odd, so that there is a median.
 const ROUNDS: usize = 9;
@@ -23,24 +24,19 @@ fn main() {
         "{:24} {:>8} {:>8} {:>8}{:>7} {:>8}{:>7} {:>8}{:>7}",
         "input", "points", "edges", "median", "min", "median", "min", "median", "min"
     );
-    for input in inputs::inputs() {
+    for Named { name, input } in inputs::inputs() {
         let mut ours = Vec::new();
         let mut theirs = Vec::new();
         for _ in 0..ROUNDS {
             let (our_triangles, our_time) = sweep(&input);
             let (their_triangles, their_time) = spade(&input);
-            assert_eq!(
-                our_triangles, their_triangles,
-                "triangles of {}",
-                input.name
-            );
+            assert_eq!(our_triangles, their_triangles, "triangles of {name}");
             ours.push(our_time);
             theirs.push(their_time);
         }
         let [ours, theirs] = [ours, theirs].map(median_and_least);
         println!(
-            "{:24} {:>8} {:>8} {:>8.1}{:>7.1} {:>8.1}{:>7.1} {:>7.1}%{:>6.1}%",
-            input.name,
+            "{name:24} {:>8} {:>8} {:>8.1}{:>7.1} {:>8.1}{:>7.1} {:>7.1}%{:>6.1}%",
             input.points.len(),
             input.edges.len(),
             ours[0],

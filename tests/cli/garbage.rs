@@ -7,6 +7,7 @@ use sweep_cdt::Verifier;
 use sweep_cdt::formats::{
     Graph, Input, InputFormat, ResultFormat, Source, read, read_result, write_violations_svg,
 };
+use sweep_cdt_testing::Random;
 
 use crate::FORMATS;
 
@@ -29,11 +30,11 @@ fn damaged_results_are_errors_or_violations() {
     let Input::Doubles(graph) = load("ten.poly") else {
         unreachable!("no fractions in it")
     };
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     for _ in 0..5000 {
         for (format, seed) in SEEDS {
-            let bytes = random.damaged(seed.as_bytes());
-            let node = random.damaged(&bytes_of("split.node"));
+            let bytes = damaged(seed.as_bytes(), &mut random);
+            let node = damaged(&bytes_of("split.node"), &mut random);
             let node = (random.below(3) == 0).then(|| source(node));
             try_all(format, &source(bytes), node.as_ref(), &graph);
         }
@@ -77,45 +78,32 @@ fn load(name: &str) -> Input {
     read(InputFormat::Poly, &source(bytes_of(name)), None).expect("a good file")
 }
 
-/// Pseudo-random numbers (a linear congruence, upper bits).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, limit: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).expect("31 bits") % limit
+/// The same bytes with a few replaced, removed, repeated or put in.
+fn damaged(bytes: &[u8], random: &mut Random) -> Vec<u8> {
+    const TOKENS: [&str; 12] = [
+        "0",
+        "-1",
+        "99999999999999999999",
+        "18446744073709551615",
+        "1e999",
+        "nan",
+        " ",
+        "\n",
+        "[",
+        "]",
+        "\u{fffd}",
+        "f 1 2 3\n",
+    ];
+    let mut bytes = bytes.to_vec();
+    for _ in 0..=random.below(4) {
+        let at = random.below(bytes.len() + 1);
+        let end = (at + random.below(4)).min(bytes.len());
+        let token = match random.below(4) {
+            0 => String::new(),
+            1 => char::from(u8::try_from(random.below(128)).expect("small")).to_string(),
+            _ => TOKENS[random.below(TOKENS.len())].to_owned(),
+        };
+        bytes.splice(at..end, token.into_bytes());
     }
-
-    /// The same bytes with a few replaced, removed, repeated or put in.
-    fn damaged(&mut self, bytes: &[u8]) -> Vec<u8> {
-        const TOKENS: [&str; 12] = [
-            "0",
-            "-1",
-            "99999999999999999999",
-            "18446744073709551615",
-            "1e999",
-            "nan",
-            " ",
-            "\n",
-            "[",
-            "]",
-            "\u{fffd}",
-            "f 1 2 3\n",
-        ];
-        let mut bytes = bytes.to_vec();
-        for _ in 0..=self.below(4) {
-            let at = self.below(bytes.len() + 1);
-            let end = (at + self.below(4)).min(bytes.len());
-            let token = match self.below(4) {
-                0 => String::new(),
-                1 => char::from(u8::try_from(self.below(128)).expect("small")).to_string(),
-                _ => TOKENS[self.below(TOKENS.len())].to_owned(),
-            };
-            bytes.splice(at..end, token.into_bytes());
-        }
-        bytes
-    }
+    bytes
 }

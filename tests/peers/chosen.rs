@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use sweep_cdt::{Verifier, Violation, triangulate, verify};
 
-use sweep_cdt_properties::peers::{cdt, delaunator, spade};
+use sweep_cdt_testing::peers::{cdt, delaunator, spade};
 
 /// Points on a Weyl sequence: evenly spread, not on a lattice.
 fn spread(n: usize) -> Vec<[f64; 2]> {

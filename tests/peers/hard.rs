@@ -14,10 +14,10 @@ use std::process::{Command, Stdio};
 use std::thread::{self, sleep};
 use std::time::{Duration, Instant};
 
-use sweep_cdt::formats::{Graph, Input, InputFormat, Source, read};
 use sweep_cdt::{Triangulation, Verifier, triangulate};
-
-use sweep_cdt_properties::peers::{Answer, PROGRAMS};
+use sweep_cdt_testing::Input;
+use sweep_cdt_testing::data::Hard;
+use sweep_cdt_testing::peers::{Answer, PROGRAMS};
 
 /// How long a program may take for one input.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -30,24 +30,23 @@ const INPUT: &str = "SWEEP_CDT_PEER_INPUT";
 const ANSWER: &str = "SWEEP_CDT_PEER_ANSWER";
 
 #[test]
-fn wrong_answers_and_no_others_are_told() {
+fn wrong_answers_and_no_others_are_found() {
     if let Ok(program) = var(PROGRAM) {
         return answer(&program);
     }
     let mut counts = BTreeMap::<(&str, &str), usize>::new();
-    for path in inputs() {
-        // What cannot be read, or has no triangulation, is no question.
-        let Some(graph) = graph(&path) else { continue };
-        let Ok(ours) = triangulate(&graph.points, &graph.edges) else {
+    for Hard { path, input, .. } in inputs() {
+        // What has no triangulation is no question.
+        let Ok(ours) = triangulate(&input.points, &input.edges) else {
             continue;
         };
         if ours.is_empty() {
             continue;
         }
-        let takes = |takes_edges: &bool| *takes_edges || graph.edges.is_empty();
+        let takes = |takes_edges: &bool| *takes_edges || input.edges.is_empty();
         for (program, _, _) in PROGRAMS.iter().filter(|(_, _, edges)| takes(edges)) {
             let (kind, text) = match ask(program, &path) {
-                Ok(triangles) => verdict(&graph, &ours, &triangles),
+                Ok(triangles) => verdict(&input, &ours, &triangles),
                 Err(reason) => ("no answer", reason),
             };
             *counts.entry((program, kind)).or_default() += 1;
@@ -65,14 +64,14 @@ fn wrong_answers_and_no_others_are_told() {
 
 /// Whether an answer is correct, and what is wrong with it.
 fn verdict(
-    graph: &Graph<f64>,
+    Input { points, edges }: &Input,
     ours: &Triangulation,
     theirs: &[[usize; 3]],
 ) -> (&'static str, String) {
     let verifier = Verifier::new().accept_clockwise(true);
-    let verdict = verifier.verify(&graph.points, &graph.edges, theirs);
+    let verdict = verifier.verify(points, edges, theirs);
     let our_triangles: Vec<[usize; 3]> = ours.triangles().collect();
-    let report = verifier.verify(&graph.points, &graph.edges, &our_triangles);
+    let report = verifier.verify(points, edges, &our_triangles);
     let report = report.expect("the sweep is right");
     if report.cocircular_sides == 0 {
         let is_same = sorted(ours, &our_triangles) == sorted(ours, theirs);
@@ -104,7 +103,7 @@ fn ask(program: &str, input: &Path) -> Answer {
     let folder = tempfile::TempDir::new().expect("a temporary folder");
     let file = folder.path().join("answer.json");
     let mut child = Command::new(current_exe().expect("a path"))
-        .args(["--exact", "hard::wrong_answers_and_no_others_are_told"])
+        .args(["--exact", "hard::wrong_answers_and_no_others_are_found"])
         .env(PROGRAM, program)
         .env(INPUT, input)
         .env(ANSWER, &file)
@@ -135,14 +134,14 @@ fn ask(program: &str, input: &Path) -> Answer {
 /// Answers in this process.
 fn answer(program: &str) {
     let path = PathBuf::from(var_os(INPUT).expect("an input"));
-    let graph = graph(&path).expect("an input that was read before");
+    let Input { points, edges } = Hard::read(&path).input;
     let (_, run, _) = PROGRAMS
         .into_iter()
         .find(|(name, _, _)| *name == program)
         .expect("a program of the list");
     let thread = thread::Builder::new().stack_size(STACK);
     let answer: Answer = thread
-        .spawn(move || run(&graph.points, &graph.edges))
+        .spawn(move || run(&points, &edges))
         .expect("a thread")
         .join()
         .expect("no panic");
@@ -150,29 +149,11 @@ fn answer(program: &str) {
     fs::write(var_os(ANSWER).expect("a file"), text).expect("it is written");
 }
 
-fn inputs() -> Vec<PathBuf> {
-    let ours = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/hard");
-    let folders = [Some(ours.into()), var_os("SWEEP_CDT_HARD")];
-    let files = |folder| fs::read_dir(folder).expect("a folder");
-    let mut paths: Vec<PathBuf> = folders
-        .into_iter()
-        .flatten()
-        .flat_map(files)
-        .map(|entry| entry.expect("an entry").path())
-        .filter(|path| path.extension().is_some_and(|name| name == "json"))
-        .collect();
-    // A file that is in both folders is one input.
-    paths.sort_by(|p, q| p.file_name().cmp(&q.file_name()));
-    paths.dedup_by(|p, q| p.file_name() == q.file_name());
-    paths
-}
-
-fn graph(path: &Path) -> Option<Graph<f64>> {
-    let name = path.display().to_string();
-    let bytes = fs::read(path).expect("a file");
-    let source = Source { name, bytes };
-    match read(InputFormat::Json, &source, None) {
-        Ok(Input::Doubles(graph)) => Some(graph),
-        _ => None,
-    }
+/// The hard inputs. A file that is in both folders is one input.
+fn inputs() -> Vec<Hard> {
+    let mut inputs = [Hard::own(), Hard::further()].concat();
+    let name = |hard: &Hard| hard.path.file_name().map(ToOwned::to_owned);
+    inputs.sort_by_key(name);
+    inputs.dedup_by_key(|hard| name(hard));
+    inputs
 }

@@ -1,5 +1,5 @@
-//! Results of other programs: the right ones verify, and a wrong one is told.
-#![cfg(feature = "formats")]
+//! Results of other programs: the verifier accepts the right ones and refuses the wrong ones.
+#![cfg(feature = "cli")]
 
 mod chosen;
 mod hard;

@@ -7,11 +7,11 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use sweep_cdt::Scalar;
 
-use crate::reference::*;
+use super::reference::*;
 
 /// Numbers near every border of the doubles, and between them.
 fn borderline() -> Vec<BigRational> {
-    let mut random = Random(8);
+    let mut random = Random::new(8);
     let mut numbers = vec![BigRational::zero()];
     let mut doubles = vec![
         5e-324,
@@ -27,7 +27,7 @@ fn borderline() -> Vec<BigRational> {
     ];
     doubles.extend(
         (0..300)
-            .map(|_| f64::from_bits(random.next()))
+            .map(|_| f64::from_bits(random.bits()))
             .filter(|x| x.is_finite()),
     );
     for x in doubles {
@@ -104,14 +104,14 @@ fn approximations() {
 
 #[test]
 fn whole_range_of_integers() {
-    let mut random = Random(9);
+    let mut random = Random::new(9);
     for _ in 0..3000 {
         let shift = random.below(64);
         let corners = [i64::MIN, i64::MAX, 0, -1, i64::MIN + 1, i64::MAX - 1];
         let points: [[i64; 2]; 4] = [(); 4].map(|()| {
             [(); 2].map(|()| match random.below(3) {
-                0 => corners[random.below(6) as usize] >> shift,
-                _ => random.next().cast_signed() >> shift,
+                0 => corners[random.below(6)] >> shift,
+                _ => random.bits().cast_signed() >> shift,
             })
         });
         let exact = points.map(|p| p.map(|x| BigRational::from_integer(x.into())));

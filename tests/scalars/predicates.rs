@@ -3,13 +3,13 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::reference::*;
+use super::reference::*;
 
 #[test]
 fn random_points() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     for _ in 0..2000 {
-        let points = random.points(Random::unit);
+        let points = draw(&mut random, signed_unit);
         check_all(&points, "uniform");
         check_all(
             &points.map(|p| p.map(|x| f64::from(x as f32))),
@@ -20,7 +20,7 @@ fn random_points() {
 
 #[test]
 fn lattices() {
-    let mut random = Random(2);
+    let mut random = Random::new(2);
     for size in [
         1,
         2,
@@ -35,7 +35,7 @@ fn lattices() {
         1 << 62,
     ] {
         for _ in 0..500 {
-            let points = random.points(|r| r.integer(size));
+            let points = draw(&mut random, |r| r.integer(size));
             check_all(&points, "lattice");
             check_all(&points.map(|p| p.map(|x| x * 0.1)), "lattice, rounded");
             check_all(
@@ -48,10 +48,10 @@ fn lattices() {
 
 #[test]
 fn near_lines() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     for _ in 0..2000 {
-        let [mut a, b, mut c, d] = random.points(Random::unit);
-        let t = random.unit() * 3.0;
+        let [mut a, b, mut c, d] = draw(&mut random, signed_unit);
+        let t = signed_unit(&mut random) * 3.0;
         for i in 0..2 {
             c[i] = a[i] + t * (b[i] - a[i]);
         }
@@ -68,12 +68,13 @@ fn near_lines() {
 
 #[test]
 fn near_circles() {
-    let mut random = Random(4);
+    let mut random = Random::new(4);
     for round in 0..2000 {
         let radius = 10f64.powi((round % 13) - 6);
-        let center = [random.unit(), random.unit()].map(|x| x * f64::from(round % 3));
+        let center =
+            [signed_unit(&mut random), signed_unit(&mut random)].map(|x| x * f64::from(round % 3));
         let points = [(); 4].map(|()| {
-            let (sin, cos) = (random.unit() * 3.2).sin_cos();
+            let (sin, cos) = (signed_unit(&mut random) * 3.2).sin_cos();
             [center[0] + radius * cos, center[1] + radius * sin]
         });
         check_all(&points, "on a circle, rounded");
@@ -90,7 +91,7 @@ fn on_circles() {
         .filter(|&[x, y]| x * x + y * y == radius * radius)
         .map(|p| p.map(f64::from))
         .collect();
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     for scale in [
         1.0,
         2f64.powi(-30),
@@ -101,7 +102,7 @@ fn on_circles() {
     ] {
         for _ in 0..300 {
             let points = [(); 4].map(|()| {
-                let pick = on_circle[random.below(on_circle.len() as u64) as usize];
+                let pick = on_circle[random.below(on_circle.len())];
                 pick.map(|x| (x + f64::from(radius)) * scale)
             });
             check_all(&points, "on a circle");
@@ -112,9 +113,9 @@ fn on_circles() {
 
 #[test]
 fn extreme_exponents() {
-    let mut random = Random(6);
+    let mut random = Random::new(6);
     let bits = |r: &mut Random| loop {
-        let x = f64::from_bits(r.next());
+        let x = f64::from_bits(r.bits());
         if x.is_finite() {
             return x;
         }
@@ -141,9 +142,9 @@ fn extreme_exponents() {
         2e-308,
     ];
     for _ in 0..60 {
-        let points = random.points(bits);
+        let points = draw(&mut random, bits);
         check_all(&points, "any bits");
-        let points = random.points(|r| palette[r.below(19) as usize]);
+        let points = draw(&mut random, |r| palette[r.below(19)]);
         check_all(&points, "palette");
         check_all(
             &nudged(&mut random, points.map(|p| p.map(|x| x / 4.0))),
@@ -152,13 +153,15 @@ fn extreme_exponents() {
         for scale in [
             1e-323, 1e-310, 1e-300, 1e-160, 1e-100, 1e-60, 1e60, 1e100, 1e160, 1e300, 1e308,
         ] {
-            let points = random.points(|r| r.unit() * scale);
+            let points = draw(&mut random, |r| signed_unit(r) * scale);
             check_all(&points, "scaled");
             let [a, b, c, _] = points;
             let fourth =
                 [0, 1].map(|i| (b[i] / 2.0 + c[i] / 2.0 - a[i] / 2.0).clamp(-8e307, 8e307));
             check_all(&[a, b, c, fourth.map(|x| x * 2.0)], "parallelogram");
-            let grid = random.points(|r| (r.integer(3) * scale).clamp(f64::MIN, f64::MAX));
+            let grid = draw(&mut random, |r| {
+                (r.integer(3) * scale).clamp(f64::MIN, f64::MAX)
+            });
             check_all(
                 &nudged(&mut random, grid.map(|p| p.map(|x| x / 2.0))),
                 "scaled grid",
@@ -170,10 +173,10 @@ fn extreme_exponents() {
 /// Rationals that no double equals, with denominators of any size, on and near lines and circles.
 #[test]
 fn proper_rationals() {
-    let mut random = Random(7);
-    let fraction = |r: &mut Random, bits: u64| {
+    let mut random = Random::new(7);
+    let fraction = |r: &mut Random, bits: usize| {
         let part = |r: &mut Random| BigInt::from(r.integer(1 << 20) as i64);
-        let digits = BigInt::from(r.next() | 1) << r.below(bits);
+        let digits = BigInt::from(r.bits() | 1) << r.below(bits);
         BigRational::new((part(r) << r.below(bits)) + 1, digits)
     };
     for round in 0..150u64 {

@@ -6,35 +6,16 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use sweep_cdt::Scalar;
+pub(crate) use sweep_cdt_testing::Random;
 
-/// Pseudo-random numbers (the generator `SplitMix64`).
-pub(crate) struct Random(pub(crate) u64);
+/// A random number from -1 up to, but not, 1.
+pub(crate) fn signed_unit(random: &mut Random) -> f64 {
+    2.0 * random.unit() - 1.0
+}
 
-impl Random {
-    pub(crate) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(crate) fn below(&mut self, n: u64) -> u64 {
-        self.next() % n
-    }
-
-    /// In -1..1.
-    pub(crate) fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    /// -n..=n as a double.
-    pub(crate) fn integer(&mut self, n: u64) -> f64 {
-        self.below(2 * n + 1) as f64 - n as f64
-    }
-
-    pub(crate) fn points(&mut self, mut coordinate: impl FnMut(&mut Random) -> f64) -> Points {
-        [(); 4].map(|()| [(); 2].map(|()| coordinate(self)))
-    }
+/// Four points whose coordinates a function draws.
+pub(crate) fn draw(random: &mut Random, mut coordinate: impl FnMut(&mut Random) -> f64) -> Points {
+    [(); 4].map(|()| [(); 2].map(|()| coordinate(random)))
 }
 
 pub(crate) type Points = [[f64; 2]; 4];

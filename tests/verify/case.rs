@@ -3,27 +3,7 @@
 use std::collections::HashSet;
 
 use sweep_cdt::{Report, Violations, triangulate, verify};
-
-/// Pseudo-random numbers (a linear congruence, upper bits).
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn below(&mut self, n: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 33) as usize) % n
-    }
-
-    pub(crate) fn unit(&mut self) -> f64 {
-        self.below(1 << 30) as f64 / (1u64 << 30) as f64
-    }
-
-    pub(crate) fn points(&mut self, n: usize) -> Vec<[f64; 2]> {
-        (0..n).map(|_| [self.unit(), self.unit()]).collect()
-    }
-}
+use sweep_cdt_testing::Random;
 
 /// A triangulation to break.
 #[derive(Clone, Default)]
@@ -98,7 +78,7 @@ impl Case {
 }
 
 pub(crate) fn random() -> Case {
-    Case::of(Random(1).points(60), &[])
+    Case::of(Random::new(1).points(60), &[])
 }
 
 pub(crate) fn constrained() -> Case {

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use sweep_cdt::{Scalar, verify};
 
-use crate::case::Random;
+use sweep_cdt_testing::Random;
 
 thread_local! {
     static COMPARISONS: Cell<usize> = const { Cell::new(0) };
@@ -68,7 +68,7 @@ fn distinct_points_are_not_compared() {
             .collect()
     };
     for points in [
-        Random(1).points(10_000),
+        Random::new(1).points(10_000),
         raster(1.0, 1.0),
         raster(-0.5, 1e-300),
         raster(0.1, 1e300),
@@ -83,7 +83,7 @@ fn distinct_points_are_not_compared() {
 
 #[test]
 fn equal_points_are_compared_with_each_other() {
-    let mut points = Random(1).points(5000);
+    let mut points = Random::new(1).points(5000);
     points.extend_from_within(..);
     let (found, comparisons) = distinct(&points);
     assert_eq!(found, 5000);

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use sweep_cdt::{Verifier, verify};
 
-use crate::case::*;
+use super::case::*;
 
 /// A fault: how it is called, a triangulation that has it, and the first violation to be reported.
 type Fault = (&'static str, fn() -> Case, &'static str);

@@ -1,21 +1,10 @@
-//! The verifier against a naive one, on small triangulations that chance has broken, or has not.
+//! The verifier against a naive one, on small triangulations some of which random changes have broken.
 
 use sweep_cdt::{triangulate, verify};
-use sweep_cdt_properties::oracle::is_exactly_right;
+use sweep_cdt_testing::Random;
+use sweep_cdt_testing::oracle::is_exactly_right;
 
 type Point = [i64; 2];
-
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 33) as usize) % n
-    }
-}
 
 /// One random change; often it makes the triangulation wrong.
 fn spoil(random: &mut Random, points: &mut Vec<Point>, triangles: &mut Vec<[usize; 3]>) {
@@ -48,7 +37,7 @@ fn spoil(random: &mut Random, points: &mut Vec<Point>, triangles: &mut Vec<[usiz
 
 #[test]
 fn agrees_with_the_naive_one() {
-    let mut random = Random(3);
+    let mut random = Random::new(3);
     let mut right = 0;
     for _ in 0..20_000 {
         let n = 3 + random.below(6);
@@ -83,7 +72,7 @@ fn agrees_with_the_naive_one() {
 /// Nothing at all makes the verifier panic.
 #[test]
 fn garbage() {
-    let mut random = Random(4);
+    let mut random = Random::new(4);
     let palette = [
         0.0,
         -0.0,

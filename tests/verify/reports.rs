@@ -2,8 +2,9 @@
 
 use sweep_cdt::{Verifier, Violation, verify};
 
-use crate::case::*;
-use crate::domains;
+use super::case::*;
+use super::domains;
+use sweep_cdt_testing::Random;
 
 #[test]
 fn offenders() {
@@ -74,7 +75,7 @@ fn texts() {
 
 #[test]
 fn correct_results() {
-    let mut rng = Random(2);
+    let mut rng = Random::new(2);
     for n in (3..60).chain([1000, 40_000]) {
         let uniform = Case::of(rng.points(n), &[]).verify().unwrap();
         assert_eq!((uniform.points, uniform.is_canonical()), (n, true));

@@ -3,7 +3,8 @@
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::{Error, triangulate};
 
-use crate::{Input, valid};
+use crate::valid;
+use sweep_cdt_testing::Input;
 
 /// As many points at most.
 const POINTS: usize = 12;

@@ -11,9 +11,10 @@
 
 use sweep_cdt::{Corners, Error, Heuristics, Triangulator};
 
-use crate::oracle::{Answer, check_found, crosses, firm_sides, found, sorted};
-use crate::random::Random;
-use crate::{Input, generators, reached};
+use crate::reached;
+use sweep_cdt_testing::Random;
+use sweep_cdt_testing::oracle::{Answer, check_found, crosses, firm_sides, found, sorted};
+use sweep_cdt_testing::{Input, generators};
 
 /// The property for the choices and the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {

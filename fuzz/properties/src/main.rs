@@ -1,11 +1,12 @@
-//! Runs properties on files, and shows what bytes stand for.
+//! Runs properties on files, shows what bytes stand for, packs and unpacks seeds.
 
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
-use sweep_cdt_properties::{Input, TARGETS, Target};
+use sweep_cdt_properties::{TARGETS, Target, seeds};
+use sweep_cdt_testing::{Input, Random};
 
 #[derive(Parser)]
 #[command(about = "Runs the fuzz targets of sweep-cdt on files, without a fuzzer")]
@@ -23,8 +24,8 @@ enum Verb {
         /// Files and folders.
         paths: Vec<PathBuf>,
     },
-    /// Writes seeds into a folder: for each input file (JSON: `points`, `edges`) that bytes can stand for, and
-    /// chance ones for every shape of points with every pattern of edges.
+    /// Writes new seeds into a folder: for each input file (JSON: `points`, `edges`) that bytes can stand for, and
+    /// random ones for every shape of points with every pattern of edges.
     Seeds {
         /// The property.
         target: String,
@@ -32,6 +33,18 @@ enum Verb {
         folder: PathBuf,
         /// Input files and folders of them.
         paths: Vec<PathBuf>,
+    },
+    /// Writes the seeds of every property into a folder: for each a folder, in it a file for each seed.
+    Unpack {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// Adds the files of a folder to the seeds of a property, `fuzz/seeds/TARGET.hex`.
+    Pack {
+        /// The property.
+        target: String,
+        /// The folder.
+        folder: PathBuf,
     },
     /// Writes the input that a file stands for into a folder: `row.txt`, a row for the table of cases, and
     /// `input.json` for the command.
@@ -47,66 +60,78 @@ enum Verb {
 
 fn main() -> Result<(), Box<dyn Error>> {
     match Arguments::parse().verb {
-        Verb::Run { target, paths } => {
-            let target = named(&target)?;
-            let mut count = 0;
-            for path in paths {
-                for file in files(&path)? {
-                    (target.test)(&fs::read(file)?);
-                    count += 1;
-                }
-            }
-            println!("{}: {count} files", target.name);
-        }
+        Verb::Run { target, paths } => run(named(&target)?, &paths),
         Verb::Seeds {
             target,
             folder,
             paths,
-        } => {
-            let target = named(&target)?;
-            for path in paths {
-                for file in files(&path)? {
-                    let text = fs::read_to_string(&file)?;
-                    let name = file.file_stem().unwrap_or_default();
-                    // What is no input of finite numbers is left to the readers' own seeds.
-                    if let Ok(Parsed { points, edges }) = serde_json::from_str(&text) {
-                        let seeds = target.seeds(&Input { points, edges });
-                        write(&folder, &name.to_string_lossy(), seeds)?;
-                    }
-                }
+        } => make_seeds(named(&target)?, &folder, &paths),
+        Verb::Unpack { folder } => {
+            for target in TARGETS {
+                seeds::unpack(&seeds::path(target.name), &folder.join(target.name))?;
             }
-            for kind in 0..=u8::MAX {
-                let mut bytes = vec![kind % 16, (kind / 16 % 8) | 8, 6 + kind % 19];
-                bytes.extend((0..48_u32).map(|i| {
-                    let mixed = (i + 1 + 64 * u32::from(kind)).wrapping_mul(0x9e37_79b9);
-                    (mixed >> 24) as u8
-                }));
-                write(
-                    &folder,
-                    &format!("shape_{kind}"),
-                    target.after_choices(&bytes),
-                )?;
-            }
+            Ok(())
+        }
+        Verb::Pack { target, folder } => {
+            let file = seeds::path(named(&target)?.name);
+            let count = seeds::pack(&folder, &file)?;
+            println!("{}: {count} new seeds", file.display());
+            Ok(())
         }
         Verb::Show {
             target,
             file,
             folder,
-        } => {
-            let bytes = fs::read(file)?;
-            let Some(input) = (named(&target)?.input)(&bytes) else {
-                fs::write(folder.join("row.txt"), format!("{bytes:?}\n"))?;
-                return Ok(());
-            };
-            println!("{input}");
-            fs::write(folder.join("row.txt"), format!("{input}\n"))?;
-            let json = format!(
-                "{{\"points\": {:?}, \"edges\": {:?}}}\n",
-                input.points, input.edges
-            );
-            fs::write(folder.join("input.json"), json)?;
+        } => show(named(&target)?, &file, &folder),
+    }
+}
+
+fn run(target: &Target, paths: &[PathBuf]) -> Result<(), Box<dyn Error>> {
+    let mut count = 0;
+    for path in paths {
+        for file in files(path)? {
+            (target.test)(&fs::read(file)?);
+            count += 1;
         }
     }
+    println!("{}: {count} files", target.name);
+    Ok(())
+}
+
+fn make_seeds(target: &Target, folder: &Path, paths: &[PathBuf]) -> Result<(), Box<dyn Error>> {
+    for path in paths {
+        for file in files(path)? {
+            let text = fs::read_to_string(&file)?;
+            let name = file.file_stem().unwrap_or_default();
+            // What is no input of finite numbers is left to the readers' own seeds.
+            if let Ok(Parsed { points, edges }) = serde_json::from_str(&text) {
+                let seeds = target.seeds(&Input { points, edges });
+                write(folder, &name.to_string_lossy(), seeds)?;
+            }
+        }
+    }
+    let mut random = Random::new(1);
+    for kind in 0..=u8::MAX {
+        // One of 16 shapes, one of 8 patterns, no edges that cross and no disguise, 6 to 24 points.
+        let mut bytes = vec![kind % 16, (kind / 16 % 8) | 8, 6 + kind % 19];
+        bytes.extend(random.bytes(48));
+        let seeds = target.after_leads(&bytes);
+        write(folder, &format!("shape_{kind}"), seeds)?;
+    }
+    Ok(())
+}
+
+fn show(target: &Target, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+    let bytes = fs::read(file)?;
+    let Some(input) = (target.input)(&bytes) else {
+        fs::write(folder.join("row.txt"), format!("{bytes:?}\n"))?;
+        return Ok(());
+    };
+    println!("{input}");
+    fs::write(folder.join("row.txt"), format!("{input}\n"))?;
+    let Input { points, edges } = input;
+    let json = format!("{{\"points\": {points:?}, \"edges\": {edges:?}}}\n");
+    fs::write(folder.join("input.json"), json)?;
     Ok(())
 }
 

@@ -1,57 +1,121 @@
 //! Which degenerate events the executions of a campaign reach.
 //!
-//! With the environment variable `SWEEP_CDT_REACHED` set to a folder, every sixteenth input is triangulated once more
-//! with counters and once with events, by the paper's heuristics, and how many of these inputs had each event
-//! is written there from time to time, one file a process. Otherwise this costs one test.
+//! With the environment variable `SWEEP_CDT_REACHED` set to a folder, every sixteenth input is triangulated
+//! once more with counters and once with events, by the paper's heuristics. How many of these inputs had
+//! each event is written there from time to time, one file a process. Without it this costs one test.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
-use sweep_cdt::trace::{Event, EdgePosition, PointCase, Why};
-use sweep_cdt::{Heuristics, Triangulator};
-
-use crate::Input;
+use sweep_cdt::trace::{EdgePosition, Event, PointCase, Why};
+use sweep_cdt::{Counters, Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt_testing::Input;
 
 /// Of so many inputs one is looked at.
 const EVERY: u64 = 16;
 /// So many inputs looked at pass between two writings of the file.
 const WRITE: u64 = 64;
 
-/// What may be reached, as named in the file.
-const NAMES: [&str; 16] = [
-    "left case",
-    "fill",
-    "basin",
-    "flip",
-    "edge already there",
-    "edge below the front",
-    "edge by front traversal only",
-    "edge by mixed traversal",
-    "vertex on an edge",
-    "upper hull",
-    "orientation by exact stage",
-    "in-circle by exact stage",
-    "canonical tie",
-    "test with an artificial vertex",
-    "duplicate points",
-    "crossing edges",
+/// What an input led to.
+struct Run {
+    edges: usize,
+    events: Vec<Event>,
+    result: Result<Triangulation, Error>,
+    counters: Counters,
+}
+
+/// What may be reached, as it is named in the file, and whether a run has.
+type Reachable = (&'static str, fn(&Run) -> bool);
+
+const REACHABLE: [Reachable; 16] = [
+    ("left case", |run| {
+        run.any(|event| matches!(event, Event::Point { case, .. } if *case == PointCase::Left))
+    }),
+    ("fill", |run| run.makes(Why::NarrowCorner)),
+    ("basin", |run| run.makes(Why::Basin)),
+    ("flip", |run| {
+        run.any(|event| matches!(event, Event::Flip { .. }))
+    }),
+    ("edge already there", |run| {
+        run.passes(EdgePosition::Present)
+    }),
+    ("edge below the front", |run| {
+        run.passes(EdgePosition::BelowFront)
+    }),
+    ("edge by front traversal only", |run| {
+        run.passes(EdgePosition::FrontOnly)
+    }),
+    ("edge by mixed traversal", |run| {
+        run.passes(EdgePosition::Mixed)
+    }),
+    ("vertex on an edge", |run| {
+        let is_split = |result: &Triangulation| {
+            (0..run.edges).any(|edge| result.edge_chain(edge).nth(2).is_some())
+        };
+        run.result.as_ref().is_ok_and(is_split)
+    }),
+    ("upper hull", |run| run.makes(Why::Hull)),
+    ("orientation by exact stage", |run| {
+        run.counters.orient2d_exact > 0
+    }),
+    ("in-circle by exact stage", |run| {
+        run.counters.in_circle_exact > 0
+    }),
+    ("canonical tie", |run| run.counters.cocircular > 0),
+    ("test with an artificial vertex", |run| {
+        run.counters.symbolic > 0
+    }),
+    ("duplicate points", |run| {
+        let result = run.result.as_ref();
+        result.is_ok_and(|result| result.duplicates().len() > 0)
+    }),
+    ("crossing edges", |run| run.result.is_err()),
 ];
 
-#[derive(Default)]
+impl Run {
+    fn of(Input { points, edges }: &Input) -> Run {
+        let mut events = Vec::new();
+        let result = Triangulator::new()
+            .heuristics(Heuristics::PAPER)
+            .triangulate_observed(points, edges, |event| events.push(event));
+        let counted = Triangulator::new().triangulate_with_stats(points, edges);
+        Run {
+            edges: edges.len(),
+            events,
+            result,
+            counters: counted.map_or_else(|_| Counters::default(), |(_, stats)| stats.counters),
+        }
+    }
+
+    fn any(&self, is_asked: impl Fn(&Event) -> bool) -> bool {
+        self.events.iter().any(is_asked)
+    }
+
+    /// Whether a triangle was made for this reason.
+    fn makes(&self, asked: Why) -> bool {
+        self.any(|event| matches!(event, Event::Triangle { why, .. } if *why == asked))
+    }
+
+    /// Whether a part of an edge was so.
+    fn passes(&self, asked: EdgePosition) -> bool {
+        self.any(|event| matches!(event, Event::Part { position, .. } if *position == asked))
+    }
+}
+
 struct Tally {
     seen: u64,
     looked_at: u64,
-    reached: [u64; NAMES.len()],
+    reached: [u64; REACHABLE.len()],
 }
 
 static TALLY: Mutex<Tally> = Mutex::new(Tally {
     seen: 0,
     looked_at: 0,
-    reached: [0; NAMES.len()],
+    reached: [0; REACHABLE.len()],
 });
 
-/// Counts what this input reaches, if that is asked for.
+/// Counts what this input reaches, if the environment asks for it.
 pub fn sample(input: &Input) {
     static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
     let folder = FOLDER.get_or_init(|| std::env::var_os("SWEEP_CDT_REACHED").map(PathBuf::from));
@@ -61,8 +125,9 @@ pub fn sample(input: &Input) {
         tally.seen += 1;
         if tally.seen % EVERY == 1 {
             tally.looked_at += 1;
-            for (count, is_reached) in tally.reached.iter_mut().zip(reached(input)) {
-                *count += u64::from(is_reached);
+            let run = Run::of(input);
+            for (count, (_, is_reached)) in tally.reached.iter_mut().zip(REACHABLE) {
+                *count += u64::from(is_reached(&run));
             }
             if tally.looked_at % WRITE == 1 {
                 write(folder, &tally);
@@ -71,50 +136,9 @@ pub fn sample(input: &Input) {
     }
 }
 
-/// Which of the events this input reaches, in the order of the names.
-fn reached(input: &Input) -> [bool; NAMES.len()] {
-    let Input { points, edges } = input;
-    let mut reached = [false; NAMES.len()];
-    let mut upper = None;
-    let outcome = Triangulator::new()
-        .heuristics(Heuristics::PAPER)
-        .triangulate_observed(points, edges, |event| match event {
-            Event::Point {
-                case: PointCase::Left,
-                ..
-            } => reached[0] = true,
-            Event::Triangle { why: Why::NarrowCorner, .. } => reached[1] = true,
-            Event::Triangle {
-                why: Why::Basin, ..
-            } => reached[2] = true,
-            Event::Flip { .. } => reached[3] = true,
-            Event::Edge { upper: end, .. } => upper = Some(end),
-            Event::Part { position, from, .. } => {
-                reached[4] |= position == EdgePosition::Present;
-                reached[5] |= position == EdgePosition::BelowFront;
-                reached[6] |= position == EdgePosition::FrontOnly;
-                reached[7] |= position == EdgePosition::Mixed;
-                reached[8] |= upper != Some(from);
-            }
-            Event::Triangle { why: Why::Hull, .. } => reached[9] = true,
-            _ => {}
-        });
-    reached[14] = outcome.is_ok_and(|result| result.duplicates().len() > 0);
-    match Triangulator::new().triangulate_with_stats(points, edges) {
-        Ok((_, stats)) => {
-            reached[10] = stats.counters.orient2d_exact > 0;
-            reached[11] = stats.counters.in_circle_exact > 0;
-            reached[12] = stats.counters.cocircular > 0;
-            reached[13] = stats.counters.symbolic > 0;
-        }
-        Err(_) => reached[15] = true,
-    }
-    reached
-}
-
-fn write(folder: &std::path::Path, tally: &Tally) {
+fn write(folder: &Path, tally: &Tally) {
     let mut text = format!("inputs\t{}\n", tally.looked_at);
-    for (name, count) in NAMES.iter().zip(tally.reached) {
+    for ((name, _), count) in REACHABLE.iter().zip(tally.reached) {
         text += &format!("{name}\t{count}\n");
     }
     // A report that cannot be written must not stop a campaign.

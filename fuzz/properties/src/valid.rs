@@ -6,8 +6,9 @@
 
 use sweep_cdt::{Error, triangulate};
 
-use crate::oracle::{check, crosses, verdict};
-use crate::{Input, generators, reached};
+use crate::reached;
+use sweep_cdt_testing::oracle::{check, crosses, verdict};
+use sweep_cdt_testing::{Input, generators};
 
 /// Up to so many points the answer is built from its definition.
 const BY_DEFINITION: usize = 6;

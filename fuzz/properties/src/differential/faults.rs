@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
 use super::quiet::quietly;
-use crate::Input;
-use crate::minimize::minimize;
+use sweep_cdt_testing::Input;
+use sweep_cdt_testing::minimize::minimize;
 
 /// So many inputs of a kind are written.
 const SHOWN: u64 = 3;

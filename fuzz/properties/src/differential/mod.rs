@@ -18,10 +18,11 @@ use std::panic::catch_unwind;
 
 use sweep_cdt::{Verifier, triangulate};
 
-use crate::oracle::{Answer, Graph, Integers, Number, Point, check, firm_sides, integers};
-use crate::peers::{PROGRAMS, Program};
-use crate::{Input, generators, reached};
+use crate::reached;
 use quiet::quietly;
+use sweep_cdt_testing::oracle::{Answer, Graph, Number, Point, check, firm_sides};
+use sweep_cdt_testing::peers::{PROGRAMS, Program};
+use sweep_cdt_testing::{Input, generators, with_integers};
 
 /// The property for the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
@@ -78,11 +79,8 @@ fn fault(input: &Input, answer: &Answer, program: Program) -> Option<&'static st
         Ok(Ok(triangles)) => {
             let verifier = Verifier::new().accept_clockwise(true);
             let verdict = verifier.verify(points, &edges, &triangles);
-            let is_right = match integers(points) {
-                Integers::Small(exact) => agrees(&exact, points, answer, &triangles),
-                Integers::Medium(exact) => agrees(&exact, points, answer, &triangles),
-                Integers::Big(exact) => agrees(&exact, points, answer, &triangles),
-            };
+            let is_right =
+                with_integers!(points, |exact| agrees(&exact, points, answer, &triangles));
             assert_eq!(
                 verdict.is_ok(),
                 is_right,

@@ -7,8 +7,8 @@ use sweep_cdt::formats::{
 };
 use sweep_cdt::{Scalar, Triangulation, triangulate};
 
-use super::source;
-use crate::oracle::canonical;
+use super::reader::source;
+use sweep_cdt_testing::oracle::canonical;
 
 /// Inputs that are written whole have so many points at most.
 const POINTS: usize = 64;

@@ -6,7 +6,8 @@ use std::ops::Range;
 use sweep_cdt::formats::{Graph, InputFormat, write_node};
 use sweep_cdt::triangulate;
 
-use super::{Reader, again};
+use super::again;
+use super::reader::Reader;
 
 /// What damage puts in.
 const TOKENS: [&str; 16] = [

@@ -6,37 +6,19 @@
 
 mod again;
 mod files;
+mod reader;
 mod traces;
 
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
 use sweep_cdt::Verifier;
 use sweep_cdt::formats::{
-    Coordinate, Graph, Input, InputFormat, ResultFormat, Source, read, read_result,
-    write_violations_svg,
+    Coordinate, Graph, Input, ResultFormat, Source, read, read_result, write_violations_svg,
 };
 
-use crate::{generators, reached};
-
-/// What reads bytes.
-#[derive(Clone, Copy, Debug)]
-enum Reader {
-    Input(InputFormat),
-    Result(ResultFormat),
-    Trace,
-    Numbers,
-}
-
-const READERS: [Reader; 8] = [
-    Reader::Input(InputFormat::Node),
-    Reader::Input(InputFormat::Poly),
-    Reader::Input(InputFormat::Json),
-    Reader::Result(ResultFormat::Ele),
-    Reader::Result(ResultFormat::Json),
-    Reader::Result(ResultFormat::Obj),
-    Reader::Trace,
-    Reader::Numbers,
-];
+use self::reader::{READERS, Reader, source};
+use crate::reached;
+use sweep_cdt_testing::generators;
 
 /// The property for the bytes.
 pub fn test(bytes: &[u8]) {
@@ -92,13 +74,6 @@ fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
         edges: graph.edges.clone(),
         first_vertex: graph.first_vertex,
         first_edge: graph.first_edge,
-    }
-}
-
-fn source(bytes: &[u8]) -> Source {
-    Source {
-        name: "file".to_owned(),
-        bytes: bytes.to_vec(),
     }
 }
 

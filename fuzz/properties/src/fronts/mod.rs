@@ -9,8 +9,9 @@ mod alone;
 use arbitrary::Unstructured;
 use sweep_cdt::{Domain, Front, FrontNode, FrontSearch, HashTable, Heuristics, Linear, SkipList};
 
-use crate::steps::Steps;
-use crate::{Input, generators, reached};
+use crate::reached;
+use sweep_cdt_testing::Steps;
+use sweep_cdt_testing::{Input, generators};
 
 /// The property for the choices and the input, or the changes of a front, that the bytes stand for.
 pub fn test(bytes: &[u8]) {

@@ -3,7 +3,7 @@
 use sweep_cdt::trace::{Event, PointCase, Trace, Why};
 use sweep_cdt::{Heuristics, Triangulation, Triangulator};
 
-use crate::Input;
+use sweep_cdt_testing::Input;
 
 /// Panics unless a run that counts, and tells how far it is, has the same result as this one, and has counted
 /// what this one told.

@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use sweep_cdt::trace::{Event, Trace};
 
-use crate::random::Random;
+use sweep_cdt_testing::Random;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {

@@ -13,9 +13,10 @@ use sweep_cdt::{HashTable, Heuristics};
 
 use damage::{Damage, Kind};
 
-use crate::random::Random;
-use crate::steps::Steps;
-use crate::{Input, generators, reached};
+use crate::reached;
+use sweep_cdt_testing::Random;
+use sweep_cdt_testing::Steps;
+use sweep_cdt_testing::{Input, generators};
 
 /// The property for the choices and the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {

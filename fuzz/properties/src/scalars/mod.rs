@@ -12,10 +12,11 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::{Error, HashTable, Heuristics, Scalar, Triangulation, triangulate};
 
-use crate::oracle::found;
-use crate::runs::{Archetype, Sample, convert};
-use crate::steps::Steps;
-use crate::{Input, generators, reached};
+use crate::reached;
+use sweep_cdt_testing::Steps;
+use sweep_cdt_testing::oracle::found;
+use sweep_cdt_testing::runs::{Archetype, Sample, convert};
+use sweep_cdt_testing::{Input, generators};
 
 /// The property for the choices and the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {

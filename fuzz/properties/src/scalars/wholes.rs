@@ -7,7 +7,7 @@ use bnum::types::I256;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::oracle::{self, Integers};
+use sweep_cdt_testing::oracle::{self, Integers};
 
 type Whole = [BigInt; 2];
 

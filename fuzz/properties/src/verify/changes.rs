@@ -1,6 +1,6 @@
 //! Changes of a triangulation: most of them make a right one wrong.
 
-use super::Case;
+use super::case::Case;
 
 /// How many kinds of change there are.
 const KINDS: u8 = 16;

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use sweep_cdt::{Error, triangulate};
 
-use super::Case;
-use crate::oracle::{canonical, check, crosses, firm_sides, is_right, sorted};
+use super::case::Case;
+use sweep_cdt_testing::oracle::{canonical, check, crosses, firm_sides, is_right, sorted};
 
 /// Up to so many points, and twice as many triangles, everything is compared with everything.
 const BY_DEFINITION: usize = 8;

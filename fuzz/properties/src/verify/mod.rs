@@ -1,21 +1,24 @@
 //! The verifier accepts what is right and nothing else, and no input makes it panic.
 //!
 //! A right answer is broken by up to three changes, or triangles are garbage from the start, or go round
-//! a hub more than once. For a few points the judge is [`is_right`](crate::oracle::is_right), which
+//! a hub more than once. For a few points the judge is [`is_right`](sweep_cdt_testing::oracle::is_right), which
 //! compares everything with everything in exact integers; for more points it is that the constrained
 //! Delaunay triangulation is unique up to cocircular vertices, so that a result which the oracle's
-//! [`check`](crate::oracle::check) has passed tells which triangles are right. Neither shares code with
+//! [`check`](sweep_cdt_testing::oracle::check) has passed tells which triangles are right. Neither shares code with
 //! the verifier. What it calls canonical must be the sweep's answer. Its options are then held against its
 //! own plain verdict, and a hole is declared in what is right.
 
+mod case;
 mod changes;
 mod facts;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::{Report, Verifier, Violation, Violations, triangulate, verify};
 
-use crate::oracle::canonical;
-use crate::{Input, generators, reached};
+use self::case::Case;
+use crate::reached;
+use sweep_cdt_testing::oracle::canonical;
+use sweep_cdt_testing::{Input, generators};
 
 /// As many points, triangles or edges of garbage at most.
 const GARBAGE: usize = 12;
@@ -35,14 +38,6 @@ const RIM: [[f64; 2]; 12] = [
     [3.0, -4.0],
     [4.0, -3.0],
 ];
-
-/// A triangulation to verify.
-#[derive(Debug, Default)]
-struct Case {
-    points: Vec<[f64; 2]>,
-    edges: Vec<[usize; 2]>,
-    triangles: Vec<[usize; 3]>,
-}
 
 /// The property for the case that the bytes stand for.
 pub fn test(bytes: &[u8]) {

@@ -1,0 +1,144 @@
+//! Plants the faults, builds the targets, and reports how many executions each target needs for each fault.
+//!
+//! In `fuzz`, `cargo run --release -p sweep-cdt-planted-faults > ../docs/planted-faults.md` writes the page of
+//! all faults; with words after it, the command prints the rows of those whose names contain one of them.
+//!
+//! Each target gets [`FEW`] executions for each fault. For a fault that none has found then, one target after
+//! the other gets [`MANY`], until one finds it. For the page, each target also gets [`MANY`] executions of the
+//! crate without a fault and must not fail. The command fails if one does, or if no target finds a fault.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+use std::sync::Mutex;
+use std::thread;
+
+use sweep_cdt_planted_faults::{CHOICE, Fault, Find, Row, copy, faults, page, root, table};
+use sweep_cdt_properties::{TARGETS, Target, seeds};
+
+/// Executions for each fault and target.
+const FEW: u64 = 10_000;
+/// Executions for a fault that is hard to find.
+const MANY: u64 = 100_000;
+
+fn main() -> ExitCode {
+    let words: Vec<String> = env::args().skip(1).collect();
+    let runner = build();
+    let is_asked =
+        |fault: &Fault| words.is_empty() || words.iter().any(|word| fault.name.contains(word));
+    let numbered = faults().into_iter().enumerate();
+    let (numbers, faults): (Vec<usize>, Vec<Fault>) =
+        numbered.filter(|(_, fault)| is_asked(fault)).unzip();
+    let numbers = numbers.into_iter();
+    // What takes longest comes first.
+    let no_fault = words.is_empty().then_some(None);
+    let jobs: Vec<Option<usize>> = no_fault.into_iter().chain(numbers.map(Some)).collect();
+    let mut rows = in_parallel(&jobs, |number| {
+        let row = row(&runner, number);
+        eprintln!("fault {number:?}:\n{}", messages(&row));
+        row
+    });
+    let none = no_fault.map(|_| rows.remove(0));
+    let mut is_good = rows.iter().all(|row| row.iter().any(Option::is_some));
+    if let Some(none) = none {
+        is_good &= none.iter().all(Option::is_none);
+        print!("{}", page(&faults, &none, &rows));
+    } else {
+        print!("{}", table(&faults, &rows));
+    }
+    if is_good {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}
+
+/// Makes a row for each fault or none, as many at a time as the machine has cores.
+fn in_parallel(numbers: &[Option<usize>], make: impl Fn(Option<usize>) -> Row + Sync) -> Vec<Row> {
+    let left = Mutex::new(numbers.iter().enumerate());
+    let done = Mutex::new(vec![Row::new(); numbers.len()]);
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let next = left.lock().expect("no panic").next();
+                    let Some((place, &number)) = next else { break };
+                    let row = make(number);
+                    done.lock().expect("no panic")[place] = row;
+                }
+            });
+        }
+    });
+    done.into_inner().expect("no panic")
+}
+
+/// What each target finds of a fault, or without one.
+fn row(runner: &Path, number: Option<usize>) -> Row {
+    let run = |target: &Target, executions| run(runner, number, target.name, executions);
+    let mut row: Row = TARGETS.iter().map(|target| run(target, FEW)).collect();
+    if row.iter().all(Option::is_none) {
+        let mut places = row.iter_mut().zip(TARGETS);
+        places.any(|(find, target)| {
+            *find = run(target, MANY);
+            find.is_some()
+        });
+    }
+    row
+}
+
+/// What each target found.
+fn messages(row: &Row) -> String {
+    let found = TARGETS.iter().zip(row);
+    found
+        .filter_map(|(target, find)| Some((target.name, find.as_ref()?)))
+        .map(|(name, find)| format!("  {name}, {}: {}\n", find.execution, find.message))
+        .collect()
+}
+
+/// Makes the copy with the faults and builds it.
+fn build() -> PathBuf {
+    let folder = root().join("fuzz/target/planted-faults");
+    let target = folder.join("target");
+    std::fs::create_dir_all(folder.join("fuzz")).expect("a folder for the copy");
+    copy(&folder, &faults()).expect("a copy with all faults");
+    let status = Command::new(env!("CARGO"))
+        .args(["build", "--locked", "--profile", "planted"])
+        .args([
+            "--package",
+            "sweep-cdt-planted-faults",
+            "--bin",
+            "executions",
+        ])
+        .arg("--target-dir")
+        .arg(&target)
+        .current_dir(folder.join("fuzz"))
+        .status();
+    assert!(
+        status.is_ok_and(|status| status.success()),
+        "the copy does not build"
+    );
+    target.join("planted/executions")
+}
+
+/// Runs a target until it fails; without a number the crate has no fault.
+fn run(runner: &Path, fault: Option<usize>, target: &str, executions: u64) -> Option<Find> {
+    let mut command = Command::new(runner);
+    if let Some(number) = fault {
+        command.env(CHOICE, number.to_string());
+    }
+    let output = command
+        .args([target, &executions.to_string()])
+        .arg(seeds::path(target))
+        .stderr(Stdio::null())
+        .output()
+        .expect("the runner starts");
+    let line = String::from_utf8_lossy(&output.stdout);
+    if line.trim() == "none" {
+        return None;
+    }
+    let mut words = line.trim().splitn(3, ' ').skip(1).map(str::to_owned);
+    Some(Find {
+        execution: words.next().unwrap_or_else(|| "died".to_owned()),
+        message: words.next().unwrap_or_default(),
+    })
+}

@@ -1,0 +1,143 @@
+//! The table of properties: how bytes stand for an input, and how seeds are made of an input.
+
+use sweep_cdt_testing::{Input, generators};
+
+use crate::{bits, canonical, differential, formats, fronts, replay, scalars, valid, verify};
+
+/// What the bytes before those of the generated input choose, and these bytes.
+pub type Lead = (&'static str, &'static [u8]);
+
+/// A property by its name.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// As its fuzz target and its file of seeds are called.
+    pub name: &'static str,
+    /// Panics if the property does not hold for what the bytes stand for.
+    pub test: fn(&[u8]),
+    /// The points and edges that the bytes stand for, if the property tests these.
+    pub input: fn(&[u8]) -> Option<Input>,
+    /// Bytes that stand for points and edges, if there are any.
+    encode: fn(&Input) -> Option<Vec<u8>>,
+    /// What comes before these bytes: a seed is made with each.
+    leads: &'static [Lead],
+}
+
+/// All properties.
+pub const TARGETS: &[Target] = &[
+    GENERATED.named("valid", valid::test),
+    Target {
+        input: |bytes| Some(bits::input(bytes)),
+        encode: bits::encode,
+        ..GENERATED.named("bits", bits::test)
+    },
+    Target {
+        leads: SCALARS,
+        ..CHOOSING.named("scalars", scalars::test)
+    },
+    Target {
+        input: fronts::input,
+        ..CHOOSING.named("fronts", fronts::test)
+    },
+    CHOOSING.named("canonical", canonical::test),
+    Target {
+        leads: DAMAGES,
+        ..CHOOSING.named("replay", replay::test)
+    },
+    Target {
+        input: |_| None,
+        leads: CHANGES,
+        ..GENERATED.named("verify", verify::test)
+    },
+    Target {
+        input: |_| None,
+        leads: FILES,
+        ..GENERATED.named("formats", formats::test)
+    },
+    GENERATED.named("differential", differential::test),
+];
+
+/// A target whose bytes are those of a generated input.
+const GENERATED: Target = Target {
+    name: "",
+    test: |_| {},
+    input: |bytes| Some(generators::input(bytes)),
+    encode: generators::encode,
+    leads: &[("nothing", &[])],
+};
+
+/// A target whose bytes are a number of eight bytes, for what it chooses itself, and those of a generated
+/// input.
+const CHOOSING: Target = Target {
+    input: |bytes| Some(generators::input_with_choices(bytes).1),
+    leads: &[("the first of everything", &[0; 8])],
+    ..GENERATED
+};
+
+/// The first byte chooses the scalar or the sort of numbers, the second the heuristics, the third which
+/// numbers.
+const SCALARS: &[Lead] = &[
+    ("f32", &[0; 8]),
+    ("machine integers", &[1; 8]),
+    ("big integers", &[2; 8]),
+    ("rationals", &[3; 8]),
+    ("the plainest scalar", &[4; 8]),
+    ("far from zero", &[5; 8]),
+    ("divided", &[6; 8]),
+    ("over the whole range of i64", &[7; 8]),
+];
+
+/// The number is the seed of random damage.
+const DAMAGES: &[Lead] = &[
+    ("first damage", &[0; 8]),
+    ("second damage", &[1; 8]),
+    ("third damage", &[2; 8]),
+    ("fourth damage", &[3; 8]),
+    ("fifth damage", &[4; 8]),
+    ("sixth damage", &[5; 8]),
+];
+
+/// The first byte says how many changes there are, each of four bytes: the kind, and where.
+const CHANGES: &[Lead] = &[
+    ("a triangle twice", &[1, 2, 1, 0, 3]),
+    (
+        "a triangle turned over, another one rotated",
+        &[2, 3, 1, 0, 3, 4, 7, 2, 1],
+    ),
+];
+
+/// The first byte says that a generated input follows, and in which style it is written; the second which
+/// file is read again, or that the trace is; the other twelve are three damages.
+const FILES: &[Lead] = &[("a damaged file", &[8; 14]), ("a trace", &[250; 14])];
+
+impl Target {
+    const fn named(self, name: &'static str, test: fn(&[u8])) -> Target {
+        Target { name, test, ..self }
+    }
+
+    /// Bytes to begin with that stand for this input, once after each lead.
+    pub fn seeds(&self, input: &Input) -> Vec<Vec<u8>> {
+        let bytes = (self.encode)(input);
+        bytes.map_or_else(Vec::new, |bytes| self.after_leads(&bytes))
+    }
+
+    /// These bytes of a generated input, once after each lead.
+    pub fn after_leads(&self, bytes: &[u8]) -> Vec<Vec<u8>> {
+        let leads = self.leads.iter();
+        leads.map(|(_, lead)| [lead, bytes].concat()).collect()
+    }
+}
+
+#[test]
+fn seeds_stand_for_their_input() {
+    let wanted = Input::parse("0 0, 3 0, 3 2, -5 7", "0 2, 1 3");
+    for target in TARGETS {
+        for bytes in target.seeds(&wanted) {
+            let found = (target.input)(&bytes);
+            assert!(
+                found.is_none_or(|found| found.to_string() == wanted.to_string()),
+                "{}",
+                target.name
+            );
+        }
+    }
+}

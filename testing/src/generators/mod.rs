@@ -1,0 +1,99 @@
+//! Bytes into degenerate inputs.
+//!
+//! The first byte picks the [`Shape`] of the points, the second the [`Pattern`] of the edges and the
+//! disguise, the third how many points there are; one to four bytes make a point, and what is left makes
+//! edges, so a small change of the bytes is a small change of the input. Where the bytes run out, the list
+//! that they were read for ends. Every sequence of bytes is an input.
+//!
+//! An input has at most [`POINTS`] points, so that every exact check of it ends soon.
+
+mod each;
+mod edges;
+mod encode;
+mod limits;
+mod numbers;
+mod points;
+mod rounded;
+
+use arbitrary::{Result, Unstructured};
+
+pub use edges::{Pattern, drop_crossings};
+pub use encode::encode;
+pub use limits::{EDGES, FAR_POINTS, POINTS};
+pub use points::Shape;
+
+use crate::Input;
+
+/// The input that these bytes stand for.
+pub fn input(bytes: &[u8]) -> Input {
+    // Reading is total but for a type that has no values.
+    read(&mut Unstructured::new(bytes)).unwrap_or_default()
+}
+
+/// A number out of the first eight bytes, for what a property chooses itself, and the input that the others
+/// stand for.
+pub fn input_with_choices(bytes: &[u8]) -> (u64, Input) {
+    let mut bytes = Unstructured::new(bytes);
+    // Reading is total but for a type that has no values.
+    let choices = bytes.arbitrary().unwrap_or_default();
+    (choices, read(&mut bytes).unwrap_or_default())
+}
+
+/// Takes an input out of the bytes, all of which it uses.
+///
+/// # Errors
+/// None in practice; see [`Unstructured`].
+pub fn read(bytes: &mut Unstructured<'_>) -> Result<Input> {
+    let shape = *bytes.choose(Shape::ALL)?;
+    read_shape(shape, bytes)
+}
+
+/// The same, with points of a given shape.
+///
+/// # Errors
+/// None in practice; see [`Unstructured`].
+pub fn read_shape(shape: Shape, bytes: &mut Unstructured<'_>) -> Result<Input> {
+    let style: u8 = bytes.arbitrary()?;
+    let n = usize::from(bytes.arbitrary::<u8>()?);
+    let (mut points, mut edges) = points::read(shape, n % (POINTS + 1), bytes)?;
+    let pattern = Pattern::ALL[usize::from(style & 7)];
+    edges.extend(edges::read(pattern, &points, bytes)?);
+    edges.truncate(EDGES);
+    // One in four keeps the edges that cross.
+    if style >> 3 & 3 != 0 {
+        drop_crossings(&points, &mut edges);
+    }
+    disguise(style >> 5, &mut points);
+    Ok(Input { points, edges })
+}
+
+/// So far below 1 that products of four differences, but not of two, underflow.
+const TINY: i32 = -266;
+
+/// Mirrors, turns by 90 degrees, or moves up and down by powers of two, all exactly; or shrinks all points
+/// to a speck far from one more point, so that nothing can make them large again.
+fn disguise(kind: u8, points: &mut Vec<[f64; 2]>) {
+    let change = |[x, y]: [f64; 2]| match kind {
+        1 => [-x, y],
+        2 => [y, -x],
+        3 => [y, x],
+        4 => [-x, -y],
+        5 => [x * 2f64.powi(-40), y * 2f64.powi(-40)],
+        6 => [x * 2f64.powi(130), y * 2f64.powi(130)],
+        7 => [x * 2f64.powi(TINY), y * 2f64.powi(TINY)],
+        _ => [x, y],
+    };
+    let changed: Vec<[f64; 2]> = points.iter().copied().map(change).collect();
+    // What would overflow, or lose digits, stays as it is.
+    let scale = 2f64.powi([0, 0, 0, 0, 0, 40, -130, -TINY][usize::from(kind)]);
+    let is_exact = changed
+        .iter()
+        .flatten()
+        .zip(points.iter().flatten())
+        .all(|(new, old)| kind < 5 || (new * scale).to_bits() == old.to_bits());
+    let is_small = points.len() < FAR_POINTS;
+    if is_exact && (kind < 7 || is_small) {
+        *points = changed;
+        points.extend((kind == 7).then_some([1.0, 0.5]));
+    }
+}

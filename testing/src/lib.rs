@@ -1,0 +1,27 @@
+//! What the tests, the benchmarks and the fuzz targets share.
+//!
+//! * [`generators`] turn bytes into inputs that are degenerate nearly every time; [`Random`] makes bytes
+//!   and numbers from a seed.
+//! * [`data`] reads the test data.
+//! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
+//! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
+//!   step by step.
+//! * [`minimize`] makes a failing input small.
+//! * `peers` (with the feature of this name) calls other crates that triangulate.
+//!
+//! docs/testing.md describes the tests that are made of this.
+
+pub mod data;
+pub mod generators;
+mod input;
+pub mod minimize;
+pub mod oracle;
+#[cfg(feature = "peers")]
+pub mod peers;
+mod random;
+pub mod runs;
+mod steps;
+
+pub use input::Input;
+pub use random::Random;
+pub use steps::Steps;

@@ -1,0 +1,143 @@
+//! Coordinates that no double holds, and inputs that are refused.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use sweep_cdt::{Error, Scalar, Triangulation, Violation, triangulate, verify};
+
+use sweep_cdt_testing::oracle::{exact_verdict, found};
+
+/// Runs points of a scalar and compares with the oracle's integers.
+fn agrees<S: Scalar>(points: &[[S; 2]], integers: &[[BigInt; 2]], edges: &[[usize; 2]]) {
+    let outcome = triangulate(points, edges);
+    match exact_verdict(integers, edges) {
+        Ok(expected) => {
+            let result: Triangulation = outcome.expect("the oracle finds no crossing");
+            assert_eq!(
+                found(&result, points.len(), edges.len()),
+                expected,
+                "right: oracle"
+            );
+        }
+        Err(crossings) => match outcome {
+            Err(Error::CrossingEdges { edges }) => assert!(crossings.contains(&edges)),
+            other => panic!("{other:?}, but {crossings:?} cross"),
+        },
+    }
+}
+
+fn big<T: Copy + Into<BigInt>>(points: &[[T; 2]]) -> Vec<[BigInt; 2]> {
+    points.iter().map(|p| p.map(Into::into)).collect()
+}
+
+/// The corners of a square, and points on and beside its diagonals.
+fn square<T: Copy + From<i8>>(least: T, most: T) -> Vec<[T; 2]> {
+    let [minus, zero, one] = [-1, 0, 1].map(T::from);
+    vec![
+        [least, least],
+        [most, least],
+        [most, most],
+        [least, most],
+        [zero, one],
+        [zero, most],
+        [one, zero],
+        [minus, minus],
+    ]
+}
+
+#[test]
+fn the_largest_integers() {
+    let edges = [[0, 2], [4, 5]];
+    let points = square(i32::MIN, i32::MAX);
+    agrees(&points, &big(&points), &edges);
+    let points = square(i64::MIN, i64::MAX);
+    agrees(&points, &big(&points), &edges);
+}
+
+#[test]
+fn integers_next_to_each_other_that_round_to_one_double() {
+    let near = 1_i64 << 62;
+    let points: Vec<[i64; 2]> = (0..20).map(|i| [near + i % 5, i / 5 - near]).collect();
+    agrees(
+        &points,
+        &big(&points),
+        &[[0, 19], [4, 15 + 1]].map(|[a, b]| [a, b]),
+    );
+    agrees(&points, &big(&points), &[[0, 18], [5, 9], [19, 15]]);
+}
+
+#[test]
+fn thirds() {
+    let thirds = |x: i32| BigRational::new(x.into(), 3.into());
+    let points: Vec<[i32; 2]> = (0..25).map(|i| [i % 5 * 2, i / 5]).collect();
+    let rationals: Vec<_> = points.iter().map(|p| p.map(thirds)).collect();
+    agrees(&rationals, &big(&points), &[[0, 24], [1, 3], [20, 21]]);
+}
+
+#[test]
+fn what_is_not_finite_is_refused() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let points = [[0.0, 0.0], [1.0, 0.0], [0.0, bad], [bad, bad]];
+        let error = triangulate(&points, &[]).unwrap_err();
+        assert_eq!(error, Error::NonFiniteCoordinate { vertex: 2 });
+    }
+    let error = triangulate(&[[0.0, f32::INFINITY]], &[]).unwrap_err();
+    assert_eq!(error, Error::NonFiniteCoordinate { vertex: 0 });
+}
+
+#[test]
+fn edges_to_nowhere_are_refused() {
+    let points = [[0, 0], [1, 0], [0, 1]];
+    let error = triangulate(&points, &[[0, 1], [2, 3], [9, 9]]).unwrap_err();
+    assert_eq!(error, Error::EdgeOutOfRange { edge: 1, vertex: 3 });
+    let error = triangulate(&points, &[[usize::MAX, 7]]).unwrap_err();
+    assert_eq!(
+        error,
+        Error::EdgeOutOfRange {
+            edge: 0,
+            vertex: usize::MAX
+        }
+    );
+    let error = triangulate::<f64>(&[], &[[0, 0]]).unwrap_err();
+    assert_eq!(error, Error::EdgeOutOfRange { edge: 0, vertex: 0 });
+}
+
+/// A coordinate that takes no memory.
+#[derive(Clone, Copy)]
+struct Nothing;
+
+impl Scalar for Nothing {
+    fn approx(&self) -> f64 {
+        0.0
+    }
+
+    fn compare(&self, _: &Self) -> Ordering {
+        Ordering::Equal
+    }
+
+    fn orient2d(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
+        Ordering::Equal
+    }
+
+    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
+        Ordering::Equal
+    }
+}
+
+#[test]
+fn more_than_can_be_numbered_is_refused() {
+    let (given, limit) = (1 << 27, (1 << 27) - 4);
+    let error = triangulate(&[[Nothing; 2]; 1 << 27], &[]).unwrap_err();
+    assert_eq!(error, Error::TooManyPoints { given, limit });
+    // Zeros from the system: no memory is touched.
+    let edges = vec![[0; 2]; 1 << 27];
+    let error = triangulate::<f64>(&[], &edges).unwrap_err();
+    assert_eq!(error, Error::TooManyEdges { given, limit });
+    let sentence = "134217728 edges are more than the limit of 134217724";
+    assert_eq!(error.to_string(), sentence);
+
+    let (given, limit) = ((1 << 31) + 1, 1 << 31);
+    let violations = verify(&[[Nothing; 2]; (1 << 31) + 1], &[], &[]).unwrap_err();
+    assert_eq!(violations.list, [Violation::TooLarge { given, limit }]);
+}

@@ -1,0 +1,32 @@
+//! The tests of the library as one program, so that what they share is compiled once.
+//!
+//! * `cases`: small named inputs. `hard`: inputs that broke other programs. `random`: generated ones. Each
+//!   goes through `runs` (every scalar with every front and setting of the heuristics) and is compared with
+//!   the oracle of `sweep_cdt_testing`, which is itself tested in `oracle`. `limits`: the largest numbers,
+//!   and what is refused.
+//! * `trace`: the steps of the paper's figures, which are snapshots; the steps are the same for every scalar
+//!   and front, and replaying them gives the result.
+//! * `work`: how much work larger inputs take, as snapshots. `statistics`: what a run reports of itself.
+//! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
+//! * `scalars` and `verify`: the exact predicates, and the verifier.
+//!
+//! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin, and
+//! `SWEEP_CDT_HARD` names a folder of further hard inputs. docs/testing.md has more.
+#![cfg(feature = "cli")]
+
+mod cases;
+mod generators;
+mod hard;
+mod limits;
+mod oracle;
+mod properties;
+mod random;
+mod runs;
+#[path = "../scalars/mod.rs"]
+mod scalars;
+mod snapshots;
+mod statistics;
+mod trace;
+#[path = "../verify/mod.rs"]
+mod verify;
+mod work;

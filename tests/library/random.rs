@@ -1,0 +1,116 @@
+//! Random inputs: small degenerate ones against the oracle, larger ones against its local tests.
+//!
+//! Each input goes through the default run and one other, which changes from input to input; about
+//! every hundredth small one through all.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
+
+use sweep_cdt::triangulate;
+
+use sweep_cdt_testing::Random;
+
+use crate::generators::{medium, small};
+use sweep_cdt_properties::canonical;
+use sweep_cdt_testing::Input;
+use sweep_cdt_testing::minimize;
+use sweep_cdt_testing::oracle::{check, verdict};
+
+use crate::runs;
+
+/// Tried of small inputs, unless `SWEEP_CDT_CASES` says otherwise.
+const CASES: u64 = 2000;
+
+/// Small inputs for each larger one.
+const SMALL_FOR_MEDIUM: u64 = 20;
+
+/// No input here takes nearly as long.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+fn number(variable: &str, default: u64) -> u64 {
+    std::env::var(variable).map_or(default, |text| text.parse().expect(variable))
+}
+
+/// Tests the inputs of so many seeds; ends the program if one of them does not end.
+fn for_seeds(count: u64, test: impl Fn(u64)) {
+    let first = number("SWEEP_CDT_SEED", 0);
+    let current = AtomicU64::new(first);
+    let (done, is_done) = channel::<()>();
+    std::thread::scope(|scope| {
+        let current = &current;
+        scope.spawn(move || {
+            let mut before = None;
+            while is_done.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                let now = Some(current.load(Ordering::Relaxed));
+                if now == before {
+                    eprintln!(
+                        "no end with SWEEP_CDT_SEED={}",
+                        current.load(Ordering::Relaxed)
+                    );
+                    std::process::exit(1);
+                }
+                before = now;
+            }
+        });
+        // Moved in, so that the watch ends with the tests, even where one panics.
+        let _done = done;
+        for seed in first..first + count {
+            current.store(seed, Ordering::Relaxed);
+            test(seed);
+        }
+    });
+}
+
+#[test]
+fn every_kind_agrees_with_the_oracle() {
+    let runs = runs::all();
+    for_seeds(number("SWEEP_CDT_CASES", CASES), |seed| {
+        let mut random = Random::new(seed);
+        let input = small(&mut random);
+        let some = if random.one_in(100) {
+            runs.clone()
+        } else {
+            vec![runs[0].clone(), runs[random.below(runs.len())].clone()]
+        };
+        let agree = |input: &Input| {
+            runs::assert_agree(input, &verdict(&input.points, &input.edges), &some);
+        };
+        minimize::run(&agree, &input, seed);
+    });
+}
+
+#[test]
+fn hundreds_of_points_and_edges_pass_the_local_tests() {
+    let runs = runs::all();
+    for_seeds(
+        number("SWEEP_CDT_CASES", CASES) / SMALL_FOR_MEDIUM,
+        |seed| {
+            let mut random = Random::new(seed);
+            let input = medium(&mut random);
+            let other = runs[random.below(runs.len())].clone();
+            let agree = |input: &Input| {
+                let result = triangulate(&input.points, &input.edges).expect("no edges cross");
+                let answer = check(&input.points, &input.edges, &result);
+                if let Some(outcome) = other.outcome(input) {
+                    assert_eq!(outcome, Ok(answer), "{} (right: default)", other.name);
+                }
+            };
+            minimize::run(&agree, &input, seed);
+        },
+    );
+}
+
+#[test]
+fn what_must_not_change_the_result_does_not() {
+    for seed in 0..300 {
+        let mut random = Random::new(seed);
+        let mut inputs = vec![small(&mut random)];
+        if seed % 15 == 0 {
+            inputs.push(medium(&mut random));
+        }
+        for input in inputs {
+            minimize::run(&|input| canonical::judge(input, seed), &input, seed);
+        }
+    }
+}

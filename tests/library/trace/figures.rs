@@ -1,0 +1,122 @@
+//! The steps that the figures of the paper show, and what becomes of degenerate inputs.
+//!
+//! Each case names the lines of the trace that show what its figure does.
+
+use std::fmt::Write;
+
+use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::{Corners, Heuristics, Triangulator};
+
+use crate::snapshots::assert_snapshot;
+use sweep_cdt_testing::Input;
+
+const OFF: Heuristics = Heuristics::OFF;
+const PAPER: Heuristics = Heuristics::PAPER;
+
+/// The basin heuristic alone.
+fn basins() -> Heuristics {
+    let mut heuristics = PAPER;
+    heuristics.corners = Corners::Off;
+    heuristics
+}
+
+macro_rules! cases {
+    ($($name:ident: $heuristics:expr, $points:literal, $edges:literal, [$($line:literal),* $(,)?];)*) => {
+        /// The names of the snapshots.
+        pub(crate) const NAMES: &[&str] = &[$(stringify!($name)),*];
+        $(
+            #[test]
+            fn $name() {
+                let input = Input::parse($points, $edges);
+                check(stringify!($name), &input, $heuristics, &[$($line),*]);
+            }
+        )*
+    };
+}
+
+cases! {
+    figure_02_fixed_edge: OFF, "0 0, 8 1, 4 2, 4.5 2.75", "1 2",
+        ["fixed 2 1", "test 2 1 against 3 0: fixed"];
+    figure_03_legalization: OFF, "0 0, 10 3, 2 5, 5 5.75", "",
+        ["test 2 1 against 3 0: illegal", "flip 2 1 to 3 0"];
+    figure_04_advancing_front: OFF, "0 0, 10 3, 2 5, -2 5.25, 12 5.5, 5 5.75", "",
+        ["point 5: middle case, projected on segment 2 1", "triangle 5 2 1 (point)", "flip 2 1 to 5 0", "front gains 5 after 2"];
+    figure_05_edges_at_upper_ends: OFF, "0 0, 6 0, 3 2, 1 5, 6 5", "0 3, 3 1, 3 4, 4 1",
+        ["edge 0: from 3 down to 0", "edge 1: from 3 down to 1", "edge 2: from 4 down to 3", "edge 3: from 4 down to 1"];
+    figure_06_first_triangle: OFF, "2 1", "",
+        ["triangle 0 P-1 P-2 (first)", "front gains 0 after P-1"];
+    figure_07_middle_case: OFF, "0 0, 9 1, 4 6", "",
+        ["point 2: middle case, projected on segment 0 1", "triangle 2 0 1 (point)", "front gains 2 after 0"];
+    figure_08_left_case: OFF, "0 0, 9 1, 4 2, 4 6", "",
+        ["point 3: left case, projected on segment 2 1", "triangle 3 2 1 (point)", "triangle 3 0 2 (point)", "front loses 2"];
+    figure_09_narrow_corner: PAPER, "0 0, 6 1, 12 2, 14 8, 7 9", "",
+        ["point 4: middle case, projected on segment 1 2", "triangle 4 2 3 (narrow corner)", "front loses 2"];
+    figure_10_basin: basins(), "0 0.25, 2 0, 4 0.125, 6 4.5, -6 5, -6.5 9.5", "",
+        ["point 5: middle case, projected on segment P-1 4", "front loses 0", "front loses 1", "front loses 2"];
+    figure_11_first_pierced_triangle: PAPER, "0 0, 6 1, 3 2, 5 4, 2 8", "1 4",
+        ["part 4 1: below the front", "pierced 4 2 3"];
+    figure_12_pseudo_polygons: PAPER, "0 0, 4 0.5, 7 3, 2 4, 5 6, 10 8", "0 5",
+        ["part 5 0: below the front", "border 3 (upper pseudo-polygon)", "border 2 (lower pseudo-polygon)"];
+    figure_13_front_only: OFF, "2 0, 1 1, 3 1.5, 0 5, 4 6", "3 4",
+        ["switch to the front at 4 4", "part 4 3: front only", "triangle 2 4 3 (pocket)"];
+    figure_14_mixed: OFF, "0 1, 3 6, 5 0, 7 7, 9 2, 11 9, 12 3, 14 10", "0 7",
+        ["switch to triangles at 5 6", "switch to the front at 4 5", "switch to triangles at 3 4", "switch to the front at 2 3", "part 7 0: mixed"];
+    figure_15_upper_hull: OFF, "0 0, 2 1, -2 1.5, 3 2.25, -3 3", "",
+        ["triangle 2 0 4 (upper hull)"];
+    figure_15_lower_hull: OFF, "0 0, 3 1, 6 1.5, 2 4", "",
+        ["test 1 P-2 against 2 0: illegal", "flip 1 P-2 to 2 0"];
+    edge_present: OFF, "0 0, 4 0, 1 3", "2 0", ["part 2 0: there already", "fixed 2 0"];
+    vertex_on_edge: OFF, "0 0, 4 4, 2 2, 3 0, 0 3", "0 1",
+        ["part 1 2: front only", "part 2 0: there already", "fixed 1 2", "fixed 2 0"];
+    hanging_edge: OFF, "-3 -96, -1 -53, 2 -101, -2 -74, -1 -106, 0 -83, -2 -95", "4 1, 6 0",
+        ["fixed 6 0"];
+    overlapping_edges: OFF, "0 0, 2 1, 4 2, 6 3, 3 4, 3 -4", "0 2, 1 3",
+        ["fixed 2 1", "part 2 1: there already"];
+    crossing_edges: OFF, "0 0, 4 4, 0 4, 4 0", "0 1, 2 3", ["error: edges 0 and 1 cross"];
+    no_points: OFF, "", "", ["finished: 0 triangles"];
+    collinear_points: OFF, "0 0, 2 1, 6 3, 4 2", "0 2", ["fixed 2 3", "finished: 0 triangles"];
+    row_of_points: PAPER, "0 0, 1 0, 2 0, 1 1", "", ["finished: 2 triangles"];
+    column_of_points: OFF, "0 0, 0 1, 0 2, 1 1", "", ["finished: 2 triangles"];
+    duplicate_points: OFF, "0 0, 2 0, 0 0, 1 2, 2 0", "2 4, 0 2", ["edge 0: from 1 down to 0"];
+    cocircular_points: OFF, "5 0, 4 3, 3 4, 0 5, -3 4, -4 3", "", ["finished: 4 triangles"];
+    lattice: PAPER, "0 0, 1 0, 2 0, 0 1, 1 1, 2 1", "", ["finished: 4 triangles"];
+}
+
+/// Compares the story of an input with its snapshot.
+fn check(name: &str, input: &Input, heuristics: Heuristics, lines: &[&str]) {
+    let mut events = Vec::new();
+    let result = Triangulator::new()
+        .heuristics(heuristics)
+        .triangulate_observed(&input.points, &input.edges, |event| events.push(event));
+    let mut story = String::new();
+    for (index, [x, y]) in input.points.iter().enumerate() {
+        writeln!(story, "vertex {index} at {x} {y}").expect("memory takes all");
+    }
+    for (index, [a, b]) in input.edges.iter().enumerate() {
+        writeln!(story, "edge {index} between {a} and {b}").expect("memory takes all");
+    }
+    for (index, event) in events.iter().enumerate() {
+        let opens = match event {
+            Event::Sorted { .. } => index == 0,
+            Event::Triangle { .. } => matches!(events[index - 1], Event::Sorted { .. }),
+            Event::Point { .. } | Event::Edge { .. } | Event::Finalization => true,
+            _ => false,
+        };
+        let gap = if opens { "\n" } else { "" };
+        writeln!(story, "{gap}{event}").expect("memory takes all");
+    }
+    match result {
+        Ok(result) => {
+            let trace = Trace { skipped: 0, events };
+            assert_eq!(trace.replay(), Ok(result.canonical_triangles()));
+        }
+        Err(error) => writeln!(story, "\nerror: {error}").expect("memory takes all"),
+    }
+    assert_snapshot(name, &story);
+    for line in lines {
+        assert!(
+            story.lines().any(|other| other == *line),
+            "no line `{line}` in\n{story}"
+        );
+    }
+}
