@@ -9,7 +9,8 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use sweep_cdt::{FrontSearch, HashTable, Linear, SkipList, Triangulator};
+use sweep_cdt::Triangulator;
+use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
 
 type Edges = Vec<[usize; 2]>;
 
@@ -139,7 +140,7 @@ fn main() {
     }
 }
 
-fn table<F: FrontSearch>(most: usize) {
+fn table<F: FrontSearch + Clone + Default>(most: usize) {
     let sizes: Vec<usize> = [10_000, 100_000, 1_000_000, 10_000_000]
         .into_iter()
         .filter(|&n| n <= most)
@@ -161,7 +162,7 @@ fn table<F: FrontSearch>(most: usize) {
 }
 
 /// Nanoseconds a point, the least of three runs. The points come in a scattered order.
-fn time<F: FrontSearch>(n: usize, family: Family, edges: EdgesOf) -> f64 {
+fn time<F: FrontSearch + Clone + Default>(n: usize, family: Family, edges: EdgesOf) -> f64 {
     // Coprime to every n of the table.
     const STRIDE: usize = 7_368_787;
     let place = |i: usize| i * STRIDE % n;
@@ -173,7 +174,7 @@ fn time<F: FrontSearch>(n: usize, family: Family, edges: EdgesOf) -> f64 {
     let run = || {
         let start = Instant::now();
         let result = Triangulator::new()
-            .front::<F>()
+            .front(F::default())
             .triangulate(&points, &edges);
         let time = start.elapsed();
         result.expect("a valid input");

@@ -1,15 +1,14 @@
 #![doc = include_str!("../README.md")]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+mod bucket;
 mod error;
 #[cfg(feature = "formats")]
 pub mod formats;
-mod front;
+pub mod front;
 mod heuristics;
-mod input;
+mod ids;
 mod mesh;
-mod order;
-mod predicates;
 mod probe;
 pub mod scalar;
 mod stats;
@@ -20,18 +19,15 @@ mod triangulator;
 pub mod verify;
 
 pub use error::Error;
-pub use front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
 pub use heuristics::{Corners, Heuristics};
-pub use scalar::{Scalar, Unbounded};
 pub use stats::{Counters, Stats};
 pub use triangulation::Triangulation;
-pub use triangulator::Triangulator;
-pub use verify::{Report, Verifier, Violation, Violations, verify};
+pub use triangulator::{Run, Triangulator};
 
 /// The constrained Delaunay triangulation of `points` with `edges`, by the sweep-line algorithm of
 /// Domiter and Žalik (2008).
 ///
-/// `points` are `[x, y]` in any [`Scalar`]; `edges` are pairs of positions in `points`. Nothing need be
+/// `points` are `[x, y]` in any [`Scalar`](scalar::Scalar); `edges` are pairs of positions in `points`. Nothing need be
 /// sorted or free of duplicates; edges may share ends, overlap, pass through points or have no length.
 /// Fewer than three distinct points, or all on one line, give no triangles. For a choice of front and
 /// heuristics, progress and statistics see [`Triangulator`].
@@ -46,7 +42,7 @@ pub use verify::{Report, Verifier, Violation, Violations, verify};
 /// assert_eq!(result.canonical_triangles(), [[0, 1, 3], [1, 2, 3]]);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
-pub fn triangulate<S: Scalar>(
+pub fn triangulate<S: scalar::Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
 ) -> Result<Triangulation, Error> {

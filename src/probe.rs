@@ -1,8 +1,7 @@
-//! How the sweep is looked on from outside: counters and events that cost nothing when nobody looks.
+//! How the sweep is looked on from outside: counters, clocks and events that cost nothing when nobody
+//! looks.
 
-use std::fmt;
-
-use crate::stats::Counters;
+use crate::stats::{Counters, Phase, Recorder, Stats};
 use crate::trace::Event;
 
 /// Receives what the sweep did; `()` receives nothing and compiles to nothing.
@@ -10,9 +9,15 @@ pub(crate) trait Probe {
     /// Whether events are received.
     const EVENTS: bool = false;
 
+    /// A part of the algorithm (section 3.2) begins.
+    fn begin(&mut self, _phase: Phase) {}
+
     /// Adds to the counters.
     #[inline(always)]
     fn count(&mut self, _add: impl FnOnce(&mut Counters)) {}
+
+    /// Notes a size.
+    fn note(&mut self, _note: impl FnOnce(&mut Stats)) {}
 
     /// One step.
     #[inline(always)]
@@ -21,26 +26,44 @@ pub(crate) trait Probe {
 
 impl Probe for () {}
 
-impl Probe for Counters {
+impl Probe for Recorder {
+    fn begin(&mut self, phase: Phase) {
+        self.clock(phase);
+    }
+
     #[inline(always)]
     fn count(&mut self, add: impl FnOnce(&mut Counters)) {
-        add(self);
+        add(&mut self.stats.counters);
+    }
+
+    fn note(&mut self, note: impl FnOnce(&mut Stats)) {
+        note(&mut self.stats);
     }
 }
 
-/// Passes events on to a closure.
-pub(crate) struct Observer<E>(pub(crate) E);
-
-impl<E> fmt::Debug for Observer<E> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Observer")
-    }
+/// Records statistics and passes events on to a closure.
+#[derive(Debug)]
+pub(crate) struct Observer<E> {
+    pub(crate) recorder: Recorder,
+    pub(crate) observer: E,
 }
 
 impl<E: FnMut(Event)> Probe for Observer<E> {
     const EVENTS: bool = true;
 
+    fn begin(&mut self, phase: Phase) {
+        self.recorder.begin(phase);
+    }
+
+    fn count(&mut self, add: impl FnOnce(&mut Counters)) {
+        self.recorder.count(add);
+    }
+
+    fn note(&mut self, note: impl FnOnce(&mut Stats)) {
+        self.recorder.note(note);
+    }
+
     fn event(&mut self, event: Event) {
-        (self.0)(event);
+        (self.observer)(event);
     }
 }

@@ -1,10 +1,15 @@
 //! Numbers about one run: what there was, what was done, how long it took.
+//!
+//! Only these statistics read the clock, so that all else runs where there is none.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
+
+use crate::triangulation::Triangulation;
 
 /// What one run of the sweep met and did.
 ///
-/// All but the times are the same for every run on the same input with the same settings.
+/// All but the times are the same for every run on the same input with the same settings. Where the
+/// platform has no clock (`wasm32-unknown-unknown`) the times are zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Stats {
@@ -66,4 +71,51 @@ pub struct Counters {
     pub pocket_triangles: u64,
     /// Triangles added by the finalization (figure 15).
     pub hull_triangles: u64,
+}
+
+/// The parts of the algorithm (section 3.2), which the statistics time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Phase {
+    Initialization,
+    Sweeping,
+    Finalization,
+    Finished,
+}
+
+/// Statistics as they are recorded.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Recorder {
+    pub(crate) stats: Stats,
+    /// The phase that is on, and when it began.
+    current: Option<(Phase, Instant)>,
+}
+
+impl Recorder {
+    /// Ends the phase before and begins this one.
+    pub(crate) fn clock(&mut self, next: Phase) {
+        let has_clock = !cfg!(all(target_family = "wasm", target_os = "unknown"));
+        let now = has_clock.then(Instant::now);
+        if let (Some((phase, start)), Some(now)) = (self.current, now) {
+            let time = now - start;
+            match phase {
+                Phase::Initialization => self.stats.initialization = time,
+                Phase::Sweeping => self.stats.sweeping = time,
+                Phase::Finalization => self.stats.finalization = time,
+                Phase::Finished => {}
+            }
+        }
+        self.current = now.map(|now| (next, now));
+    }
+
+    /// All statistics of a run on so many points and edges.
+    pub(crate) fn finish(self, points: usize, edges: usize, result: &Triangulation) -> Stats {
+        Stats {
+            points,
+            duplicates: result.duplicates().len(),
+            edges,
+            triangles: result.len(),
+            hull: result.hull().len(),
+            ..self.stats
+        }
+    }
 }

@@ -1,8 +1,10 @@
 //! The result: triangles, their neighbours, which sides are constrained, the hull, what became of each
 //! input vertex and edge. Everything is an index into the caller's input.
 
-use crate::mesh::{self, Link, Triangle, index};
-use crate::{Report, Scalar, Violations, verify};
+use crate::ids::{VertexId, narrow};
+use crate::mesh::{self, Side, Triangle};
+use crate::scalar::Scalar;
+use crate::verify::{Report, Violations, verify};
 
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
 ///
@@ -79,8 +81,8 @@ impl Triangulation {
     /// # Panics
     /// If there is no triangle `t` or `side` is above 2.
     pub fn neighbor(&self, t: usize, side: usize) -> Option<usize> {
-        let link = self.link(t, side);
-        (!link.is_open()).then(|| link.triangle() as usize)
+        let across = self.across(t, side);
+        (!across.is_open()).then(|| across.triangle().index())
     }
 
     /// The triangles across the three sides of triangle `t`.
@@ -96,7 +98,7 @@ impl Triangulation {
     /// # Panics
     /// If there is no triangle `t` or `side` is above 2.
     pub fn is_constrained(&self, t: usize, side: usize) -> bool {
-        self.link(t, side).is_fixed()
+        self.across(t, side).is_fixed()
     }
 
     /// The sides that are input edges or pieces of them, each once, as pairs of vertices (the triangle
@@ -104,10 +106,10 @@ impl Triangulation {
     pub fn constrained_edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
         self.triangles.iter().enumerate().flat_map(|(t, triangle)| {
             (0..3).filter_map(move |side| {
-                let link = triangle.link(side);
-                let listed = link.is_open() || (link.triangle() as usize) > t;
-                (link.is_fixed() && listed).then(|| {
-                    [mesh::next(side), mesh::prev(side)].map(|i| triangle.vertex(i) as usize)
+                let across = triangle.across(side);
+                let is_listed = across.is_open() || across.triangle().index() > t;
+                (across.is_fixed() && is_listed).then(|| {
+                    [mesh::next(side), mesh::prev(side)].map(|i| triangle.vertex(i).index())
                 })
             })
         })
@@ -159,7 +161,8 @@ impl Triangulation {
         })
     }
 
-    /// Has this triangulation checked by the exact verifier, which shares no code with the sweep.
+    /// Has this triangulation checked by the exact verifier, which shares the scalar's exact predicates
+    /// with the sweep and nothing else.
     ///
     /// `points` and `edges` are the input; see [`mod@crate::verify`] for what is proved.
     ///
@@ -180,14 +183,15 @@ impl Triangulation {
         verify(points, edges, &self.triangles().collect::<Vec<_>>())
     }
 
-    fn link(&self, t: usize, side: usize) -> Link {
+    /// What lies across a side.
+    fn across(&self, t: usize, side: usize) -> Side {
         assert!(side < 3, "a triangle has sides 0, 1 and 2");
-        self.triangles[t].link(index(side))
+        self.triangles[t].across(narrow(side))
     }
 }
 
 fn corners(triangle: &Triangle) -> [usize; 3] {
-    [0, 1, 2].map(|i| triangle.vertex(i) as usize)
+    triangle.vertices().map(VertexId::index)
 }
 
 /// The same triangle, its lowest vertex first.

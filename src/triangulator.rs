@@ -1,44 +1,59 @@
 //! The call with all its knobs.
 
 use std::fmt;
-use std::marker::PhantomData;
 
+use crate::error::Error;
+use crate::front::{FrontSearch, HashTable};
+use crate::heuristics::Heuristics;
 use crate::probe::{Observer, Probe};
-use crate::stats::Counters;
+use crate::scalar::Scalar;
+use crate::stats::{Recorder, Stats};
+use crate::sweep;
 use crate::trace::Event;
-use crate::{Error, FrontSearch, HashTable, Heuristics, Scalar, Stats, Triangulation, sweep};
+use crate::triangulation::Triangulation;
 
-/// Triangulates with a front, heuristics and progress report of one's choice.
+/// Triangulates with a front, heuristics and progress report of one's choice, any number of times.
 ///
 /// None of the settings changes the result, only the work.
 ///
 /// ```
-/// use sweep_cdt::{Heuristics, SkipList, Triangulator};
+/// use sweep_cdt::front::SkipList;
+/// use sweep_cdt::{Heuristics, Triangulator};
 ///
 /// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [1.0, 0.2]];
-/// let (result, stats) = Triangulator::new()
-///     .front::<SkipList>()
-///     .heuristics(Heuristics::PAPER)
-///     .triangulate_with_stats(&points, &[[0, 1]])?;
-/// assert_eq!((result.len(), stats.triangles), (3, 3));
+/// let triangulator = Triangulator::new()
+///     .front(SkipList::default())
+///     .heuristics(Heuristics::PAPER);
+/// let run = triangulator.triangulate_with_stats(&points, &[[0, 1]])?;
+/// assert_eq!((run.triangulation.len(), run.stats.triangles), (3, 3));
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
+#[derive(Clone)]
 pub struct Triangulator<'p, F = HashTable> {
     heuristics: Heuristics,
-    progress: Progress<'p>,
-    front: PhantomData<F>,
+    progress: sweep::Progress<'p>,
+    front: F,
 }
 
-/// Who is told how far the sweep has come.
-pub(crate) type Progress<'p> = Option<&'p mut dyn FnMut(usize, usize)>;
+/// A result, what was done for it, and the front's search structure as the run left it.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Run<F> {
+    /// The result.
+    pub triangulation: Triangulation,
+    /// What the run met and did.
+    pub stats: Stats,
+    /// The search structure, with whatever it counted.
+    pub front: F,
+}
 
-impl<'p> Triangulator<'p> {
-    /// The defaults: hash table, fastest heuristics, no report.
+impl Triangulator<'_> {
+    /// The defaults: hash table, fastest heuristics, no progress report.
     pub fn new() -> Self {
         Triangulator {
             heuristics: Heuristics::default(),
             progress: None,
-            front: PhantomData,
+            front: HashTable::default(),
         }
     }
 }
@@ -49,22 +64,25 @@ impl Default for Triangulator<'_> {
     }
 }
 
-impl<F> fmt::Debug for Triangulator<'_, F> {
+impl<F: fmt::Debug> fmt::Debug for Triangulator<'_, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Triangulator")
             .field("heuristics", &self.heuristics)
+            .field("front", &self.front)
             .finish_non_exhaustive()
     }
 }
 
-impl<'p, F: FrontSearch> Triangulator<'p, F> {
-    /// Uses another search structure for the advancing front.
+impl<'p, F> Triangulator<'p, F> {
+    /// Uses another search structure for the advancing front: a value of it, with its parameters.
+    ///
+    /// Each run works on a clone of the value, and returns it in [`Run::front`].
     #[must_use]
-    pub fn front<G: FrontSearch>(self) -> Triangulator<'p, G> {
+    pub fn front<G: FrontSearch + Clone>(self, front: G) -> Triangulator<'p, G> {
         Triangulator {
             heuristics: self.heuristics,
             progress: self.progress,
-            front: PhantomData,
+            front,
         }
     }
 
@@ -76,23 +94,26 @@ impl<'p, F: FrontSearch> Triangulator<'p, F> {
 
     /// Calls `progress(swept, vertices)` every few thousand point events.
     #[must_use]
-    pub fn progress(self, progress: &'p mut dyn FnMut(usize, usize)) -> Self {
+    pub fn progress(self, progress: &'p dyn Fn(usize, usize)) -> Self {
         Triangulator {
             progress: Some(progress),
             ..self
         }
     }
+}
 
+impl<F: FrontSearch + Clone> Triangulator<'_, F> {
     /// The constrained Delaunay triangulation of `points` with `edges`, as [`crate::triangulate`].
     ///
     /// # Errors
     /// See [`Error`].
     pub fn triangulate<S: Scalar>(
-        self,
+        &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<Triangulation, Error> {
-        Ok(self.run(points, edges, ())?.0)
+        let (triangulation, _, ()) = self.run(points, edges, ())?;
+        Ok(triangulation)
     }
 
     /// The same, and what was done for it; counting costs a few per cent of the time.
@@ -100,33 +121,49 @@ impl<'p, F: FrontSearch> Triangulator<'p, F> {
     /// # Errors
     /// See [`Error`].
     pub fn triangulate_with_stats<S: Scalar>(
-        self,
+        &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
-    ) -> Result<(Triangulation, Stats), Error> {
-        let (result, stats, counters) = self.run(points, edges, Counters::default())?;
-        Ok((result, Stats { counters, ..stats }))
+    ) -> Result<Run<F>, Error> {
+        let (triangulation, front, recorder) = self.run(points, edges, Recorder::default())?;
+        let stats = recorder.finish(points.len(), edges.len(), &triangulation);
+        Ok(Run {
+            triangulation,
+            stats,
+            front,
+        })
     }
 
     /// The same, and every step of it, as it happens, to `observer`.
     ///
     /// # Errors
-    /// See [`Error`]; the steps up to it have been told.
+    /// See [`Error`]; the steps up to it have been reported.
     pub fn triangulate_observed<S: Scalar>(
-        self,
+        &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
         observer: impl FnMut(Event),
-    ) -> Result<Triangulation, Error> {
-        Ok(self.run(points, edges, Observer(observer))?.0)
+    ) -> Result<Run<F>, Error> {
+        let recorder = Recorder::default();
+        let probe = Observer { recorder, observer };
+        let (triangulation, front, probe) = self.run(points, edges, probe)?;
+        let stats = probe
+            .recorder
+            .finish(points.len(), edges.len(), &triangulation);
+        Ok(Run {
+            triangulation,
+            stats,
+            front,
+        })
     }
 
     fn run<S: Scalar, P: Probe>(
-        self,
+        &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
         probe: P,
-    ) -> Result<(Triangulation, Stats, P), Error> {
-        sweep::run::<S, F, P>(points, edges, self.heuristics, self.progress, probe)
+    ) -> Result<(Triangulation, F, P), Error> {
+        let front = self.front.clone();
+        sweep::run(points, edges, self.heuristics, front, self.progress, probe)
     }
 }

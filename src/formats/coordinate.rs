@@ -1,6 +1,6 @@
 //! Coordinates as text.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// A scalar that files can hold.
 pub trait Coordinate: Scalar + Clone + PartialEq {

@@ -3,8 +3,8 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use crate::Scalar;
 use crate::formats::{Coordinate, CoordinateError};
+use crate::scalar::Scalar;
 
 /// How many digits a numerator or a denominator may have. A double needs at most 1,100.
 const MAX_DIGITS: usize = 10_000;

@@ -5,16 +5,19 @@
 //! is near, since a node only leaves the front when one beside it was inserted.
 //!
 //! Cost: O(1) expected a search with 2 sqrt(n) intervals, about as many as the front has vertices where
-//! the points are spread evenly. Equal intervals are defeated by a dense cluster in a wide domain; a sample of the points shows
-//! that beforehand, and then the intervals end at quantiles of the sample, found in O(log n).
+//! the points are spread evenly. A dense cluster in a wide domain defeats equal intervals. A sample of
+//! the points shows that beforehand; then the intervals end at quantiles of the sample and are found in
+//! O(log n).
 //!
-//! Differs from the paper: removals are not written but noticed when read; quantiles.
+//! Differs from the paper: a removal is not written to the table but noticed when the entry is read;
+//! quantiles.
 
-use super::{Domain, Front, FrontNode, FrontSearch};
-use crate::order::interval;
+use super::list::{Front, FrontNode};
+use super::search::{Domain, FrontSearch};
+use crate::bucket::bucket;
 
 /// Intervals of x that remember their last insertion: O(1) expected. The default.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct HashTable {
     intervals: Intervals,
     table: Vec<Option<FrontNode>>,
@@ -23,10 +26,16 @@ pub struct HashTable {
 
 #[derive(Clone, Debug)]
 enum Intervals {
-    /// Number `(x - low) * factor`.
+    /// The one of `x` has the number `(x - low) * factor`.
     Equal { low: f64, factor: f64 },
-    /// Ends of the intervals but the last, ascending.
+    /// They end at these x, ascending; the last one has no end.
     Quantiles(Vec<f64>),
+}
+
+impl Default for Intervals {
+    fn default() -> Self {
+        Intervals::Quantiles(Vec::new())
+    }
 }
 
 /// How many intervals are searched on either side before the last insertion is taken.
@@ -36,7 +45,7 @@ const SAMPLE: usize = 4096;
 const CELLS: usize = 64;
 
 impl FrontSearch for HashTable {
-    fn new(domain: Domain<'_>) -> Self {
+    fn begin(&mut self, domain: Domain<'_>) {
         let n = domain.len();
         let size = 2 * n.isqrt() + 1;
         let (low, high) = (0..n).map(|v| domain.x(v)).fold(
@@ -48,7 +57,7 @@ impl FrontSearch for HashTable {
             .map(|v| domain.x(v))
             .collect();
         sample.sort_unstable_by(f64::total_cmp);
-        let intervals = if is_skewed(&sample, low, high) {
+        self.intervals = if is_skewed(&sample, low, high) {
             let ends = (1..size).map(|i| sample[i * sample.len() / size]);
             Intervals::Quantiles(ends.collect())
         } else {
@@ -58,11 +67,9 @@ impl FrontSearch for HashTable {
                 factor: if factor.is_finite() { factor } else { 0.0 },
             }
         };
-        HashTable {
-            intervals,
-            table: vec![None; size],
-            last: None,
-        }
+        self.table.clear();
+        self.table.resize(size, None);
+        self.last = None;
     }
 
     #[inline]
@@ -92,7 +99,7 @@ impl HashTable {
     #[inline]
     fn interval(&self, x: f64) -> usize {
         match &self.intervals {
-            Intervals::Equal { low, factor } => interval((x - low) * factor, self.table.len()),
+            Intervals::Equal { low, factor } => bucket((x - low) * factor, self.table.len()),
             Intervals::Quantiles(ends) => ends.partition_point(|&end| end <= x),
         }
     }
@@ -104,7 +111,7 @@ fn is_skewed(sample: &[f64], low: f64, high: f64) -> bool {
     let mut cells = [0_usize; CELLS];
     let factor = CELLS as f64 / (high - low);
     for &x in sample {
-        cells[interval((x - low) * factor, CELLS)] += 1;
+        cells[bucket((x - low) * factor, CELLS)] += 1;
     }
     let pairs: usize = cells.iter().map(|count| count * count).sum();
     pairs * CELLS > 4 * sample.len() * sample.len().max(CELLS)

@@ -1,18 +1,19 @@
-//! No structure at all: the walk starts where the last point went in.
+//! No structure at all: the walk starts where the last vertex joined the front.
 //!
 //! Cost: O(n) a search at worst, a step or two where the points come along the front.
 
-use super::{Domain, Front, FrontNode, FrontSearch};
+use super::list::{Front, FrontNode};
+use super::search::{Domain, FrontSearch};
 
 /// Starts at the node inserted last: O(n), and the documentation of what [`FrontSearch`] asks.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Linear {
     last: Option<FrontNode>,
 }
 
 impl FrontSearch for Linear {
-    fn new(_: Domain<'_>) -> Self {
-        Linear { last: None }
+    fn begin(&mut self, _: Domain<'_>) {
+        self.last = None;
     }
 
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {

@@ -1,14 +1,15 @@
 //! A skip list over the nodes of the front (Pugh 1990).
 //!
-//! Nodes are linked in order of x at level 0; every fourth of a level, by chance, is linked at the next
-//! one too, so that a search from the top passes O(log n) of them. The chance is a fixed hash of the
-//! rank: the list is the same in every run.
+//! All nodes are linked in order of x at level 0. About one in four nodes of a level is linked at the
+//! next level too, so that a search from the top passes O(log n) nodes. Which ones is decided by a fixed
+//! hash of the rank: the list is the same in every run.
 //!
 //! Cost: O(log n) expected for search, insertion and removal, whatever the shape of the front; 64 bytes
 //! for each vertex on the front at one time.
 
-use super::{Domain, Front, FrontNode, FrontSearch};
-use crate::mesh::index;
+use super::list::{Front, FrontNode};
+use super::search::{Domain, FrontSearch};
+use crate::ids::narrow;
 
 /// A skip list by x: O(log n) expected on any front.
 #[derive(Clone, Debug)]
@@ -31,17 +32,28 @@ struct Tower {
     next: [u32; LEVELS],
 }
 
-impl FrontSearch for SkipList {
-    fn new(_: Domain<'_>) -> Self {
-        let head = Tower {
-            x: f64::NEG_INFINITY,
-            node: None,
-            next: [END; LEVELS],
-        };
+impl Tower {
+    const HEAD: Tower = Tower {
+        x: f64::NEG_INFINITY,
+        node: None,
+        next: [END; LEVELS],
+    };
+}
+
+impl Default for SkipList {
+    fn default() -> Self {
         SkipList {
-            towers: vec![head],
+            towers: vec![Tower::HEAD],
             free: Vec::new(),
         }
+    }
+}
+
+impl FrontSearch for SkipList {
+    fn begin(&mut self, _: Domain<'_>) {
+        self.towers.clear();
+        self.towers.push(Tower::HEAD);
+        self.free.clear();
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
@@ -58,7 +70,7 @@ impl FrontSearch for SkipList {
             node: Some(node),
             next: [END; LEVELS],
         };
-        let place = self.free.pop().unwrap_or(index(self.towers.len()));
+        let place = self.free.pop().unwrap_or(narrow(self.towers.len()));
         for (level, &tower_before) in before.iter().enumerate().take(height(node)) {
             let link = &mut self.towers[tower_before as usize].next[level];
             tower.next[level] = *link;
@@ -100,8 +112,8 @@ impl SkipList {
     }
 }
 
-/// How many levels a node is linked at, if there are as many: at least one, each further one with
-/// chance 1/4.
+/// The number of levels of a node's tower (may exceed [`LEVELS`]): at least one, each further one with
+/// probability 1/4.
 fn height(node: FrontNode) -> usize {
     let mixed = (node.rank() as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let mixed = (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9);

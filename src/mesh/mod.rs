@@ -1,232 +1,133 @@
 //! The triangles swept so far and how they hang together: topology only, no coordinate in sight.
 //!
-//! A triangle is three vertices in counter-clockwise order and three links; link `i` leads across the
-//! side opposite vertex `i`. A [`Link`] names the triangle on the other side *and* the vertex of it
-//! that lies opposite, in one number, so that the quadrilateral around a side is two reads. One bit of
-//! it says that the side is fixed (a constrained edge, section 3.4.2), another that there is no
-//! triangle yet: the side is *open*, a segment of the advancing front or of a pseudo-polygon. "Must
-//! this side stay?" is then one comparison ([`Link::is_blocked`]).
+//! A triangle is three vertices in counter-clockwise order; across its side `i`, opposite vertex `i`, it
+//! names the neighbour's side. That [`Side`] is a half-edge, a triangle and its corner opposite, so the
+//! quadrilateral around a side is two reads.
 //!
-//! Invariants: if triangle `t` links across a side to `u`, then `u` links back to `t` across the same
-//! side, and both carry the same fixed bit; an open side of number `k` is the one that
-//! [`Mesh::open`]`(k)` leads to. [`Mesh::flip`] keeps them, moving four links.
+//! Invariants: if across a side of triangle `t` lies a side of `u`, then across that one lies the side
+//! of `t`, and both carry the same fixed bit; below an open side lies the side that
+//! [`Mesh::below`] names, and across that one the open side. [`Mesh::flip`] keeps them, moving four
+//! sides.
 //!
-//! Cost: 32 bytes a triangle. The arrays have a fourth element so that an index masked to 0..=3 needs
-//! no bounds check; the fourth vertex serves as a mark, the fourth link is never used.
+//! Cost: 32 bytes a triangle.
 //!
 //! Differs from the paper: nothing; the paper leaves the structure open.
 
-/// What lies across a side of a triangle: a triangle and its vertex opposite, or an open side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Link(u32);
+mod side;
+mod triangle;
 
-/// Index of a triangle in its [`Mesh`].
-pub(crate) type TriangleId = u32;
-/// Rank of a vertex in the sweep order, or an artificial vertex after all of them.
-pub(crate) type VertexId = u32;
+pub(crate) use side::{Side, next, prev};
+pub(crate) use triangle::Triangle;
 
-/// The one place where a count or position becomes an index of 32 bits; the input's size was checked.
-#[inline(always)]
-pub(crate) fn index(n: usize) -> u32 {
-    u32::try_from(n).expect("the input's size was checked")
-}
-
-const FIXED: u32 = 1 << 31;
-const OPEN: u32 = 1 << 30;
-const MARK: VertexId = VertexId::MAX;
-
-impl Link {
-    /// No triangle now or ever: the outside of the hull. Fixed and open, by a number that no side has.
-    pub(crate) const OUTSIDE: Link = Link(u32::MAX);
-    /// How many triangles a link can number; open sides have as many numbers.
-    pub(crate) const LIMIT: usize = 1 << 28;
-
-    pub(crate) fn new(triangle: TriangleId, corner: u32) -> Link {
-        Link(triangle << 2 | corner)
-    }
-
-    pub(crate) fn open(number: u32) -> Link {
-        Link(OPEN | number)
-    }
-
-    pub(crate) fn triangle(self) -> TriangleId {
-        (self.0 & !FIXED) >> 2
-    }
-
-    /// The vertex (0, 1 or 2) opposite the side.
-    pub(crate) fn corner(self) -> u32 {
-        self.0 & 3
-    }
-
-    pub(crate) fn is_open(self) -> bool {
-        self.0 & OPEN != 0
-    }
-
-    pub(crate) fn is_fixed(self) -> bool {
-        self.0 & FIXED != 0
-    }
-
-    /// Open or fixed: the side cannot be flipped.
-    pub(crate) fn is_blocked(self) -> bool {
-        self.0 >= OPEN
-    }
-
-    /// The number of an open side.
-    pub(crate) fn number(self) -> u32 {
-        self.0 & (OPEN - 1)
-    }
-
-    pub(crate) fn fix(self) -> Link {
-        Link(self.0 | FIXED)
-    }
-
-    /// This link, fixed if `other` is.
-    pub(crate) fn fixed_as(self, other: Link) -> Link {
-        Link(self.0 | other.0 & FIXED)
-    }
-
-    /// The same link, not fixed.
-    pub(crate) fn unfixed(self) -> Link {
-        Link(self.0 & !FIXED)
-    }
-}
-
-/// The corner after `i`, counter-clockwise.
-#[inline(always)]
-pub(crate) fn next(i: u32) -> u32 {
-    (0b00_10_01 >> (2 * (i & 3))) & 3
-}
-
-/// The corner before `i`, counter-clockwise.
-#[inline(always)]
-pub(crate) fn prev(i: u32) -> u32 {
-    (0b01_00_10 >> (2 * (i & 3))) & 3
-}
-
-/// One record of the mesh.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Triangle {
-    vertices: [VertexId; 4],
-    links: [Link; 4],
-}
-
-impl Triangle {
-    fn new(v: [VertexId; 3], links: [Link; 3]) -> Triangle {
-        Triangle {
-            vertices: [v[0], v[1], v[2], 0],
-            links: [links[0], links[1], links[2], Link::OUTSIDE],
-        }
-    }
-
-    #[inline(always)]
-    pub(crate) fn vertex(&self, corner: u32) -> VertexId {
-        self.vertices[(corner & 3) as usize]
-    }
-
-    #[inline(always)]
-    pub(crate) fn link(&self, corner: u32) -> Link {
-        self.links[(corner & 3) as usize]
-    }
-
-    #[inline(always)]
-    pub(crate) fn set_vertex(&mut self, corner: u32, vertex: VertexId) {
-        self.vertices[(corner & 3) as usize] = vertex;
-    }
-
-    #[inline(always)]
-    pub(crate) fn set_link(&mut self, corner: u32, link: Link) {
-        self.links[(corner & 3) as usize] = link;
-    }
-}
+use crate::ids::{OpenId, TriangleId, VertexId};
 
 /// The triangles and the open sides.
 #[derive(Debug)]
 pub(crate) struct Mesh {
     triangles: Vec<Triangle>,
-    /// For each open side the triangle below it: side `v` of the advancing front starts at vertex `v`.
-    open: Vec<Link>,
+    /// For each open side the triangle's side below it, or [`Side::NO_TRIANGLE`].
+    open: Vec<Side>,
     /// Removed triangles, whose places are used again.
     removed: Vec<TriangleId>,
 }
 
 impl Mesh {
-    /// An empty mesh with room for `triangles` and with `open` open sides that lead nowhere.
+    /// An empty mesh with room for `triangles` and with `open` open sides that border on no triangle.
     pub(crate) fn new(triangles: usize, open: usize) -> Mesh {
         Mesh {
             triangles: Vec::with_capacity(triangles),
-            open: vec![Link::OUTSIDE; open],
+            open: vec![Side::NO_TRIANGLE; open],
             removed: Vec::new(),
         }
     }
 
     #[inline(always)]
     pub(crate) fn get(&self, t: TriangleId) -> &Triangle {
-        &self.triangles[t as usize]
+        &self.triangles[t.index()]
     }
 
-    /// The triangle below open side `number`, as seen from outside: its corner lies opposite the side.
+    /// What lies across a side of a triangle.
     #[inline(always)]
-    pub(crate) fn open(&self, number: u32) -> Link {
-        self.open[number as usize]
+    pub(crate) fn across(&self, side: Side) -> Side {
+        self.get(side.triangle()).across(side.corner())
     }
 
-    /// The vertex opposite the side that `link` crosses.
+    /// The vertex opposite a side of a triangle.
     #[inline(always)]
-    pub(crate) fn opposite(&self, link: Link) -> VertexId {
-        self.get(link.triangle()).vertex(link.corner())
+    pub(crate) fn opposite(&self, side: Side) -> VertexId {
+        self.get(side.triangle()).vertex(side.corner())
     }
 
-    /// Says what lies across the side that `link` leads to; its fixed bit is that of `link`.
+    /// The vertex opposite a side, and the two ends of the side: the triangle, counter-clockwise.
     #[inline(always)]
-    fn relink(&mut self, link: Link, target: Link) {
-        let target = target.unfixed().fixed_as(link);
-        if link.is_open() {
-            if link != Link::OUTSIDE {
-                self.open[link.number() as usize] = target;
+    pub(crate) fn around(&self, side: Side) -> [VertexId; 3] {
+        let record = self.get(side.triangle());
+        let i = side.corner();
+        [i, next(i), prev(i)].map(|corner| record.vertex(corner))
+    }
+
+    /// The side of the triangle below an open side.
+    #[inline(always)]
+    pub(crate) fn below(&self, open: OpenId) -> Side {
+        self.open[open.index()]
+    }
+
+    /// Whether a triangle borders on an open side.
+    #[inline(always)]
+    pub(crate) fn has_below(&self, open: OpenId) -> bool {
+        self.below(open) != Side::NO_TRIANGLE
+    }
+
+    /// Says what lies across `side`; whether it is fixed stays as `side` says.
+    #[inline(always)]
+    fn relink(&mut self, side: Side, across: Side) {
+        let across = across.unfixed().fixed_as(side);
+        if side.is_open() {
+            if side != Side::NOTHING {
+                self.open[side.open_id().index()] = across;
             }
         } else {
-            self.triangles[link.triangle() as usize].set_link(link.corner(), target);
+            self.triangles[side.triangle().index()].set_across(side.corner(), across);
         }
     }
 
     /// Makes two sides neighbours, fixed if one of them is.
     #[inline(always)]
-    pub(crate) fn connect(&mut self, a: Link, b: Link) {
+    pub(crate) fn connect(&mut self, a: Side, b: Side) {
         self.relink(a.fixed_as(b), b);
         self.relink(b.fixed_as(a), a);
     }
 
-    /// Marks the side that `link` leads to as a constrained edge, on both sides of it.
-    pub(crate) fn fix(&mut self, link: Link) {
-        let across = self.get(link.triangle()).link(link.corner());
-        self.connect(link.fix(), across);
+    /// Marks a side of a triangle as a constrained edge, from both sides of it.
+    pub(crate) fn fix(&mut self, side: Side) {
+        self.connect(side.fix(), self.across(side));
     }
 
-    /// Adds the triangle `v`, whose side opposite corner `i` borders on what `links[i]` names.
+    /// Adds the triangle `v`; across its side opposite corner `i` lies `across[i]`.
     #[inline(always)]
-    pub(crate) fn add(&mut self, v: [VertexId; 3], links: [Link; 3]) -> TriangleId {
-        let record = Triangle::new(v, links);
+    pub(crate) fn add(&mut self, v: [VertexId; 3], across: [Side; 3]) -> TriangleId {
+        let record = Triangle::new(v, across);
         let t = if let Some(t) = self.removed.pop() {
-            self.triangles[t as usize] = record;
+            self.triangles[t.index()] = record;
             t
         } else {
             self.triangles.push(record);
-            index(self.triangles.len() - 1)
+            TriangleId::at(self.triangles.len() - 1)
         };
-        self.relink(links[0], Link::new(t, 0));
-        self.relink(links[1], Link::new(t, 1));
-        self.relink(links[2], Link::new(t, 2));
+        self.relink(across[0], Side::new(t, 0));
+        self.relink(across[1], Side::new(t, 1));
+        self.relink(across[2], Side::new(t, 2));
         t
     }
 
     /// Marks triangle `t` as one that is about to be removed.
     pub(crate) fn mark(&mut self, t: TriangleId) {
-        self.triangles[t as usize].vertices[3] = MARK;
+        self.triangles[t.index()].mark();
     }
 
     /// Whether `t` is marked; a new triangle never is.
     pub(crate) fn is_marked(&self, t: TriangleId) -> bool {
-        self.triangles[t as usize].vertices[3] == MARK
+        self.get(t).is_marked()
     }
 
     /// Removes the triangles of `list`, whose places the next ones take.
@@ -234,7 +135,7 @@ impl Mesh {
         self.removed.extend_from_slice(list);
     }
 
-    /// Swaps the diagonal of the quadrilateral around side `i` of triangle `t` (figure 3).
+    /// Swaps the diagonal of the quadrilateral around a side of triangle `t` (figure 3).
     ///
     /// ```text
     ///        p                 p            t = p a b becomes p a q, corner i stays p;
@@ -244,42 +145,43 @@ impl Mesh {
     ///        q                 q
     /// ```
     ///
-    /// Returns `u` as the link across side `i` that was.
+    /// Returns the side across which `t` lay: side `j` of `u`.
     #[inline(always)]
-    pub(crate) fn flip(&mut self, t: TriangleId, i: u32) -> Link {
+    pub(crate) fn flip(&mut self, side: Side) -> Side {
+        let (t, i) = (side.triangle(), side.corner());
         let upper = *self.get(t);
-        let across = upper.link(i);
+        let across = upper.across(i);
         let (u, j) = (across.triangle(), across.corner());
         let lower = *self.get(u);
-        let (aq, bp) = (lower.link(next(j)), upper.link(next(i)));
-        let record = &mut self.triangles[t as usize];
+        let (aq, bp) = (lower.across(next(j)), upper.across(next(i)));
+        let record = &mut self.triangles[t.index()];
         record.set_vertex(prev(i), lower.vertex(j));
-        record.set_link(i, aq);
-        record.set_link(next(i), Link::new(u, next(j)));
-        let record = &mut self.triangles[u as usize];
+        record.set_across(i, aq);
+        record.set_across(next(i), Side::new(u, next(j)));
+        let record = &mut self.triangles[u.index()];
         record.set_vertex(prev(j), upper.vertex(i));
-        record.set_link(j, bp);
-        record.set_link(next(j), Link::new(t, next(i)));
-        self.relink(aq, Link::new(t, i));
-        self.relink(bp, Link::new(u, j));
+        record.set_across(j, bp);
+        record.set_across(next(j), Side::new(t, next(i)));
+        self.relink(aq, Side::new(t, i));
+        self.relink(bp, Side::new(u, j));
         across
     }
 
-    /// Opens a new side; closed again by [`Mesh::close`].
-    pub(crate) fn open_side(&mut self) -> u32 {
-        let number = index(self.open.len());
-        self.open.push(Link::OUTSIDE);
-        number
+    /// Makes a new open side, on which no triangle borders yet; [`Mesh::forget_open`] removes it.
+    pub(crate) fn add_open(&mut self) -> OpenId {
+        let open = OpenId::at(self.open.len());
+        self.open.push(Side::NO_TRIANGLE);
+        open
     }
 
-    /// How many sides may be open now.
-    pub(crate) fn open_sides(&self) -> usize {
+    /// How many open sides there are.
+    pub(crate) fn count_open(&self) -> usize {
         self.open.len()
     }
 
-    /// Forgets the open sides from `number` on; nothing may border on them any more.
-    pub(crate) fn close(&mut self, number: usize) {
-        self.open.truncate(number);
+    /// Forgets all open sides but the first `kept`; nothing may border on the others any more.
+    pub(crate) fn forget_open(&mut self, kept: usize) {
+        self.open.truncate(kept);
     }
 
     /// Hands out the triangles.
@@ -289,6 +191,6 @@ impl Mesh {
 
     /// Bytes held.
     pub(crate) fn memory(&self) -> usize {
-        self.triangles.capacity() * size_of::<Triangle>() + self.open.capacity() * size_of::<Link>()
+        self.triangles.capacity() * size_of::<Triangle>() + self.open.capacity() * size_of::<Side>()
     }
 }

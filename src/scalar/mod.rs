@@ -21,11 +21,13 @@ mod integer;
 mod rational;
 #[cfg(feature = "rug")]
 mod rug;
+mod scale;
 mod unbounded;
 mod wide;
 
 use std::cmp::Ordering;
 
+pub(crate) use scale::Scale;
 pub use unbounded::Unbounded;
 
 /// A coordinate type with exact predicates.
@@ -38,7 +40,7 @@ pub use unbounded::Unbounded;
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use sweep_cdt::Scalar;
+/// use sweep_cdt::scalar::Scalar;
 ///
 /// let (a, b, c) = ([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]);
 /// assert_eq!(Scalar::orient2d(&a, &b, &c), Ordering::Greater);

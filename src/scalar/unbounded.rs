@@ -25,7 +25,7 @@ use super::{Scalar, filter};
 /// ```
 /// use std::cmp::Ordering;
 /// use num_bigint::BigInt;
-/// use sweep_cdt::Scalar;
+/// use sweep_cdt::scalar::Scalar;
 ///
 /// let point = |x: i32, y: i32| [BigInt::from(x).pow(99), BigInt::from(y).pow(99)];
 /// let (a, b, c) = (point(-3, -5), point(0, 0), point(3, 5));

@@ -1,10 +1,19 @@
-//! Fills a chain of sides up to its hull: pockets and basins of the front, the upper hull
+//! Fills a chain of open sides up to its hull: pockets and basins of the front, the upper hull
 //! (figure 15a), and pseudo-polygons (figures 12 and 13).
 //!
 //! A chain is a polyline of open sides with the empty region to its left. Wherever it turns left, the
 //! corner can be closed by a triangle. Graham's scan does that until no left turn remains: from the
 //! front a chain under a chord comes out as that chord, the whole front as the upper hull, and a
 //! pseudo-polygon as the constrained edge.
+//!
+//! ```text
+//!    empty region (to the left of the chain)
+//!    0 . . . . . . . . . . . . . . 6          Corners 1 to 4 turn left and stay convex when closed by
+//!     \                           /           the chord 0-5: they are one stretch, closed as a whole,
+//!      1                         /            in random order. The chain then runs 0-5-6. If it
+//!       \                  5 ---              turns left at 5, the scan closes that corner next.
+//!        2 --- 3 --- 4 ---/
+//! ```
 //!
 //! Why it is right: the chains of the front are x-monotone; a pseudo-polygon is weakly visible from its
 //! constrained edge. In both every corner that turns left strictly is an ear, and stays so when others
@@ -22,103 +31,19 @@
 
 use std::cmp::Ordering::Greater;
 
-use super::Sweep;
-use crate::Scalar;
-use crate::front::FrontSearch;
-use crate::mesh::{Link, VertexId, index};
+use super::corner::Corner;
+use super::fabric::Fabric;
+use crate::ids::OpenId;
+use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::scalar::Scalar;
 use crate::trace::Why;
 
-/// A vertex of a chain and the open side from it to the next one (of the last: none).
-///
-/// The side's number leads to the triangle below it, if there is one: then the two triangles are
-/// joined and their side legalized. Otherwise the number will lead to the new triangle.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
-    pub(super) vertex: VertexId,
-    pub(super) side: u32,
-}
-
-/// Working memory; positions are those in the stretch being closed.
-#[derive(Debug, Default)]
-pub(super) struct Filling {
-    chain: Vec<Corner>,
-    stretch: Vec<Corner>,
-    /// The inner positions in order of insertion.
-    order: Vec<u32>,
-    /// For each position its neighbours among those inserted before it.
-    prev: Vec<u32>,
-    next: Vec<u32>,
-    /// The open side from each position inserted to its next one.
-    side: Vec<u32>,
-}
-
-impl Filling {
-    /// Draws an order of insertion for the inner ones of `len` positions, always the same one.
-    fn draw(&mut self, len: u32) {
-        let inner = 1..len - 1;
-        self.order.clear();
-        self.order.extend(inner);
-        let mut random = 0x2545_F491_u32;
-        for i in (1..self.order.len()).rev() {
-            random ^= random << 13;
-            random ^= random >> 17;
-            random ^= random << 5;
-            self.order.swap(i, random as usize % (i + 1));
-        }
-        self.prev.clear();
-        self.prev.extend((0..len).map(|i| i.saturating_sub(1)));
-        self.next.clear();
-        self.next.extend(1..=len);
-        // Taken out in reverse, each keeps the neighbours that it had last.
-        for &u in self.order.iter().rev() {
-            let (v, w) = (self.prev[u as usize], self.next[u as usize]);
-            self.next[v as usize] = w;
-            self.prev[w as usize] = v;
-        }
-        self.side.clear();
-        self.side.resize(len as usize, 0);
-    }
-}
-
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// Fills the front from node `from` to node `to`, both real, up to its upper hull. Returns how many
-    /// triangles that took.
-    pub(super) fn fill_front(&mut self, from: VertexId, to: VertexId, why: Why) -> u64 {
-        let mut chain = std::mem::take(&mut self.filling.chain);
-        chain.clear();
-        let mut at = from;
-        while at != to {
-            chain.push(Corner {
-                vertex: at,
-                side: at,
-            });
-            at = self.front.next(at);
-        }
-        chain.push(Corner {
-            vertex: to,
-            side: to,
-        });
-
-        let sides = self.mesh.open_sides();
-        let triangles = self.fill(&mut chain, why);
-        self.legalize();
-        self.mesh.close(sides);
-
-        for pair in chain.windows(2) {
-            while self.front.next(pair[0].vertex) != pair[1].vertex {
-                self.take_off_front(self.front.next(pair[0].vertex));
-            }
-        }
-        self.filling.chain = chain;
-        triangles
-    }
-
+impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Fills `chain` to its left, which leaves its hull. Returns how many triangles that took. Joined
     /// sides become suspects.
     pub(super) fn fill(&mut self, chain: &mut Vec<Corner>, why: Why) -> u64 {
         let before = chain.len();
-        let mut stretch = std::mem::take(&mut self.filling.stretch);
         // `chain[..done]` turns left nowhere; `chain[ahead..]` is not yet seen.
         let (mut done, mut ahead) = (1, 1);
         while ahead < before {
@@ -128,109 +53,112 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 ahead += 1;
                 continue;
             }
-            stretch.clear();
-            stretch.extend([chain[done - 2], chain[done - 1], chain[ahead]]);
-            while ahead + 1 < before && self.stays_convex(&stretch, chain[ahead + 1]) {
+            // A left turn: the convex stretch that begins here, as far as it goes.
+            self.stretch.corners.clear();
+            let first = [chain[done - 2], chain[done - 1], chain[ahead]];
+            self.stretch.corners.extend(first);
+            while ahead + 1 < before && self.stays_convex(chain[ahead + 1]) {
                 ahead += 1;
-                stretch.push(chain[ahead]);
+                self.stretch.corners.push(chain[ahead]);
             }
             // The chain now runs from the first to the last of the stretch, which is seen again.
             done -= 1;
-            chain[done - 1].side = match stretch[..] {
-                [a, b, c] => self.fill_ear([a, b, c], why),
-                _ => self.fill_convex(&stretch, why),
+            chain[done - 1].open = if self.stretch.corners.len() == 3 {
+                self.fill_ear(first, why)
+            } else {
+                self.fill_stretch(why)
             };
         }
         chain.truncate(done);
-        self.filling.stretch = stretch;
         (before - done) as u64
     }
 
     fn turns_left(&mut self, a: Corner, b: Corner, c: Corner) -> bool {
-        self.predicates.orient2d(a.vertex, b.vertex, c.vertex) == Greater
+        self.orient2d([a.vertex, b.vertex, c.vertex]) == Greater
     }
 
-    /// Whether a strictly convex stretch remains so with one more corner, closed by its chord.
-    fn stays_convex(&mut self, stretch: &[Corner], corner: Corner) -> bool {
-        // Of three corners, with which a stretch begins, the second is both.
-        let [first, second] = [stretch[0], stretch[1]];
-        let [a, b] = [stretch[stretch.len() - 2], stretch[stretch.len() - 1]];
+    /// Whether the stretch, strictly convex and closed by its chord, remains so with one more corner.
+    fn stays_convex(&mut self, corner: Corner) -> bool {
+        // In a stretch of three, `second` and `a` are the same corner.
+        let corners = &self.stretch.corners;
+        let [first, second] = [corners[0], corners[1]];
+        let [a, b] = [corners[corners.len() - 2], corners[corners.len() - 1]];
         self.turns_left(a, b, corner)
             && self.turns_left(b, corner, first)
             && self.turns_left(corner, first, second)
     }
 
     /// Closes one corner; returns the open side that replaces its two.
-    fn fill_ear(&mut self, [a, b, c]: [Corner; 3], why: Why) -> u32 {
-        let below = [a, b].map(|corner| self.mesh.open(corner.side));
-        let is_free = below.map(|link| link == Link::OUTSIDE);
-        let chord = if is_free[0] {
-            self.mesh.open_side()
+    fn fill_ear(&mut self, [a, b, c]: [Corner; 3], why: Why) -> OpenId {
+        let joined = [a, b].map(|corner| self.mesh.has_below(corner.open));
+        // The number of the first side becomes free for the chord where a triangle is joined there.
+        let chord = if joined[0] {
+            a.open
         } else {
-            a.side
+            self.mesh.add_open()
         };
-        let links = [a, b].map(|corner| self.below_or_open(corner));
-        let v = [b.vertex, c.vertex, a.vertex];
-        let t = self.make(v, [Link::open(chord), links[0], links[1]], why);
-        for (corner, is_free) in [1, 2].into_iter().zip(is_free) {
-            if !is_free {
-                self.suspects.push(Link::new(t, corner));
+        let [below_a, below_b] = [a, b].map(|corner| self.below_or_open(corner));
+        let vertices = [b.vertex, c.vertex, a.vertex];
+        let t = self.make(vertices, [Side::open(chord), below_a, below_b], why);
+        for (corner, is_joined) in [1, 2].into_iter().zip(joined) {
+            if is_joined {
+                self.suspects.push(Side::new(t, corner));
             }
         }
         chord
     }
 
     /// What a triangle above the side from `corner` borders on.
-    fn below_or_open(&self, corner: Corner) -> Link {
-        match self.mesh.open(corner.side) {
-            Link::OUTSIDE => Link::open(corner.side),
-            below => below,
+    fn below_or_open(&self, corner: Corner) -> Side {
+        if self.mesh.has_below(corner.open) {
+            self.mesh.below(corner.open)
+        } else {
+            Side::open(corner.open)
         }
     }
 
-    /// Triangulates the convex polygon of a stretch; returns the open side that closes it.
-    fn fill_convex(&mut self, stretch: &[Corner], why: Why) -> u32 {
-        let sides = &stretch[..stretch.len() - 1];
-        let mut work = std::mem::take(&mut self.filling);
-        work.draw(index(stretch.len()));
+    /// Triangulates the convex polygon of the stretch; returns the open side that closes it.
+    fn fill_stretch(&mut self, why: Why) -> OpenId {
+        self.stretch.draw();
+        let chord = self.mesh.add_open();
 
-        let chord = self.mesh.open_side();
-        let mut top = Link::open(chord);
-        for &u in &work.order {
-            let (v, w) = (work.prev[u as usize], work.next[u as usize]);
-            if u != work.order[0] {
-                top = self.mesh.open(work.side[v as usize]);
+        // Each corner `u` makes a triangle with its neighbours `v` and `w`, below the side between them.
+        let mut top = Side::open(chord);
+        for k in 0..self.stretch.order.len() {
+            let u = self.stretch.order[k];
+            let [v, w] = self.stretch.neighbors(u);
+            if k > 0 {
+                top = self.mesh.below(self.stretch.open[v as usize]);
             }
             for (from, to) in [(v, u), (u, w)] {
-                let side = sides[from as usize].side;
-                let is_last = to == from + 1 && self.mesh.open(side) == Link::OUTSIDE;
-                work.side[from as usize] = if is_last { side } else { self.mesh.open_side() };
+                let open = self.stretch.corners[from as usize].open;
+                // A side of the chain on which nothing borders keeps its number.
+                let is_last = to == from + 1 && !self.mesh.has_below(open);
+                self.stretch.open[from as usize] =
+                    if is_last { open } else { self.mesh.add_open() };
             }
-            let corners = [u, w, v].map(|at| stretch[at as usize].vertex);
-            let bottom = [v, u].map(|at| Link::open(work.side[at as usize]));
-            let t = self.make(corners, [top, bottom[0], bottom[1]], why);
-            self.suspects.push(Link::new(t, 0));
+            let vertices = [u, w, v].map(|at| self.stretch.corners[at as usize].vertex);
+            let [left, right] = [v, u].map(|at| Side::open(self.stretch.open[at as usize]));
+            let t = self.make(vertices, [top, left, right], why);
+            self.suspects.push(Side::new(t, 0));
             self.legalize();
         }
 
-        for (corner, &side) in sides.iter().zip(&work.side) {
-            if side != corner.side {
-                let above = self.mesh.open(side);
-                self.mesh.connect(above, self.mesh.open(corner.side));
+        // The triangles on the sides of the chain are joined to those outside.
+        for k in 0..self.stretch.corners.len() - 1 {
+            let (open, outer) = (self.stretch.open[k], self.stretch.corners[k].open);
+            if open != outer {
+                let above = self.mesh.below(open);
+                self.mesh.connect(above, self.mesh.below(outer));
                 self.suspects.push(above);
             }
         }
         // A front segment bears the number of its left end, whatever triangle is below it.
-        let closing = if work.side[0] == sides[0].side {
-            chord
-        } else {
-            sides[0].side
-        };
-        if closing != chord {
-            self.mesh
-                .connect(self.mesh.open(chord), Link::open(closing));
+        let (first, outer) = (self.stretch.open[0], self.stretch.corners[0].open);
+        if first == outer {
+            return chord;
         }
-        self.filling = work;
-        closing
+        self.mesh.connect(self.mesh.below(chord), Side::open(outer));
+        outer
     }
 }

@@ -6,6 +6,14 @@
 //! give way to two pseudo-polygons (figure 12). A vertex on the edge ends a part and starts the next,
 //! and overlapping edges share their parts.
 //!
+//! ```text
+//!          upper                       A pocket under an edge (figure 13): the front falls away
+//!         /    ` .                     below the edge and comes back to it. Filled to its upper
+//!        /  pocket ` .                 hull, the pocket has the edge for a side, or triangles
+//!       /    ____      ` lower         that the edge pierces.
+//!      a ---b    c ----- d
+//! ```
+//!
 //! Why it is right: a pocket lies between the front and a chord with both ends on or above the edge, so
 //! it is empty and filling it is a matter of the front alone. Inserting an edge takes visibility away,
 //! never adds any, so all sides that are not pierced remain locally Delaunay.
@@ -18,13 +26,15 @@
 
 use std::cmp::Ordering::Equal;
 
-use super::Sweep;
-use super::traverse::{Crossed, Part, Spoke};
+use super::obstacles::{Crossed, Part};
+use super::state::Sweep;
+use crate::error::Error;
 use crate::front::FrontSearch;
-use crate::mesh::{VertexId, index};
+use crate::ids::{VertexId, narrow};
+use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::scalar::Scalar;
 use crate::trace::{EdgePosition, Event, Why};
-use crate::{Error, Scalar};
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
@@ -34,17 +44,17 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         list.retain(|&(lower, _)| lower != upper);
         if list.len() > 1 {
             list.sort_by(|&(a, _), &(b, _)| {
-                let turn = self.predicates.orient2d(upper, a, b);
+                let turn = self.fabric.orient2d([upper, a, b]);
                 // On one line: the nearer end first, which is the higher one.
                 turn.reverse().then_with(|| b.cmp(&a))
             });
-            // The last one before the first: with the pockets under the outermost two filled, the
-            // others have none beside the upper end, and one turn around it finds them all.
+            // The leftmost edge goes first. Once it and the rightmost are in, the pockets beside the
+            // upper end are filled, and one turn around it finds all others.
             list.rotate_right(1);
         }
         let mut around = self.leftmost(upper);
         for (lower, edge) in list {
-            self.tell(|name| Event::Edge {
+            self.fabric.report(|name| Event::Edge {
                 edge,
                 upper: name(upper),
                 lower: name(lower),
@@ -55,7 +65,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         Ok(())
     }
 
-    /// Inserts one edge. `around` is a triangle at the upper end, and will be one near the edge.
+    /// Inserts one edge. `around` is a side opposite the upper end, and will be one near the edge.
     ///
     /// An edge that it crosses is met by the survey, which follows it to its end: afterwards pockets are
     /// filled and free sides are flipped, and the only new fixed sides are parts of this edge.
@@ -64,24 +74,24 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         upper: VertexId,
         lower: VertexId,
         edge: u32,
-        around: &mut Spoke,
+        around: &mut Side,
     ) -> Result<(), Crossed> {
         let mut part = match self.survey(upper, lower, around)? {
             Some(part) => part,
             None => self.traverse(upper, lower, *around)?,
         };
-        let first_inside = index(self.chains.inside.len());
+        let first_inside = narrow(self.chains.inside.len());
         let mut onward;
         [*around, onward] = self.insert_part(upper, part);
+        // A part that ends before the edge does ends at a vertex on it, where the next one starts.
         while part.end != lower {
             let at = part.end;
-            self.chains
-                .inside
-                .push(self.predicates.vertices.input[at as usize]);
+            let vertices = &self.fabric.signs.vertices;
+            self.chains.inside.push(vertices.input_index(at));
             part = self.traverse(at, lower, onward)?;
             [_, onward] = self.insert_part(at, part);
         }
-        let inside = index(self.chains.inside.len());
+        let inside = narrow(self.chains.inside.len());
         if inside > first_inside {
             self.chains.split.push((edge, first_inside, inside));
         }
@@ -94,43 +104,41 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         &mut self,
         upper: VertexId,
         lower: VertexId,
-        around: &mut Spoke,
+        around: &mut Side,
     ) -> Result<Option<Part>, Crossed> {
-        self.traversal.pockets.clear();
+        self.obstacles.pockets.clear();
         let first = self.traverse(upper, lower, *around)?;
         let mut part = first;
-        let mut pockets = self.tell_part(upper, first, 0);
+        let mut pockets = self.report_part(upper, first, 0);
         while part.end != lower {
             let from = part.end;
             part = self.traverse(from, lower, part.onward)?;
-            pockets = self.tell_part(from, part, pockets);
+            pockets = self.report_part(from, part, pockets);
         }
-        let is_unchanged = first.end == lower && self.traversal.pockets.is_empty();
-        while let Some([from, to]) = self.traversal.pockets.pop() {
+        let is_unchanged = first.end == lower && self.obstacles.pockets.is_empty();
+        while let Some([from, to]) = self.obstacles.pockets.pop() {
             let added = self.fill_front(from, to, Why::Pocket);
-            self.predicates.probe.count(|c| c.pocket_triangles += added);
+            self.fabric.probe.count(|c| c.pocket_triangles += added);
         }
-        if self.mesh.get(around.triangle).vertex(around.corner) != upper {
+        // Filling may have flipped the triangle that `around` was a side of.
+        if self.fabric.mesh.opposite(*around) != upper {
             *around = self.leftmost(upper);
         }
         Ok(is_unchanged.then_some(first))
     }
 
-    /// Tells what is in the way of a part that has just been surveyed, when `pockets` of the edge were
+    /// Reports what is in the way of a part that has just been surveyed, when `pockets` of the edge were
     /// known before. Returns how many are now.
-    fn tell_part(&mut self, from: VertexId, part: Part, pockets: usize) -> usize {
-        let now = self.traversal.pockets.len();
-        let position = match (
-            part.present,
-            now > pockets,
-            self.traversal.pierced.is_empty(),
-        ) {
-            (Some(_), ..) => EdgePosition::Present,
-            (None, false, _) => EdgePosition::BelowFront,
-            (None, true, true) => EdgePosition::FrontOnly,
-            (None, true, false) => EdgePosition::Mixed,
+    fn report_part(&mut self, from: VertexId, part: Part, pockets: usize) -> usize {
+        let now = self.obstacles.pockets.len();
+        let has_pocket = now > pockets;
+        let position = match part.present {
+            Some(_) => EdgePosition::Present,
+            None if !has_pocket => EdgePosition::BelowFront,
+            None if self.obstacles.pierced.is_empty() => EdgePosition::FrontOnly,
+            None => EdgePosition::Mixed,
         };
-        self.tell(|name| Event::Part {
+        self.fabric.report(|name| Event::Part {
             from: name(from),
             to: name(part.end),
             position,
@@ -139,18 +147,18 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 
     /// Makes a part of an edge a fixed side, after [`Sweep::traverse`] found what is in its way.
-    /// Returns a triangle at either end.
-    fn insert_part(&mut self, from: VertexId, part: Part) -> [Spoke; 2] {
+    /// Returns a side opposite either end.
+    fn insert_part(&mut self, from: VertexId, part: Part) -> [Side; 2] {
         if let Some(side) = part.present {
-            self.mesh.fix(side);
-            self.predicates.probe.count(|c| c.edges_present += 1);
-            self.tell(|name| Event::Fixed {
+            self.fabric.mesh.fix(side);
+            self.fabric.probe.count(|c| c.edges_present += 1);
+            self.fabric.report(|name| Event::Fixed {
                 side: [from, part.end].map(name),
             });
             [part.start, part.onward]
         } else {
-            self.predicates.probe.count(|c| c.edges_inserted += 1);
-            self.retriangulate(from, part.end)
+            self.fabric.probe.count(|c| c.edges_inserted += 1);
+            self.fabric.replace_pierced(from, part.end, &self.obstacles)
         }
     }
 
@@ -166,7 +174,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 && lower != upper
                 && [r, s]
                     .iter()
-                    .all(|&v| self.predicates.orient2d(upper, lower, v) == Equal)
+                    .all(|&v| self.fabric.orient2d([upper, lower, v]) == Equal)
             {
                 crossed = other;
             }

@@ -1,191 +1,104 @@
 //! The sweep (section 3): initialization, point events and edge events in sweep order, finalization.
 //!
-//! Invariants between two events, for the vertices swept so far:
-//! - the region under the front and above the lower hull is triangulated, and so is, by artificial
-//!   triangles, all below;
-//! - that triangulation is the canonical constrained Delaunay one of its region, with the edges
-//!   inserted so far;
-//! - the front runs from P-1 to P-2 and is strictly x-monotone.
+//! One file is one part of the paper:
+//!
+//! | section | figure | what | file |
+//! |---|---|---|---|
+//! | 3.2 | | the three parts | `mod.rs` |
+//! | 3.3 | | initialization | [`initialization`] |
+//! | 3.3 | | distinct points in sweep order | [`vertices`], [`order`] |
+//! | 3.3 | 5 | edges at their upper ends | [`edges`] |
+//! | 3.3 | 6 | P-1 and P-2, first triangle | [`artificial`], [`initialization`] |
+//! | 3.4 | | the state between two events | [`state`] (front, edges), [`fabric`] (triangles, signs) |
+//! | 3.4.1 | 7, 8 | point event: middle and left case | [`point_event`] |
+//! | 3.4.1 (i) | 9 | heuristic: angles below pi/2 | [`narrow_corners`] |
+//! | 3.4.1 (ii) | 10 | heuristic: basins | [`basins`] |
+//! | 3.4.2 | | edge event | [`edge_event`] |
+//! | 3.4.2 (i), (ii) | 11, 13, 14 | triangle and front traversal | [`traversal`], [`obstacles`] |
+//! | 3.4.2 (ii), (iii) | 12 | removed triangles, pseudo-polygons | [`pseudo_polygons`] |
+//! | 3.4.2, 3.5 | 12, 13, 15a | filling a chain up to its hull | [`chain`], [`corner`], [`stretch`] |
+//! | 2 | 2, 3 | empty circle test, legalization | [`signs`], [`legalization`] |
+//! | 3.5 | 15 | finalization | [`finalization`] |
+//!
+//! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
+//! settings of the heuristics [`crate::Heuristics`].
 //!
 //! Cost: O(n log n) expected on the inputs that one meets; O(n^2) at worst, since Lawson's flips can be
 //! that many for any algorithm that keeps a Delaunay triangulation of the points swept so far.
 //!
-//! Differs from the paper: see the parts ([`point_event`], [`edge_event`], [`fill`], [`finalize`]).
+//! Differs from the paper: see the parts.
 
+mod artificial;
+mod basins;
+mod chain;
+mod corner;
 mod edge_event;
-mod fill;
-mod finalize;
-mod legalize;
+mod edges;
+mod fabric;
+mod finalization;
+mod initialization;
+mod legalization;
+mod narrow_corners;
+mod obstacles;
+mod order;
 mod point_event;
-mod retriangulate;
-mod traverse;
+mod pseudo_polygons;
+mod signs;
+mod state;
+mod stretch;
+mod traversal;
+mod vertices;
 
-use std::time::Instant;
-
-use crate::front::{Domain, Front, FrontNode, FrontSearch};
-use crate::input::{self, Edges};
-use crate::mesh::{Link, Mesh, TriangleId, VertexId, index};
-use crate::predicates::Predicates;
+use crate::error::Error;
+use crate::front::FrontSearch;
+use crate::heuristics::Heuristics;
+use crate::ids::VertexId;
 use crate::probe::Probe;
-use crate::trace::{Event, Vertex, Why};
-use crate::triangulation::Chains;
-use crate::triangulator::Progress;
-use crate::{Error, Heuristics, Scalar, Stats, Triangulation};
+use crate::scalar::Scalar;
+use crate::stats::Phase;
+use crate::triangulation::Triangulation;
+
+/// Called as `progress(swept, vertices)` now and then.
+pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;
 
 /// How many point events pass between two reports of progress.
-const REPORT: VertexId = 4096;
+const REPORT: u32 = 4096;
 
-/// The state between two events.
-struct Sweep<'a, S, F, P> {
-    predicates: Predicates<'a, S, P>,
-    edges: Edges,
-    chains: Chains,
-    mesh: Mesh,
-    front: Front,
-    search: F,
-    heuristics: Heuristics,
-    /// Sides that legalization still has to test.
-    suspects: Vec<Link>,
-    /// Working memory of the parts, kept from one event to the next.
-    filling: fill::Filling,
-    traversal: traverse::Traversal,
-}
-
-/// Runs the three parts of section 3.2.
+/// Runs the three parts of section 3.2. The search structure and the probe come back with the result.
 pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     heuristics: Heuristics,
-    mut progress: Progress<'_>,
+    search: F,
+    progress: Progress<'_>,
     probe: P,
-) -> Result<(Triangulation, Stats, P), Error> {
-    let start = Instant::now();
-    let vertices = input::vertices(points)?;
-    let (listed, ends) = input::edges(&vertices, points.len(), edges)?;
-    let n = index(vertices.input.len());
-    let search = F::new(Domain::new(&vertices.near));
-    let mut sweep = Sweep {
-        predicates: Predicates::new(points, vertices, probe),
-        edges: listed,
-        chains: Chains {
-            ends,
-            ..Chains::default()
-        },
-        mesh: Mesh::new(2 * n as usize + 2, n as usize + 2),
-        front: Front::new(n as usize),
-        search,
-        heuristics,
-        suspects: Vec::new(),
-        filling: fill::Filling::default(),
-        traversal: traverse::Traversal::default(),
-    };
-
-    sweep.tell_order(n);
-    let swept = Instant::now();
-    for v in 0..n {
-        if v == 0 {
-            sweep.first_triangle();
-        } else {
-            sweep.point_event(v);
-        }
-        if !sweep.edges.at(v).is_empty() {
-            sweep.edge_event(v)?;
-        }
-        if v % REPORT == 0
-            && let Some(progress) = &mut progress
-        {
-            progress(v as usize, n as usize);
-        }
-    }
-
-    let finalized = Instant::now();
-    let mut stats = Stats {
-        points: points.len(),
-        edges: edges.len(),
-        initialization: swept - start,
-        sweeping: finalized - swept,
-        memory: sweep.memory(),
-        ..Stats::default()
-    };
-    let (result, probe) = sweep.finalize();
-    stats.finalization = finalized.elapsed();
-    stats.duplicates = result.duplicates.len();
-    stats.triangles = result.len();
-    stats.hull = result.hull.len();
-    Ok((result, stats, probe))
+) -> Result<(Triangulation, F, P), Error> {
+    let mut sweep = initialization::initialize(points, edges, heuristics, search, probe)?;
+    sweep.sweep(progress)?;
+    Ok(sweep.finalize())
 }
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// The initial triangle of the first vertex and the artificial points (figure 6).
-    fn first_triangle(&mut self) {
-        let (left, right) = (self.predicates.left, self.predicates.right);
-        let links = [Link::OUTSIDE, Link::open(0), Link::open(left)];
-        self.make([0, left, right], links, Why::First);
-        self.put_on_front(0, left);
-    }
-
-    /// Adds a triangle to the mesh.
-    #[inline(always)]
-    fn make(&mut self, vertices: [VertexId; 3], links: [Link; 3], why: Why) -> TriangleId {
-        self.tell(|name| Event::Triangle {
-            vertices: vertices.map(name),
-            why,
-        });
-        self.mesh.add(vertices, links)
-    }
-
-    /// Tells the observer of a step, if there is one; vertices get their names in `event`.
-    #[inline(always)]
-    fn tell(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
-        if P::EVENTS {
-            let predicates = &self.predicates;
-            let event = event(&|v| match predicates.vertices.input.get(v as usize) {
-                Some(&input) => Vertex::Input(input),
-                None if v == predicates.left => Vertex::Left,
-                None => Vertex::Right,
-            });
-            self.predicates.probe.event(event);
-        }
-    }
-
-    /// Tells the observer the sweep order.
-    fn tell_order(&mut self, vertices: VertexId) {
-        if P::EVENTS {
-            for v in 0..vertices {
-                self.tell(|name| Event::Sorted { vertex: name(v) });
+impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
+    /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there.
+    fn sweep(&mut self, progress: Progress<'_>) -> Result<(), Error> {
+        self.fabric.probe.begin(Phase::Sweeping);
+        let n = self.fabric.signs.vertices.len();
+        for v in (0..n).map(VertexId::at) {
+            // The first vertex is in the first triangle.
+            if v != VertexId::new(0) {
+                self.point_event(v);
+            }
+            if !self.edges.at(v).is_empty() {
+                self.edge_event(v)?;
+            }
+            if v.number() % REPORT == 0
+                && let Some(progress) = progress
+            {
+                progress(v.index(), n);
             }
         }
-    }
-
-    /// Puts `v` on the front between `left` and the node after it.
-    #[inline(always)]
-    fn put_on_front(&mut self, v: VertexId, left: VertexId) {
-        self.front.put(v, left);
-        self.tell(|name| Event::FrontInsert {
-            vertex: name(v),
-            after: name(left),
-        });
-        self.search
-            .inserted(FrontNode::new(v), self.predicates.near(v)[0]);
-    }
-
-    /// Takes `v`, which triangles now cover, off the front.
-    #[inline(always)]
-    fn take_off_front(&mut self, v: VertexId) {
-        self.front.take(v);
-        self.tell(|name| Event::FrontRemove { vertex: name(v) });
-        self.search
-            .removed(FrontNode::new(v), self.predicates.near(v)[0]);
-    }
-
-    /// Bytes of the arrays that grow with the input.
-    fn memory(&self) -> usize {
-        let vertices = &self.predicates.vertices;
-        self.mesh.memory()
-            + self.front.memory()
-            + vertices.near.capacity() * size_of::<[f64; 2]>()
-            + vertices.input.capacity() * size_of::<u32>()
-            + self.edges.memory()
-            + self.chains.ends.capacity() * size_of::<[u32; 2]>()
+        let memory = self.memory();
+        self.fabric.probe.note(|stats| stats.memory = memory);
+        Ok(())
     }
 }

@@ -4,27 +4,28 @@
 //! comparison. Since the key never decreases where y grows, that is the exact order.
 //!
 //! Cost: O(n) where the points spread over y, O(n log n) at worst, when all share one key; 16 bytes a
-//! point for a moment, 24 more if all share one key. The paper's initialization took up to two thirds of its time (table 2).
+//! point for a moment, 24 more if all share one key. The paper's initialization took up to two thirds
+//! of its time (table 2).
 //!
 //! Differs from the paper: it sorts by comparison.
 
 use std::cmp::Ordering;
 
-use crate::Scalar;
-use crate::mesh::index;
-use crate::predicates::Scale;
+use crate::bucket::bucket;
+use crate::ids::narrow;
+use crate::scalar::{Scalar, Scale};
 
 /// The points in sweep order, duplicates included.
 #[derive(Debug)]
-pub(crate) struct Order {
-    /// Their doubles, with room for the two artificial points.
-    pub(crate) near: Vec<[f64; 2]>,
+pub(super) struct Order {
+    /// Their approximated coordinates, with room for the two artificial points.
+    pub(super) approx: Vec<[f64; 2]>,
     /// Their input indices; of equal points the lowest comes first.
-    pub(crate) input: Vec<u32>,
+    pub(super) input: Vec<u32>,
 }
 
-/// A point and its doubles.
-pub(crate) type Site = ([f64; 2], u32);
+/// A point: its approximated coordinates and its input index.
+pub(super) type Site = ([f64; 2], u32);
 
 /// A point with its coarse key.
 #[derive(Clone, Copy, Default)]
@@ -33,18 +34,18 @@ struct Keyed {
     input: u32,
 }
 
-/// Sorts the points; `near` gives the doubles of the one with an input index.
-pub(crate) fn sort<S: Scalar>(
+/// Sorts the points; `approx` gives the approximated coordinates of the one with an input index.
+pub(super) fn sort<S: Scalar>(
     points: &[[S; 2]],
-    near: impl Fn(u32) -> [f64; 2],
+    approx: impl Fn(u32) -> [f64; 2],
     scale: Scale,
 ) -> Order {
-    let keyed = sort_by_key(points.len(), &near);
-    // A loop of nothing but reads all over the memory, which can overlap.
+    let keyed = sort_by_key(points.len(), &approx);
+    // Gather in a loop of its own: independent cache misses overlap.
     let mut sorted = Vec::with_capacity(points.len() + 2);
-    sorted.extend(keyed.iter().map(|item| near(item.input)));
+    sorted.extend(keyed.iter().map(|item| approx(item.input)));
     let mut order = Order {
-        near: sorted,
+        approx: sorted,
         input: keyed.iter().map(|item| item.input).collect(),
     };
 
@@ -53,12 +54,13 @@ pub(crate) fn sort<S: Scalar>(
     for run in keyed.chunk_by(|a, b| a.key == b.key) {
         let to = from + run.len();
         if run.len() > 1 {
-            let (near, input) = (&mut order.near[from..to], &mut order.input[from..to]);
+            let approx = &mut order.approx[from..to];
+            let input = &mut order.input[from..to];
             sites.clear();
-            sites.extend(near.iter().copied().zip(input.iter().copied()));
+            sites.extend(approx.iter().copied().zip(input.iter().copied()));
             sites.sort_unstable_by(|a, b| compare(points, scale, a, b).then_with(|| a.1.cmp(&b.1)));
-            for ((near, input), site) in near.iter_mut().zip(input).zip(&sites) {
-                (*near, *input) = *site;
+            for ((approx, input), site) in approx.iter_mut().zip(input).zip(&sites) {
+                (*approx, *input) = *site;
             }
         }
         from = to;
@@ -67,7 +69,7 @@ pub(crate) fn sort<S: Scalar>(
 }
 
 /// Exact sweep order of two sites.
-pub(crate) fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Ordering {
+pub(super) fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Ordering {
     let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
         Some(order) if order.is_ne() || scale.is_exact() => order,
         _ => points[a.1 as usize][i].compare(&points[b.1 as usize][i]),
@@ -75,36 +77,24 @@ pub(crate) fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &
     axis(1).then_with(|| axis(0))
 }
 
-/// The number of the interval that `x`, counted in intervals, falls in: the last one of `count` if it
-/// lies beyond, the first one if it is negative or no number.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "the cast saturates, as wanted"
-)]
-#[inline(always)]
-pub(crate) fn interval(x: f64, count: usize) -> usize {
-    (x as usize).min(count - 1)
-}
-
 /// The points by a coarse key that never decreases with y.
 ///
 /// There are two to eight keys a point, so that runs of equal keys are short where y is spread; two
 /// counting passes of half the key's bits each.
-fn sort_by_key(points: usize, near: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
+fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
     let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
     let keys = 1_usize << (2 * half);
-    let indices = 0..index(points);
-    let (low, high) = indices.clone().map(|input| near(input)[1]).fold(
+    let indices = 0..narrow(points);
+    let (low, high) = indices.clone().map(|input| approx(input)[1]).fold(
         (f64::INFINITY, f64::NEG_INFINITY),
         |(low, high): (f64, f64), y| (y.min(low), y.max(high)),
     );
-    // Neither differences nor products nor the interval decrease where y grows.
+    // Neither differences nor products nor the bucket decrease where y grows.
     let factor = keys as f64 / (high - low);
-    let key = |y: f64| index(interval((y - low) * factor, keys));
+    let key = |y: f64| narrow(bucket((y - low) * factor, keys));
     let mut keyed: Vec<Keyed> = indices
         .map(|input| Keyed {
-            key: key(near(input)[1]),
+            key: key(approx(input)[1]),
             input,
         })
         .collect();

@@ -6,6 +6,15 @@
 //! segment, along the front, and back in, until it meets a vertex: its lower end or one that lies on
 //! it. That is one *part* of the edge; the next one starts at that vertex.
 //!
+//! ```text
+//!              upper end                 A mixed edge event (figure 14): the edge pierces triangles
+//!             /|\                        down to a, leaves them across the front segment a-b,
+//!            / | \      b . . . pocket   follows the front below it from b to c, and pierces
+//!           /__|__\    /  ` . . . . d    triangles again from the segment c-d on. The front
+//!          a . . . `. /        ` . /     between a and d is a pocket, to be filled first.
+//!                    b           c
+//! ```
+//!
 //! Why it is right: every step is decided by the exact side of one vertex. The front is x-monotone and
 //! the lower end lies on it or under it, so a walk below the edge comes to a vertex on or above it.
 //! Artificial triangles lie outside the convex hull and are never pierced. A fixed edge in the way
@@ -18,81 +27,54 @@
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
-use super::Sweep;
-use crate::Scalar;
-use crate::front::FrontSearch;
-use crate::mesh::{Link, TriangleId, VertexId, next, prev};
+use super::obstacles::{Crossed, Part};
+use super::state::Sweep;
+use crate::front::{FrontSearch, Way};
+use crate::ids::{OpenId, VertexId};
+use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::scalar::Scalar;
 use crate::trace::Event;
 
-/// A triangle at one of its corners.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Spoke {
-    pub(super) triangle: TriangleId,
-    pub(super) corner: u32,
-}
-
-/// What one part of an edge runs into.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Part {
-    /// The vertex where it ends.
-    pub(super) end: VertexId,
-    /// A triangle at the vertex where it starts.
-    pub(super) start: Spoke,
-    /// A triangle at the vertex where it ends.
-    pub(super) onward: Spoke,
-    /// The side that the part is, if it is there already; else triangles are pierced.
-    pub(super) present: Option<Link>,
-}
-
-/// Both vertices of a fixed side that the edge would cross.
-pub(super) type Crossed = [VertexId; 2];
-
-/// A vertex beside the edge, and the pierced triangle's side from it to the next one.
-pub(super) type Border = (VertexId, Link);
-
-/// What the last part met.
-#[derive(Debug, Default)]
-pub(super) struct Traversal {
-    pub(super) pierced: Vec<TriangleId>,
-    /// The borders of the upper and lower pseudo-polygons, without the end of the part.
-    pub(super) left: Vec<Border>,
-    pub(super) right: Vec<Border>,
-    /// The nodes between which the front runs below the edge, left one first; of all parts.
-    pub(super) pockets: Vec<[VertexId; 2]>,
+/// How an edge leaves a vertex.
+enum Departure {
+    /// Along a side that is there already.
+    Along(Part),
+    /// Into a triangle, across this side of it, opposite the vertex.
+    Into(Side),
+    /// Above the front.
+    Above,
 }
 
 /// Where a part is on its way.
 enum Place {
-    /// Entering a triangle across a side.
-    Side(Link),
+    /// Entering a triangle across this side of it.
+    Side(Side),
     /// Above the front, out across the segment between these nodes or away from the one twice named.
     Front([VertexId; 2]),
-    /// At the vertex that ends it.
-    End(VertexId, Spoke),
+    /// At the vertex that ends it; a side opposite to that.
+    End(VertexId, Side),
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Follows the edge from vertex `from` towards `to`, which is lower, to the next vertex on it.
-    /// `around` is any triangle at `from`.
+    /// `around` is a side opposite `from`, of any triangle there.
     pub(super) fn traverse(
         &mut self,
         from: VertexId,
         to: VertexId,
-        around: Spoke,
+        around: Side,
     ) -> Result<Part, Crossed> {
-        self.traversal.pierced.clear();
-        self.traversal.left.clear();
-        self.traversal.right.clear();
-        let (start, mut place) = match self.first_triangle_pierced(from, to, around) {
+        self.obstacles.begin_part();
+        let (start, mut place) = match self.depart(from, to, around) {
             Departure::Along(part) => return Ok(part),
-            Departure::Into(spoke) => (spoke, self.enter(from, spoke)?),
+            Departure::Into(side) => (side, self.enter(side)?),
             Departure::Above => (around, Place::Front([from, from])),
         };
         loop {
             place = match place {
-                Place::Side(link) => self.pass_triangle(from, to, link)?,
-                Place::Front(ends) => self.pass_front(from, to, ends)?,
+                Place::Side(side) => self.pass_triangle([from, to], side)?,
+                Place::Front(ends) => self.pass_front([from, to], ends)?,
                 Place::End(end, onward) => {
                     return Ok(Part {
                         end,
@@ -105,214 +87,144 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
     }
 
-    /// The leftmost triangle at `v`, which is on the front.
-    pub(super) fn leftmost(&self, v: VertexId) -> Spoke {
-        let link = self.mesh.open(self.front.prev(v));
-        Spoke {
-            triangle: link.triangle(),
-            corner: next(link.corner()),
-        }
+    /// The side opposite `v`, which is on the front, of the leftmost triangle there.
+    pub(super) fn leftmost(&self, v: VertexId) -> Side {
+        let segment = OpenId::segment(self.front.prev(v));
+        self.fabric.mesh.below(segment).next()
     }
 
     /// Turns counter-clockwise around `from` to where the edge leaves (figure 11).
-    fn first_triangle_pierced(&mut self, from: VertexId, to: VertexId, around: Spoke) -> Departure {
-        let mut spoke = around;
-        let mut a_side = None;
+    fn depart(&mut self, from: VertexId, to: VertexId, around: Side) -> Departure {
+        let mut at = around;
+        // On which side of the edge the first vertex of the triangle is, known from the one before.
+        let mut known = None;
         loop {
-            let Spoke { triangle, corner } = spoke;
-            let record = *self.mesh.get(triangle);
-            let (a, b) = (record.vertex(next(corner)), record.vertex(prev(corner)));
-            let side = match a_side {
-                Some(side) => side,
-                None => self.predicates.side(from, to, a),
-            };
-            // A vertex on the line is ahead if it is lower, as the edge's end is.
-            if side == Equal && a < from {
-                let present = Some(Link::new(triangle, prev(corner)));
-                let onward = Spoke {
-                    triangle,
-                    corner: next(corner),
+            let [_, a, b] = self.fabric.mesh.around(at);
+            let mut sides = [Equal; 2];
+            // Sides from `from` to `a` and to `b`, and those opposite `a` and `b`.
+            let spokes = [(a, at.prev(), at.next()), (b, at.next(), at.prev())];
+            for (i, (v, spoke, onward)) in spokes.into_iter().enumerate() {
+                sides[i] = match known.take() {
+                    Some(side) => side,
+                    None => self.fabric.side([from, to], v),
                 };
-                return Departure::Along(Part {
-                    end: a,
-                    start: spoke,
-                    onward,
-                    present,
-                });
+                // A vertex on the line is ahead if it is lower, as the edge's end is.
+                if sides[i] == Equal && v < from {
+                    return Departure::Along(Part {
+                        end: v,
+                        start: at,
+                        onward,
+                        present: Some(spoke),
+                    });
+                }
             }
-            let b_side = self.predicates.side(from, to, b);
-            if side == Less && b_side == Greater {
-                return Departure::Into(spoke);
+            if sides == [Less, Greater] {
+                return Departure::Into(at);
             }
-            if b_side == Equal && b < from {
-                let present = Some(Link::new(triangle, next(corner)));
-                let onward = Spoke {
-                    triangle,
-                    corner: prev(corner),
-                };
-                return Departure::Along(Part {
-                    end: b,
-                    start: spoke,
-                    onward,
-                    present,
-                });
-            }
-            let link = record.link(next(corner));
-            (spoke, a_side) = if link.is_open() {
+            let across = self.fabric.mesh.across(at.next());
+            (at, known) = if across.is_open() {
                 (self.leftmost(from), None)
             } else {
-                (
-                    Spoke {
-                        triangle: link.triangle(),
-                        corner: next(link.corner()),
-                    },
-                    Some(b_side),
-                )
+                (across.next(), Some(sides[1]))
             };
-            if spoke == around {
+            if at == around {
                 return Departure::Above;
             }
         }
     }
 
-    /// Pierces the first triangle, which `spoke` names at vertex `from`.
-    fn enter(&mut self, from: VertexId, spoke: Spoke) -> Result<Place, Crossed> {
-        let Spoke {
-            triangle: t,
-            corner,
-        } = spoke;
-        let (right, left) = (next(corner), prev(corner));
-        self.traversal.pierced.push(t);
-        self.traversal.right.push((from, Link::new(t, left)));
-        self.traversal.left.push((from, Link::new(t, right)));
-        let record = self.mesh.get(t);
-        let ends = [record.vertex(right), record.vertex(left)];
-        self.traversal.right.push((ends[0], Link::OUTSIDE));
-        self.traversal.left.push((ends[1], Link::OUTSIDE));
-        self.leave(t, corner)
+    /// Pierces the first triangle; `side` is the one opposite the vertex where the part starts.
+    fn enter(&mut self, side: Side) -> Result<Place, Crossed> {
+        self.obstacles.pierced.push(side.triangle());
+        self.obstacles.right.push(side.prev());
+        self.obstacles.left.push(side.next());
+        self.leave(side)
     }
 
-    /// Leaves triangle `t` across the side opposite `corner`.
-    fn leave(&mut self, t: TriangleId, corner: u32) -> Result<Place, Crossed> {
-        let record = self.mesh.get(t);
-        let link = record.link(corner);
-        if link.is_fixed() {
-            return Err([record.vertex(next(corner)), record.vertex(prev(corner))]);
+    /// Leaves a triangle across one of its sides.
+    fn leave(&mut self, side: Side) -> Result<Place, Crossed> {
+        let across = self.fabric.mesh.across(side);
+        if across.is_fixed() {
+            let [_, a, b] = self.fabric.mesh.around(side);
+            Err([a, b])
+        } else if across.is_open() {
+            let left = across.open_id().left_end();
+            Ok(Place::Front([left, self.front.next(left)]))
+        } else {
+            Ok(Place::Side(across))
         }
-        if !link.is_open() {
-            return Ok(Place::Side(link));
-        }
-        Ok(Place::Front([
-            link.number(),
-            self.front.next(link.number()),
-        ]))
     }
 
-    /// Passes one triangle, entered across the side that `link` leads to.
-    fn pass_triangle(
-        &mut self,
-        from: VertexId,
-        to: VertexId,
-        link: Link,
-    ) -> Result<Place, Crossed> {
-        let (t, corner) = (link.triangle(), link.corner());
-        let v = self.mesh.get(t).vertex(corner);
-        let (left, right) = (next(corner), prev(corner));
-        let traversal = &mut self.traversal;
-        traversal.pierced.push(t);
-        let side = self.predicates.side(from, to, v);
-        if side != Less
-            && let Some(border) = traversal.left.last_mut()
-        {
-            border.1 = Link::new(t, right);
+    /// Passes one triangle, entered across its side `entry`.
+    fn pass_triangle(&mut self, part: [VertexId; 2], entry: Side) -> Result<Place, Crossed> {
+        let v = self.fabric.mesh.opposite(entry);
+        let side = self.fabric.side(part, v);
+        // The side beyond `v` is a border of the left or right pseudo-polygon; at the end of the part
+        // there is one on either side.
+        self.obstacles.pierced.push(entry.triangle());
+        if side != Less {
+            self.obstacles.left.push(entry.prev());
         }
-        if side != Greater
-            && let Some(border) = traversal.right.last_mut()
-        {
-            border.1 = Link::new(t, left);
+        if side != Greater {
+            self.obstacles.right.push(entry.next());
         }
         match side {
-            Equal => Ok(Place::End(
-                v,
-                Spoke {
-                    triangle: t,
-                    corner,
-                },
-            )),
-            Greater => {
-                traversal.left.push((v, Link::OUTSIDE));
-                self.leave(t, left)
-            }
-            Less => {
-                traversal.right.push((v, Link::OUTSIDE));
-                self.leave(t, right)
-            }
+            Equal => Ok(Place::End(v, entry)),
+            Greater => self.leave(entry.next()),
+            Less => self.leave(entry.prev()),
         }
     }
 
     /// Follows the front below the edge, from where the edge left it to where it meets it again.
     fn pass_front(
         &mut self,
-        from: VertexId,
-        to: VertexId,
-        [left, right]: [VertexId; 2],
+        part: [VertexId; 2],
+        segment: [VertexId; 2],
     ) -> Result<Place, Crossed> {
-        self.tell(|name| Event::Switch {
+        self.fabric.report(|name| Event::Switch {
             to_front: true,
-            segment: [left, right].map(name),
+            segment: segment.map(name),
         });
         // Of a segment's ends the first one on the way lies above the edge, the other one below.
-        let is_rightward = self.predicates.compare_x(from, to) == Less;
-        let below = if is_rightward { Less } else { Greater };
-        let node = if is_rightward { left } else { right };
-        let mut last;
-        let mut at = if is_rightward {
-            self.front.next(node)
-        } else {
-            self.front.prev(node)
+        let [left, right] = segment;
+        let (way, node, below) = match self.fabric.signs.compare_x(part[0], part[1]) {
+            Less => (Way::Right, left, Less),
+            _ => (Way::Left, right, Greater),
         };
+        let in_order = |first, second| match way {
+            Way::Right => [first, second],
+            Way::Left => [second, first],
+        };
+        let mut last;
+        let mut at = self.front.beside(node, way);
         let side = loop {
             last = at;
-            at = if is_rightward {
-                self.front.next(at)
-            } else {
-                self.front.prev(at)
-            };
+            at = self.front.beside(at, way);
             assert!(
-                !self.predicates.is_artificial(at),
+                !self.fabric.signs.is_artificial(at),
                 "the front passes over the lower end"
             );
-            let side = self.predicates.side(from, to, at);
+            let side = self.fabric.side(part, at);
             if side != below {
                 break side;
             }
         };
-        self.traversal
-            .pockets
-            .push(if is_rightward { [node, at] } else { [at, node] });
+        self.obstacles.pockets.push(in_order(node, at));
         if side == Equal {
             return Ok(Place::End(at, self.leftmost(at)));
         }
-        let crossed = if is_rightward { [last, at] } else { [at, last] };
-        self.tell(|name| Event::Switch {
+
+        // The front rises above the edge: back into the triangles across this segment.
+        let crossed = in_order(last, at);
+        self.fabric.report(|name| Event::Switch {
             to_front: false,
             segment: crossed.map(name),
         });
-        let link = self.mesh.open(crossed[0]);
-        if link.is_fixed() {
+        let entry = self.fabric.mesh.below(OpenId::segment(crossed[0]));
+        if entry.is_fixed() {
             Err([last, at])
         } else {
-            Ok(Place::Side(link))
+            Ok(Place::Side(entry))
         }
     }
-}
-
-/// How an edge leaves a vertex.
-enum Departure {
-    /// Along a side that is there already.
-    Along(Part),
-    /// Into the triangle named at the vertex.
-    Into(Spoke),
-    /// Above the front.
-    Above,
 }

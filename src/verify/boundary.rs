@@ -10,7 +10,7 @@ use super::findings::Findings;
 use super::input::Mesh;
 use super::report::Violation;
 use super::signs::Tally;
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// Checks that the open sides are one convex chain that winds once. There are triangles, all turn left, and
 /// none has a side in common with another on the same side of it; so some sides are open: across a side

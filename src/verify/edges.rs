@@ -10,7 +10,7 @@ use super::input::Mesh;
 use super::report::Violation;
 use super::sides::{Sides, range};
 use super::signs::Tally;
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// Checks the edges, given by number and the ranks of their ends, and marks their sides as fixed;
 /// returns how many sides that are.

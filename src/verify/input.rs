@@ -8,7 +8,7 @@ use super::points;
 use super::report::Violation;
 use super::sides::NONE;
 use super::signs::{Signs, Tally};
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// The triangulation by rank.
 #[derive(Debug)]

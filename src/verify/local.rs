@@ -15,7 +15,7 @@ use super::input::Mesh;
 use super::report::Violation;
 use super::sides::{FIXED, NONE};
 use super::signs::Tally;
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// Triangles in a chunk.
 const CHUNK: usize = 1 << 14;

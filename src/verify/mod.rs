@@ -55,7 +55,7 @@ mod signs;
 
 use std::cmp::Ordering;
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 use findings::Findings;
 use input::{Input, Mesh};
 use local::{Pass, Run};
@@ -76,16 +76,16 @@ use signs::Tally;
 ///
 /// ```
 /// let points = [[0.0, 0.0], [4.0, 0.0], [5.0, 3.0], [0.0, 3.0]];
-/// let report = sweep_cdt::verify(&points, &[], &[[0, 1, 3], [1, 2, 3]])?;
+/// let report = sweep_cdt::verify::verify(&points, &[], &[[0, 1, 3], [1, 2, 3]])?;
 /// assert_eq!((report.boundary_sides, report.free_sides), (4, 1));
 ///
-/// let wrong = sweep_cdt::verify(&points, &[], &[[0, 1, 2], [0, 2, 3]]).unwrap_err();
+/// let wrong = sweep_cdt::verify::verify(&points, &[], &[[0, 1, 2], [0, 2, 3]]).unwrap_err();
 /// assert_eq!(wrong.list[0].to_string(), "side 0-2 of triangles 1 and 0 is not Delaunay: \
 ///     the circle of one holds vertex 3 or 1 of the other");
 ///
 /// // With the edge 0-2 given, it is right.
-/// assert!(sweep_cdt::verify(&points, &[[0, 2]], &[[0, 1, 2], [0, 2, 3]]).is_ok());
-/// # Ok::<(), sweep_cdt::Violations>(())
+/// assert!(sweep_cdt::verify::verify(&points, &[[0, 2]], &[[0, 1, 2], [0, 2, 3]]).is_ok());
+/// # Ok::<(), sweep_cdt::verify::Violations>(())
 /// ```
 pub fn verify<S: Scalar>(
     points: &[[S; 2]],
@@ -98,13 +98,13 @@ pub fn verify<S: Scalar>(
 /// The verifier with options.
 ///
 /// ```
-/// use sweep_cdt::Verifier;
+/// use sweep_cdt::verify::Verifier;
 ///
 /// let points = [[0.0, 0.0], [3.0, 0.0], [0.0, 3.0], [1.0, 1.0]];
 /// let clockwise = [[0, 3, 1], [1, 3, 2], [2, 3, 0]];
 /// let verifier = Verifier::new().accept_clockwise(true);
 /// assert!(verifier.verify_parallel(&points, &[], &clockwise)?.clockwise);
-/// # Ok::<(), sweep_cdt::Violations>(())
+/// # Ok::<(), sweep_cdt::verify::Violations>(())
 /// ```
 #[derive(Clone, Copy)]
 pub struct Verifier<'a> {

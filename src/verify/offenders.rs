@@ -18,7 +18,7 @@ impl Violation {
     /// What it names.
     ///
     /// ```
-    /// use sweep_cdt::Violation;
+    /// use sweep_cdt::verify::Violation;
     ///
     /// let violation = Violation::MissingEdge { edge: 7, after: 2 };
     /// let offenders = violation.offenders();
@@ -43,7 +43,7 @@ impl Violation {
     /// The same violation with other numbers for vertices, edges and triangles.
     ///
     /// ```
-    /// use sweep_cdt::Violation;
+    /// use sweep_cdt::verify::Violation;
     ///
     /// let violation = Violation::MissingEdge { edge: 7, after: 2 };
     /// let from_1 = violation.renumbered(|v| v + 1, |e| e + 1, |t| t + 1);

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// For each point the lowest index of a point equal to it; `None` if all differ. Points that are not
 /// `usable` are left alone.

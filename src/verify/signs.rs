@@ -6,7 +6,7 @@
 use std::cmp::Ordering;
 use std::ops::AddAssign;
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 use crate::scalar::filter;
 
 /// Points by rank.

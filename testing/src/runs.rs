@@ -8,9 +8,9 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, ToPrimitive};
-use sweep_cdt::{
-    Error, FrontSearch, HashTable, Heuristics, Linear, Scalar, SkipList, Triangulator,
-};
+use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Error, Heuristics, Triangulator};
 
 use crate::Input;
 use crate::oracle::{Answer, Verdict, found};
@@ -76,10 +76,13 @@ pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
     runs
 }
 
-fn call<S: Sample, F: FrontSearch>(input: &Input, heuristics: Heuristics) -> Option<Outcome> {
+fn call<S: Sample, F: FrontSearch + Clone + Default>(
+    input: &Input,
+    heuristics: Heuristics,
+) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
     let result = Triangulator::new()
-        .front::<F>()
+        .front(F::default())
         .heuristics(heuristics)
         .triangulate(&points, &input.edges);
     Some(result.map(|result| found(&result, points.len(), input.edges.len())))

@@ -1,7 +1,9 @@
 //! A run with every step of it, and whether another run takes the same steps.
 
+use sweep_cdt::front::FrontSearch;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Trace;
-use sweep_cdt::{Error, FrontSearch, Heuristics, Scalar, Triangulation, Triangulator};
+use sweep_cdt::{Error, Heuristics, Triangulation, Triangulator};
 
 /// What a run tells and what it gives.
 #[derive(Clone, Debug)]
@@ -15,16 +17,17 @@ pub struct Steps {
 
 impl Steps {
     /// Those of this input in these numbers.
-    pub fn of<S: Scalar, F: FrontSearch>(
+    pub fn of<S: Scalar, F: FrontSearch + Clone + Default>(
         points: &[[S; 2]],
         edges: &[[usize; 2]],
         heuristics: Heuristics,
     ) -> Steps {
         let mut trace = Trace::default();
         let result = Triangulator::new()
-            .front::<F>()
+            .front(F::default())
             .heuristics(heuristics)
-            .triangulate_observed(points, edges, |event| trace.events.push(event));
+            .triangulate_observed(points, edges, |event| trace.events.push(event))
+            .map(|run| run.triangulation);
         Steps {
             heuristics,
             trace,
@@ -34,7 +37,7 @@ impl Steps {
 
     /// Panics unless the same input in other numbers or with another front takes the same steps to the
     /// same end; `name` says which.
-    pub fn assert_same<S: Scalar, F: FrontSearch>(
+    pub fn assert_same<S: Scalar, F: FrontSearch + Clone + Default>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
@@ -42,11 +45,12 @@ impl Steps {
     ) {
         let mut expected = self.trace.events.iter();
         let result = Triangulator::new()
-            .front::<F>()
+            .front(F::default())
             .heuristics(self.heuristics)
             .triangulate_observed(points, edges, |event| {
                 assert_eq!(Some(&event), expected.next(), "{name}: a step (left)");
-            });
+            })
+            .map(|run| run.triangulation);
         assert_eq!(expected.next(), None, "{name}: the step after the last one");
         match (&result, &self.result) {
             (Ok(here), Ok(there)) => assert!(

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use sweep_cdt::Verifier;
 use sweep_cdt::formats::{
     Graph, Input, InputFormat, ResultFormat, Source, read, read_result, write_violations_svg,
 };
+use sweep_cdt::verify::Verifier;
 use sweep_cdt_testing::Random;
 
 use crate::FORMATS;

@@ -4,7 +4,9 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::{Error, Scalar, Triangulation, Violation, triangulate, verify};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::{Violation, verify};
+use sweep_cdt::{Error, Triangulation, triangulate};
 
 use sweep_cdt_testing::oracle::{exact_verdict, found};
 

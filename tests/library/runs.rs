@@ -24,7 +24,7 @@ mod gmp {
     use std::cmp::Ordering;
 
     use rug::Rational;
-    use sweep_cdt::Scalar;
+    use sweep_cdt::scalar::Scalar;
     use sweep_cdt_testing::runs::Sample;
 
     /// A `rug::Rational`, as a type of its own that can be a [`Sample`].

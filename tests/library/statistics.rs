@@ -1,8 +1,10 @@
 //! What a run tells of itself: numbers, times, memory, progress, and how good its front structure was.
 
+use std::cell::RefCell;
 use std::time::{Duration, Instant};
 
-use sweep_cdt::{Domain, FrontSearch, Linear, SkipList, Triangulator};
+use sweep_cdt::Triangulator;
+use sweep_cdt::front::{Domain, FrontSearch, Linear, SkipList};
 
 use sweep_cdt_testing::Random;
 
@@ -20,7 +22,8 @@ fn numbers_and_times() {
     let start = Instant::now();
     let run = Triangulator::new().triangulate_with_stats(&points, &edges);
     let elapsed = start.elapsed();
-    let (result, stats) = run.expect("no edges cross");
+    let run = run.expect("no edges cross");
+    let (result, stats) = (run.triangulation, run.stats);
     assert_eq!((stats.points, stats.edges, stats.duplicates), (5001, 2, 1));
     assert_eq!(
         (stats.triangles, stats.hull),
@@ -31,10 +34,10 @@ fn numbers_and_times() {
     assert!(times.iter().sum::<Duration>() <= elapsed, "{times:?}");
 }
 
-/// The bytes that a run tells, and those that arrays of the expected sizes have.
+/// The bytes that a run reports, and those that arrays of the expected sizes have.
 fn memory(points: &[[f64; 2]], edges: &[[usize; 2]]) -> [usize; 2] {
     let run = Triangulator::new().triangulate_with_stats(points, edges);
-    let (_, stats) = run.expect("no edges cross");
+    let stats = run.expect("no edges cross").stats;
     let n = points.len();
     // Two artificial vertices and their triangles; 32 bytes a triangle, 4 an open side, 8 a node.
     let mesh = 32 * (2 * n + 2) + 4 * (n + 2);
@@ -61,24 +64,27 @@ fn memory_for_edges_that_pierce_all_triangles() {
 
 #[test]
 fn progress_every_few_thousand_points() {
-    let mut seen = Vec::new();
-    let mut progress = |swept, all| seen.push((swept, all));
-    let triangulator = Triangulator::new().progress(&mut progress);
+    let seen = RefCell::new(Vec::new());
+    let progress = |swept, all| seen.borrow_mut().push((swept, all));
+    let triangulator = Triangulator::new().progress(&progress);
     let result = triangulator.triangulate(&raster(10_000), &[]);
     assert!(result.is_ok());
-    assert_eq!(seen, [0, 4096, 8192].map(|swept| (swept, 10_000)));
+    assert_eq!(
+        seen.into_inner(),
+        [0, 4096, 8192].map(|swept| (swept, 10_000))
+    );
 }
 
 /// How many steps of the walk a structure left, a point.
-fn steps<F: FrontSearch>(points: &[[f64; 2]]) -> f64 {
+fn steps<F: FrontSearch + Clone + Default>(points: &[[f64; 2]]) -> f64 {
     let run = Triangulator::new()
-        .front::<F>()
+        .front(F::default())
         .triangulate_with_stats(points, &[]);
-    let (_, stats) = run.expect("no edges cross");
+    let stats = run.expect("no edges cross").stats;
     stats.counters.front_steps as f64 / points.len() as f64
 }
 
-/// Points by chance in a square, x to some odd power: the higher, the more crowd around zero.
+/// Random points in a square, x to some odd power: the higher, the more crowd around zero.
 fn skewed(power: i32) -> Vec<[f64; 2]> {
     let mut random = Random::new(1);
     let mut at = || [random.integer(1 << 20).powi(power), random.integer(1 << 20)];

@@ -21,7 +21,7 @@ fn check(name: &str, points: &[[f64; 2]], edges: &[[usize; 2]]) {
     for (setting, heuristics) in [("fast", Heuristics::FAST), ("paper", Heuristics::PAPER)] {
         let triangulator = Triangulator::new().heuristics(heuristics);
         let run = triangulator.triangulate_with_stats(points, edges);
-        let (_, stats) = run.expect("a valid input");
+        let stats = run.expect("a valid input").stats;
         text += &format!("\n{setting} heuristics\n");
         // All counters, whatever there will be: `name: number,` in the middle of the debug format.
         for line in format!("{:#?}", stats.counters).lines() {

@@ -1,7 +1,8 @@
 //! Answers of other crates to chosen inputs: which are right, and which are known to be wrong.
 
 use num_rational::BigRational;
-use sweep_cdt::{Verifier, Violation, triangulate, verify};
+use sweep_cdt::triangulate;
+use sweep_cdt::verify::{Verifier, Violation, verify};
 
 use sweep_cdt_testing::peers::{cdt, delaunator, spade};
 

@@ -14,7 +14,8 @@ use std::process::{Command, Stdio};
 use std::thread::{self, sleep};
 use std::time::{Duration, Instant};
 
-use sweep_cdt::{Triangulation, Verifier, triangulate};
+use sweep_cdt::verify::Verifier;
+use sweep_cdt::{Triangulation, triangulate};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::peers::{Answer, PROGRAMS};

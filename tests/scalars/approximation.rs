@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
-use sweep_cdt::Scalar;
+use sweep_cdt::scalar::Scalar;
 
 use super::reference::*;
 

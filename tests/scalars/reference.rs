@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
-use sweep_cdt::Scalar;
+use sweep_cdt::scalar::Scalar;
 pub(crate) use sweep_cdt_testing::Random;
 
 /// A random number from -1 up to, but not, 1.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Mutex;
 
-use sweep_cdt::{Report, Verifier, Violations};
+use sweep_cdt::verify::{Report, Verifier, Violations};
 
 /// How many points a side of the raster has.
 const SIDE: usize = 200;

@@ -3,7 +3,8 @@
 use std::cell::Cell;
 use std::cmp::Ordering;
 
-use sweep_cdt::{Scalar, verify};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::verify;
 
 use sweep_cdt_testing::Random;
 

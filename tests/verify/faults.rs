@@ -1,7 +1,7 @@
 //! A table of faults: each class is reported as that class.
 
 use num_rational::BigRational;
-use sweep_cdt::{Verifier, verify};
+use sweep_cdt::verify::{Verifier, verify};
 
 use super::case::*;
 

@@ -1,6 +1,6 @@
 //! What is reported of right and wrong triangulations.
 
-use sweep_cdt::{Verifier, Violation, verify};
+use sweep_cdt::verify::{Verifier, Violation, verify};
 
 use super::case::*;
 use super::domains;

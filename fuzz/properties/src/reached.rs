@@ -78,13 +78,14 @@ impl Run {
         let mut events = Vec::new();
         let result = Triangulator::new()
             .heuristics(Heuristics::PAPER)
-            .triangulate_observed(points, edges, |event| events.push(event));
+            .triangulate_observed(points, edges, |event| events.push(event))
+            .map(|run| run.triangulation);
         let counted = Triangulator::new().triangulate_with_stats(points, edges);
         Run {
             edges: edges.len(),
             events,
             result,
-            counters: counted.map_or_else(|_| Counters::default(), |(_, stats)| stats.counters),
+            counters: counted.map_or_else(|_| Counters::default(), |run| run.stats.counters),
         }
     }
 

@@ -125,7 +125,10 @@ pub(crate) fn write<S: Coordinate>(
         program: env!("CARGO_PKG_NAME"),
         version: env!("CARGO_PKG_VERSION"),
         verdict: if answer.is_ok() { "correct" } else { "wrong" },
-        canonical: answer.as_ref().ok().map(sweep_cdt::Report::is_canonical),
+        canonical: answer
+            .as_ref()
+            .ok()
+            .map(sweep_cdt::verify::Report::is_canonical),
         input: subject.input,
         result: subject.result,
         scalar: subject.scalar,

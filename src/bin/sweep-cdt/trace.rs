@@ -5,8 +5,8 @@ use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
-use sweep_cdt::Scalar;
 use sweep_cdt::formats::{Coordinate, Graph, write_page, write_sheet};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 
 use crate::shared::arithmetic::{Job, ScalarArgs};

@@ -3,8 +3,10 @@
 use std::fmt::Display;
 use std::io::{self, Write};
 
+use sweep_cdt::Triangulation;
 use sweep_cdt::formats::{Coordinate, Graph};
-use sweep_cdt::{Scalar, Triangulation, Verifier};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::Verifier;
 
 use crate::shared::arithmetic::{Job, ScalarArgs};
 use crate::shared::failure::Failure;

@@ -4,7 +4,8 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use sweep_cdt::formats::{Coordinate, Graph, read_result, write_violations_svg};
-use sweep_cdt::{Scalar, Verifier};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::Verifier;
 
 use crate::certificate::{self, Fingerprint, Subject};
 use crate::shared::arithmetic::{Job, ScalarArgs};

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// For each of `points` the lowest position in `among` of an equal one.
 ///

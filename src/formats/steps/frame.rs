@@ -1,6 +1,6 @@
 //! Where points lie in the picture: the longer side of their bounding box is one.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// The points' places, y upwards, from the lower left corner of their bounding box.
 pub(super) struct Frame {

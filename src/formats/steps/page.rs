@@ -11,8 +11,8 @@ use super::frame::Frame;
 use super::positions;
 use super::scene::Scene;
 use super::story::{heading, sentence};
-use crate::Scalar;
 use crate::formats::Graph;
+use crate::scalar::Scalar;
 use crate::trace::Event;
 
 /// How many steps a page holds at most; it says so if the trace has more.

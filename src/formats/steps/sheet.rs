@@ -8,8 +8,8 @@ use super::panel::Panel;
 use super::positions;
 use super::scene::Scene;
 use super::story::{heading, sentence};
-use crate::Scalar;
 use crate::formats::Graph;
+use crate::scalar::Scalar;
 use crate::trace::Event;
 
 /// How many steps a contact sheet shows at most; it says so if it was to show more.

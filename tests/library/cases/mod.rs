@@ -58,7 +58,7 @@ fn the_papers_situations_occur() {
         let Input { points, edges } = input(name);
         let triangulator = Triangulator::new().heuristics(heuristics);
         let result = triangulator.triangulate_with_stats(&points, &edges);
-        result.expect("a valid case").1.counters
+        result.expect("a valid case").stats.counters
     };
     let paper = |name| with(Heuristics::PAPER, name);
     assert_eq!(paper("figure 7: middle case").left_cases, 0);
@@ -138,12 +138,12 @@ fn crossing_edges_are_named() {
 fn a_raster_needs_no_flip() {
     let points: Vec<[i32; 2]> = (0..100).map(|i| [i % 10, i / 10]).collect();
     for heuristics in [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF] {
-        let (result, stats) = Triangulator::new()
+        let run = Triangulator::new()
             .heuristics(heuristics)
             .triangulate_with_stats(&points, &[])
             .unwrap();
         assert_eq!(
-            (result.len(), stats.counters.flips),
+            (run.triangulation.len(), run.stats.counters.flips),
             (162, 0),
             "{heuristics:?}"
         );
@@ -172,8 +172,7 @@ fn long_convex_chains_take_few_flips() {
             let run = Triangulator::new()
                 .heuristics(heuristics)
                 .triangulate_with_stats(points, &edges);
-            let (_, stats) = run.expect("no edges cross");
-            let flips = stats.counters.flips;
+            let flips = run.expect("no edges cross").stats.counters.flips;
             assert!(
                 flips < 4 * points.len() as u64,
                 "{flips} flips for {} points",

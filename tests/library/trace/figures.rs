@@ -108,7 +108,10 @@ fn check(name: &str, input: &Input, heuristics: Heuristics, lines: &[&str]) {
     match result {
         Ok(result) => {
             let trace = Trace { skipped: 0, events };
-            assert_eq!(trace.replay(), Ok(result.canonical_triangles()));
+            assert_eq!(
+                trace.replay(),
+                Ok(result.triangulation.canonical_triangles())
+            );
         }
         Err(error) => writeln!(story, "\nerror: {error}").expect("memory takes all"),
     }

@@ -6,8 +6,9 @@ mod formats;
 mod replay;
 mod same;
 
+use sweep_cdt::Heuristics;
+use sweep_cdt::front::HashTable;
 use sweep_cdt::trace::Trace;
-use sweep_cdt::{HashTable, Heuristics};
 use sweep_cdt_testing::{Input, Steps};
 
 const HEURISTICS: [Heuristics; 3] = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];

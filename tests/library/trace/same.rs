@@ -2,7 +2,8 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::{HashTable, Heuristics, Linear, SkipList};
+use sweep_cdt::Heuristics;
+use sweep_cdt::front::{HashTable, Linear, SkipList};
 use sweep_cdt_testing::runs::{Sample, convert};
 use sweep_cdt_testing::{Input, Random, Steps, data};
 

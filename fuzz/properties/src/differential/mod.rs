@@ -16,7 +16,8 @@ use std::cmp::Ordering::{Greater, Less};
 use std::collections::BTreeSet;
 use std::panic::catch_unwind;
 
-use sweep_cdt::{Verifier, triangulate};
+use sweep_cdt::triangulate;
+use sweep_cdt::verify::Verifier;
 
 use crate::reached;
 use quiet::quietly;

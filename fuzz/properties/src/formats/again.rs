@@ -5,7 +5,8 @@ use sweep_cdt::formats::{
     Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read, read_result,
     write_node,
 };
-use sweep_cdt::{Scalar, Triangulation, triangulate};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Triangulation, triangulate};
 
 use super::reader::source;
 use sweep_cdt_testing::oracle::canonical;

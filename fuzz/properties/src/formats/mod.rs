@@ -11,10 +11,10 @@ mod traces;
 
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
-use sweep_cdt::Verifier;
 use sweep_cdt::formats::{
     Coordinate, Graph, Input, ResultFormat, Source, read, read_result, write_violations_svg,
 };
+use sweep_cdt::verify::Verifier;
 
 use self::reader::{READERS, Reader, source};
 use crate::reached;

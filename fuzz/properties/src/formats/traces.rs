@@ -24,7 +24,10 @@ pub(super) fn run(graph: &Graph<f64>) {
         .triangulate_observed(&graph.points, &graph.edges, |e| trace.events.push(e));
     assert_reads(&trace);
     if let Ok(result) = result {
-        assert_eq!(trace.replay(), Ok(result.canonical_triangles()));
+        assert_eq!(
+            trace.replay(),
+            Ok(result.triangulation.canonical_triangles())
+        );
     }
 }
 

@@ -5,7 +5,7 @@
 //! and equal ones lie in any order.
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
 
 /// As many vertices at most.
 const VERTICES: usize = 100;
@@ -70,15 +70,19 @@ struct Model<'a> {
 impl Model<'_> {
     fn new(points: &[[f64; 2]]) -> Model<'_> {
         let domain = Domain::new(points);
-        Model {
+        let mut model = Model {
             points,
             inserted: 0,
             nodes: Vec::new(),
             front: Front::new(points.len()),
-            hash_table: HashTable::new(domain),
-            skip_list: SkipList::new(domain),
-            linear: Linear::new(domain),
-        }
+            hash_table: HashTable::default(),
+            skip_list: SkipList::default(),
+            linear: Linear::default(),
+        };
+        model.hash_table.begin(domain);
+        model.skip_list.begin(domain);
+        model.linear.begin(domain);
+        model
     }
 
     fn x(&self, node: FrontNode) -> f64 {

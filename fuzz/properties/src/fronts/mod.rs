@@ -7,7 +7,8 @@
 mod alone;
 
 use arbitrary::Unstructured;
-use sweep_cdt::{Domain, Front, FrontNode, FrontSearch, HashTable, Heuristics, Linear, SkipList};
+use sweep_cdt::Heuristics;
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
 
 use crate::reached;
 use sweep_cdt_testing::Steps;
@@ -46,19 +47,13 @@ fn judge(Input { points, edges }: &Input, choices: u64) {
 }
 
 /// Names both ends and all nodes ever inserted in turn, as far as they are on the front.
+#[derive(Clone, Default)]
 struct Astray {
     nodes: Vec<FrontNode>,
     turn: usize,
 }
 
 impl FrontSearch for Astray {
-    fn new(_: Domain<'_>) -> Self {
-        Astray {
-            nodes: Vec::new(),
-            turn: 0,
-        }
-    }
-
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
         self.turn += 1;
         match self.turn % 3 {
@@ -81,13 +76,13 @@ impl FrontSearch for Astray {
 }
 
 /// Names the same end always.
+#[derive(Clone, Default)]
 struct Idle;
 
 impl FrontSearch for Idle {
-    fn new(domain: Domain<'_>) -> Self {
+    fn begin(&mut self, domain: Domain<'_>) {
         let count = domain.len();
         assert_eq!(domain.is_empty(), count == 0);
-        Idle
     }
 
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {

@@ -1,5 +1,7 @@
 //! A counting run does what an observed one tells.
 
+use std::cell::Cell;
+
 use sweep_cdt::trace::{Event, PointCase, Trace, Why};
 use sweep_cdt::{Heuristics, Triangulation, Triangulator};
 
@@ -13,16 +15,17 @@ pub(super) fn judge(
     trace: &Trace,
     expected: &Triangulation,
 ) {
-    let mut reports = 0;
-    let mut progress = |done, all| {
+    let reports = Cell::new(0);
+    let progress = |done, all| {
         assert!(done < all, "{done} of {all}");
-        reports += 1;
+        reports.set(reports.get() + 1);
     };
-    let (result, stats) = Triangulator::new()
+    let run = Triangulator::new()
         .heuristics(heuristics)
-        .progress(&mut progress)
+        .progress(&progress)
         .triangulate_with_stats(points, edges)
         .expect("as without counting");
+    let (result, stats) = (run.triangulation, run.stats);
     let counts = [
         stats.points,
         stats.edges,
@@ -40,7 +43,7 @@ pub(super) fn judge(
     assert_eq!(counts, there, "the counts (left)");
     assert!(result.triangles().eq(expected.triangles()));
     assert_eq!(
-        reports,
+        reports.get(),
         u32::from(!points.is_empty()),
         "reports of progress"
     );

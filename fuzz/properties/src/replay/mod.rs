@@ -8,8 +8,9 @@
 mod counts;
 mod damage;
 
+use sweep_cdt::Heuristics;
+use sweep_cdt::front::HashTable;
 use sweep_cdt::trace::{Event, Trace, Why};
-use sweep_cdt::{HashTable, Heuristics};
 
 use damage::{Damage, Kind};
 

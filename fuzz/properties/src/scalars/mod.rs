@@ -10,7 +10,9 @@ mod wholes;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::{Error, HashTable, Heuristics, Scalar, Triangulation, triangulate};
+use sweep_cdt::front::HashTable;
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Error, Heuristics, Triangulation, triangulate};
 
 use crate::reached;
 use sweep_cdt_testing::Steps;

@@ -13,7 +13,8 @@ mod changes;
 mod facts;
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::{Report, Verifier, Violation, Violations, triangulate, verify};
+use sweep_cdt::triangulate;
+use sweep_cdt::verify::{Report, Verifier, Violation, Violations, verify};
 
 use self::case::Case;
 use crate::reached;

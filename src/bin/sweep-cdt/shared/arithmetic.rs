@@ -1,8 +1,9 @@
 //! The arithmetic of a run.
 
 use clap::ValueEnum;
+use sweep_cdt::Error;
 use sweep_cdt::formats::{Coordinate, Graph, Input};
-use sweep_cdt::{Error, Scalar};
+use sweep_cdt::scalar::Scalar;
 
 use super::failure::Failure;
 use super::rationals::{self, exact};

@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use sweep_cdt::Report;
 use sweep_cdt::formats::{Coordinate, Graph, Triangles};
+use sweep_cdt::verify::Report;
 
 use super::table::{NAME, NUMBER, rows};
 use super::verification::{Answer, violations};

@@ -1,11 +1,12 @@
 //! Settings of the sweep: they change the time and never the result.
 
+use std::cell::RefCell;
+
 use clap::ValueEnum;
+use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{
-    Error, FrontSearch, HashTable, Heuristics, Linear, Scalar, SkipList, Stats, Triangulation,
-    Triangulator,
-};
+use sweep_cdt::{Error, Heuristics, Stats, Triangulation, Triangulator};
 
 use super::progress::Progress;
 
@@ -63,7 +64,7 @@ impl Settings {
         }
     }
 
-    /// The same, with every step told to `observer`.
+    /// The same, with every step reported to `observer`.
     pub(crate) fn observe<S: Scalar>(
         &self,
         points: &[[S; 2]],
@@ -71,32 +72,39 @@ impl Settings {
         observer: impl FnMut(Event),
     ) -> Result<Triangulation, Error> {
         let triangulator = Triangulator::new().heuristics(self.heuristics());
-        match self.front {
-            Front::Hash => triangulator.triangulate_observed(points, edges, observer),
-            Front::SkipList => triangulator
-                .front::<SkipList>()
-                .triangulate_observed(points, edges, observer),
-            Front::Linear => triangulator
-                .front::<Linear>()
-                .triangulate_observed(points, edges, observer),
-        }
+        Ok(match self.front {
+            Front::Hash => {
+                let run = triangulator.triangulate_observed(points, edges, observer)?;
+                run.triangulation
+            }
+            Front::SkipList => {
+                let triangulator = triangulator.front(SkipList::default());
+                let run = triangulator.triangulate_observed(points, edges, observer)?;
+                run.triangulation
+            }
+            Front::Linear => {
+                let triangulator = triangulator.front(Linear::default());
+                let run = triangulator.triangulate_observed(points, edges, observer)?;
+                run.triangulation
+            }
+        })
     }
 
-    fn run<S: Scalar, F: FrontSearch>(
+    fn run<S: Scalar, F: FrontSearch + Clone + Default>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
         stats: bool,
     ) -> Result<(Triangulation, Option<Stats>), Error> {
-        let mut progress = Progress::new("sweeping");
-        let mut show = |swept, points| progress.show(swept, points);
+        let progress = RefCell::new(Progress::new("sweeping"));
+        let show = |swept, points| progress.borrow_mut().show(swept, points);
         let triangulator = Triangulator::new()
-            .front::<F>()
+            .front(F::default())
             .heuristics(self.heuristics())
-            .progress(&mut show);
+            .progress(&show);
         if stats {
-            let (result, stats) = triangulator.triangulate_with_stats(points, edges)?;
-            return Ok((result, Some(stats)));
+            let run = triangulator.triangulate_with_stats(points, edges)?;
+            return Ok((run.triangulation, Some(run.stats)));
         }
         Ok((triangulator.triangulate(points, edges)?, None))
     }

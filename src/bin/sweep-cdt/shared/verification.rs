@@ -2,7 +2,8 @@
 
 use std::sync::Mutex;
 
-use sweep_cdt::{Report, Scalar, Verifier, Violation, Violations};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::{Report, Verifier, Violation, Violations};
 
 use super::progress::Progress;
 

@@ -1,6 +1,6 @@
 //! Where vertices come to lie in the picture, y upwards, and how large all is.
 
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// A pixel of the picture at its own size, in its units.
 pub(super) const PIXEL: i64 = 100;

@@ -1,7 +1,7 @@
 //! A square part of the plane, and its place in the picture.
 
 use super::frame::{PIXEL, half, units};
-use crate::Scalar;
+use crate::scalar::Scalar;
 
 /// A square window. Coordinates are halves, since the difference of two doubles may overflow.
 pub(super) struct Window {

@@ -1,0 +1,212 @@
+//! The front itself: which vertices are on it, and their neighbours left and right.
+//!
+//! The front is strictly x-monotone and every vertex is on it at most once, so a vertex is its own
+//! node: segment `v` of the front runs from vertex `v` to the next one. A vertex that has left the
+//! front never comes back.
+
+use crate::ids::VertexId;
+
+/// A vertex of the advancing front, by its rank in the sweep order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FrontNode(VertexId);
+
+impl FrontNode {
+    pub(crate) fn new(vertex: VertexId) -> Self {
+        FrontNode(vertex)
+    }
+
+    /// The vertex of this rank, for tests of a structure.
+    ///
+    /// # Panics
+    /// If the rank does not fit in 32 bits.
+    pub fn from_rank(rank: usize) -> Self {
+        FrontNode(VertexId::at(rank))
+    }
+
+    pub(crate) fn vertex(self) -> VertexId {
+        self.0
+    }
+
+    /// The rank in the sweep order: 0 for the first vertex swept.
+    pub fn rank(self) -> usize {
+        self.0.index()
+    }
+}
+
+/// A direction along the front. What happens to the left of a vertex is the mirror image of what
+/// happens to its right; functions that take a `Way` are written once for both.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    Left,
+    Right,
+}
+
+/// In place of a neighbour: there is none. Above all other numbers, artificial vertices included.
+const NONE: VertexId = VertexId::new(u32::MAX);
+
+#[derive(Clone, Copy, Debug)]
+struct Neighbors {
+    prev: VertexId,
+    next: VertexId,
+}
+
+impl Neighbors {
+    const OFF_FRONT: Neighbors = Neighbors {
+        prev: NONE,
+        next: NONE,
+    };
+}
+
+/// The advancing front: which vertices are on it, and their neighbours left and right.
+///
+/// The sweep keeps the one that a structure gets to see. To test a structure alone, keep one by hand:
+///
+/// ```
+/// use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, SkipList};
+///
+/// let points = [[0.0, 0.0], [6.0, 0.0], [3.0, 1.0]];
+/// let mut front = Front::new(points.len());
+/// let mut structure = SkipList::default();
+/// structure.begin(Domain::new(&points));
+/// let [a, b, c] = [0, 1, 2].map(FrontNode::from_rank);
+/// for (node, left) in [(a, front.left_end()), (b, a), (c, a)] {
+///     front.insert(node, left);
+///     structure.inserted(node, points[node.rank()][0]);
+/// }
+/// assert!(front.contains(structure.locate(4.0, &front)));
+///
+/// front.remove(c);
+/// structure.removed(c, 3.0);
+/// assert!(front.contains(structure.locate(4.0, &front)));
+/// assert_eq!((front.after(a), front.before(a)), (Some(b), Some(front.left_end())));
+/// ```
+#[derive(Debug)]
+pub struct Front {
+    nodes: Vec<Neighbors>,
+    left_end: VertexId,
+}
+
+impl Front {
+    /// The front of `vertices` vertices before the first of them: P-1 and P-2 only.
+    ///
+    /// # Panics
+    /// If the vertices and these two cannot be numbered in 32 bits.
+    pub fn new(vertices: usize) -> Front {
+        let (left_end, right_end) = (VertexId::at(vertices), VertexId::at(vertices + 1));
+        let mut nodes = vec![Neighbors::OFF_FRONT; vertices + 2];
+        nodes[left_end.index()].next = right_end;
+        nodes[right_end.index()].prev = left_end;
+        Front { nodes, left_end }
+    }
+
+    /// The artificial left end P-1, which is always on the front; its x is minus infinity.
+    pub fn left_end(&self) -> FrontNode {
+        FrontNode(self.left_end)
+    }
+
+    /// The artificial right end P-2, which is always on the front; its x is infinity.
+    pub fn right_end(&self) -> FrontNode {
+        FrontNode(VertexId::new(self.left_end.number() + 1))
+    }
+
+    /// Whether a node is on the front now.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn contains(&self, node: FrontNode) -> bool {
+        let Neighbors { prev, next } = self.nodes[node.rank()];
+        prev != NONE || next != NONE
+    }
+
+    /// The node to the right of one on the front; `None` after the right end.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn after(&self, node: FrontNode) -> Option<FrontNode> {
+        let next = self.nodes[node.rank()].next;
+        (next != NONE).then_some(FrontNode(next))
+    }
+
+    /// The node to the left of one on the front; `None` before the left end.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn before(&self, node: FrontNode) -> Option<FrontNode> {
+        let prev = self.nodes[node.rank()].prev;
+        (prev != NONE).then_some(FrontNode(prev))
+    }
+
+    /// Puts `node` between `left` and the node to the right of it.
+    ///
+    /// The front knows no coordinates: the caller sees to it that x ascends from left to right.
+    ///
+    /// # Panics
+    /// If `node` is none of the vertices or on the front already, or `left` is not on the front or its
+    /// right end.
+    pub fn insert(&mut self, node: FrontNode, left: FrontNode) {
+        assert!(node < self.left_end(), "there is no such vertex");
+        assert!(!self.contains(node), "the node is on the front already");
+        assert!(
+            self.contains(left) && left != self.right_end(),
+            "nothing can be put behind this node"
+        );
+        self.link(node.0, left.0);
+    }
+
+    /// Takes `node` off.
+    ///
+    /// # Panics
+    /// If `node` is not on the front or one of its ends.
+    pub fn remove(&mut self, node: FrontNode) {
+        assert!(
+            node < self.left_end() && self.contains(node),
+            "the node cannot be taken off the front"
+        );
+        self.unlink(node.0);
+    }
+
+    /// The neighbour of a vertex on the front; a number above all others beyond an end.
+    #[inline(always)]
+    pub(crate) fn beside(&self, v: VertexId, way: Way) -> VertexId {
+        match way {
+            Way::Left => self.prev(v),
+            Way::Right => self.next(v),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn next(&self, v: VertexId) -> VertexId {
+        self.nodes[v.index()].next
+    }
+
+    #[inline(always)]
+    pub(crate) fn prev(&self, v: VertexId) -> VertexId {
+        self.nodes[v.index()].prev
+    }
+
+    /// [`Front::insert`] for the sweep, which knows that it may.
+    #[inline(always)]
+    pub(crate) fn link(&mut self, v: VertexId, left: VertexId) {
+        let right = self.next(left);
+        self.nodes[v.index()] = Neighbors {
+            prev: left,
+            next: right,
+        };
+        self.nodes[left.index()].next = v;
+        self.nodes[right.index()].prev = v;
+    }
+
+    /// [`Front::remove`] for the sweep, which knows that it may.
+    #[inline(always)]
+    pub(crate) fn unlink(&mut self, v: VertexId) {
+        let Neighbors { prev, next } = self.nodes[v.index()];
+        self.nodes[v.index()] = Neighbors::OFF_FRONT;
+        self.nodes[prev.index()].next = next;
+        self.nodes[next.index()].prev = prev;
+    }
+
+    /// Bytes held.
+    pub(crate) fn memory(&self) -> usize {
+        self.nodes.capacity() * size_of::<Neighbors>()
+    }
+}

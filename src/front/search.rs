@@ -1,0 +1,89 @@
+//! What a search structure for the advancing front must do (section 3.4.1).
+
+use super::list::{Front, FrontNode};
+
+/// What a search structure may know of the vertices before the sweep starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Domain<'a> {
+    approx: &'a [[f64; 2]],
+}
+
+impl<'a> Domain<'a> {
+    /// Of the vertices with these coordinates `[x, y]`, by rank in the sweep order.
+    pub fn new(approx: &'a [[f64; 2]]) -> Self {
+        Domain { approx }
+    }
+
+    /// How many vertices will be swept.
+    pub fn len(&self) -> usize {
+        self.approx.len()
+    }
+
+    /// Whether there are no vertices.
+    pub fn is_empty(&self) -> bool {
+        self.approx.is_empty()
+    }
+
+    /// The x of the vertex of this rank, as every `x` that [`FrontSearch`] gets: a double near the
+    /// coordinate. It may be scaled by a power of two, and it may be infinite.
+    ///
+    /// # Panics
+    /// If there is no such vertex.
+    pub fn x(&self, rank: usize) -> f64 {
+        self.approx[rank][0]
+    }
+}
+
+/// A structure that finds a place on the advancing front near a given x.
+///
+/// [`locate`](FrontSearch::locate) does the work. The other functions report what happens to the front,
+/// and may be left out. A structure is a value: it may carry parameters, a seed and counters of its own.
+/// Each run of a [`Triangulator`](crate::Triangulator) works on a clone of the value it was given and
+/// returns that clone in [`Run::front`](crate::Run::front). A structure of one's own is one file:
+///
+/// ```
+/// use sweep_cdt::Triangulator;
+/// use sweep_cdt::front::{Front, FrontNode, FrontSearch};
+///
+/// /// Always starts at the left end, and counts how often it is asked.
+/// #[derive(Clone, Default)]
+/// struct LeftEnd {
+///     searches: usize,
+/// }
+///
+/// impl FrontSearch for LeftEnd {
+///     fn locate(&mut self, _x: f64, front: &Front) -> FrontNode {
+///         self.searches += 1;
+///         front.left_end()
+///     }
+/// }
+///
+/// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]];
+/// let triangulator = Triangulator::new().front(LeftEnd::default());
+/// let run = triangulator.triangulate_with_stats(&points, &[])?;
+/// assert_eq!((run.triangulation.len(), run.front.searches), (1, 2));
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+pub trait FrontSearch {
+    /// A run begins: the front has no vertex yet but its two artificial ends.
+    ///
+    /// What an earlier run left in the structure must be forgotten here.
+    fn begin(&mut self, domain: Domain<'_>) {
+        let _ = domain;
+    }
+
+    /// A node of `front`, best the last one whose x is at most `x`.
+    ///
+    /// The sweep panics if the node is not on the front.
+    fn locate(&mut self, x: f64, front: &Front) -> FrontNode;
+
+    /// `node`, whose x is `x`, has joined the front.
+    fn inserted(&mut self, node: FrontNode, x: f64) {
+        let _ = (node, x);
+    }
+
+    /// `node`, whose x is `x`, has left the front, forever.
+    fn removed(&mut self, node: FrontNode, x: f64) {
+        let _ = (node, x);
+    }
+}

@@ -1,0 +1,68 @@
+//! Numbers of vertices, triangles and open sides: 32 bits each, and a type for each, so that none can
+//! be passed for another.
+//!
+//! [`narrow`] is the one place where a count or position becomes 32 bits wide; the size of the input
+//! was checked before.
+
+/// A vertex: its rank in the sweep order, or an artificial point after all of them. In a result, where
+/// ranks are of no more use, the index of the input point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct VertexId(u32);
+
+/// A triangle: its place in the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct TriangleId(u32);
+
+/// An open side: a segment of the advancing front, or a side that borders on an empty polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct OpenId(u32);
+
+/// A count or position in 32 bits.
+#[inline(always)]
+pub(crate) fn narrow(n: usize) -> u32 {
+    u32::try_from(n).expect("the input's size was checked")
+}
+
+macro_rules! id {
+    ($type:ty) => {
+        impl $type {
+            #[inline(always)]
+            pub(crate) const fn new(number: u32) -> Self {
+                Self(number)
+            }
+
+            #[inline(always)]
+            pub(crate) fn at(place: usize) -> Self {
+                Self(narrow(place))
+            }
+
+            #[inline(always)]
+            pub(crate) const fn number(self) -> u32 {
+                self.0
+            }
+
+            #[inline(always)]
+            pub(crate) const fn index(self) -> usize {
+                self.0 as usize
+            }
+        }
+    };
+}
+
+id!(VertexId);
+id!(TriangleId);
+id!(OpenId);
+
+impl OpenId {
+    /// The segment of the front that starts at `v`: segments bear the number of their left end.
+    #[inline(always)]
+    pub(crate) const fn segment(v: VertexId) -> Self {
+        OpenId(v.0)
+    }
+
+    /// The left end of the segment of the front that this is.
+    #[inline(always)]
+    pub(crate) const fn left_end(self) -> VertexId {
+        VertexId(self.0)
+    }
+}

@@ -1,0 +1,89 @@
+//! The input edges at their upper ends (section 3.3, figure 5).
+//!
+//! An edge is listed at its end of higher rank, where the sweep line has passed all of it.
+//!
+//! Cost: O(n) for n points and edges: they are counted into place.
+//!
+//! Differs from the paper: the upper end of a horizontal edge is the one with larger x, since it is
+//! swept last. (The paper says the one with smaller x, against its own sort.)
+
+use super::vertices::Vertices;
+use crate::error::Error;
+use crate::ids::{VertexId, narrow};
+
+/// The input edges at their upper ends.
+#[derive(Debug, Default)]
+pub(super) struct Edges {
+    /// The edges whose upper end is `v` are `list[first[v]..first[v + 1]]`; empty without edges.
+    first: Vec<u32>,
+    /// The lower end and the input index.
+    list: Vec<(VertexId, u32)>,
+}
+
+impl Edges {
+    /// Lists the edges of an input of `points` points at their upper ends. Returns with the list the
+    /// ends of each edge, upper one first, as input indices of the vertices.
+    pub(super) fn new(
+        vertices: &Vertices,
+        points: usize,
+        edges: &[[usize; 2]],
+    ) -> Result<(Edges, Vec<[u32; 2]>), Error> {
+        if edges.is_empty() {
+            return Ok((Edges::default(), Vec::new()));
+        }
+        let ranks = vertices.ranks(points);
+        let mut first = vec![0_u32; vertices.len() + 1];
+        let mut ends: Vec<[VertexId; 2]> = Vec::with_capacity(edges.len());
+        for (edge, &[a, b]) in edges.iter().enumerate() {
+            let rank = |vertex: usize| match ranks.get(vertex) {
+                Some(&rank) => Ok(rank),
+                None => Err(Error::EdgeOutOfRange { edge, vertex }),
+            };
+            let (a, b) = (rank(a)?, rank(b)?);
+            let upper = a.max(b);
+            ends.push([upper, a.min(b)]);
+            first[upper.index()] += 1;
+        }
+        // Counts become the ends of the ranges, and each edge put in moves its range's end to its start.
+        let mut sum = 0;
+        for count in &mut first {
+            sum += *count;
+            *count = sum;
+        }
+        let mut list = vec![(VertexId::default(), 0); edges.len()];
+        for (edge, &[upper, lower]) in ends.iter().enumerate().rev() {
+            let place = &mut first[upper.index()];
+            *place -= 1;
+            list[*place as usize] = (lower, narrow(edge));
+        }
+        let ends = ends
+            .into_iter()
+            .map(|ends| ends.map(|v| vertices.input_index(v)))
+            .collect();
+        Ok((Edges { first, list }, ends))
+    }
+
+    /// The edges with upper end `v`, as lower ends and input indices.
+    pub(super) fn at(&self, v: VertexId) -> &[(VertexId, u32)] {
+        match self.first.get(v.index()..v.index() + 2) {
+            Some(&[from, to]) => &self.list[from as usize..to as usize],
+            _ => &[],
+        }
+    }
+
+    /// All edges: upper end, lower end, input index.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (VertexId, VertexId, u32)> + '_ {
+        let uppers = (0..self.first.len().saturating_sub(1)).map(VertexId::at);
+        uppers.flat_map(|v| {
+            self.at(v)
+                .iter()
+                .map(move |&(lower, edge)| (v, lower, edge))
+        })
+    }
+
+    /// Bytes held.
+    pub(super) fn memory(&self) -> usize {
+        self.first.capacity() * size_of::<u32>()
+            + self.list.capacity() * size_of::<(VertexId, u32)>()
+    }
+}

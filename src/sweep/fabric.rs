@@ -1,0 +1,76 @@
+//! The triangles and what decides about them: the part of the sweep that knows neither the front nor
+//! the edges.
+//!
+//! Legalization ([`super::legalization`]) and the filling of chains ([`super::chain`]) need no more than
+//! this; the rest of the sweep ([`super::state`]) has it and adds front and edges.
+
+use std::cmp::Ordering;
+
+use super::signs::Signs;
+use super::stretch::Stretch;
+use crate::ids::{TriangleId, VertexId};
+use crate::mesh::{Mesh, Side};
+use crate::probe::Probe;
+use crate::trace::{Event, Vertex, Why};
+
+/// Triangles, exact signs, and the sides that legalization still has to test.
+#[derive(Debug)]
+pub(super) struct Fabric<'a, S, P> {
+    pub(super) mesh: Mesh,
+    pub(super) signs: Signs<'a, S>,
+    /// Sides that may be illegal.
+    pub(super) suspects: Vec<Side>,
+    /// Working memory of the chains, kept from one to the next.
+    pub(super) stretch: Stretch,
+    pub(super) probe: P,
+}
+
+impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
+    /// No triangle yet, and room for those of all vertices. There is an open side for each vertex, the
+    /// segment of the front that starts there.
+    pub(super) fn new(signs: Signs<'a, S>, probe: P) -> Self {
+        let n = signs.vertices.len();
+        Fabric {
+            mesh: Mesh::new(2 * n + 2, n + 2),
+            signs,
+            suspects: Vec::new(),
+            stretch: Stretch::default(),
+            probe,
+        }
+    }
+
+    /// Adds a triangle to the mesh.
+    #[inline(always)]
+    pub(super) fn make(&mut self, v: [VertexId; 3], across: [Side; 3], why: Why) -> TriangleId {
+        self.report(|name| Event::Triangle {
+            vertices: v.map(name),
+            why,
+        });
+        self.mesh.add(v, across)
+    }
+
+    /// Reports a step to the observer, if there is one; vertices get their names in `event`.
+    #[inline(always)]
+    pub(super) fn report(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
+        if P::EVENTS {
+            let signs = &self.signs;
+            let event = event(&|v| match signs.vertices.input.get(v.index()) {
+                Some(&input) => Vertex::Input(input),
+                None if v == signs.artificial.left => Vertex::Left,
+                None => Vertex::Right,
+            });
+            self.probe.event(event);
+        }
+    }
+
+    /// `Greater` if three real vertices turn left.
+    #[inline(always)]
+    pub(super) fn orient2d(&mut self, vertices: [VertexId; 3]) -> Ordering {
+        self.signs.orient2d(vertices, &mut self.probe)
+    }
+
+    /// Which side of the ray `from`-`to` a vertex is on; see [`Signs::side`].
+    pub(super) fn side(&mut self, ray: [VertexId; 2], v: VertexId) -> Ordering {
+        self.signs.side(ray, v, &mut self.probe)
+    }
+}

@@ -1,0 +1,133 @@
+//! Heuristic (i) of the point event (section 3.4.1, figure 9): narrow corners of the front beside the
+//! new vertex are closed by further triangles.
+//!
+//! ```text
+//!       p                        p            The angle at `corner` between p and `far` is below
+//!        \     far                \ ` far     pi/2 and turns left: triangle p, corner, far covers
+//!         \   /          ->        \   /      `corner`, which leaves the front. Then the angle at
+//!          \ /                      \ /       `far` is looked at.
+//!         corner                   corner
+//! ```
+//!
+//! Why it is right: angles steer, in plain floating point; a triangle is made only where the corner
+//! turns left by exact sign, and it lies above the front, where nothing is. Its outer side is legalized
+//! in the fan of the new vertex as if the spoke beside it were fixed, then the spoke.
+//!
+//! Cost: a test of the angle and one of the turn for each corner closed, and one more a side.
+//!
+//! Differs from the paper: angles are compared by dot products; [`Corners::Wide`] goes a little beyond
+//! pi/2.
+
+use std::cmp::Ordering::{self, Greater, Less};
+
+use super::state::Sweep;
+use crate::front::{FrontSearch, Way};
+use crate::heuristics::Corners;
+use crate::ids::{OpenId, VertexId};
+use crate::mesh::Side;
+use crate::probe::Probe;
+use crate::scalar::Scalar;
+use crate::trace::Why;
+
+/// Square of the cosine of 110 degrees.
+const WIDE: f64 = 0.117;
+
+/// An angle at a corner, by plain floating point: its two arms, and their dot product.
+struct Angle {
+    arms: [[f64; 2]; 2],
+    dot: f64,
+}
+
+impl Angle {
+    /// Whether it is below pi/2.
+    #[inline(always)]
+    fn is_acute(&self) -> bool {
+        self.dot > 0.0
+    }
+
+    /// Whether it is below 110 degrees, if it is not acute.
+    #[inline(always)]
+    fn is_below_110_degrees(&self) -> bool {
+        let [[ax, ay], [bx, by]] = self.arms;
+        self.dot * self.dot < WIDE * (ax * ax + ay * ay) * (bx * bx + by * by)
+    }
+}
+
+impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+    /// Closes the corners right and left of `p` while they are narrow.
+    #[inline(always)]
+    pub(super) fn close_narrow_corners(&mut self, p: VertexId) {
+        self.close_narrow(p, Way::Right);
+        self.close_narrow(p, Way::Left);
+    }
+
+    #[inline(always)]
+    fn close_narrow(&mut self, p: VertexId, way: Way) {
+        // One obtuse corner a side: beside a long straight stretch each new vertex would else close
+        // many corners that the next one opens again.
+        let mut may_be_obtuse = self.heuristics.corners == Corners::Wide;
+        loop {
+            let corner = self.front.beside(p, way);
+            let far = self.front.beside(corner, way);
+            // Beside an artificial end there is no node; what stands for it is above all numbers.
+            if self.fabric.signs.is_artificial(far) {
+                break;
+            }
+            let angle = self.angle(p, corner, far);
+            if !angle.is_acute() {
+                if !may_be_obtuse || !angle.is_below_110_degrees() {
+                    break;
+                }
+                may_be_obtuse = false;
+            }
+            if self.fabric.orient2d([p, corner, far]) != inward(way) {
+                break;
+            }
+            self.close_corner(p, way, Why::NarrowCorner);
+            self.fabric.probe.count(|c| c.narrow_corners += 1);
+        }
+    }
+
+    /// The angle at `corner` between `p` and `far`.
+    #[inline(always)]
+    fn angle(&self, p: VertexId, corner: VertexId, far: VertexId) -> Angle {
+        let [[px, py], [cx, cy], [fx, fy]] = [p, corner, far].map(|v| self.fabric.signs.approx(v));
+        let (ax, ay, bx, by) = (px - cx, py - cy, fx - cx, fy - cy);
+        Angle {
+            arms: [[ax, ay], [bx, by]],
+            dot: ax * bx + ay * by,
+        }
+    }
+
+    /// Covers the node beside `p`: a triangle of `p`, that node and the one after it.
+    #[inline(always)]
+    pub(super) fn close_corner(&mut self, p: VertexId, way: Way, why: Why) {
+        let corner = self.front.beside(p, way);
+        let far = self.front.beside(corner, way);
+        // Segments bear the number of their left end. The outer one runs from `corner` to `far`, the
+        // spoke from `p` to `corner`; the new segment runs from `p` to `far`.
+        let below = |v| self.fabric.mesh.below(OpenId::segment(v));
+        let open = |v| Side::open(OpenId::segment(v));
+        let (vertices, across) = match way {
+            Way::Right => ([p, corner, far], [below(corner), open(p), below(p)]),
+            Way::Left => ([p, far, corner], [below(far), below(corner), open(far)]),
+        };
+        let t = self.fabric.make(vertices, across, why);
+        self.take_off_front(corner);
+        let rightmost = self.fabric.legalize_fan(t, vertices[2]);
+        let spoke = match way {
+            Way::Right => Side::new(t, 2),
+            Way::Left => rightmost.next(),
+        };
+        self.fabric.legalize_side(spoke);
+    }
+}
+
+/// The turn at a corner beside the new vertex that leaves room for a triangle.
+#[inline(always)]
+fn inward(way: Way) -> Ordering {
+    match way {
+        Way::Right => Greater,
+        Way::Left => Less,
+    }
+}

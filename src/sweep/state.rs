@@ -1,0 +1,99 @@
+//! The state of the sweep between two events: the [`Fabric`], the advancing front with its search
+//! structure, and the edges still to come.
+//!
+//! Invariants between two events, for the vertices swept so far:
+//! - the region under the front and above the lower hull is triangulated, and so is, by artificial
+//!   triangles, all below;
+//! - that triangulation is the canonical constrained Delaunay one of its region, with the edges
+//!   inserted so far;
+//! - the front runs from P-1 to P-2 and is strictly x-monotone.
+
+use super::corner::Corner;
+use super::edges::Edges;
+use super::fabric::Fabric;
+use super::obstacles::Obstacles;
+use crate::front::{Front, FrontNode, FrontSearch};
+use crate::heuristics::Heuristics;
+use crate::ids::{OpenId, VertexId};
+use crate::probe::Probe;
+use crate::scalar::Scalar;
+use crate::trace::{Event, Why};
+use crate::triangulation::Chains;
+
+/// The state between two events.
+#[derive(Debug)]
+pub(super) struct Sweep<'a, S, F, P> {
+    pub(super) fabric: Fabric<'a, S, P>,
+    pub(super) front: Front,
+    pub(super) search: F,
+    pub(super) heuristics: Heuristics,
+    pub(super) edges: Edges,
+    /// For the result: the vertices along each edge inserted so far.
+    pub(super) chains: Chains,
+    /// What the edge being inserted runs into.
+    pub(super) obstacles: Obstacles,
+    /// Working memory: the stretch of the front being filled.
+    pub(super) chain: Vec<Corner>,
+}
+
+impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+    /// Puts `v` on the front between `left` and the node after it.
+    #[inline(always)]
+    pub(super) fn put_on_front(&mut self, v: VertexId, left: VertexId) {
+        self.front.link(v, left);
+        self.fabric.report(|name| Event::FrontInsert {
+            vertex: name(v),
+            after: name(left),
+        });
+        let x = self.fabric.signs.approx(v)[0];
+        self.search.inserted(FrontNode::new(v), x);
+    }
+
+    /// Takes `v`, which triangles now cover, off the front.
+    #[inline(always)]
+    pub(super) fn take_off_front(&mut self, v: VertexId) {
+        self.front.unlink(v);
+        self.fabric
+            .report(|name| Event::FrontRemove { vertex: name(v) });
+        let x = self.fabric.signs.approx(v)[0];
+        self.search.removed(FrontNode::new(v), x);
+    }
+
+    /// Fills the front from node `from` to node `to`, both real, up to its upper hull. Returns how many
+    /// triangles that took.
+    pub(super) fn fill_front(&mut self, from: VertexId, to: VertexId, why: Why) -> u64 {
+        self.chain.clear();
+        let mut at = from;
+        loop {
+            let open = OpenId::segment(at);
+            self.chain.push(Corner { vertex: at, open });
+            if at == to {
+                break;
+            }
+            at = self.front.next(at);
+        }
+
+        let kept = self.fabric.mesh.count_open();
+        let triangles = self.fabric.fill(&mut self.chain, why);
+        self.fabric.legalize();
+        self.fabric.mesh.forget_open(kept);
+
+        // What the hull of the chain passes over is covered.
+        for k in 1..self.chain.len() {
+            let [left, right] = [self.chain[k - 1].vertex, self.chain[k].vertex];
+            while self.front.next(left) != right {
+                self.take_off_front(self.front.next(left));
+            }
+        }
+        triangles
+    }
+
+    /// Bytes of the arrays that grow with the input.
+    pub(super) fn memory(&self) -> usize {
+        self.fabric.mesh.memory()
+            + self.fabric.signs.vertices.memory()
+            + self.front.memory()
+            + self.edges.memory()
+            + self.chains.ends.capacity() * size_of::<[u32; 2]>()
+    }
+}

@@ -1,0 +1,55 @@
+//! A convex stretch of a chain while it is closed: its corners, and the random order in which they are
+//! inserted (Chew 1990).
+//!
+//! The polygon of the stretch is triangulated backwards: taken out in reverse order of insertion, each
+//! corner notes its two neighbours among those left. Inserted again in order, a corner makes one
+//! triangle with these two neighbours.
+
+use super::corner::Corner;
+use crate::ids::OpenId;
+
+/// Positions are those in the stretch.
+#[derive(Debug, Default)]
+pub(super) struct Stretch {
+    pub(super) corners: Vec<Corner>,
+    /// The inner positions in order of insertion.
+    pub(super) order: Vec<u32>,
+    /// For each position its neighbours among those inserted before it.
+    prev: Vec<u32>,
+    next: Vec<u32>,
+    /// The open side from each position inserted to its next one.
+    pub(super) open: Vec<OpenId>,
+}
+
+impl Stretch {
+    /// Draws an order of insertion for the inner positions, always the same one for one length.
+    pub(super) fn draw(&mut self) {
+        let len = crate::ids::narrow(self.corners.len());
+        self.order.clear();
+        self.order.extend(1..len - 1);
+        let mut random = 0x2545_F491_u32;
+        for i in (1..self.order.len()).rev() {
+            random ^= random << 13;
+            random ^= random >> 17;
+            random ^= random << 5;
+            self.order.swap(i, random as usize % (i + 1));
+        }
+        self.prev.clear();
+        self.prev.extend((0..len).map(|i| i.saturating_sub(1)));
+        self.next.clear();
+        self.next.extend(1..=len);
+        // Taken out in reverse, each keeps the neighbours that it had last.
+        for &u in self.order.iter().rev() {
+            let [v, w] = [self.prev[u as usize], self.next[u as usize]];
+            self.next[v as usize] = w;
+            self.prev[w as usize] = v;
+        }
+        self.open.clear();
+        self.open.resize(len as usize, OpenId::new(0));
+    }
+
+    /// The neighbours of position `u` when it is inserted.
+    pub(super) fn neighbors(&self, u: u32) -> [u32; 2] {
+        [self.prev[u as usize], self.next[u as usize]]
+    }
+}
