@@ -15,7 +15,7 @@ use crate::shared::output::{print, refuse_overwriting};
 use crate::shared::report;
 use crate::shared::verification::{self, violations};
 
-/// Verify the triangulation that any program has made
+/// Verify a triangulation made by any program
 ///
 /// Proves by exact arithmetic that the triangles are a constrained Delaunay triangulation of the input,
 /// or says what is wrong and where. In a correct one the triangles tile the convex hull of the points,
@@ -74,7 +74,7 @@ Violations:
   not-delaunay                                a side that should be flipped
 
 Exit status:
-  0  correct   1  wrong, or unreadable   2  wrong usage
+  0  correct   1  wrong, or a file cannot be read   2  wrong usage
 
 Examples:
   triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
