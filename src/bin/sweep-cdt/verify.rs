@@ -128,6 +128,7 @@ impl Job for Run<'_> {
             node,
         } = self.result;
         let arguments = self.arguments;
+        // The result is read in the type of the input, so that equal coordinates match.
         let triangles = read_result(format, &source, node.as_ref(), graph)?;
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
@@ -142,6 +143,7 @@ impl Job for Run<'_> {
             graph,
             triangles: &triangles,
         };
+        // The files come first: where one cannot be written, no report is printed.
         let mut files = AtomicFiles::default();
         if let Some(path) = &arguments.certificate {
             files.add(path, |out| certificate::write(&subject, &answer, out))?;
