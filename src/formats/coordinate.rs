@@ -15,6 +15,13 @@ pub trait Coordinate: Scalar + Clone + PartialEq {
 }
 
 /// Why a token gives no coordinate: a sentence that begins with the token.
+///
+/// ```
+/// use sweep_cdt::formats::Coordinate;
+///
+/// let error = f64::from_text("1,5").unwrap_err();
+/// assert_eq!(format!("`1,5` {error}"), "`1,5` is not a coordinate");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CoordinateError {

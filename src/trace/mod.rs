@@ -33,7 +33,7 @@
 
 mod event;
 #[cfg(feature = "formats")]
-mod lines;
+mod json_lines;
 mod replay;
 mod text;
 mod whole;

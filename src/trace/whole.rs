@@ -4,7 +4,7 @@ use std::fmt;
 use std::io::{self, Write};
 
 #[cfg(feature = "formats")]
-use super::lines;
+use super::json_lines;
 use super::{Event, replay, text};
 
 /// The events of a run, or a stretch of them.
@@ -51,7 +51,7 @@ impl Trace {
     /// Those of `out`.
     #[cfg(feature = "formats")]
     pub fn write_lines(&self, mut out: impl Write) -> io::Result<()> {
-        lines::write(self, &mut out)
+        json_lines::write(self, &mut out)
     }
 
     /// Reads what was written, in either format.
@@ -61,7 +61,7 @@ impl Trace {
     pub fn parse(text: &str) -> Result<Trace, BadTrace> {
         #[cfg(feature = "formats")]
         if text.starts_with('{') {
-            return lines::read(text);
+            return json_lines::read(text);
         }
         text::read(text)
     }

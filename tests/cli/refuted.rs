@@ -69,7 +69,7 @@ fn wrong_results_are_refuted_with_numbers_and_coordinates() {
         let found = expected.split("\n\n").count();
         let plural = if found == 1 { "" } else { "s" };
         let line = format!(
-            "wrong: {name} is no constrained Delaunay triangulation of a.poly: {found} \
+            "wrong: {name} is not a constrained Delaunay triangulation of a.poly: {found} \
              violation{plural}"
         );
         assert_eq!(first_line(report), line);

@@ -105,6 +105,7 @@ pub(crate) fn write<S: Coordinate>(
 ) -> io::Result<()> {
     let report = report(answer);
     let (list, found) = violations(answer);
+    // A violation names things as in the files; the places of its vertices are found by position.
     let item = |&violation| {
         let numbered = subject.triangles.as_numbered(subject.graph, violation);
         let offenders = numbered.offenders();

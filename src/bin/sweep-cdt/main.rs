@@ -22,8 +22,8 @@ use shared::failure::Failure;
 /// Exact constrained Delaunay triangulation by a sweep line.
 ///
 /// Reads points and edges in the plane and finds their constrained Delaunay triangulation, or verifies
-/// one that any program has made. All decisions are exact: every finite input without crossing edges
-/// has one result, the same for all settings.
+/// one made by any program. All decisions are exact: every finite input without crossing edges has one
+/// result, the same for all settings.
 #[derive(Parser)]
 #[command(name = "sweep-cdt", version, max_term_width = 100)]
 struct Cli {

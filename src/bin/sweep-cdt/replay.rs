@@ -25,7 +25,7 @@ Output: one triangle a line, its vertices counter-clockwise from the lowest, num
 lines are sorted, as in the .json that `sweep-cdt triangulate` writes.
 
 Exit status:
-  0  done   1  no complete trace, or unreadable   2  wrong usage";
+  0  done   1  no complete trace, or it cannot be read   2  wrong usage";
 
 impl Replay {
     /// Runs the subcommand.

@@ -22,6 +22,7 @@ pub(crate) fn write(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
         ],
     )?;
 
+    // The times of the phases, each with its share of their sum.
     let phases = [
         ("initialization", stats.initialization),
         ("sweeping", stats.sweeping),
@@ -42,6 +43,7 @@ pub(crate) fn write(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
         "memory"
     )?;
 
+    // How signs were decided, and then the work of each part of the sweep.
     rows(
         out,
         &[

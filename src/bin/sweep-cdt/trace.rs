@@ -149,6 +149,7 @@ impl Job for Run<'_> {
             settings, output, ..
         } = self.arguments;
         let [first, last] = [self.arguments.from, self.arguments.to].map(NonZeroUsize::get);
+        // Only the steps that are written are kept.
         let mut events = Vec::new();
         let mut step = 0;
         let observer = |event| {

@@ -111,6 +111,7 @@ impl Job for Run<'_> {
         let (result, stats) = settings
             .triangulate(points, &graph.edges, *stats)
             .map_err(|error| self.error(&graph.as_numbered(error)))?;
+        // A result that is wrong ends the run here, before anything is written.
         let verdict = if self.arguments.verify {
             let triangles: Vec<[usize; 3]> = result.triangles().collect();
             let answer = verify(Verifier::new(), points, &graph.edges, &triangles);
@@ -119,6 +120,7 @@ impl Job for Run<'_> {
             None
         };
         save(self.targets, graph, &result)?;
+        // Standard output holds either a result or a report.
         if self.arguments.output.has_stdout() {
             return Ok(());
         }

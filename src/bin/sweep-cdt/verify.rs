@@ -16,7 +16,7 @@ use crate::shared::output::{print, refuse_overwriting};
 use crate::shared::report;
 use crate::shared::verification::{self, violations};
 
-/// Verify the triangulation that any program has made
+/// Verify a triangulation made by any program
 ///
 /// Proves by exact arithmetic that the triangles are a constrained Delaunay triangulation of the input,
 /// or says what is wrong and where. In a correct one the triangles tile the convex hull of the points,
@@ -75,7 +75,7 @@ Violations:
   not-delaunay                                a side that should be flipped
 
 Exit status:
-  0  correct   1  wrong, or unreadable   2  wrong usage
+  0  correct   1  wrong, or a file cannot be read   2  wrong usage
 
 Examples:
   triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
@@ -129,6 +129,7 @@ impl Job for Run<'_> {
             node,
         } = self.result;
         let arguments = self.arguments;
+        // The result is read in the type of the input, so that equal coordinates match.
         let triangles = read_result(format, &source, node.as_ref(), graph)?;
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
@@ -143,6 +144,7 @@ impl Job for Run<'_> {
             graph,
             triangles: &triangles,
         };
+        // The files come first: where one cannot be written, no report is printed.
         let mut files = AtomicFiles::default();
         if let Some(path) = &arguments.certificate {
             files.add(path, |out| certificate::write(&subject, &answer, out))?;

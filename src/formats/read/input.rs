@@ -32,6 +32,19 @@ pub enum InputFormat {
 }
 
 /// What a file holds: rationals if any coordinate in it is a fraction `p/q`, doubles otherwise.
+///
+/// ```
+/// use num_rational::BigRational;
+/// use sweep_cdt::formats::{Coordinate, Input, InputFormat, Source, read};
+///
+/// let bytes = br#"{"points": [[0.1, "1/3"]]}"#.to_vec();
+/// let source = Source { name: "example".to_owned(), bytes };
+/// let Input::Rationals(graph) = read(InputFormat::Json, &source, None)? else {
+///     unreachable!("there is a fraction in the file")
+/// };
+/// assert_eq!(graph.points[0].each_ref().map(BigRational::text), ["1/10", "1/3"]);
+/// # Ok::<(), sweep_cdt::formats::ReadError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Input {
     /// All coordinates are decimals, each read as the nearest double.

@@ -5,10 +5,11 @@ use std::fmt;
 /// A file in memory.
 ///
 /// ```
-/// use sweep_cdt::formats::Source;
+/// use sweep_cdt::formats::{Input, InputFormat, Source, read};
 ///
-/// let source = Source { name: "three.node".to_owned(), bytes: b"3\n0 0 0\n1 1 0\n2 0 1\n".to_vec() };
-/// # let _ = source;
+/// let bytes = b"2 2 0 0\n1 0 0\n2 1 0.5\n".to_vec();
+/// let source = Source { name: "two.node".to_owned(), bytes };
+/// assert!(matches!(read(InputFormat::Node, &source, None), Ok(Input::Doubles(_))));
 /// ```
 #[derive(Clone, Debug)]
 pub struct Source {

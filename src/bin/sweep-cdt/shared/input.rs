@@ -13,7 +13,7 @@ pub(crate) struct InputArgs {
     #[arg(value_name = "INPUT")]
     pub(crate) input: FileArgument,
 
-    /// Format of the input, if the file name does not tell it
+    /// Format of the input [default: by its extension]
     #[arg(long, value_name = "FORMAT", value_parser = format::parser::<InputFormat>())]
     input_format: Option<InputFormat>,
 }
@@ -49,7 +49,7 @@ pub(crate) struct ResultArgs {
     #[arg(value_name = "RESULT")]
     pub(crate) result: FileArgument,
 
-    /// Format of the result, if the file name does not tell it
+    /// Format of the result [default: by its extension]
     #[arg(long, value_name = "FORMAT", value_parser = format::parser::<ResultFormat>())]
     result_format: Option<ResultFormat>,
 }

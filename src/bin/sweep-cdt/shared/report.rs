@@ -8,7 +8,7 @@ use sweep_cdt::verify::Report;
 use super::table::{NAME, NUMBER, rows};
 use super::verification::{Answer, violations};
 
-/// Writes the line that says it all.
+/// Writes the verdict: one line.
 pub(crate) fn write_verdict(
     answer: &Answer,
     result: &str,
@@ -29,7 +29,7 @@ pub(crate) fn write_verdict(
             let plural = if found == 1 { "" } else { "s" };
             writeln!(
                 out,
-                "wrong: {result} is no {WHAT} of {input}: {found} violation{plural}"
+                "wrong: {result} is not a {WHAT} of {input}: {found} violation{plural}"
             )
         }
     }

@@ -18,7 +18,7 @@ pub(crate) struct Settings {
     #[arg(long, value_enum, default_value_t = Front::Hash)]
     front: Front,
 
-    /// Angles up to which triangles are made early
+    /// Angles up to which the heuristics make triangles
     #[arg(long, value_enum, default_value_t = Preset::Fast)]
     heuristics: Preset,
 

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 /// The width of the names.
-pub(crate) const NAME: usize = 22;
+pub(crate) const NAME: usize = 26;
 /// The width of the numbers, which end in one column.
-pub(crate) const NUMBER: usize = 16;
+pub(crate) const NUMBER: usize = 12;
 
 /// Writes names and numbers in columns.
 pub(crate) fn rows(out: &mut impl Write, rows: &[(&str, u64)]) -> io::Result<()> {
