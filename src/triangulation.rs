@@ -159,7 +159,8 @@ impl Triangulation {
         })
     }
 
-    /// Has this triangulation checked by the exact verifier, which shares no code with the sweep.
+    /// Has this triangulation checked by the exact verifier, which shares the exact predicates of the
+    /// scalar with the sweep and nothing else.
     ///
     /// `points` and `edges` are the input; see [`mod@crate::verify`] for what is proved.
     ///

@@ -2,7 +2,8 @@
 
 use std::collections::HashSet;
 
-use sweep_cdt::{Report, Violations, triangulate, verify};
+use sweep_cdt::triangulate;
+use sweep_cdt::verify::{Report, Violations, verify};
 use sweep_cdt_testing::Random;
 
 /// A triangulation to break.

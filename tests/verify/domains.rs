@@ -1,6 +1,6 @@
 //! Domains that the caller bounds.
 
-use sweep_cdt::{Verifier, Violation};
+use sweep_cdt::verify::{Verifier, Violation};
 
 /// A square ring around a hole.
 pub(crate) const POINTS: [[f64; 2]; 8] = [

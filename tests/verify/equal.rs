@@ -3,7 +3,8 @@
 use std::cell::Cell;
 use std::cmp::Ordering;
 
-use sweep_cdt::{Scalar, verify};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::verify;
 
 use sweep_cdt_testing::Random;
 
@@ -42,7 +43,7 @@ impl Scalar for Counting {
     }
 }
 
-/// How many distinct points there are, and how many coordinates were compared to know.
+/// How many distinct points there are, and how many comparisons of coordinates that took.
 fn distinct(points: &[[f64; 2]]) -> (usize, usize) {
     let points: Vec<[Counting; 2]> = points.iter().map(|p| p.map(Counting)).collect();
     COMPARISONS.set(0);

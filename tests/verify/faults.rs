@@ -1,11 +1,11 @@
 //! A table of faults: each class is reported as that class.
 
 use num_rational::BigRational;
-use sweep_cdt::{Verifier, verify};
+use sweep_cdt::verify::{Verifier, verify};
 
 use super::case::*;
 
-/// A fault: how it is called, a triangulation that has it, and the first violation to be reported.
+/// A fault: its name, a triangulation that has it, and the first violation to be reported.
 type Fault = (&'static str, fn() -> Case, &'static str);
 
 const FAULTS: &[Fault] = &[
