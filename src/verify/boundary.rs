@@ -1,66 +1,97 @@
-//! The boundary: one closed convex chain that winds once, or the chains that the caller gave.
+//! Check 4: the boundary is one closed chain that never turns right nor back and goes round once, or it
+//! is the chains that the caller declared.
 //!
-//! Why winding is counted right: a chain that never turns right nor back turns by less than half a
-//! turn at each vertex, so it cannot skip the half of all directions that ascend in the order (x, y).
-//! Each full turn therefore enters that half once.
+//! How rounds are counted: a side *ascends* if its end comes after its start in the order (x, y). A chain
+//! that never turns right nor back turns by less than half a turn at each vertex. The directions that
+//! ascend are half of all, so the chain cannot skip them, and each round enters them once.
+//!
+//! ```text
+//!           .-- d <--.
+//!          v          \        a-b and b-c ascend, c-d and d-a do not.
+//!          a           c       The chain enters the ascending directions at a,
+//!           \         ^        its leftmost vertex, once a round.
+//!            '--> b -'
+//! ```
 
 use std::cmp::Ordering;
 
-use super::findings::Findings;
-use super::input::Mesh;
-use super::report::Violation;
-use super::signs::Tally;
+use super::domain::Domain;
+use super::record::Record;
+use super::sides::Sides;
+use super::soup::Soup;
+use super::violation::Violation;
 use crate::scalar::Scalar;
 
-/// Checks that the open sides are one convex chain that winds once. There are triangles, all turn left, and
-/// none has a side in common with another on the same side of it; so some sides are open: across a side
-/// with two triangles as many of them cover the plane, and far away none does.
-pub(super) fn check_hull<S: Scalar>(
-    mesh: &Mesh<'_, S>,
-    boundary: &[u32],
-    tally: &mut Tally,
-    findings: &mut Findings,
+/// Checks the boundary, against the domain if the caller declared one.
+pub(super) fn check<S: Scalar>(
+    soup: &Soup<'_, S>,
+    sides: &Sides,
+    domain: Option<&Domain>,
+    record: &mut Record,
 ) {
-    let mut open: Vec<[u32; 2]> = boundary.iter().map(|&side| mesh.side(side)).collect();
-    open.sort_unstable();
-    let pinched = open
-        .windows(2)
-        .filter(|w| w[0][0] == w[1][0])
-        .map(|w| w[0][0]);
-    let mut pinched: Vec<u32> = pinched.collect();
-    pinched.dedup();
-    for &v in &pinched {
-        findings.add(Violation::PinchedBoundary {
-            vertex: mesh.signs.name(v),
-        });
+    // A triangle that is missing or rejected leaves a hole, which is not another fault.
+    let is_sound = record.findings.is_empty();
+    match domain {
+        Some(domain) if is_sound => domain.check_boundary(soup, &sides.boundary, record),
+        None if soup.triangles.is_empty() => check_collinear(soup, record),
+        None if is_sound => check_hull(soup, &sides.boundary, record),
+        _ => {}
     }
-    if !pinched.is_empty() {
+}
+
+/// Without triangles all vertices must lie on one line.
+fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
+    let is_off = |&v: &u32| soup.signs.orient2d([0, 1, v], &mut record.tally).is_ne();
+    if let Some(v) = (2..soup.vertices()).find(is_off) {
+        let vertices = soup.names([0, 1, v]);
+        record.findings.add(Violation::NoTriangles { vertices });
+    }
+}
+
+/// Checks that the boundary is one convex chain that goes round once.
+///
+/// There is at least one boundary side. Otherwise every side had a triangle on both of its sides, crossing
+/// a side would never change how many triangles cover a point, and that number is 0 far away.
+fn check_hull<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Record) {
+    // If each vertex starts at most one side, the sides are closed chains.
+    let mut sides: Vec<[u32; 2]> = boundary.iter().map(|&side| soup.side(side)).collect();
+    sides.sort_unstable();
+    let mut pinched = false;
+    for same_start in sides.chunk_by(|a, b| a[0] == b[0]) {
+        if same_start.len() > 1 {
+            pinched = true;
+            let vertex = soup.signs.name(same_start[0][0]);
+            record.findings.add(Violation::PinchedBoundary { vertex });
+        }
+    }
+    if pinched {
         return;
     }
-    let mut chains = chains(&open);
-    let lowest = |chain: &Vec<u32>| {
-        chain
+
+    // The chain with the first vertex in the order (x, y) goes round all others, if there are others.
+    let mut chains = chains(&sides);
+    let first_of = |chain: &Vec<u32>| {
+        let first = chain
             .iter()
             .copied()
-            .min_by(|&a, &b| mesh.signs.order(a, b))
+            .min_by(|&a, &b| soup.signs.order(a, b));
+        first.expect("no chain is empty")
     };
-    let outer = (0..chains.len()).min_by(|&i, &j| {
-        let least = |k: usize| lowest(&chains[k]).expect("no chain is empty");
-        mesh.signs.order(least(i), least(j))
-    });
+    let outer = (0..chains.len())
+        .min_by(|&i, &j| soup.signs.order(first_of(&chains[i]), first_of(&chains[j])));
     let outer = chains.swap_remove(outer.expect("triangles that turn left have a boundary"));
     for chain in &chains {
-        let side = [chain[0], chain[1 % chain.len()]].map(|v| mesh.signs.name(v));
-        findings.add(Violation::ExtraBoundary {
-            side,
+        record.findings.add(Violation::ExtraBoundary {
+            side: soup.names([chain[0], chain[1 % chain.len()]]),
             sides: chain.len(),
         });
     }
-    check_convex(mesh, &outer, tally, findings);
+    check_convex(soup, &outer, record);
 }
 
-/// The closed chains of sides, given by start, of which each vertex starts at most one. As many sides end
-/// in a vertex as start there, because each triangle's do, so that each chain goes on until it is closed.
+/// The closed chains that sides form. They are sorted by start, and no two have the same start. As many
+/// sides end at a vertex as start there, because that holds for each triangle; so each chain goes on until
+/// it is closed.
 fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let mut visited = vec![false; sides.len()];
     let mut result = Vec::new();
@@ -79,88 +110,27 @@ fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
     result
 }
 
-fn check_convex<S: Scalar>(
-    mesh: &Mesh<'_, S>,
-    chain: &[u32],
-    tally: &mut Tally,
-    findings: &mut Findings,
-) {
+/// Checks that a closed chain never turns right nor back, and that it goes round once.
+fn check_convex<S: Scalar>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Record) {
     let at = |i: usize| chain[i % chain.len()];
     let (mut times, mut convex) = (0, true);
     for i in 0..chain.len() {
         let vertices @ [a, b, c] = [at(i), at(i + 1), at(i + 2)];
-        let ascends = [mesh.signs.order(a, b), mesh.signs.order(b, c)].map(Ordering::is_lt);
-        let goes_on = match mesh.signs.orient2d(vertices, tally) {
+        let ascends = [soup.signs.order(a, b), soup.signs.order(b, c)].map(Ordering::is_lt);
+        let goes_on = match soup.signs.orient2d(vertices, &mut record.tally) {
             Ordering::Greater => true,
+            // Straight on, or back.
             Ordering::Equal => ascends[0] == ascends[1],
             Ordering::Less => false,
         };
         if !goes_on {
             convex = false;
-            let vertices = vertices.map(|v| mesh.signs.name(v));
-            findings.add(Violation::ConcaveBoundary { vertices });
+            let vertices = soup.names(vertices);
+            record.findings.add(Violation::ConcaveBoundary { vertices });
         }
         times += usize::from(ascends == [false, true]);
     }
     if convex && times != 1 {
-        findings.add(Violation::WindingBoundary { times });
+        record.findings.add(Violation::WindingBoundary { times });
     }
-}
-
-/// Checks that the open sides are exactly those of the caller's chains, given by rank.
-pub(super) fn check_declared<S: Scalar>(
-    mesh: &Mesh<'_, S>,
-    boundary: &[u32],
-    declared: &[[u32; 2]],
-    findings: &mut Findings,
-) {
-    let mut open: Vec<([u32; 2], u32)> = boundary
-        .iter()
-        .map(|&side| (mesh.side(side), side / 3))
-        .collect();
-    let mut declared = declared.to_vec();
-    open.sort_unstable();
-    declared.sort_unstable();
-    for &(side, triangle) in &open {
-        if declared.binary_search(&side).is_err() {
-            let side = side.map(|v| mesh.signs.name(v));
-            findings.add(Violation::UndeclaredBoundary {
-                side,
-                triangle: triangle as usize,
-            });
-        }
-    }
-    for (i, side) in declared.iter().enumerate() {
-        let again = i > 0 && declared[i - 1] == *side;
-        if again || open.binary_search_by_key(side, |open| open.0).is_err() {
-            findings.add(Violation::MissingBoundary {
-                side: side.map(|v| mesh.signs.name(v)),
-            });
-        }
-    }
-}
-
-/// Whether the vertex lies inside the domain that the declared sides bound, or on its boundary: whether
-/// they wind round it.
-pub(super) fn is_inside<S: Scalar>(
-    mesh: &Mesh<'_, S>,
-    declared: &[[u32; 2]],
-    v: u32,
-    tally: &mut Tally,
-) -> bool {
-    let mut winding = 0;
-    for &[a, b] in declared {
-        let [below_a, below_b] = [a, b].map(|end| mesh.signs.order(end, v).is_lt());
-        if below_a == below_b {
-            continue;
-        }
-        // The side passes v in the order (x, y), on the side that the turn tells.
-        match (mesh.signs.orient2d([a, b, v], tally), below_a) {
-            (Ordering::Equal, _) => return true,
-            (Ordering::Greater, true) => winding += 1,
-            (Ordering::Less, false) => winding -= 1,
-            _ => {}
-        }
-    }
-    winding != 0
 }

@@ -1,11 +1,11 @@
 //! Violations as they are found.
 
-use super::report::Violation;
+use super::violation::Violation;
 
 /// The first violations, and how many there are.
 #[derive(Debug)]
 pub(super) struct Findings {
-    pub(super) limit: usize,
+    limit: usize,
     pub(super) list: Vec<Violation>,
     pub(super) found: usize,
 }
@@ -17,6 +17,15 @@ impl Findings {
             list: Vec::new(),
             found: 0,
         }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.found == 0
+    }
+
+    /// How many are listed at most.
+    pub(super) fn limit(&self) -> usize {
+        self.limit
     }
 
     pub(super) fn add(&mut self, violation: Violation) {

@@ -1,119 +1,98 @@
-//! The caller's arrays, checked and renumbered: distinct points get ranks in the order in which the
-//! triangles name them, so that the later passes find neighbours near each other in memory.
+//! Check 1: all coordinates are finite and all indices in range. What is in range is renumbered.
+//!
+//! Each distinct point gets a rank, in the order in which the triangles name points first, so that
+//! vertices of neighbouring triangles are near each other in memory.
 
-use std::cmp::Ordering;
-
-use super::findings::Findings;
-use super::points;
-use super::report::Violation;
-use super::sides::NONE;
-use super::signs::{Signs, Tally};
+use super::domain::Domain;
+use super::duplicates::representatives;
+use super::record::Record;
+use super::signs::Signs;
+use super::soup::{LIMIT, REJECTED, Soup};
+use super::violation::Violation;
 use crate::scalar::Scalar;
 
-/// The triangulation by rank.
+/// What the caller gave, by rank, as far as it is in range.
 #[derive(Debug)]
-pub(super) struct Mesh<'a, S> {
-    pub(super) signs: Signs<'a, S>,
-    /// Numbered as the caller's; [`NONE`] three times where one is not fit for further checks.
-    pub(super) triangles: Vec<[u32; 3]>,
-}
-
-/// What the caller gave, as far as it is in range.
-#[derive(Debug)]
-pub(super) struct Input<'a, S> {
-    pub(super) mesh: Mesh<'a, S>,
-    /// Edges with two different ends, by number.
+pub(super) struct Ranked<'a, S> {
+    pub(super) soup: Soup<'a, S>,
+    /// Edges with two different ends, with their numbers.
     pub(super) edges: Vec<(usize, [u32; 2])>,
-    /// The sides of the caller's chains.
-    pub(super) declared: Vec<[u32; 2]>,
+    pub(super) domain: Option<Domain>,
     /// Vertices of this rank and above are in no triangle.
     pub(super) used: u32,
 }
 
-/// Reports what is not finite or out of range, and renumbers the rest.
+/// Reads the caller's arrays; `None` if they are too large to be numbered.
 pub(super) fn read<'a, S: Scalar>(
     points: &'a [[S; 2]],
     edges: &[[usize; 2]],
     triangles: &[[usize; 3]],
-    chains: &[Vec<usize>],
-    findings: &mut Findings,
-) -> Input<'a, S> {
-    let mut ranks = Ranks::new(points, findings);
-    let kept = triangles.iter().enumerate().map(|(triangle, corners)| {
-        if let Some(&vertex) = corners.iter().find(|&&v| v >= points.len()) {
-            findings.add(Violation::TriangleOutOfRange { triangle, vertex });
-        }
-        ranks.of(corners).unwrap_or([NONE; 3])
-    });
-    let triangles = kept.collect();
-    let used = ranks.count();
-    for v in 0..points.len() {
-        ranks.of(&[v]);
+    chains: Option<&[Vec<usize>]>,
+    record: &mut Record,
+) -> Option<Ranked<'a, S>> {
+    record.report.points = points.len();
+    record.report.edges = edges.len();
+    record.report.triangles = triangles.len();
+    let given = points.len().max(triangles.len().saturating_mul(3));
+    if given > LIMIT {
+        let limit = LIMIT;
+        record.findings.add(Violation::TooLarge { given, limit });
+        return None;
     }
 
-    let mut kept = Vec::with_capacity(edges.len());
-    for (edge, ends) in edges.iter().enumerate() {
-        if let Some(&vertex) = ends.iter().find(|&&v| v >= points.len()) {
-            findings.add(Violation::EdgeOutOfRange { edge, vertex });
-        }
-        kept.extend(
-            ranks
-                .of(ends)
-                .filter(|[a, b]| a != b)
-                .map(|ends| (edge, ends)),
-        );
+    let mut ranks = Ranks::new(points, record);
+    let triangles = ranks.read_triangles(triangles, record);
+    let used = ranks.given_out();
+    for v in 0..points.len() {
+        ranks.of([v]);
     }
-    let mut declared = Vec::new();
-    for chain in chains {
-        for (i, &from) in chain.iter().enumerate() {
-            let side = [from, chain[(i + 1) % chain.len()]];
-            match ranks.of(&side) {
-                Some(side) => declared.push(side),
-                None => findings.add(Violation::MissingBoundary { side }),
-            }
-        }
-    }
-    Input {
-        mesh: Mesh {
+    let edges = ranks.read_edges(edges, record);
+    let domain = chains.map(|chains| ranks.read_chains(chains, record));
+    record.report.distinct_points = ranks.signs.vertex.len();
+    Some(Ranked {
+        soup: Soup {
             signs: ranks.signs,
             triangles,
         },
-        edges: kept,
-        declared,
+        edges,
+        domain,
         used,
-    }
+    })
 }
 
 /// Ranks as they are given out.
 struct Ranks<'a, S> {
     signs: Signs<'a, S>,
-    /// Of each point: its rank, or one of these two.
+    /// For each point its rank, [`NEW`] or [`NOT_FINITE`].
     rank: Vec<u32>,
     /// For each point the lowest index of a point equal to it, unless all differ.
     representative: Option<Vec<u32>>,
-    near: Vec<[f64; 2]>,
+    /// For each point its approximated coordinates.
+    approximations: Vec<[f64; 2]>,
 }
 
-/// No rank yet.
+/// In place of a rank: none is given out yet.
 const NEW: u32 = u32::MAX - 1;
-/// Not finite.
-const UNFIT: u32 = u32::MAX;
+/// In place of a rank: the point gets none.
+const NOT_FINITE: u32 = u32::MAX;
 
 impl<'a, S: Scalar> Ranks<'a, S> {
-    fn new(points: &'a [[S; 2]], findings: &mut Findings) -> Ranks<'a, S> {
+    fn new(points: &'a [[S; 2]], record: &mut Record) -> Ranks<'a, S> {
         let mut rank = vec![NEW; points.len()];
-        let mut near = Vec::with_capacity(points.len());
+        let mut approximations = Vec::with_capacity(points.len());
         for (vertex, (point, rank)) in points.iter().zip(&mut rank).enumerate() {
             if point.iter().all(S::is_finite) {
-                near.push([point[0].approx(), point[1].approx()]);
+                approximations.push([point[0].approx(), point[1].approx()]);
             } else {
-                findings.add(Violation::NonFiniteCoordinate { vertex });
-                *rank = UNFIT;
-                near.push([0.0; 2]);
+                record
+                    .findings
+                    .add(Violation::NonFiniteCoordinate { vertex });
+                *rank = NOT_FINITE;
+                approximations.push([0.0; 2]);
             }
         }
-        let usable = |v: u32| rank[v as usize] == NEW;
-        let representative = points::representatives(points, &near, usable);
+        let is_finite = |v: u32| rank[v as usize] == NEW;
+        let representative = representatives(points, &approximations, is_finite);
         let signs = Signs {
             points,
             vertex: Vec::with_capacity(points.len()),
@@ -123,20 +102,64 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             signs,
             rank,
             representative,
-            near,
+            approximations,
         }
     }
 
-    fn count(&self) -> u32 {
+    fn read_triangles(&mut self, triangles: &[[usize; 3]], record: &mut Record) -> Vec<[u32; 3]> {
+        let ranked = triangles.iter().enumerate().map(|(triangle, &corners)| {
+            if let Some(vertex) = self.out_of_range(&corners) {
+                record
+                    .findings
+                    .add(Violation::TriangleOutOfRange { triangle, vertex });
+            }
+            self.of(corners).unwrap_or(REJECTED)
+        });
+        ranked.collect()
+    }
+
+    fn read_edges(&mut self, edges: &[[usize; 2]], record: &mut Record) -> Vec<(usize, [u32; 2])> {
+        let mut ranked = Vec::with_capacity(edges.len());
+        for (edge, &ends) in edges.iter().enumerate() {
+            if let Some(vertex) = self.out_of_range(&ends) {
+                record
+                    .findings
+                    .add(Violation::EdgeOutOfRange { edge, vertex });
+            }
+            let ends = self.of(ends).filter(|[a, b]| a != b);
+            ranked.extend(ends.map(|ends| (edge, ends)));
+        }
+        ranked
+    }
+
+    fn read_chains(&mut self, chains: &[Vec<usize>], record: &mut Record) -> Domain {
+        let mut sides = Vec::new();
+        for chain in chains {
+            for (i, &from) in chain.iter().enumerate() {
+                let side = [from, chain[(i + 1) % chain.len()]];
+                match self.of(side) {
+                    Some(side) => sides.push(side),
+                    None => record.findings.add(Violation::MissingBoundary { side }),
+                }
+            }
+        }
+        Domain { sides }
+    }
+
+    fn out_of_range(&self, vertices: &[usize]) -> Option<usize> {
+        vertices.iter().copied().find(|&v| v >= self.rank.len())
+    }
+
+    fn given_out(&self) -> u32 {
         u32::try_from(self.signs.vertex.len()).expect("the size was checked")
     }
 
-    /// The ranks of vertices, new ones if need be; `None` if one is out of range or not finite.
+    /// The ranks of vertices, given out now if need be; `None` if one is out of range or not finite.
     #[inline]
-    fn of<const N: usize>(&mut self, vertices: &[usize; N]) -> Option<[u32; N]> {
+    fn of<const N: usize>(&mut self, vertices: [usize; N]) -> Option<[u32; N]> {
         let mut result = [0; N];
-        for (to, &given) in result.iter_mut().zip(vertices) {
-            if *self.rank.get(given)? == UNFIT {
+        for (to, given) in result.iter_mut().zip(vertices) {
+            if *self.rank.get(given)? == NOT_FINITE {
                 return None;
             }
             *to = u32::try_from(given).expect("the size was checked");
@@ -147,49 +170,12 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             }
             let v = *to as usize;
             if self.rank[v] == NEW {
-                self.rank[v] = self.count();
+                self.rank[v] = self.given_out();
                 self.signs.vertex.push(*to);
-                self.signs.near.push(self.near[v]);
+                self.signs.near.push(self.approximations[v]);
             }
             *to = self.rank[v];
         }
         Some(result)
-    }
-}
-
-impl<S: Scalar> Mesh<'_, S> {
-    /// How many vertices there are.
-    pub(super) fn count(&self) -> u32 {
-        u32::try_from(self.signs.vertex.len()).expect("the size was checked")
-    }
-
-    /// If the first triangle that is not flat is clockwise, turns all round.
-    pub(super) fn turn_if_clockwise(&mut self, tally: &mut Tally) -> bool {
-        let kept = self.triangles.iter().filter(|t| t[0] != NONE);
-        let mut turns = kept.map(|&t| self.signs.orient2d(t, tally));
-        let clockwise = turns.find(|turn| turn.is_ne()) == Some(Ordering::Less);
-        if clockwise {
-            for triangle in &mut self.triangles {
-                triangle.swap(1, 2);
-            }
-        }
-        clockwise
-    }
-
-    /// Without triangles all vertices must lie on one line.
-    pub(super) fn check_collinear(&self, tally: &mut Tally, findings: &mut Findings) {
-        let off = (2..self.count()).find(|&v| self.signs.orient2d([0, 1, v], tally).is_ne());
-        if let Some(v) = off {
-            let vertices = [0, 1, v].map(|v| self.signs.name(v));
-            findings.add(Violation::NoTriangles { vertices });
-        }
-    }
-}
-
-impl<S> Mesh<'_, S> {
-    /// The ends of side `3 t + i`.
-    pub(super) fn side(&self, side: u32) -> [u32; 2] {
-        let (triangle, i) = (self.triangles[side as usize / 3], side as usize % 3);
-        [triangle[i], triangle[(i + 1) % 3]]
     }
 }

@@ -1,6 +1,8 @@
 //! The numbers in a violation: collected, or replaced by those of another numbering.
 
-use super::report::Violation;
+use std::slice::from_mut;
+
+use super::violation::Violation;
 
 /// What a [`Violation`] names, each thing once, in the order of its text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -14,8 +16,16 @@ pub struct Offenders {
     pub triangles: Vec<usize>,
 }
 
+/// What a number in a violation is the index of.
+#[derive(Clone, Copy)]
+enum Kind {
+    Vertex,
+    Edge,
+    Triangle,
+}
+
 impl Violation {
-    /// What it names.
+    /// The vertices, edges and triangles that it names.
     ///
     /// ```
     /// use sweep_cdt::verify::Violation;
@@ -24,19 +34,18 @@ impl Violation {
     /// let offenders = violation.offenders();
     /// assert_eq!((offenders.edges, offenders.vertices), (vec![7], vec![2]));
     /// ```
-    pub fn offenders(self) -> Offenders {
+    pub fn offenders(mut self) -> Offenders {
         let mut found = Offenders::default();
-        let note = |list: &mut Vec<usize>, number| {
-            if !list.contains(&number) {
-                list.push(number);
+        self.each_index(|kind, index| {
+            let list = match kind {
+                Kind::Vertex => &mut found.vertices,
+                Kind::Edge => &mut found.edges,
+                Kind::Triangle => &mut found.triangles,
+            };
+            if !list.contains(index) {
+                list.push(*index);
             }
-            number
-        };
-        self.renumbered(
-            |vertex| note(&mut found.vertices, vertex),
-            |edge| note(&mut found.edges, edge),
-            |triangle| note(&mut found.triangles, triangle),
-        );
+        });
         found
     }
 
@@ -49,72 +58,59 @@ impl Violation {
     /// let from_1 = violation.renumbered(|v| v + 1, |e| e + 1, |t| t + 1);
     /// assert_eq!(from_1, Violation::MissingEdge { edge: 8, after: 3 });
     /// ```
+    #[must_use]
     pub fn renumbered(
-        self,
+        mut self,
         mut on_vertex: impl FnMut(usize) -> usize,
         mut on_edge: impl FnMut(usize) -> usize,
         mut on_triangle: impl FnMut(usize) -> usize,
     ) -> Violation {
+        self.each_index(|kind, index| {
+            *index = match kind {
+                Kind::Vertex => on_vertex(*index),
+                Kind::Edge => on_edge(*index),
+                Kind::Triangle => on_triangle(*index),
+            };
+        });
+        self
+    }
+
+    /// Visits the indices in it; counts are not indices.
+    fn each_index(&mut self, mut visit: impl FnMut(Kind, &mut usize)) {
         use Violation as V;
-        match self {
-            V::TooLarge { .. } | V::WindingBoundary { .. } | V::WrongCount { .. } => self,
-            V::NonFiniteCoordinate { vertex } => V::NonFiniteCoordinate {
-                vertex: on_vertex(vertex),
-            },
-            V::EdgeOutOfRange { edge, vertex } => V::EdgeOutOfRange {
-                edge: on_edge(edge),
-                vertex: on_vertex(vertex),
-            },
-            V::TriangleOutOfRange { triangle, vertex } => V::TriangleOutOfRange {
-                triangle: on_triangle(triangle),
-                vertex: on_vertex(vertex),
-            },
-            V::FlatTriangle { triangle } => V::FlatTriangle {
-                triangle: on_triangle(triangle),
-            },
-            V::ReversedTriangle { triangle } => V::ReversedTriangle {
-                triangle: on_triangle(triangle),
-            },
-            V::RepeatedSide { side, triangles } => V::RepeatedSide {
-                side: side.map(on_vertex),
-                triangles: triangles.map(on_triangle),
-            },
-            V::NoTriangles { vertices } => V::NoTriangles {
-                vertices: vertices.map(on_vertex),
-            },
-            V::PinchedBoundary { vertex } => V::PinchedBoundary {
-                vertex: on_vertex(vertex),
-            },
-            V::ExtraBoundary { side, sides } => V::ExtraBoundary {
-                side: side.map(on_vertex),
-                sides,
-            },
-            V::ConcaveBoundary { vertices } => V::ConcaveBoundary {
-                vertices: vertices.map(on_vertex),
-            },
-            V::UndeclaredBoundary { side, triangle } => V::UndeclaredBoundary {
-                side: side.map(on_vertex),
-                triangle: on_triangle(triangle),
-            },
-            V::MissingBoundary { side } => V::MissingBoundary {
-                side: side.map(on_vertex),
-            },
-            V::UnusedPoint { vertex } => V::UnusedPoint {
-                vertex: on_vertex(vertex),
-            },
-            V::MissingEdge { edge, after } => V::MissingEdge {
-                edge: on_edge(edge),
-                after: on_vertex(after),
-            },
+        let (vertices, edges, triangles): (&mut [usize], &mut [usize], &mut [usize]) = match self {
+            V::TooLarge { .. } | V::WindingBoundary { .. } | V::WrongCount { .. } => return,
+            V::NonFiniteCoordinate { vertex }
+            | V::PinchedBoundary { vertex }
+            | V::UnusedPoint { vertex } => (from_mut(vertex), &mut [], &mut []),
+            V::FlatTriangle { triangle } | V::ReversedTriangle { triangle } => {
+                (&mut [], &mut [], from_mut(triangle))
+            }
+            V::EdgeOutOfRange { edge, vertex }
+            | V::MissingEdge {
+                edge,
+                after: vertex,
+            } => (from_mut(vertex), from_mut(edge), &mut []),
+            V::TriangleOutOfRange { triangle, vertex } => {
+                (from_mut(vertex), &mut [], from_mut(triangle))
+            }
+            V::NoTriangles { vertices } | V::ConcaveBoundary { vertices } => {
+                (vertices, &mut [], &mut [])
+            }
+            V::ExtraBoundary { side, .. } | V::MissingBoundary { side } => (side, &mut [], &mut []),
+            V::UndeclaredBoundary { side, triangle } => (side, &mut [], from_mut(triangle)),
+            V::RepeatedSide { side, triangles } => (side, &mut [], triangles),
             V::NotDelaunay {
                 side,
                 triangles,
                 opposite,
-            } => V::NotDelaunay {
-                side: side.map(&mut on_vertex),
-                triangles: triangles.map(on_triangle),
-                opposite: opposite.map(on_vertex),
-            },
-        }
+            } => {
+                side.iter_mut().for_each(|v| visit(Kind::Vertex, v));
+                (opposite, &mut [], triangles)
+            }
+        };
+        vertices.iter_mut().for_each(|v| visit(Kind::Vertex, v));
+        edges.iter_mut().for_each(|e| visit(Kind::Edge, e));
+        triangles.iter_mut().for_each(|t| visit(Kind::Triangle, t));
     }
 }

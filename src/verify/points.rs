@@ -1,57 +1,27 @@
-//! Which points are equal: indices sorted by a hash of the approximated coordinates.
-//!
-//! Equal points have equal approximations and hence equal hashes, so only points with one hash need
-//! exact comparison; there are few, apart from true duplicates. Cost: one sort of 64-bit numbers.
+//! Check 5: every distinct point is a corner, or lies outside the domain that the caller declared.
 
-use std::cmp::Ordering;
-
+use super::domain::Domain;
+use super::record::Record;
+use super::soup::Soup;
+use super::violation::Violation;
 use crate::scalar::Scalar;
 
-/// For each point the lowest index of a point equal to it; `None` if all differ. Points that are not
-/// `usable` are left alone.
-pub(super) fn representatives<S: Scalar>(
-    points: &[[S; 2]],
-    near: &[[f64; 2]],
-    usable: impl Fn(u32) -> bool,
-) -> Option<Vec<u32>> {
-    let count = u32::try_from(points.len()).expect("the size was checked");
-    let low_bits = u64::from(count.next_power_of_two()) * 2 - 1;
-    let mut keys: Vec<u64> = (0..count)
-        .filter(|&v| usable(v))
-        .map(|v| hash(near[v as usize]) & !low_bits | u64::from(v))
-        .collect();
-    keys.sort_unstable();
-
-    let same_hash = |a: &u64, b: &u64| a & !low_bits == b & !low_bits;
-    let order = |&a: &u32, &b: &u32| {
-        let (p, q) = (&points[a as usize], &points[b as usize]);
-        p[0].compare(&q[0]).then_with(|| p[1].compare(&q[1]))
-    };
-    let mut found: Option<Vec<u32>> = None;
-    for group in keys.chunk_by(same_hash).filter(|group| group.len() > 1) {
-        let index = |key: &u64| u32::try_from(key & low_bits).expect("an index");
-        let mut group: Vec<u32> = group.iter().map(index).collect();
-        group.sort_by(order);
-        for equal in group.chunk_by(|a, b| order(a, b) == Ordering::Equal) {
-            if equal.len() > 1 {
-                let all = found.get_or_insert_with(|| (0..count).collect());
-                // The sort is stable, so the lowest index comes first.
-                for &v in equal {
-                    all[v as usize] = equal[0];
-                }
-            }
+/// Checks the vertices of rank `used` and above, which are the ones that no triangle names. Without any
+/// triangles that is for check 4 to judge.
+pub(super) fn check<S: Scalar>(
+    soup: &Soup<'_, S>,
+    used: u32,
+    domain: Option<&Domain>,
+    record: &mut Record,
+) {
+    for v in used..soup.vertices() {
+        let is_needed = match domain {
+            Some(domain) => domain.contains(soup, v, record),
+            None => !soup.triangles.is_empty(),
+        };
+        if is_needed {
+            let vertex = soup.signs.name(v);
+            record.findings.add(Violation::UnusedPoint { vertex });
         }
     }
-    found
-}
-
-/// Mixes two doubles; zeros of both signs alike.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "folds both halves into one"
-)]
-fn hash([x, y]: [f64; 2]) -> u64 {
-    let [x, y] = [x + 0.0, y + 0.0].map(f64::to_bits);
-    let product = u128::from(x ^ 0x9e37_79b9_7f4a_7c15) * u128::from(y ^ 0xd1b5_4a32_d192_ed03);
-    (product >> 64) as u64 ^ product as u64
 }

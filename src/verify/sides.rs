@@ -1,74 +1,91 @@
-//! The sides of the triangles, matched by counting: each side is filed under its end of lower rank,
-//! each small file is sorted by the other end, and then the two triangles of a side are neighbours.
+//! Check 3: every side of a triangle, as a directed edge, occurs once.
 //!
-//! Side `3 t + i` runs from corner `i` of triangle `t` to the next one. Cost: three passes.
+//! ```text
+//!              c
+//!            /   \
+//!          /   t   \
+//!        a -- 3t --> b        Side 3 t + i runs from corner i of triangle t to the next corner.
+//!        a <- 3u+j - b        Its *twin* is the same side as the neighbour u has it.
+//!          \   u   /          A side without a twin is on the boundary.
+//!            \   /
+//!              d
+//! ```
+//!
+//! Twins are found by sorting: each side goes into the bucket of its end of lower rank, each bucket is
+//! sorted by the other end, and then the two triangles of a side are next to each other. A bucket holds a
+//! few sides. Cost: three passes.
 
 use std::ops::Range;
 
-use super::findings::Findings;
-use super::input::Mesh;
-use super::report::Violation;
+use super::record::Record;
+use super::soup::Soup;
+use super::violation::Violation;
+use crate::scalar::Scalar;
 
-/// No triangle.
-pub(super) const NONE: u32 = u32::MAX;
-/// In place of a twin: nothing lies across the side, ...
-pub(super) const OPEN: u32 = u32::MAX;
-/// ... or the side is constrained.
-pub(super) const FIXED: u32 = u32::MAX - 1;
-/// How many sides can be numbered.
-pub(super) const LIMIT: usize = 1 << 31;
+/// In place of a twin: there is no triangle on the right of this side.
+const OPEN: u32 = u32::MAX;
+/// In place of a twin: this side is a piece of an input edge, so it need not be Delaunay.
+const FIXED: u32 = u32::MAX - 1;
 
+/// A bit of an entry, set if the side starts at its end of higher rank.
 const DOWNWARD: u64 = 1 << 31;
 
 /// All sides.
 #[derive(Debug)]
 pub(super) struct Sides {
-    /// For each side the one of the neighbour triangle, [`OPEN`] or [`FIXED`].
-    pub(super) twin: Vec<u32>,
+    /// For each side its twin, [`OPEN`] or [`FIXED`].
+    twin: Vec<u32>,
     /// The sides that have a triangle on their left only.
     pub(super) boundary: Vec<u32>,
-    /// Of the vertex of rank `v`, `files[starts[v]..starts[v + 1]]`: the other end in the upper half,
-    /// then a bit that is set if the side starts at the other end, then the side.
+    /// The bucket of the vertex of rank `v` is `entries[starts[v]..starts[v + 1]]`. An entry is the other
+    /// end in the upper 32 bits, then [`DOWNWARD`] or not, then the side.
     starts: Vec<u32>,
-    files: Vec<u64>,
+    entries: Vec<u64>,
+}
+
+/// Matches the sides. Two triangles on the same side of one are reported, and their sides have no twins.
+pub(super) fn check<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) -> Sides {
+    let (starts, mut entries) = buckets(soup);
+    let mut twin = vec![OPEN; 3 * soup.triangles.len()];
+    let mut boundary = Vec::new();
+    for ends in starts.windows(2) {
+        let bucket = &mut entries[ends[0] as usize..ends[1] as usize];
+        bucket.sort_unstable();
+        for same in bucket.chunk_by(|a, b| a >> 32 == b >> 32) {
+            match *same {
+                [a, b] if (a ^ b) & DOWNWARD != 0 => {
+                    twin[side(a) as usize] = side(b);
+                    twin[side(b) as usize] = side(a);
+                }
+                [a] => boundary.push(side(a)),
+                _ => report_repeated(soup, same, record),
+            }
+        }
+    }
+    record.report.boundary_sides = boundary.len();
+    Sides {
+        twin,
+        boundary,
+        starts,
+        entries,
+    }
 }
 
 impl Sides {
-    /// Matches the sides; reports two triangles on the same side of one, and leaves those unmatched.
-    pub(super) fn new<S>(mesh: &Mesh<'_, S>, findings: &mut Findings) -> Sides {
-        let (starts, mut files) = filed(&mesh.triangles, mesh.signs.vertex.len());
-        let mut twin = vec![OPEN; 3 * mesh.triangles.len()];
-        let mut boundary = Vec::new();
-        for ends in starts.windows(2) {
-            let file = &mut files[ends[0] as usize..ends[1] as usize];
-            file.sort_unstable();
-            for same in file.chunk_by(|a, b| a >> 32 == b >> 32) {
-                match *same {
-                    [a, b] if (a ^ b) & DOWNWARD != 0 => {
-                        twin[side(a) as usize] = side(b);
-                        twin[side(b) as usize] = side(a);
-                    }
-                    [a] => boundary.push(side(a)),
-                    _ => repeated(mesh, same, findings),
-                }
-            }
-        }
-        Sides {
-            twin,
-            boundary,
-            starts,
-            files,
-        }
+    /// The twin of a side that is free: neither on the boundary nor fixed.
+    pub(super) fn free_twin(&self, side: usize) -> Option<usize> {
+        let twin = self.twin[side];
+        (twin < FIXED).then_some(twin as usize)
     }
 
-    /// Marks the side between two vertices as fixed; says whether there is one, and whether it was not
+    /// Fixes the side between two vertices. `None` if there is no such side; otherwise whether it was not
     /// fixed before.
     pub(super) fn fix(&mut self, a: u32, b: u32) -> Option<bool> {
         let (low, high) = (a.min(b), a.max(b));
         let mut is_new = None;
-        for &key in &self.files[range(&self.starts, low)] {
-            if other(key) == high {
-                let twin = &mut self.twin[side(key) as usize];
+        for &entry in &self.entries[range(&self.starts, low)] {
+            if other_end(entry) == high {
+                let twin = &mut self.twin[side(entry) as usize];
                 is_new = Some(*twin != FIXED || is_new == Some(true));
                 *twin = FIXED;
             }
@@ -76,16 +93,13 @@ impl Sides {
         is_new
     }
 
-    fn file(&self, v: u32) -> &[u64] {
-        &self.files[range(&self.starts, v)]
-    }
-
-    /// For each vertex the others to which a side leads, in one array, and where each begins.
+    /// For each vertex where its neighbours begin, and the neighbours of all vertices in one array.
     pub(super) fn neighbors(&self) -> (Vec<u32>, Vec<u32>) {
         let count = u32::try_from(self.starts.len() - 1).expect("ranks fit");
+        let bucket = |v| &self.entries[range(&self.starts, v)];
         let pairs = || {
-            let distinct = |v| self.file(v).chunk_by(|a, b| a >> 32 == b >> 32);
-            (0..count).flat_map(move |v| distinct(v).map(move |same| (v, other(same[0]))))
+            let distinct = move |v| bucket(v).chunk_by(|a, b| a >> 32 == b >> 32);
+            (0..count).flat_map(move |v| distinct(v).map(move |same| (v, other_end(same[0]))))
         };
         let both = || pairs().flat_map(|(a, b)| [(a, b), (b, a)]);
         grouped(both, count as usize)
@@ -97,12 +111,12 @@ pub(super) fn range(starts: &[u32], v: u32) -> Range<usize> {
     starts[v as usize] as usize..starts[v as usize + 1] as usize
 }
 
-fn side(key: u64) -> u32 {
-    low_half(key & (DOWNWARD - 1))
+fn side(entry: u64) -> u32 {
+    low_half(entry & (DOWNWARD - 1))
 }
 
-fn other(key: u64) -> u32 {
-    low_half(key >> 32)
+fn other_end(entry: u64) -> u32 {
+    low_half(entry >> 32)
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "the upper half is cleared")]
@@ -110,34 +124,25 @@ fn low_half(x: u64) -> u32 {
     x as u32
 }
 
-/// Files each side of each triangle under its end of lower rank.
-fn filed(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, Vec<u64>) {
+/// Puts each side of each triangle into the bucket of its end of lower rank.
+fn buckets<S: Scalar>(soup: &Soup<'_, S>) -> (Vec<u32>, Vec<u64>) {
     let sides = || {
-        (0u32..)
-            .step_by(3)
-            .zip(triangles)
-            .filter(|(_, t)| t[0] != NONE)
-            .flat_map(|(first, t)| {
-                [
-                    (t[0], t[1], first),
-                    (t[1], t[2], first + 1),
-                    (t[2], t[0], first + 2),
-                ]
-            })
+        soup.accepted().flat_map(|(t, [a, b, c])| {
+            let first = 3 * t;
+            [(a, b, first), (b, c, first + 1), (c, a, first + 2)]
+        })
     };
-    grouped(
-        || {
-            sides().map(|(from, to, side)| {
-                let downward = if to < from { DOWNWARD } else { 0 };
-                let key = u64::from(from.max(to)) << 32 | downward | u64::from(side);
-                (from.min(to), key)
-            })
-        },
-        vertices,
-    )
+    let entries = || {
+        sides().map(|(from, to, side)| {
+            let downward = if to < from { DOWNWARD } else { 0 };
+            let entry = u64::from(from.max(to)) << 32 | downward | u64::from(side);
+            (from.min(to), entry)
+        })
+    };
+    grouped(entries, soup.vertices() as usize)
 }
 
-/// Counting sort: the values of each vertex together, and where each vertex begins.
+/// Counting sort by vertex: where the values of each vertex begin, and all values.
 fn grouped<T, I>(pairs: impl Fn() -> I, vertices: usize) -> (Vec<u32>, Vec<T>)
 where
     T: Copy + Default,
@@ -161,16 +166,14 @@ where
     (starts, values)
 }
 
-/// More than one triangle on the left or on the right of a side.
+/// Reports the sides of equal ends that have more than one triangle on their left, or on their right.
 #[cold]
-fn repeated<S>(mesh: &Mesh<'_, S>, same: &[u64], findings: &mut Findings) {
+fn report_repeated<S: Scalar>(soup: &Soup<'_, S>, same: &[u64], record: &mut Record) {
     for direction in same.chunk_by(|a, b| (a ^ b) & DOWNWARD == 0) {
-        for &key in &direction[1..] {
-            let [first, again] = [direction[0], key].map(side);
-            findings.add(Violation::RepeatedSide {
-                side: mesh
-                    .side(first)
-                    .map(|v| mesh.signs.vertex[v as usize] as usize),
+        for &entry in &direction[1..] {
+            let [first, again] = [direction[0], entry].map(side);
+            record.findings.add(Violation::RepeatedSide {
+                side: soup.names(soup.side(first)),
                 triangles: [first as usize / 3, again as usize / 3],
             });
         }

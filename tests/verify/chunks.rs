@@ -57,7 +57,7 @@ fn sides_are_counted_once() {
         assert_eq!(report.boundary_sides, 4 * (SIDE - 1));
         let fixed = edges.len() * (SIDE - 1);
         assert_eq!(report.constrained_sides, fixed);
-        // Each triangle has three sides, inner ones are had by two; the row is on the boundary.
+        // Each triangle has three sides, and two triangles share an inner one. The row is on the boundary.
         let inner = (3 * report.triangles - report.boundary_sides) / 2;
         assert_eq!(report.free_sides, inner);
         assert_eq!(report.cocircular_sides, SQUARES);
@@ -93,17 +93,35 @@ fn progress_goes_by_chunks() {
     let progress = |done, all| seen.lock().unwrap().push((done, all));
     let verifier = Verifier::new().progress(&progress);
     let count = triangles.len();
-    let chunks = (1..=count.div_ceil(CHUNK)).map(|chunk| count.min(chunk * CHUNK));
+    let chunks = count.div_ceil(CHUNK);
+    let done = (1..=chunks).map(|chunk| count.min(chunk * CHUNK));
     let expected: Vec<_> = [0, count]
         .into_iter()
-        .flat_map(|before| chunks.clone().map(move |done| (before + done, 2 * count)))
+        .flat_map(|before| done.clone().map(move |done| (before + done, 2 * count)))
         .collect();
     let result = verifier.verify(&points, &[], &triangles);
     assert!(result.is_ok());
     assert_eq!(std::mem::take(&mut *seen.lock().unwrap()), expected);
-    // Threads may tell it in any order.
+
+    // Threads report chunks in any order, the short one too.
     let result = verifier.verify_parallel(&points, &[], &triangles);
     assert!(result.is_ok());
-    seen.lock().unwrap().sort_unstable();
-    assert_eq!(*seen.lock().unwrap(), expected);
+    let mut seen = std::mem::take(&mut *seen.lock().unwrap());
+    seen.sort_unstable();
+    assert_eq!((seen.len(), seen[chunks - 1].0), (2 * chunks, count));
+    for pass in [0, count] {
+        let before = seen
+            .iter()
+            .map(|&(done, _)| done)
+            .filter(|&done| done > pass);
+        let mut last = pass;
+        let mut lengths: Vec<usize> = before
+            .take(chunks)
+            .map(|done| done - std::mem::replace(&mut last, done))
+            .collect();
+        lengths.sort_unstable();
+        let mut expected = vec![CHUNK; chunks];
+        expected[0] = count - CHUNK * (chunks - 1);
+        assert_eq!(lengths, expected);
+    }
 }

@@ -43,7 +43,7 @@ impl Scalar for Counting {
     }
 }
 
-/// How many distinct points there are, and how many coordinates were compared to know.
+/// How many distinct points there are, and how many comparisons of coordinates that took.
 fn distinct(points: &[[f64; 2]]) -> (usize, usize) {
     let points: Vec<[Counting; 2]> = points.iter().map(|p| p.map(Counting)).collect();
     COMPARISONS.set(0);

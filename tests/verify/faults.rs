@@ -5,7 +5,7 @@ use sweep_cdt::verify::{Verifier, verify};
 
 use super::case::*;
 
-/// A fault: how it is called, a triangulation that has it, and the first violation to be reported.
+/// A fault: its name, a triangulation that has it, and the first violation to be reported.
 type Fault = (&'static str, fn() -> Case, &'static str);
 
 const FAULTS: &[Fault] = &[

@@ -7,3 +7,4 @@ mod equal;
 mod faults;
 mod naive;
 mod reports;
+mod violations;

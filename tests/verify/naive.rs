@@ -70,7 +70,7 @@ fn agrees_with_the_naive_one() {
     );
 }
 
-/// Nothing at all makes the verifier panic.
+/// No input makes the verifier panic.
 #[test]
 fn garbage() {
     let mut random = Random::new(4);

@@ -59,12 +59,27 @@ fn texts() {
     };
     assert_eq!(
         violations(1).to_string(),
-        "no constrained Delaunay triangulation: side 3-1 of triangles 1 and 0 is not Delaunay: \
+        "not a constrained Delaunay triangulation: side 3-1 of triangles 1 and 0 is not Delaunay: \
          the circle of one holds vertex 2 or 0 of the other"
     );
     assert_eq!(
         violations(0).to_string(),
-        "no constrained Delaunay triangulation: 1 violations"
+        "not a constrained Delaunay triangulation: 1 violation"
+    );
+    let twice = [[0, 1, 2], [0, 1, 2]];
+    let two_more = Verifier::new()
+        .limit(1)
+        .verify(&square(1.0).points, &[], &twice);
+    assert_eq!(
+        two_more.unwrap_err().to_string(),
+        "not a constrained Delaunay triangulation: triangles 0 and 1 both lie to the left of side \
+         0-1, and 3 more violations"
+    );
+    let points = [[0.0, 0.0], [f64::NAN, 0.0], [0.0, f64::NAN]];
+    assert_eq!(
+        verify(&points, &[], &[]).unwrap_err().to_string(),
+        "not a constrained Delaunay triangulation: vertex 1 has a coordinate that is not finite, \
+         and 1 more violation"
     );
     let options = format!("{:?}", Verifier::new().limit(7).accept_clockwise(true));
     assert_eq!(

@@ -1,0 +1,90 @@
+//! Check 8: every free side is locally Delaunay; and of how many ties the diagonal is not the canonical
+//! one, which is a count and no violation.
+
+use std::cmp::Ordering;
+
+use super::chunks::{Progress, Schedule};
+use super::findings::Findings;
+use super::record::Record;
+use super::sides::Sides;
+use super::signs::Tally;
+use super::soup::Soup;
+use super::violation::Violation;
+use crate::scalar::Scalar;
+
+/// What is found in a chunk of triangles.
+struct Part {
+    tally: Tally,
+    findings: Findings,
+    free: usize,
+    cocircular: usize,
+    uncanonical: usize,
+}
+
+/// Checks all free sides.
+pub(super) fn check<S: Scalar, C: Schedule<S>>(
+    soup: &Soup<'_, S>,
+    sides: &Sides,
+    progress: &Progress<'_>,
+    record: &mut Record,
+) {
+    let limit = record.findings.limit();
+    let parts = C::run(soup, progress, |soup, chunk| {
+        let mut part = Part {
+            tally: Tally::default(),
+            findings: Findings::new(limit),
+            free: 0,
+            cocircular: 0,
+            uncanonical: 0,
+        };
+        for side in 3 * chunk.start..3 * chunk.end {
+            // Each side once, from the triangle with the higher number.
+            match sides.free_twin(side) {
+                Some(twin) if twin < side => part.check_side(soup, side, twin),
+                _ => {}
+            }
+        }
+        part
+    });
+    for part in parts {
+        record.tally += part.tally;
+        record.findings.append(part.findings);
+        record.report.free_sides += part.free;
+        record.report.cocircular_sides += part.cocircular;
+        record.report.uncanonical_sides += part.uncanonical;
+    }
+}
+
+impl Part {
+    /// Checks the side from `a` to `b` of triangle `a`, `b`, `c`, with `d` opposite to it in the triangle
+    /// of its twin.
+    fn check_side<S: Scalar>(&mut self, soup: &Soup<'_, S>, side: usize, twin: usize) {
+        let corner = |side: usize, i: usize| soup.triangles[side / 3][(side % 3 + i) % 3];
+        let [a, b, c] = [0, 1, 2].map(|i| corner(side, i));
+        let d = corner(twin, 2);
+        self.free += 1;
+        match soup.signs.in_circle([a, b, c, d], &mut self.tally) {
+            Ordering::Less => {}
+            Ordering::Equal => {
+                self.cocircular += 1;
+                // Canonical: the leftmost of the four is an end of the side.
+                let leftmost = |v, w| {
+                    if soup.signs.is_left_or_above(v, w) {
+                        v
+                    } else {
+                        w
+                    }
+                };
+                let of_side = leftmost(a, b);
+                if leftmost(leftmost(c, d), of_side) != of_side {
+                    self.uncanonical += 1;
+                }
+            }
+            Ordering::Greater => self.findings.add(Violation::NotDelaunay {
+                side: soup.names([a, b]),
+                triangles: [side / 3, twin / 3],
+                opposite: soup.names([c, d]),
+            }),
+        }
+    }
+}

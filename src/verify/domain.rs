@@ -1,0 +1,84 @@
+//! A domain that the caller declared by its boundary, in place of the convex hull.
+
+use std::cmp::Ordering;
+
+use super::record::Record;
+use super::soup::Soup;
+use super::violation::Violation;
+use crate::scalar::Scalar;
+
+/// The sides of the declared chains, by rank, in the caller's order.
+#[derive(Debug)]
+pub(super) struct Domain {
+    pub(super) sides: Vec<[u32; 2]>,
+}
+
+impl Domain {
+    /// Checks that the boundary of the triangles is exactly the declared one.
+    pub(super) fn check_boundary<S: Scalar>(
+        &self,
+        soup: &Soup<'_, S>,
+        boundary: &[u32],
+        record: &mut Record,
+    ) {
+        let mut found: Vec<([u32; 2], u32)> = boundary
+            .iter()
+            .map(|&side| (soup.side(side), side / 3))
+            .collect();
+        let mut declared = self.sides.clone();
+        found.sort_unstable();
+        declared.sort_unstable();
+        for &(side, triangle) in &found {
+            if declared.binary_search(&side).is_err() {
+                record.findings.add(Violation::UndeclaredBoundary {
+                    side: soup.names(side),
+                    triangle: triangle as usize,
+                });
+            }
+        }
+        for (i, &side) in declared.iter().enumerate() {
+            // One side cannot be the boundary twice.
+            let again = i > 0 && declared[i - 1] == side;
+            if again || found.binary_search_by_key(&side, |found| found.0).is_err() {
+                let side = soup.names(side);
+                record.findings.add(Violation::MissingBoundary { side });
+            }
+        }
+    }
+
+    /// Whether a vertex lies in the domain or on its boundary: whether the declared sides wind round it.
+    ///
+    /// Sides count that pass below the vertex, those to the right once, those to the left minus once.
+    /// *Below* and *right* are meant in the order (x, y), so that no side ends exactly below it.
+    ///
+    /// ```text
+    ///                 v
+    ///                 :
+    ///      a ---------:--------> b        + 1
+    ///                 :
+    ///      b <--------:--------- a        - 1
+    /// ```
+    pub(super) fn contains<S: Scalar>(
+        &self,
+        soup: &Soup<'_, S>,
+        v: u32,
+        record: &mut Record,
+    ) -> bool {
+        let mut winding = 0;
+        for &[a, b] in &self.sides {
+            let [is_a_left, is_b_left] = [a, b].map(|end| soup.signs.order(end, v).is_lt());
+            if is_a_left == is_b_left {
+                continue;
+            }
+            let turn = soup.signs.orient2d([a, b, v], &mut record.tally);
+            match (turn, is_a_left) {
+                (Ordering::Equal, _) => return true,
+                (Ordering::Greater, true) => winding += 1,
+                (Ordering::Less, false) => winding -= 1,
+                // It passes above.
+                _ => {}
+            }
+        }
+        winding != 0
+    }
+}

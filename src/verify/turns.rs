@@ -1,0 +1,57 @@
+//! Check 2: every triangle turns left, strictly.
+
+use std::cmp::Ordering;
+
+use super::chunks::{Progress, Schedule};
+use super::record::Record;
+use super::signs::Tally;
+use super::soup::{REJECTED, Soup};
+use super::violation::Violation;
+use crate::scalar::Scalar;
+
+/// Reverses all triangles if the first one that is not flat turns right.
+pub(super) fn reverse_if_clockwise<S: Scalar>(soup: &mut Soup<'_, S>, record: &mut Record) {
+    let first_turn = soup
+        .accepted()
+        .map(|(_, corners)| soup.signs.orient2d(corners, &mut record.tally))
+        .find(|turn| turn.is_ne());
+    if first_turn == Some(Ordering::Less) {
+        record.report.clockwise = true;
+        for triangle in &mut soup.triangles {
+            triangle.swap(1, 2);
+        }
+    }
+}
+
+/// Rejects the triangles that do not turn left.
+pub(super) fn check<S: Scalar, C: Schedule<S>>(
+    soup: &mut Soup<'_, S>,
+    progress: &Progress<'_>,
+    record: &mut Record,
+) {
+    let parts = C::run(soup, progress, |soup, chunk| {
+        let mut tally = Tally::default();
+        let mut wrong = Vec::new();
+        for t in chunk {
+            let corners = soup.triangles[t];
+            if corners == REJECTED {
+                continue;
+            }
+            let turn = soup.signs.orient2d(corners, &mut tally);
+            if turn != Ordering::Greater {
+                wrong.push((t, turn));
+            }
+        }
+        (tally, wrong)
+    });
+    for (tally, wrong) in parts {
+        record.tally += tally;
+        for (triangle, turn) in wrong {
+            soup.triangles[triangle] = REJECTED;
+            record.findings.add(match turn {
+                Ordering::Equal => Violation::FlatTriangle { triangle },
+                _ => Violation::ReversedTriangle { triangle },
+            });
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! The verifier with its options, and its checks in their order.
+
+use std::fmt;
+
+#[cfg(feature = "parallel")]
+use super::chunks::Parallel;
+use super::chunks::{Progress, Schedule, Serial};
+use super::input::{self, Ranked};
+use super::record::Record;
+use super::report::{Report, Violations};
+use super::{boundary, delaunay, edges, euler, points, sides, turns};
+use crate::scalar::Scalar;
+
+/// The verifier with options.
+///
+/// ```
+/// use sweep_cdt::verify::Verifier;
+///
+/// let points = [[0.0, 0.0], [3.0, 0.0], [0.0, 3.0], [1.0, 1.0]];
+/// let clockwise = [[0, 3, 1], [1, 3, 2], [2, 3, 0]];
+/// let verifier = Verifier::new().accept_clockwise(true);
+/// assert!(verifier.verify(&points, &[], &clockwise)?.clockwise);
+/// # Ok::<(), sweep_cdt::verify::Violations>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Verifier<'a> {
+    clockwise: bool,
+    boundary: Option<&'a [Vec<usize>]>,
+    limit: usize,
+    progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
+}
+
+impl fmt::Debug for Verifier<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Verifier")
+            .field("clockwise", &self.clockwise)
+            .field("boundary", &self.boundary)
+            .field("limit", &self.limit)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Default for Verifier<'_> {
+    fn default() -> Self {
+        Verifier::new()
+    }
+}
+
+impl<'a> Verifier<'a> {
+    /// Counter-clockwise triangles, the hull as the boundary, 100 violations listed.
+    #[must_use]
+    pub fn new() -> Verifier<'a> {
+        Verifier {
+            clockwise: false,
+            boundary: None,
+            limit: 100,
+            progress: None,
+        }
+    }
+
+    /// Whether the triangles may be clockwise, all of them.
+    #[must_use]
+    pub fn accept_clockwise(self, clockwise: bool) -> Self {
+        Verifier { clockwise, ..self }
+    }
+
+    /// Declares the domain that the triangles must fill, in place of the convex hull, by the closed chains
+    /// of vertices that bound it: outer ones counter-clockwise, those of holes clockwise, each without its
+    /// first vertex at the end.
+    ///
+    /// The boundary must then have exactly their sides. The triangles cover each point as often as the
+    /// chains go round it; it is up to the caller that this is once in the domain and never outside.
+    /// Points outside the domain may be unused (each unused point is compared with all sides of the
+    /// chains), Euler's formula is not checked, and edges must lie in the domain.
+    #[must_use]
+    pub fn boundary(self, chains: &'a [Vec<usize>]) -> Self {
+        Verifier {
+            boundary: Some(chains),
+            ..self
+        }
+    }
+
+    /// How many violations are listed at most; all are counted.
+    #[must_use]
+    pub fn limit(self, limit: usize) -> Self {
+        Verifier { limit, ..self }
+    }
+
+    /// Called as `progress(done, total)`, at intervals, from any thread.
+    #[must_use]
+    pub fn progress(self, progress: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
+        Verifier {
+            progress: Some(progress),
+            ..self
+        }
+    }
+
+    /// Verifies on one thread.
+    ///
+    /// # Errors
+    /// [`Violations`], if `triangles` is not a constrained Delaunay triangulation of `points` with `edges`.
+    pub fn verify<S: Scalar>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        triangles: &[[usize; 3]],
+    ) -> Result<Report, Violations> {
+        self.check::<S, Serial>(points, edges, triangles)
+    }
+
+    /// Verifies on all threads of the current rayon pool. The answer is the same.
+    ///
+    /// # Errors
+    /// [`Violations`], if `triangles` is not a constrained Delaunay triangulation of `points` with `edges`.
+    #[cfg(feature = "parallel")]
+    #[cfg_attr(docsrs, doc(cfg(feature = "parallel")))]
+    pub fn verify_parallel<S: Scalar + Sync>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        triangles: &[[usize; 3]],
+    ) -> Result<Report, Violations> {
+        self.check::<S, Parallel>(points, edges, triangles)
+    }
+
+    /// The eight checks, numbered as in the documentation of the module.
+    fn check<S: Scalar, C: Schedule<S>>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        triangles: &[[usize; 3]],
+    ) -> Result<Report, Violations> {
+        let mut record = Record::new(self.limit);
+        let progress = Progress::new(self.progress, triangles.len());
+
+        // 1. Coordinates and indices.
+        let ranked = input::read(points, edges, triangles, self.boundary, &mut record);
+        let Some(ranked) = ranked else {
+            return record.answer();
+        };
+        let Ranked {
+            mut soup,
+            edges,
+            domain,
+            used,
+        } = ranked;
+        let domain = domain.as_ref();
+        // 2. Every triangle turns left.
+        if self.clockwise {
+            turns::reverse_if_clockwise(&mut soup, &mut record);
+        }
+        turns::check::<S, C>(&mut soup, &progress, &mut record);
+        // 3. Every directed side occurs once.
+        let mut sides = sides::check(&soup, &mut record);
+        // 4. The boundary is convex and goes round once, or it is the declared one.
+        boundary::check(&soup, &sides, domain, &mut record);
+        // 5. Every point is a corner.
+        points::check(&soup, used, domain, &mut record);
+        // 6. The number of triangles is Euler's.
+        euler::check(domain, &mut record);
+        // 7. Every edge is a chain of sides, which are then fixed.
+        edges::check(&soup, &mut sides, &edges, &mut record);
+        // 8. Every free side is locally Delaunay.
+        delaunay::check::<S, C>(&soup, &sides, &progress, &mut record);
+        record.answer()
+    }
+}

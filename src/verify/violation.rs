@@ -1,0 +1,160 @@
+//! What can be wrong with a triangulation: each violation with its sentence.
+
+/// One fault. All numbers are indices into what the caller gave; of equal points the lowest is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Violation {
+    /// More points or corners of triangles than the verifier can number.
+    #[error("{given} points or corners are more than the {limit} that fit")]
+    TooLarge {
+        /// How many there are.
+        given: usize,
+        /// How many there may be.
+        limit: usize,
+    },
+    /// A coordinate of this point is NaN or infinite.
+    #[error("vertex {vertex} has a coordinate that is not finite")]
+    NonFiniteCoordinate {
+        /// The point.
+        vertex: usize,
+    },
+    /// An end of this input edge is not the index of a point.
+    #[error("edge {edge} ends at vertex {vertex}, which does not exist")]
+    EdgeOutOfRange {
+        /// The edge.
+        edge: usize,
+        /// Its end (the first one of two).
+        vertex: usize,
+    },
+    /// A corner of this triangle is not the index of a point.
+    #[error("triangle {triangle} has vertex {vertex}, which does not exist")]
+    TriangleOutOfRange {
+        /// The triangle.
+        triangle: usize,
+        /// Its corner (the first one of several).
+        vertex: usize,
+    },
+    /// The corners of this triangle lie on one line.
+    #[error("triangle {triangle} has its corners on one line")]
+    FlatTriangle {
+        /// The triangle.
+        triangle: usize,
+    },
+    /// The corners of this triangle run clockwise (or against all others, where a clockwise file was
+    /// accepted).
+    #[error("triangle {triangle} runs the wrong way round")]
+    ReversedTriangle {
+        /// The triangle.
+        triangle: usize,
+    },
+    /// Two triangles lie on the same side of one side.
+    #[error(
+        "triangles {} and {} both lie to the left of side {}-{}",
+        .triangles[0], .triangles[1], .side[0], .side[1]
+    )]
+    RepeatedSide {
+        /// The side, in the direction that both have.
+        side: [usize; 2],
+        /// The two triangles.
+        triangles: [usize; 2],
+    },
+    /// There are no triangles although three points are not on one line.
+    #[error(
+        "there are no triangles, but vertices {}, {}, {} are not on a line",
+        .vertices[0], .vertices[1], .vertices[2]
+    )]
+    NoTriangles {
+        /// Three such points.
+        vertices: [usize; 3],
+    },
+    /// The boundary meets itself in a vertex.
+    #[error("the boundary meets itself at vertex {vertex}")]
+    PinchedBoundary {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// The boundary has one more closed chain than the hull: a hole, or a second piece.
+    #[error(
+        "side {}-{} is on a boundary of {sides} sides that is not the hull",
+        .side[0], .side[1]
+    )]
+    ExtraBoundary {
+        /// A side of it, with a triangle on its left.
+        side: [usize; 2],
+        /// How many sides it has.
+        sides: usize,
+    },
+    /// The boundary turns right, or back.
+    #[error(
+        "the boundary does not turn left at vertex {}, between {} and {}",
+        .vertices[1], .vertices[0], .vertices[2]
+    )]
+    ConcaveBoundary {
+        /// Three vertices that follow each other on it; it turns in the middle.
+        vertices: [usize; 3],
+    },
+    /// The boundary turns left all the time, but goes round more than once.
+    #[error("the boundary goes round {times} times")]
+    WindingBoundary {
+        /// How often it goes round.
+        times: usize,
+    },
+    /// A side of the boundary is not in the chains that the caller gave.
+    #[error("side {}-{} of triangle {triangle} is on no given boundary", .side[0], .side[1])]
+    UndeclaredBoundary {
+        /// The side, with a triangle on its left.
+        side: [usize; 2],
+        /// The triangle.
+        triangle: usize,
+    },
+    /// Two vertices that follow each other in a chain of the caller are no side of the boundary.
+    #[error("side {}-{} of a given boundary bounds no triangle", .side[0], .side[1])]
+    MissingBoundary {
+        /// The two vertices.
+        side: [usize; 2],
+    },
+    /// No triangle has this point, or one that equals it, for a corner.
+    #[error("vertex {vertex} is in no triangle")]
+    UnusedPoint {
+        /// The point.
+        vertex: usize,
+    },
+    /// The number of triangles is not what Euler's formula asks for.
+    #[error("there are {triangles} triangles, not {expected}")]
+    WrongCount {
+        /// How many there are.
+        triangles: usize,
+        /// How many there must be.
+        expected: usize,
+    },
+    /// An input edge is not a chain of sides.
+    #[error("edge {edge} is no chain of sides: none follows it from vertex {after}")]
+    MissingEdge {
+        /// The edge.
+        edge: usize,
+        /// The vertex on it from which no side leads on along it.
+        after: usize,
+    },
+    /// A side that is no input edge is not locally Delaunay.
+    #[error(
+        "side {}-{} of triangles {} and {} is not Delaunay: \
+         the circle of one holds vertex {} or {} of the other",
+        .side[0], .side[1], .triangles[0], .triangles[1], .opposite[0], .opposite[1]
+    )]
+    NotDelaunay {
+        /// The side, in the direction that the first triangle has.
+        side: [usize; 2],
+        /// The two triangles that have it.
+        triangles: [usize; 2],
+        /// Their corners opposite to it; each lies inside the other triangle's circumcircle.
+        opposite: [usize; 2],
+    },
+}
+
+impl Violation {
+    /// The name of the class of violation: the variant in lower case with hyphens.
+    pub fn name(&self) -> &'static str {
+        self.into()
+    }
+}
