@@ -1,9 +1,11 @@
 //! A run with every step of it, and whether another run takes the same steps.
 
-use sweep_cdt::trace::Trace;
-use sweep_cdt::{Error, FrontSearch, Heuristics, Scalar, Triangulation, Triangulator};
+use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::{Error, FrontSearch, Heuristics, Scalar, Triangulation};
 
-/// What a run tells and what it gives.
+use crate::fronts::{FrontKind, observe, observe_with};
+
+/// The steps of a run and its result.
 #[derive(Clone, Debug)]
 pub struct Steps {
     heuristics: Heuristics,
@@ -14,17 +16,17 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// Those of this input in these numbers.
-    pub fn of<S: Scalar, F: FrontSearch>(
-        points: &[[S; 2]],
-        edges: &[[usize; 2]],
-        heuristics: Heuristics,
-    ) -> Steps {
+    /// Those of this input in these numbers, with the default front.
+    pub fn of<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]], heuristics: Heuristics) -> Steps {
         let mut trace = Trace::default();
-        let result = Triangulator::new()
-            .front::<F>()
-            .heuristics(heuristics)
-            .triangulate_observed(points, edges, |event| trace.events.push(event));
+        let mut observer = |event| trace.events.push(event);
+        let result = observe(
+            points,
+            edges,
+            FrontKind::HashTable,
+            heuristics,
+            &mut observer,
+        );
         Steps {
             heuristics,
             trace,
@@ -34,23 +36,45 @@ impl Steps {
 
     /// Panics unless the same input in other numbers or with another front takes the same steps to the
     /// same end; `name` says which.
-    pub fn assert_same<S: Scalar, F: FrontSearch>(
+    pub fn assert_same<S: Scalar>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
+        front: FrontKind,
         name: &str,
     ) {
+        self.compare(edges.len(), name, |observer| {
+            observe(points, edges, front, self.heuristics, observer)
+        });
+    }
+
+    /// The same with a front of any type.
+    pub fn assert_same_with<F: FrontSearch>(
+        &self,
+        points: &[[f64; 2]],
+        edges: &[[usize; 2]],
+        name: &str,
+    ) {
+        self.compare(edges.len(), name, |observer| {
+            observe_with::<f64, F>(points, edges, self.heuristics, observer)
+        });
+    }
+
+    /// Compares the steps of a run, and what it returns, with these.
+    fn compare(
+        &self,
+        edges: usize,
+        name: &str,
+        run: impl FnOnce(&mut dyn FnMut(Event)) -> Result<Triangulation, Error>,
+    ) {
         let mut expected = self.trace.events.iter();
-        let result = Triangulator::new()
-            .front::<F>()
-            .heuristics(self.heuristics)
-            .triangulate_observed(points, edges, |event| {
-                assert_eq!(Some(&event), expected.next(), "{name}: a step (left)");
-            });
+        let result = run(&mut |event| {
+            assert_eq!(Some(&event), expected.next(), "{name}: a step (left)");
+        });
         assert_eq!(expected.next(), None, "{name}: the step after the last one");
         match (&result, &self.result) {
             (Ok(here), Ok(there)) => assert!(
-                are_equal(here, there, edges.len()),
+                are_equal(here, there, edges),
                 "{name}: {here:?}, not {there:?}"
             ),
             (here, there) => assert_eq!(

@@ -1,4 +1,4 @@
-//! What a run tells of itself: numbers, times, memory, progress, and how good its front structure was.
+//! What a run reports of itself: numbers, times, memory, progress, and how good its front structure was.
 
 use std::time::{Duration, Instant};
 
@@ -31,7 +31,7 @@ fn numbers_and_times() {
     assert!(times.iter().sum::<Duration>() <= elapsed, "{times:?}");
 }
 
-/// The bytes that a run tells, and those that arrays of the expected sizes have.
+/// The bytes that a run reports, and those that arrays of the expected sizes have.
 fn memory(points: &[[f64; 2]], edges: &[[usize; 2]]) -> [usize; 2] {
     let run = Triangulator::new().triangulate_with_stats(points, edges);
     let (_, stats) = run.expect("no edges cross");
@@ -78,7 +78,7 @@ fn steps<F: FrontSearch>(points: &[[f64; 2]]) -> f64 {
     stats.counters.front_steps as f64 / points.len() as f64
 }
 
-/// Points by chance in a square, x to some odd power: the higher, the more crowd around zero.
+/// Random points in a square, x to some odd power: the higher, the more crowd around zero.
 fn skewed(power: i32) -> Vec<[f64; 2]> {
     let mut random = Random::new(1);
     let mut at = || [random.integer(1 << 20).powi(power), random.integer(1 << 20)];

@@ -1,20 +1,20 @@
-//! Traces: the steps of the paper's figures; the same steps for every scalar and front; replayed, they give
-//! the result; damaged, they are refused.
+//! Traces: the steps of the paper's figures, the same steps for every scalar and front. A replay returns the
+//! result, and refuses a damaged trace.
 
 pub(crate) mod figures;
 mod formats;
 mod replay;
 mod same;
 
+use sweep_cdt::Heuristics;
 use sweep_cdt::trace::Trace;
-use sweep_cdt::{HashTable, Heuristics};
 use sweep_cdt_testing::{Input, Steps};
 
 const HEURISTICS: [Heuristics; 3] = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
 
 /// The steps of the default scalar and front.
 fn steps(input: &Input, heuristics: Heuristics) -> Steps {
-    Steps::of::<f64, HashTable>(&input.points, &input.edges, heuristics)
+    Steps::of(&input.points, &input.edges, heuristics)
 }
 
 fn text(trace: &Trace) -> String {
