@@ -55,14 +55,14 @@ pub fn poly(path: &Path) -> Input {
     }
 }
 
-/// An input that broke some program: a file of `tests/data/hard`, or another folder of such files.
+/// An input that broke some program: a line of `tests/data/hard.jsonl`, or a file of the same form.
 ///
 /// Each says where it comes from (`source`), what broke (`note`) and, computed with exact rational
 /// arithmetic, what is special about it (`expect`, `flags`).
 #[derive(Clone, Debug)]
 pub struct Hard {
-    /// The file.
-    pub path: PathBuf,
+    /// Its name.
+    pub name: String,
     /// What must come out: `nonfinite`, `invalid_index` or `crossing` if it is an error.
     pub expect: String,
     /// Whether there is no triangle.
@@ -72,14 +72,34 @@ pub struct Hard {
 }
 
 impl Hard {
-    /// Reads one file. Coordinates may be the words `nan`, `inf` and `-inf`.
-    ///
-    /// # Panics
-    /// If it is no such file.
-    pub fn read(path: &Path) -> Hard {
-        let text = fs::read_to_string(path).expect("a readable file");
-        let json: Value = serde_json::from_str(&text).expect("a JSON file");
-        let list = |name: &str| json[name].as_array().expect(name).iter();
+    /// Those of this repository.
+    pub fn own() -> Vec<Hard> {
+        let text = fs::read_to_string(path("tests/data/hard.jsonl")).expect("a readable file");
+        let named = |line| {
+            let json: Value = serde_json::from_str(line).expect("a line of JSON");
+            Hard::of(json["name"].as_str().expect("a name"), &json)
+        };
+        text.lines().map(named).collect()
+    }
+
+    /// The files of the folder that the environment variable `SWEEP_CDT_HARD` names, if it does.
+    pub fn further() -> Vec<Hard> {
+        let folder = std::env::var_os("SWEEP_CDT_HARD").map(PathBuf::from);
+        let paths = folder.map_or_else(Vec::new, |folder| files(&folder, "json"));
+        let read = |path: &PathBuf| {
+            let text = fs::read_to_string(path).expect("a readable file");
+            let json = serde_json::from_str(&text).expect("a JSON file");
+            Hard::of(
+                &path.file_stem().unwrap_or_default().to_string_lossy(),
+                &json,
+            )
+        };
+        paths.iter().map(read).collect()
+    }
+
+    /// Coordinates may be the words `nan`, `inf` and `-inf`.
+    fn of(name: &str, json: &Value) -> Hard {
+        let list = |key: &str| json[key].as_array().expect(key).iter();
         let coordinate = |value: &Value| match value {
             Value::String(text) => text.parse().expect("nan, inf or -inf"),
             _ => value.as_f64().expect("a number"),
@@ -91,7 +111,7 @@ impl Hard {
         };
         let has_flag = |name| json["flags"].get(name).is_some();
         Hard {
-            path: path.to_owned(),
+            name: name.to_owned(),
             expect: json["expect"].as_str().expect("expect").to_owned(),
             is_flat: has_flag("all_collinear") || has_flag("fewer_than_3_distinct_points"),
             input: Input {
@@ -103,21 +123,5 @@ impl Hard {
                     .collect(),
             },
         }
-    }
-
-    /// All files of `tests/data/hard`.
-    pub fn own() -> Vec<Hard> {
-        Hard::all(&path("tests/data/hard"))
-    }
-
-    /// All files of the folder that the environment variable `SWEEP_CDT_HARD` names, if it does.
-    pub fn further() -> Vec<Hard> {
-        let folder = std::env::var_os("SWEEP_CDT_HARD").map(PathBuf::from);
-        folder.map_or_else(Vec::new, |folder| Hard::all(&folder))
-    }
-
-    fn all(folder: &Path) -> Vec<Hard> {
-        let paths = files(folder, "json");
-        paths.iter().map(|path| Hard::read(path)).collect()
     }
 }

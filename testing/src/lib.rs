@@ -5,13 +5,14 @@
 //! * [`data`] reads the test data.
 //! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
-//!   step by step.
+//!   step by step; [`fronts`] lets both choose a front when the program runs.
 //! * [`minimize`] makes a failing input small.
 //! * `peers` (with the feature of this name) calls other crates that triangulate.
 //!
 //! docs/testing.md describes the tests that are made of this.
 
 pub mod data;
+pub mod fronts;
 pub mod generators;
 mod input;
 pub mod minimize;

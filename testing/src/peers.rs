@@ -44,7 +44,7 @@ pub fn cdt(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
     Ok(triangles.into_iter().map(|(a, b, c)| [a, b, c]).collect())
 }
 
-/// `delaunator`, which gives clockwise triangles.
+/// `delaunator`, which returns clockwise triangles.
 pub fn delaunator(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
     let points: Vec<delaunator::Point> = points
         .iter()

@@ -1,29 +1,30 @@
 //! The table of runs: every scalar with every front and every setting of the heuristics.
 //!
-//! A new front is one line in `fronts`, a new scalar one line in `all` and a [`Sample`] that says how it
-//! is made of a double.
+//! A new front is a variant of [`FrontKind`], a new scalar one line in [`all`] and a [`Sample`] that says how
+//! it is made of a double.
 
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, ToPrimitive};
-use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Error, Heuristics, Triangulator};
+use sweep_cdt::{Error, Heuristics};
 
 use crate::Input;
+use crate::fronts::{FrontKind, triangulate};
 use crate::oracle::{Answer, Verdict, found};
 
-/// What a run gives.
+/// What a run returns.
 pub type Outcome = Result<Answer, Error>;
-type Call = fn(&Input, Heuristics) -> Option<Outcome>;
+type Call = fn(&Input, FrontKind, Heuristics) -> Option<Outcome>;
 
 /// One way to triangulate.
 #[derive(Clone, Debug)]
 pub struct Run {
     /// Scalar, front and heuristics.
     pub name: String,
+    front: FrontKind,
     heuristics: Heuristics,
     call: Call,
 }
@@ -31,16 +32,8 @@ pub struct Run {
 impl Run {
     /// What comes out, or `None` if the scalar cannot hold a coordinate.
     pub fn outcome(&self, input: &Input) -> Option<Outcome> {
-        (self.call)(input, self.heuristics)
+        (self.call)(input, self.front, self.heuristics)
     }
-}
-
-fn fronts<S: Sample>() -> Vec<(&'static str, Call)> {
-    vec![
-        ("hash table", call::<S, HashTable>),
-        ("skip list", call::<S, SkipList>),
-        ("linear", call::<S, Linear>),
-    ]
 }
 
 const HEURISTICS: &[(&str, Heuristics)] = &[
@@ -64,27 +57,22 @@ pub fn all() -> Vec<Run> {
 /// The runs with one scalar.
 pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
     let mut runs = Vec::new();
-    for (front, call) in fronts::<S>() {
+    for (name, front) in FrontKind::ALL {
         for &(setting, heuristics) in HEURISTICS {
             runs.push(Run {
-                name: format!("{scalar}, {front}, {setting}"),
+                name: format!("{scalar}, {name}, {setting}"),
+                front,
                 heuristics,
-                call,
+                call: call::<S>,
             });
         }
     }
     runs
 }
 
-fn call<S: Sample, F: FrontSearch + Clone + Default>(
-    input: &Input,
-    heuristics: Heuristics,
-) -> Option<Outcome> {
+fn call<S: Sample>(input: &Input, front: FrontKind, heuristics: Heuristics) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
-    let result = Triangulator::new()
-        .front(F::default())
-        .heuristics(heuristics)
-        .triangulate(&points, &input.edges);
+    let result = triangulate(&points, &input.edges, front, heuristics);
     Some(result.map(|result| found(&result, points.len(), input.edges.len())))
 }
 
@@ -96,7 +84,7 @@ pub fn convert<S: Sample>(points: &[[f64; 2]]) -> Option<Vec<[S; 2]>> {
         .collect()
 }
 
-/// Panics unless every run gives what the verdict says.
+/// Panics unless every run returns what the verdict says.
 pub fn assert_agree(input: &Input, verdict: &Verdict, runs: &[Run]) {
     for run in runs {
         let Some(outcome) = run.outcome(input) else {

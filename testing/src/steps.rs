@@ -2,10 +2,12 @@
 
 use sweep_cdt::front::FrontSearch;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::trace::Trace;
-use sweep_cdt::{Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::{Error, Heuristics, Triangulation};
 
-/// What a run tells and what it gives.
+use crate::fronts::{FrontKind, observe, observe_with};
+
+/// The steps of a run and its result.
 #[derive(Clone, Debug)]
 pub struct Steps {
     heuristics: Heuristics,
@@ -16,18 +18,17 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// Those of this input in these numbers.
-    pub fn of<S: Scalar, F: FrontSearch + Clone + Default>(
-        points: &[[S; 2]],
-        edges: &[[usize; 2]],
-        heuristics: Heuristics,
-    ) -> Steps {
+    /// Those of this input in these numbers, with the default front.
+    pub fn of<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]], heuristics: Heuristics) -> Steps {
         let mut trace = Trace::default();
-        let result = Triangulator::new()
-            .front(F::default())
-            .heuristics(heuristics)
-            .triangulate_observed(points, edges, |event| trace.events.push(event))
-            .map(|run| run.triangulation);
+        let mut observer = |event| trace.events.push(event);
+        let result = observe(
+            points,
+            edges,
+            FrontKind::HashTable,
+            heuristics,
+            &mut observer,
+        );
         Steps {
             heuristics,
             trace,
@@ -37,24 +38,46 @@ impl Steps {
 
     /// Panics unless the same input in other numbers or with another front takes the same steps to the
     /// same end; `name` says which.
-    pub fn assert_same<S: Scalar, F: FrontSearch + Clone + Default>(
+    pub fn assert_same<S: Scalar>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
+        front: FrontKind,
         name: &str,
     ) {
+        self.compare(edges.len(), name, |observer| {
+            observe(points, edges, front, self.heuristics, observer)
+        });
+    }
+
+    /// The same with a front of any type.
+    pub fn assert_same_with(
+        &self,
+        points: &[[f64; 2]],
+        edges: &[[usize; 2]],
+        front: impl FrontSearch + Clone,
+        name: &str,
+    ) {
+        self.compare(edges.len(), name, |observer| {
+            observe_with(points, edges, front, self.heuristics, observer)
+        });
+    }
+
+    /// Compares the steps of a run, and what it returns, with these.
+    fn compare(
+        &self,
+        edges: usize,
+        name: &str,
+        run: impl FnOnce(&mut dyn FnMut(Event)) -> Result<Triangulation, Error>,
+    ) {
         let mut expected = self.trace.events.iter();
-        let result = Triangulator::new()
-            .front(F::default())
-            .heuristics(self.heuristics)
-            .triangulate_observed(points, edges, |event| {
-                assert_eq!(Some(&event), expected.next(), "{name}: a step (left)");
-            })
-            .map(|run| run.triangulation);
+        let result = run(&mut |event| {
+            assert_eq!(Some(&event), expected.next(), "{name}: a step (left)");
+        });
         assert_eq!(expected.next(), None, "{name}: the step after the last one");
         match (&result, &self.result) {
             (Ok(here), Ok(there)) => assert!(
-                are_equal(here, there, edges.len()),
+                are_equal(here, there, edges),
                 "{name}: {here:?}, not {there:?}"
             ),
             (here, there) => assert_eq!(

@@ -1,4 +1,4 @@
-//! Inputs that broke other programs: `tests/data/hard`, and the folder that `SWEEP_CDT_HARD` names.
+//! Inputs that broke other programs: `tests/data/hard.jsonl`, and the folder that `SWEEP_CDT_HARD` names.
 
 use sweep_cdt::{Error, triangulate};
 use sweep_cdt_testing::Input;
@@ -28,10 +28,10 @@ fn is_right(error: Error, Hard { expect, input, .. }: &Hard) -> bool {
     }
 }
 
-fn test(file: &Hard) {
-    println!("{}", file.path.display());
-    let Input { points, edges } = &file.input;
-    let is_error = ["nonfinite", "invalid_index", "crossing"].contains(&file.expect.as_str());
+fn test(hard: &Hard) {
+    println!("{}", hard.name);
+    let Input { points, edges } = &hard.input;
+    let is_error = ["nonfinite", "invalid_index", "crossing"].contains(&hard.expect.as_str());
     let is_exact = points.len() <= EXACT_LIMIT;
     let scalars: &[&str] = if is_exact {
         &["f64", "BigRational", "rug"]
@@ -40,33 +40,33 @@ fn test(file: &Hard) {
     };
     let expected = match triangulate(points, edges) {
         Ok(result) => {
-            assert!(!is_error, "no error, but {} is expected", file.expect);
+            assert!(!is_error, "no error, but {} is expected", hard.expect);
             let answer = check(points, edges, &result);
             assert_eq!(
                 answer.triangles.is_empty(),
-                file.is_flat,
+                hard.is_flat,
                 "triangles, or none"
             );
             Some(answer)
         }
         Err(error) => {
             assert!(
-                is_right(error, file),
+                is_right(error, hard),
                 "{error} ({} is expected)",
-                file.expect
+                hard.expect
             );
             None
         }
     };
-    if points.len() <= ORACLE_LIMIT && (expected.is_some() || file.expect == "crossing") {
+    if points.len() <= ORACLE_LIMIT && (expected.is_some() || hard.expect == "crossing") {
         assert_eq!(verdict(points, edges).ok(), expected, "the oracle (left)");
     }
     for run in runs::of(scalars) {
-        match run.outcome(&file.input) {
+        match run.outcome(&hard.input) {
             Some(Ok(answer)) => assert_eq!(Some(answer), expected, "{} (left)", run.name),
-            Some(Err(error)) => assert!(is_right(error, file), "{}: {error}", run.name),
+            Some(Err(error)) => assert!(is_right(error, hard), "{}: {error}", run.name),
             None => assert_eq!(
-                file.expect, "nonfinite",
+                hard.expect, "nonfinite",
                 "every finite double is a rational"
             ),
         }

@@ -5,7 +5,7 @@
 //!   the oracle of `sweep_cdt_testing`, which is itself tested in `oracle`. `limits`: the largest numbers,
 //!   and what is refused.
 //! * `trace`: the steps of the paper's figures, which are snapshots; the steps are the same for every scalar
-//!   and front, and replaying them gives the result.
+//!   and front, and a replay returns the result.
 //! * `work`: how much work larger inputs take, as snapshots. `statistics`: what a run reports of itself.
 //! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
 //! * `scalars` and `verify`: the exact predicates, and the verifier.

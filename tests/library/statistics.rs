@@ -1,4 +1,4 @@
-//! What a run tells of itself: numbers, times, memory, progress, and how good its front structure was.
+//! What a run reports of itself: numbers, times, memory, progress, and how good its front structure was.
 
 use std::cell::RefCell;
 use std::time::{Duration, Instant};

@@ -46,7 +46,7 @@ fn uniform() {
 
 #[test]
 fn crowded() {
-    // Not so much that the hash table gives up equal intervals; so much that it does.
+    // First so little that the hash table keeps intervals of equal width, then so much that it does not.
     for (name, power) in [("work_crowded", 2), ("work_crowded_more", 3)] {
         // The higher the power of x, the more points lie on the left.
         let points = Random::new(1).points(5000);

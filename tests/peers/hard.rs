@@ -9,7 +9,6 @@
 use std::collections::BTreeMap;
 use std::env::{current_exe, var, var_os};
 use std::fs;
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::thread::{self, sleep};
 use std::time::{Duration, Instant};
@@ -36,7 +35,7 @@ fn wrong_answers_and_no_others_are_found() {
         return answer(&program);
     }
     let mut counts = BTreeMap::<(&str, &str), usize>::new();
-    for Hard { path, input, .. } in inputs() {
+    for Hard { name, input, .. } in inputs() {
         // What has no triangulation is no question.
         let Ok(ours) = triangulate(&input.points, &input.edges) else {
             continue;
@@ -46,13 +45,12 @@ fn wrong_answers_and_no_others_are_found() {
         }
         let takes = |takes_edges: &bool| *takes_edges || input.edges.is_empty();
         for (program, _, _) in PROGRAMS.iter().filter(|(_, _, edges)| takes(edges)) {
-            let (kind, text) = match ask(program, &path) {
+            let (kind, text) = match ask(program, &input) {
                 Ok(triangles) => verdict(&input, &ours, &triangles),
                 Err(reason) => ("no answer", reason),
             };
             *counts.entry((program, kind)).or_default() += 1;
             if kind != "correct" {
-                let name = path.file_stem().expect("a name").display();
                 println!("{program:10} {name:44} {kind}: {text}");
             }
         }
@@ -100,13 +98,15 @@ fn sorted(ours: &Triangulation, triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
 }
 
 /// Asks a program in a process of its own.
-fn ask(program: &str, input: &Path) -> Answer {
+fn ask(program: &str, Input { points, edges }: &Input) -> Answer {
     let folder = tempfile::TempDir::new().expect("a temporary folder");
-    let file = folder.path().join("answer.json");
+    let [question, file] = ["question.json", "answer.json"].map(|name| folder.path().join(name));
+    let text = serde_json::to_string(&(points, edges)).expect("finite numbers");
+    fs::write(&question, text).expect("it is written");
     let mut child = Command::new(current_exe().expect("a path"))
         .args(["--exact", "hard::wrong_answers_and_no_others_are_found"])
         .env(PROGRAM, program)
-        .env(INPUT, input)
+        .env(INPUT, question)
         .env(ANSWER, &file)
         .stdout(Stdio::null())
         .stderr(Stdio::null())
@@ -134,8 +134,9 @@ fn ask(program: &str, input: &Path) -> Answer {
 
 /// Answers in this process.
 fn answer(program: &str) {
-    let path = PathBuf::from(var_os(INPUT).expect("an input"));
-    let Input { points, edges } = Hard::read(&path).input;
+    let text = fs::read_to_string(var_os(INPUT).expect("an input")).expect("it was written");
+    let (points, edges): (Vec<[f64; 2]>, Vec<[usize; 2]>) =
+        serde_json::from_str(&text).expect("an input");
     let (_, run, _) = PROGRAMS
         .into_iter()
         .find(|(name, _, _)| *name == program)
@@ -150,11 +151,10 @@ fn answer(program: &str) {
     fs::write(var_os(ANSWER).expect("a file"), text).expect("it is written");
 }
 
-/// The hard inputs. A file that is in both folders is one input.
+/// The hard inputs. Two of one name are one input.
 fn inputs() -> Vec<Hard> {
     let mut inputs = [Hard::own(), Hard::further()].concat();
-    let name = |hard: &Hard| hard.path.file_name().map(ToOwned::to_owned);
-    inputs.sort_by_key(name);
-    inputs.dedup_by_key(|hard| name(hard));
+    inputs.sort_by(|a, b| a.name.cmp(&b.name));
+    inputs.dedup_by(|a, b| a.name == b.name);
     inputs
 }

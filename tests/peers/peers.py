@@ -5,9 +5,9 @@
     pip install numpy scipy triangle
     python3 tests/peers/peers.py [SECONDS]
 
-Reads `tests/data/hard` and the folder that SWEEP_CDT_HARD names, runs each program on each input in a
-process of its own (they may crash, or not end: it has SECONDS, 10 by default), writes its triangles to
-a file, and lets `sweep-cdt verify` judge them. Prints one line for each answer that is not correct:
+Reads `tests/data/hard.jsonl` and the folder that SWEEP_CDT_HARD names, runs each program on each input in a
+process of its own (it may crash, and it has SECONDS, 10 by default), writes its triangles to a file, and lets
+`sweep-cdt verify` judge them. Prints one line for each answer that is not correct:
 
     program   input   what is wrong
 
@@ -122,24 +122,28 @@ def main():
         print(f"missing packages: {', '.join(missing)}; try `pip install {' '.join(missing)}`")
         return
     seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 10
-    folders = [ROOT / "tests/data/hard", os.environ.get("SWEEP_CDT_HARD")]
-    sources = {p.name: p for folder in folders if folder for p in pathlib.Path(folder).glob("*.json")}
+    lines = (ROOT / "tests/data/hard.jsonl").read_text().splitlines()
+    texts = {json.loads(line)["name"]: line for line in lines}
+    if further := os.environ.get("SWEEP_CDT_HARD"):
+        texts.update((path.stem, path.read_text()) for path in pathlib.Path(further).glob("*.json"))
     totals = collections.defaultdict(collections.Counter)
     with tempfile.TemporaryDirectory() as folder:
-        for name, source in sorted(sources.items()):
+        for name, text in sorted(texts.items()):
+            source = pathlib.Path(folder) / f"{name}_input.json"
+            source.write_text(text)
             _, edges, expect = read(source)
             if expect in HOPELESS:
                 continue
             for program, (_, takes_edges, _, extension) in PROGRAMS.items():
                 if edges and not takes_edges:
                     continue
-                target = pathlib.Path(folder) / f"{source.stem}.{extension}"
+                target = pathlib.Path(folder) / f"{name}.{extension}"
                 fault = ask(program, source, target, seconds)
                 fault = fault or judge(command, source, target)
                 kind = fault.split()[0].rstrip(":").lower() if fault else "correct"
                 totals[program][kind] += 1
                 if fault:
-                    print(f"{program:14} {source.stem:44} {fault}", flush=True)
+                    print(f"{program:14} {name:44} {fault}", flush=True)
     print()
     for program, kinds in totals.items():
         print(f"{program}: {', '.join(f'{kind} {count}' for kind, count in sorted(kinds.items()))}")

@@ -78,7 +78,7 @@ fn found(row: &Row) -> usize {
     row.iter().flatten().count()
 }
 
-/// How many faults each target found, of those whose row is asked for.
+/// How many faults each target found, of the rows that the function picks.
 fn counts(rows: &[Row], is_asked: impl Fn(&Row) -> bool) -> Vec<String> {
     let count = |i: usize| {
         let asked = rows.iter().filter(|row| is_asked(row));

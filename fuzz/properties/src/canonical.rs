@@ -1,4 +1,4 @@
-//! There is one triangulation of an input, and what must not change it does not.
+//! An input has one triangulation, and what must not change it does not.
 //!
 //! The input is triangulated again with other heuristics; scaled by a power of two, and moved, both
 //! exactly; in another order of points, edges and ends; and with sides of the result as further edges:
@@ -6,8 +6,8 @@
 //! other diagonals, but all other sides are the same. Where edges cross, every one of these says so.
 //!
 //! The judge is the crate itself on an input that takes it other ways: doubles at which other filters
-//! fail, other flips, another side of every asymmetry. What mirrors may change is told by the oracle,
-//! which shares no code with the crate, and so is whether edges cross.
+//! fail, other flips, another side of every asymmetry. The oracle, which shares no code with the crate, says
+//! what mirrors may change, and whether edges cross.
 
 use sweep_cdt::{Corners, Error, Heuristics, Triangulator};
 
@@ -75,7 +75,7 @@ fn heuristics(random: &mut Random) -> Heuristics {
     heuristics
 }
 
-/// The input with other coordinates, by the old one and its axis, if all of them are had.
+/// The input with other coordinates, by the old one and its axis, if all of them exist.
 fn mapped(input: &Input, map: impl Fn(f64, usize) -> Option<f64>) -> Option<Input> {
     let points: Option<_> = input
         .points

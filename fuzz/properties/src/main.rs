@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
 use sweep_cdt_properties::{TARGETS, Target, seeds};
+use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::{Input, Random};
 
 #[derive(Parser)]
@@ -24,15 +25,13 @@ enum Verb {
         /// Files and folders.
         paths: Vec<PathBuf>,
     },
-    /// Writes new seeds into a folder: for each input file (JSON: `points`, `edges`) that bytes can stand for, and
+    /// Writes new seeds into a folder: the hard inputs of the tests, as far as bytes can stand for them, and
     /// random ones for every shape of points with every pattern of edges.
     Seeds {
         /// The property.
         target: String,
         /// The folder.
         folder: PathBuf,
-        /// Input files and folders of them.
-        paths: Vec<PathBuf>,
     },
     /// Writes the seeds of every property into a folder: for each a folder, in it a file for each seed.
     Unpack {
@@ -61,11 +60,7 @@ enum Verb {
 fn main() -> Result<(), Box<dyn Error>> {
     match Arguments::parse().verb {
         Verb::Run { target, paths } => run(named(&target)?, &paths),
-        Verb::Seeds {
-            target,
-            folder,
-            paths,
-        } => make_seeds(named(&target)?, &folder, &paths),
+        Verb::Seeds { target, folder } => make_seeds(named(&target)?, &folder),
         Verb::Unpack { folder } => {
             for target in TARGETS {
                 seeds::unpack(&seeds::path(target.name), &folder.join(target.name))?;
@@ -98,17 +93,10 @@ fn run(target: &Target, paths: &[PathBuf]) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn make_seeds(target: &Target, folder: &Path, paths: &[PathBuf]) -> Result<(), Box<dyn Error>> {
-    for path in paths {
-        for file in files(path)? {
-            let text = fs::read_to_string(&file)?;
-            let name = file.file_stem().unwrap_or_default();
-            // What is no input of finite numbers is left to the readers' own seeds.
-            if let Ok(Parsed { points, edges }) = serde_json::from_str(&text) {
-                let seeds = target.seeds(&Input { points, edges });
-                write(folder, &name.to_string_lossy(), seeds)?;
-            }
-        }
+fn make_seeds(target: &Target, folder: &Path) -> Result<(), Box<dyn Error>> {
+    for Hard { name, input, .. } in [Hard::own(), Hard::further()].concat() {
+        // Points that are not finite, or are too many, have no bytes.
+        write(folder, &name, target.seeds(&input))?;
     }
     let mut random = Random::new(1);
     for kind in 0..=u8::MAX {
@@ -133,13 +121,6 @@ fn show(target: &Target, file: &Path, folder: &Path) -> Result<(), Box<dyn Error
     let json = format!("{{\"points\": {points:?}, \"edges\": {edges:?}}}\n");
     fs::write(folder.join("input.json"), json)?;
     Ok(())
-}
-
-/// An input as the files have it.
-#[derive(serde::Deserialize)]
-struct Parsed {
-    points: Vec<[f64; 2]>,
-    edges: Vec<[usize; 2]>,
 }
 
 fn write(folder: &Path, name: &str, seeds: Vec<Vec<u8>>) -> std::io::Result<()> {

@@ -10,7 +10,7 @@ use std::sync::{Mutex, OnceLock};
 
 use sweep_cdt::trace::{EdgePosition, Event, PointCase, Why};
 use sweep_cdt::{Counters, Error, Heuristics, Triangulation, Triangulator};
-use sweep_cdt_testing::Input;
+use sweep_cdt_testing::{Input, Steps};
 
 /// Of so many inputs one is looked at.
 const EVERY: u64 = 16;
@@ -75,15 +75,11 @@ const REACHABLE: [Reachable; 16] = [
 
 impl Run {
     fn of(Input { points, edges }: &Input) -> Run {
-        let mut events = Vec::new();
-        let result = Triangulator::new()
-            .heuristics(Heuristics::PAPER)
-            .triangulate_observed(points, edges, |event| events.push(event))
-            .map(|run| run.triangulation);
+        let Steps { trace, result, .. } = Steps::of(points, edges, Heuristics::PAPER);
         let counted = Triangulator::new().triangulate_with_stats(points, edges);
         Run {
             edges: edges.len(),
-            events,
+            events: trace.events,
             result,
             counters: counted.map_or_else(|_| Counters::default(), |run| run.stats.counters),
         }

@@ -1,7 +1,7 @@
 //! Points that would be on one circle or line, had their coordinates not been rounded.
 //!
-//! Their determinants are as small as the errors of computing them in doubles, with either sign: a filter
-//! whose bound is too small answers wrongly here and hardly anywhere else.
+//! Their determinants are as small as the rounding errors of computing them in doubles, with either sign. A
+//! filter whose bound is too small is wrong here, and seldom elsewhere.
 
 use arbitrary::{Result, Unstructured};
 

@@ -2,7 +2,7 @@
 //!
 //! A triangle is one of the constrained Delaunay triangulation if it turns left, holds no other
 //! vertex, no piece of an edge crosses its inside, and no vertex that can be seen from its inside lies
-//! inside its circumcircle. Cocircular vertices are told apart by lowering their lifted points
+//! inside its circumcircle. Ties of cocircular vertices are broken by lowering their lifted points
 //! symbolically (`in_lowered_circle`), which makes the triangulation unique.
 //!
 //! Why this is the triangulation whose sides are all locally Delaunay: over such a triangulation the

@@ -20,11 +20,11 @@ pub struct Graph<'a, N> {
     pub chains: Vec<Vec<usize>>,
     /// All pairs of neighbours in chains, lower index first, each once.
     pub pieces: Vec<[usize; 2]>,
-    /// The turns of three points that were asked for, if there are few points: each is asked for often.
+    /// The turns of three points that are known already, if there are few points: each is needed often.
     turns: Vec<Cell<Option<Ordering>>>,
 }
 
-/// Up to so many points turns are kept.
+/// Turns are kept for up to so many points.
 const FEW: usize = 12;
 
 impl<'a, N: Number> Graph<'a, N> {

@@ -4,11 +4,11 @@
 
 use std::fmt::Write;
 
-use sweep_cdt::trace::{Event, Trace};
-use sweep_cdt::{Corners, Heuristics, Triangulator};
+use sweep_cdt::trace::Event;
+use sweep_cdt::{Corners, Heuristics};
 
 use crate::snapshots::assert_snapshot;
-use sweep_cdt_testing::Input;
+use sweep_cdt_testing::{Input, Steps};
 
 const OFF: Heuristics = Heuristics::OFF;
 const PAPER: Heuristics = Heuristics::PAPER;
@@ -84,10 +84,7 @@ cases! {
 
 /// Compares the story of an input with its snapshot.
 fn check(name: &str, input: &Input, heuristics: Heuristics, lines: &[&str]) {
-    let mut events = Vec::new();
-    let result = Triangulator::new()
-        .heuristics(heuristics)
-        .triangulate_observed(&input.points, &input.edges, |event| events.push(event));
+    let Steps { trace, result, .. } = Steps::of(&input.points, &input.edges, heuristics);
     let mut story = String::new();
     for (index, [x, y]) in input.points.iter().enumerate() {
         writeln!(story, "vertex {index} at {x} {y}").expect("memory takes all");
@@ -95,10 +92,10 @@ fn check(name: &str, input: &Input, heuristics: Heuristics, lines: &[&str]) {
     for (index, [a, b]) in input.edges.iter().enumerate() {
         writeln!(story, "edge {index} between {a} and {b}").expect("memory takes all");
     }
-    for (index, event) in events.iter().enumerate() {
+    for (index, event) in trace.events.iter().enumerate() {
         let opens = match event {
             Event::Sorted { .. } => index == 0,
-            Event::Triangle { .. } => matches!(events[index - 1], Event::Sorted { .. }),
+            Event::Triangle { .. } => matches!(trace.events[index - 1], Event::Sorted { .. }),
             Event::Point { .. } | Event::Edge { .. } | Event::Finalization => true,
             _ => false,
         };
@@ -107,11 +104,7 @@ fn check(name: &str, input: &Input, heuristics: Heuristics, lines: &[&str]) {
     }
     match result {
         Ok(result) => {
-            let trace = Trace { skipped: 0, events };
-            assert_eq!(
-                trace.replay(),
-                Ok(result.triangulation.canonical_triangles())
-            );
+            assert_eq!(trace.replay(), Ok(result.canonical_triangles()));
         }
         Err(error) => writeln!(story, "\nerror: {error}").expect("memory takes all"),
     }

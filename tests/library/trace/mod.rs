@@ -1,5 +1,5 @@
-//! Traces: the steps of the paper's figures; the same steps for every scalar and front; replayed, they give
-//! the result; damaged, they are refused.
+//! Traces: the steps of the paper's figures, the same steps for every scalar and front. A replay returns the
+//! result, and refuses a damaged trace.
 
 pub(crate) mod figures;
 mod formats;
@@ -7,7 +7,6 @@ mod replay;
 mod same;
 
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::HashTable;
 use sweep_cdt::trace::Trace;
 use sweep_cdt_testing::{Input, Steps};
 
@@ -15,7 +14,7 @@ const HEURISTICS: [Heuristics; 3] = [Heuristics::FAST, Heuristics::PAPER, Heuris
 
 /// The steps of the default scalar and front.
 fn steps(input: &Input, heuristics: Heuristics) -> Steps {
-    Steps::of::<f64, HashTable>(&input.points, &input.edges, heuristics)
+    Steps::of(&input.points, &input.edges, heuristics)
 }
 
 fn text(trace: &Trace) -> String {

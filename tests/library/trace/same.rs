@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::{HashTable, Linear, SkipList};
+use sweep_cdt_testing::fronts::FrontKind;
 use sweep_cdt_testing::runs::{Sample, convert};
 use sweep_cdt_testing::{Input, Random, Steps, data};
 
@@ -14,10 +14,10 @@ use crate::generators::medium;
 /// Panics unless the steps in these numbers, if they hold the points, are the same with every front.
 fn assert_same<S: Sample>(input: &Input, expected: &Steps) {
     if let Some(points) = convert::<S>(&input.points) {
-        let name = std::any::type_name::<S>();
-        expected.assert_same::<S, HashTable>(&points, &input.edges, name);
-        expected.assert_same::<S, SkipList>(&points, &input.edges, name);
-        expected.assert_same::<S, Linear>(&points, &input.edges, name);
+        for (front, kind) in FrontKind::ALL {
+            let name = format!("{}, {front}", std::any::type_name::<S>());
+            expected.assert_same(&points, &input.edges, kind, &name);
+        }
     }
 }
 
@@ -43,10 +43,10 @@ fn assert_same_steps(input: &Input, heuristics: Heuristics) {
     let expected = steps(input, heuristics);
     assert!(expected.result.is_ok(), "{:?}", expected.result);
     assert!(expected.trace.events.len() > 3 * points.len());
-    expected.assert_same::<f64, SkipList>(points, edges, "skip list");
-    expected.assert_same::<f64, Linear>(points, edges, "linear");
+    expected.assert_same(points, edges, FrontKind::SkipList, "skip list");
+    expected.assert_same(points, edges, FrontKind::Linear, "linear");
     let points = convert::<BigRational>(points).expect("a rational holds a double");
-    expected.assert_same::<BigRational, HashTable>(&points, edges, "BigRational");
+    expected.assert_same(&points, edges, FrontKind::HashTable, "BigRational");
 }
 
 #[test]

@@ -1,13 +1,13 @@
-//! Other programs on the same input: whoever differs from the exact oracle is wrong, and it is not us.
+//! Other programs on the same input: where one differs from the exact oracle, it is wrong.
 //!
 //! The oracle's [`check`] passes our result first, or the property fails. Then the sides that no choice
-//! among cocircular triangles can change must be those of the other program too; where they are not, and
-//! where it panics or refuses, the fault is theirs, and is counted. The verifier of the crate must say the
-//! same of their triangles: on foreign results it is itself under test.
+//! among cocircular triangles can change must be those of the other program too. Where they are not, and
+//! where it panics or refuses, its fault is counted. The verifier of the crate must judge its triangles in the
+//! same way: this also tests the verifier on foreign results.
 //!
-//! Programs are asked only what they may be expected to take: numbers of moderate size, no points too
-//! close to each other, edges that have a length and do not cross. They run in this process, so one that overflows the
-//! stack or does not come back ends the campaign with the input at hand.
+//! Programs get only inputs that they may be expected to accept: numbers of moderate size, no points too close to
+//! each other, edges that have a length and do not cross. They run in this process, so one that overflows the
+//! stack or does not return ends the campaign, which keeps the input.
 
 mod faults;
 mod quiet;
@@ -50,7 +50,7 @@ fn right_answer(input: &Input) -> Option<Answer> {
     Some(check(points, edges, &result))
 }
 
-/// Whether a program may be asked this.
+/// Whether a program may be expected to accept this.
 ///
 /// `spade` takes magnitudes from 2^-142 to 2^201; `delaunator` and `cdt` name no limits, but compute
 /// squares of squares in doubles, and `delaunator` drops points within 2^-51 of each other.

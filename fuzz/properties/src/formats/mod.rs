@@ -107,7 +107,7 @@ fn try_reader(reader: Reader, bytes: &[u8]) {
     }
 }
 
-/// Reads a result, verifies it, and tells and draws what is wrong with it.
+/// Reads a result, verifies it, and writes and draws what is wrong with it.
 fn try_result<S: Coordinate>(
     format: ResultFormat,
     source: &Source,

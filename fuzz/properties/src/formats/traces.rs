@@ -1,8 +1,9 @@
 //! Traces: both formats, and the replay.
 
-use sweep_cdt::Triangulator;
+use sweep_cdt::Heuristics;
 use sweep_cdt::formats::Graph;
 use sweep_cdt::trace::Trace;
+use sweep_cdt_testing::Steps;
 
 /// Reads any text, replays it if it is a trace, and reads it again as it is written.
 pub(super) fn try_text(text: &str) {
@@ -17,17 +18,13 @@ pub(super) fn try_text(text: &str) {
     }
 }
 
-/// The trace of a run reads as it was written, and its replay gives the result.
+/// The trace of a run reads as it was written, and its replay returns the result.
 pub(super) fn run(graph: &Graph<f64>) {
-    let mut trace = Trace::default();
-    let result = Triangulator::new()
-        .triangulate_observed(&graph.points, &graph.edges, |e| trace.events.push(e));
+    let steps = Steps::of(&graph.points, &graph.edges, Heuristics::default());
+    let Steps { trace, result, .. } = steps;
     assert_reads(&trace);
     if let Ok(result) = result {
-        assert_eq!(
-            trace.replay(),
-            Ok(result.triangulation.canonical_triangles())
-        );
+        assert_eq!(trace.replay(), Ok(result.canonical_triangles()));
     }
 }
 

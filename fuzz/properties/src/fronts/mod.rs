@@ -8,7 +8,8 @@ mod alone;
 
 use arbitrary::Unstructured;
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt_testing::fronts::FrontKind;
 
 use crate::reached;
 use sweep_cdt_testing::Steps;
@@ -39,11 +40,13 @@ pub fn input(bytes: &[u8]) -> Option<Input> {
 fn judge(Input { points, edges }: &Input, choices: u64) {
     let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
     let heuristics = settings[(choices % 3) as usize];
-    let steps = Steps::of::<f64, HashTable>(points, edges, heuristics);
-    steps.assert_same::<f64, SkipList>(points, edges, "skip list");
-    steps.assert_same::<f64, Linear>(points, edges, "linear");
-    steps.assert_same::<f64, Astray>(points, edges, "a structure that leads astray");
-    steps.assert_same::<f64, Idle>(points, edges, "a structure that knows nothing");
+    let steps = Steps::of(points, edges, heuristics);
+    for (name, front) in FrontKind::ALL {
+        steps.assert_same(points, edges, front, name);
+    }
+    let astray = Astray::default();
+    steps.assert_same_with(points, edges, astray, "a structure that leads astray");
+    steps.assert_same_with(points, edges, Idle, "a structure that knows nothing");
 }
 
 /// Names both ends and all nodes ever inserted in turn, as far as they are on the front.

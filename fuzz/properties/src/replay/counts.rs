@@ -1,4 +1,4 @@
-//! A counting run does what an observed one tells.
+//! A run that counts agrees with one that is observed.
 
 use std::cell::Cell;
 
@@ -7,8 +7,8 @@ use sweep_cdt::{Heuristics, Triangulation, Triangulator};
 
 use sweep_cdt_testing::Input;
 
-/// Panics unless a run that counts, and tells how far it is, has the same result as this one, and has counted
-/// what this one told.
+/// Panics unless a run that counts, and reports its progress, has the same result as this one, and its counters
+/// are those of this trace.
 pub(super) fn judge(
     Input { points, edges }: &Input,
     heuristics: Heuristics,
@@ -48,7 +48,7 @@ pub(super) fn judge(
         "reports of progress"
     );
 
-    let told =
+    let traced =
         |is: fn(&Event) -> bool| trace.events.iter().filter(|event| is(event)).count() as u64;
     let done = stats.counters;
     let counts = [
@@ -67,8 +67,8 @@ pub(super) fn judge(
         trace.events.iter().filter(is_asked).count() as u64
     };
     let there = [
-        told(|event| matches!(event, Event::Flip { .. })),
-        told(|event| {
+        traced(|event| matches!(event, Event::Flip { .. })),
+        traced(|event| {
             matches!(
                 event,
                 Event::Point {
@@ -81,8 +81,8 @@ pub(super) fn judge(
         made(Why::Basin),
         made(Why::Pocket),
         made(Why::Hull),
-        told(|event| matches!(event, Event::Pierced { .. })),
-        told(|event| matches!(event, Event::Fixed { .. })),
+        traced(|event| matches!(event, Event::Pierced { .. })),
+        traced(|event| matches!(event, Event::Fixed { .. })),
     ];
     assert_eq!(counts, there, "the counters (left)");
 }

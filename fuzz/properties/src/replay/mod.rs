@@ -1,15 +1,14 @@
-//! A trace gives the triangulation again, in either format; a damaged one is refused, or no worse for it.
+//! A trace replays to the triangulation, in either format; a damaged one is refused, or harmless.
 //!
 //! The replay knows no coordinates, so it cannot agree with the sweep by computing the same. In the text
 //! (`damage`) a line is removed, doubled, changed or moved, the end is cut off, or two vertices change their
-//! names. That must be refused, at that line or a later one; or be a change that [`Trace::replay`] says it
-//! cannot notice, and then the triangles are the same. And what a run counts is what it tells (`counts`).
+//! names. The replay must refuse this, at that line or a later one; or be a change that [`Trace::replay`] says it
+//! cannot notice, and then the triangles are the same. The counters of a run agree with its trace (`counts`).
 
 mod counts;
 mod damage;
 
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::HashTable;
 use sweep_cdt::trace::{Event, Trace, Why};
 
 use damage::{Damage, Kind};
@@ -33,7 +32,7 @@ fn judge(input: &Input, choices: u64) {
     let random = &mut Random::new(choices);
     let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
     let heuristics = random.pick(&settings);
-    let steps = Steps::of::<f64, HashTable>(points, edges, heuristics);
+    let steps = Steps::of(points, edges, heuristics);
     let trace = &steps.trace;
     let text = random.pick(&[text, lines])(trace);
     assert_eq!(Trace::parse(&text).as_ref(), Ok(trace), "read again (left)");
@@ -93,7 +92,7 @@ fn judge_damaged(damage: &Damage, trace: &Trace, triangles: &[[usize; 3]]) {
     }
 }
 
-/// Whether the replay may not notice that one event is told for the other.
+/// Whether the replay may not notice that one event stands for the other.
 fn may_stand_for(a: Event, b: Event) -> bool {
     use Event::{Edge, Triangle};
     match (a, b) {

@@ -2,20 +2,20 @@
 //!
 //! The predicates of each scalar are another program: expansions of doubles, integers of 128 bits, big
 //! integers, rationals over a common denominator, and for the plainest scalar the textbook's determinants.
-//! One that is wrong once changes a step. Some inputs are besides scaled to integers (`wholes`), which are
-//! stretched, moved far away or divided: doubles near such coordinates are rounded, which may change the
-//! steps, but not the result.
+//! One wrong sign changes a step. Some inputs are also scaled to integers (`wholes`), which are stretched,
+//! moved far away or divided. The doubles that approximate such coordinates are rounded, which may change
+//! the steps, but not the result.
 
 mod wholes;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::front::HashTable;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Error, Heuristics, Triangulation, triangulate};
+use sweep_cdt::{Error, Heuristics, Triangulation};
 
 use crate::reached;
 use sweep_cdt_testing::Steps;
+use sweep_cdt_testing::fronts::{self, FrontKind};
 use sweep_cdt_testing::oracle::found;
 use sweep_cdt_testing::runs::{Archetype, Sample, convert};
 use sweep_cdt_testing::{Input, generators};
@@ -27,7 +27,7 @@ pub fn test(bytes: &[u8]) {
     let [scalar, heuristics, number, ..] = choices.to_le_bytes();
     let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
     let heuristics = settings[usize::from(heuristics) % settings.len()];
-    let steps = Steps::of::<f64, HashTable>(&input.points, &input.edges, heuristics);
+    let steps = Steps::of(&input.points, &input.edges, heuristics);
     judge(&input, &steps, scalar, usize::from(number));
 }
 
@@ -66,14 +66,14 @@ fn judge(input: &Input, steps: &Steps, scalar: u8, number: usize) {
     }
 }
 
-/// The input in `f32`, rounded where that does not hold it: else hardly a coordinate would use all bits.
+/// The input in `f32`, rounded where that does not hold it: so that most coordinates use all bits.
 fn agrees_in_single(Input { points, edges }: &Input, steps: &Steps) -> bool {
     let rounded: Vec<[f32; 2]> = points.iter().map(|p| p.map(|x| x as f32)).collect();
     let doubles: Vec<[f64; 2]> = rounded.iter().map(|p| p.map(f64::from)).collect();
     if doubles == *points {
         assert_same_steps(&rounded, edges, steps, "f32");
     } else if doubles.iter().flatten().all(|x| x.is_finite()) {
-        let steps = Steps::of::<f64, HashTable>(&doubles, edges, Heuristics::FAST);
+        let steps = Steps::of(&doubles, edges, Heuristics::FAST);
         assert_same_steps(&rounded, edges, &steps, "f32, rounded");
     } else {
         return false;
@@ -98,7 +98,7 @@ fn assert_same_steps<S: Scalar>(
     steps: &Steps,
     name: &str,
 ) {
-    steps.assert_same::<S, HashTable>(points, edges, name);
+    steps.assert_same(points, edges, FrontKind::HashTable, name);
     if let Ok(result) = &steps.result {
         let report = result.verify(points, edges);
         assert!(
@@ -116,7 +116,8 @@ fn assert_same<S: Scalar>(
     name: &str,
 ) {
     let answer = |result: &Triangulation| found(result, points.len(), edges.len());
-    match (triangulate(points, edges), expected) {
+    let here = fronts::triangulate(points, edges, FrontKind::HashTable, Heuristics::default());
+    match (here, expected) {
         (Ok(here), Ok(there)) => assert_eq!(answer(&here), answer(there), "{name} (left)"),
         (Err(Error::CrossingEdges { .. }), Err(Error::CrossingEdges { .. })) => {}
         (here, there) => panic!("{name}: {here:?}, not {there:?}"),

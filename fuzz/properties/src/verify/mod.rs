@@ -1,11 +1,11 @@
 //! The verifier accepts what is right and nothing else, and no input makes it panic.
 //!
 //! A right answer is broken by up to three changes, or triangles are garbage from the start, or go round
-//! a hub more than once. For a few points the judge is [`is_right`](sweep_cdt_testing::oracle::is_right), which
-//! compares everything with everything in exact integers; for more points it is that the constrained
+//! a hub more than once. For few points the judge is [`is_right`](sweep_cdt_testing::oracle::is_right), which
+//! compares everything with everything in exact integers. For more points it is uniqueness: a constrained
 //! Delaunay triangulation is unique up to cocircular vertices, so that a result which the oracle's
-//! [`check`](sweep_cdt_testing::oracle::check) has passed tells which triangles are right. Neither shares code with
-//! the verifier. What it calls canonical must be the sweep's answer. Its options are then held against its
+//! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares code
+//! with the verifier. What it calls canonical must be the sweep's answer. Its options are then compared with its
 //! own plain verdict, and a hole is declared in what is right.
 
 mod case;
@@ -167,7 +167,7 @@ fn judge(case: &Case, in_parallel: bool) {
     check_list(case, &within);
 }
 
-/// Whether a verifier that lists one violation, and tells how far it is, finds the same.
+/// Whether a verifier that lists one violation, and reports its progress, finds the same.
 fn check_short_list(case: &Case, verdict: &std::result::Result<Report, Violations>) {
     let progress = |done, all| assert!(done <= all, "{done} of {all}");
     let verifier = Verifier::default().limit(1).progress(&progress);
@@ -215,7 +215,7 @@ fn judge_hole(case: &Case, hull: Vec<usize>) {
     check_list(case, &verdict);
 }
 
-/// Whether the violations listed name what is there, and can be told.
+/// Whether the violations listed name what is there, and have a message.
 fn check_list(case: &Case, verdict: &std::result::Result<Report, Violations>) {
     let Err(violations) = verdict else { return };
     assert_eq!(violations.list.len(), violations.found.min(100));
