@@ -67,8 +67,8 @@ fn chunk(i: usize, count: usize) -> Range<usize> {
     i * CHUNK..count.min((i + 1) * CHUNK)
 }
 
-/// What the caller is told between two chunks: each triangle counts twice, once for its turn and once
-/// for its sides.
+/// The progress that is reported after each chunk. Each triangle counts twice: once for its turn, once for
+/// its sides.
 pub(super) struct Progress<'a> {
     report: Option<&'a (dyn Fn(usize, usize) + Sync)>,
     done: AtomicUsize,
