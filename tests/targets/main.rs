@@ -1,0 +1,96 @@
+//! The library on other targets: the same triangles, steps and errors as on this one.
+//!
+//! A program with the cases is built for the target, together with the report of this machine, and run by
+//! an emulator. Where the target's standard library or the emulator is missing, the test says so and
+//! passes, unless `SWEEP_CDT_REQUIRE_TARGETS` is set: then it fails.
+
+mod cases;
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+/// 32 bits, and neither a clock nor threads. `rustup target add wasm32-unknown-unknown` installs it.
+#[test]
+fn wasm_has_the_same_results() {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/targets/run.mjs");
+    let mut node = Command::new("node");
+    compare("wasm32-unknown-unknown", node.arg(script), ".wasm");
+}
+
+/// Bytes in the other order. `rustup target add s390x-unknown-linux-gnu` and Debian's packages
+/// `gcc-s390x-linux-gnu`, `libc6-dev-s390x-cross` and `qemu-user` install it.
+#[test]
+fn a_big_endian_machine_has_the_same_results() {
+    let mut qemu = Command::new("qemu-s390x");
+    qemu.args(["-L", "/usr/s390x-linux-gnu"]);
+    compare("s390x-unknown-linux-gnu", &mut qemu, "");
+}
+
+/// Builds the program for `target` and runs it by `emulator`.
+#[track_caller]
+fn compare(target: &str, emulator: &mut Command, extension: &str) {
+    if let Some(reason) = missing(target, emulator) {
+        assert!(
+            env::var_os("SWEEP_CDT_REQUIRE_TARGETS").is_none(),
+            "{reason}"
+        );
+        eprintln!("skipped: {reason}");
+        return;
+    }
+    let report = cases::report();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(target);
+    fs::create_dir_all(&folder).expect("a folder");
+    let expected = folder.join("expected.txt");
+    fs::write(&expected, report.join("\n")).expect("a file");
+
+    let program = build(target, &expected).join(format!("sweep-cdt-guest{extension}"));
+    let output = emulator.arg(program).output().expect("an emulator");
+    match output.status.code() {
+        Some(0) => {}
+        status => {
+            let line = status.and_then(|line| usize::try_from(line).ok()?.checked_sub(1));
+            let case = line.and_then(|line| report.get(line));
+            let said = String::from_utf8_lossy(&output.stderr);
+            panic!(
+                "{target}: another result than here, or none; status {status:?}, {case:?}, {said}"
+            );
+        }
+    }
+}
+
+/// Why the test cannot run here.
+fn missing(target: &str, emulator: &Command) -> Option<String> {
+    let program = emulator.get_program();
+    if Command::new(program).arg("--version").output().is_err() {
+        return Some(format!("{} is not installed", program.display()));
+    }
+    let query = ["--print", "target-libdir", "--target", target];
+    let output = Command::new("rustc").args(query).output();
+    let folder = output.expect("there is rustc where there is cargo").stdout;
+    let folder = PathBuf::from(String::from_utf8_lossy(&folder).trim());
+    (!folder.is_dir()).then(|| format!("the standard library of {target} is not installed"))
+}
+
+/// Builds the program, and returns the folder that it is in.
+fn build(target: &str, expected: &Path) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(target);
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
+    cargo.args([
+        "build",
+        "--profile=test",
+        "--locked",
+        "--package=sweep-cdt-guest",
+    ]);
+    cargo
+        .args(["--target", target, "--target-dir"])
+        .arg(&folder);
+    cargo.env("SWEEP_CDT_EXPECTED", expected);
+    cargo.env(
+        "CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER",
+        "s390x-linux-gnu-gcc",
+    );
+    assert!(cargo.status().expect("cargo runs").success(), "cargo build");
+    folder.join(target).join("debug")
+}
