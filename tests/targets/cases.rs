@@ -29,7 +29,7 @@ fn whole_numbers() -> Vec<(&'static str, Vec<[i32; 2]>)> {
     let circle = circle.filter(|[x, y]| x * x + y * y == 65 * 65).collect();
     let comb = (0..100).map(|x| [x, if x % 2 == 0 { 0 } else { 1000 - x }]);
     let mut random = Random(1);
-    let crowd = (0..400).map(|_| [0; 2].map(|_| (random.bits() >> 58) as i32));
+    let crowd = (0..400).map(|_| [0; 2].map(|_| i32::from(random.byte() >> 2)));
     vec![
         ("lattice", lattice),
         ("circle", circle),
@@ -125,11 +125,15 @@ struct Random(u64);
 impl Random {
     fn bits(&mut self) -> u64 {
         let mut word = || {
-            self.0 = self.0.wrapping_mul(6364136223846793005);
-            self.0 = self.0.wrapping_add(1442695040888963407);
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+            self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
             self.0 >> 32
         };
         word() << 32 | word()
+    }
+
+    fn byte(&mut self) -> u8 {
+        self.bits().to_be_bytes()[0]
     }
 
     /// A double in `0..1`, with all its digits.
