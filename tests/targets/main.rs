@@ -31,10 +31,7 @@ fn a_big_endian_machine_has_the_same_results() {
 #[track_caller]
 fn compare(target: &str, emulator: &mut Command, extension: &str) {
     if let Some(reason) = missing(target, emulator) {
-        assert!(
-            env::var_os("SWEEP_CDT_NO_SKIPS").is_none(),
-            "{reason}"
-        );
+        assert!(env::var_os("SWEEP_CDT_NO_SKIPS").is_none(), "{reason}");
         eprintln!("skipped: {reason}");
         return;
     }
