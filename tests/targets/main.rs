@@ -6,9 +6,9 @@
 
 mod cases;
 
+use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs};
 
 /// 32 bits, and neither a clock nor threads. `rustup target add wasm32-unknown-unknown` installs it.
 #[test]
@@ -36,12 +36,7 @@ fn compare(target: &str, emulator: &mut Command, extension: &str) {
         return;
     }
     let report = cases::report();
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(target);
-    fs::create_dir_all(&folder).expect("a folder");
-    let expected = folder.join("expected.txt");
-    fs::write(&expected, report.join("\n")).expect("a file");
-
-    let program = build(target, &expected).join(format!("sweep-cdt-guest{extension}"));
+    let program = build(target, &report).join(format!("sweep-cdt-guest{extension}"));
     let output = emulator.arg(program).output().expect("an emulator");
     match output.status.code() {
         Some(0) => {}
@@ -69,8 +64,8 @@ fn missing(target: &str, emulator: &Command) -> Option<String> {
     (!folder.is_dir()).then(|| format!("the standard library of {target} is not installed"))
 }
 
-/// Builds the program, and returns the folder that it is in.
-fn build(target: &str, expected: &Path) -> PathBuf {
+/// Builds the program with the report in it, and returns the folder that it is in.
+fn build(target: &str, report: &[String]) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(target);
     let mut cargo = Command::new(env!("CARGO"));
     cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
@@ -83,7 +78,7 @@ fn build(target: &str, expected: &Path) -> PathBuf {
     cargo
         .args(["--target", target, "--target-dir"])
         .arg(&folder);
-    cargo.env("SWEEP_CDT_EXPECTED", expected);
+    cargo.env("SWEEP_CDT_EXPECTED", report.join("\n"));
     cargo.env(
         "CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER",
         "s390x-linux-gnu-gcc",

@@ -9,16 +9,14 @@ mod cases;
 use std::process::ExitCode;
 
 /// The report of the machine that built this program.
-const EXPECTED: &str = include_str!(env!("SWEEP_CDT_EXPECTED"));
+const EXPECTED: Option<&str> = option_env!("SWEEP_CDT_EXPECTED");
 
 fn main() -> ExitCode {
     let found = cases::report();
-    let same = found
-        .iter()
-        .zip(EXPECTED.lines())
-        .take_while(|(a, b)| a == b);
-    let same = same.count();
-    if same == found.len() && same == EXPECTED.lines().count() {
+    let expected: Vec<&str> = EXPECTED.unwrap_or_default().lines().collect();
+    let pairs = found.iter().zip(&expected);
+    let same = pairs.take_while(|(a, b)| a == b).count();
+    if same == found.len() && same == expected.len() {
         ExitCode::SUCCESS
     } else {
         ExitCode::from(u8::try_from(same + 1).unwrap_or(u8::MAX))
