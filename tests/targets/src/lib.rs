@@ -10,7 +10,7 @@ use sweep_cdt::verify::verify;
 use sweep_cdt::{Error, Triangulator, triangulate};
 
 /// One line for each case.
-pub(crate) fn report() -> Vec<String> {
+pub fn report() -> Vec<String> {
     let mut lines = Vec::new();
     for (name, points) in whole_numbers() {
         all_scalars(name, &points, &mut lines);

@@ -1,21 +1,21 @@
 //! The library on other targets: the same triangles, steps and errors as on this one.
 //!
-//! A program with the cases is built for the target, together with the report of this machine, and run by
+//! The program of this package is built for the target, with the report of this machine in it, and run by
 //! an emulator. Where the target's standard library or the emulator is missing, the test says so and
 //! passes, unless `SWEEP_CDT_NO_SKIPS` is set: then it fails.
-
-mod cases;
 
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use sweep_cdt_targets::report;
+
 /// 32 bits, and neither a clock nor threads. `rustup target add wasm32-unknown-unknown` installs it.
 #[test]
 fn wasm_has_the_same_results() {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/targets/run.mjs");
     let mut node = Command::new("node");
-    compare("wasm32-unknown-unknown", node.arg(script), ".wasm");
+    node.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/run.mjs"));
+    compare("wasm32-unknown-unknown", node, ".wasm");
 }
 
 /// Bytes in the other order. `rustup target add s390x-unknown-linux-gnu` and Debian's packages
@@ -24,31 +24,26 @@ fn wasm_has_the_same_results() {
 fn a_big_endian_machine_has_the_same_results() {
     let mut qemu = Command::new("qemu-s390x");
     qemu.args(["-L", "/usr/s390x-linux-gnu"]);
-    compare("s390x-unknown-linux-gnu", &mut qemu, "");
+    compare("s390x-unknown-linux-gnu", qemu, "");
 }
 
 /// Builds the program for `target` and runs it by `emulator`.
 #[track_caller]
-fn compare(target: &str, emulator: &mut Command, extension: &str) {
-    if let Some(reason) = missing(target, emulator) {
-        assert!(env::var_os("SWEEP_CDT_NO_SKIPS").is_none(), "{reason}");
+fn compare(target: &str, mut emulator: Command, extension: &str) {
+    if let Some(reason) = missing(target, &emulator) {
+        let may_skip = env::var_os("SWEEP_CDT_NO_SKIPS").is_none();
+        assert!(may_skip, "{reason}");
         eprintln!("skipped: {reason}");
         return;
     }
-    let report = cases::report();
-    let program = build(target, &report).join(format!("sweep-cdt-guest{extension}"));
+    let report = report();
+    let program = build(target, &report).join(format!("sweep-cdt-targets{extension}"));
     let output = emulator.arg(program).output().expect("an emulator");
-    match output.status.code() {
-        Some(0) => {}
-        status => {
-            let line = status.and_then(|line| usize::try_from(line).ok()?.checked_sub(1));
-            let case = line.and_then(|line| report.get(line));
-            let said = String::from_utf8_lossy(&output.stderr);
-            panic!(
-                "{target}: another result than here, or none; status {status:?}, {case:?}, {said}"
-            );
-        }
-    }
+    let status = output.status.code();
+    let line = status.and_then(|line| usize::try_from(line).ok()?.checked_sub(1));
+    let case = line.and_then(|line| report.get(line));
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(status, Some(0), "not as here: {case:?}, {said}");
 }
 
 /// Why the test cannot run here.
@@ -69,20 +64,11 @@ fn build(target: &str, report: &[String]) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(target);
     let mut cargo = Command::new(env!("CARGO"));
     cargo.current_dir(env!("CARGO_MANIFEST_DIR"));
-    cargo.args([
-        "build",
-        "--profile=test",
-        "--locked",
-        "--package=sweep-cdt-guest",
-    ]);
-    cargo
-        .args(["--target", target, "--target-dir"])
-        .arg(&folder);
+    cargo.args(["build", "--profile", "test", "--locked", "--target", target]);
+    cargo.arg("--target-dir").arg(&folder);
     cargo.env("SWEEP_CDT_EXPECTED", report.join("\n"));
-    cargo.env(
-        "CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER",
-        "s390x-linux-gnu-gcc",
-    );
+    let linker = "CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER";
+    cargo.env(linker, "s390x-linux-gnu-gcc");
     assert!(cargo.status().expect("cargo runs").success(), "cargo build");
     folder.join(target).join("debug")
 }
