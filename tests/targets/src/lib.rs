@@ -105,7 +105,7 @@ fn run<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> (Triangles, u64) {
     let mut steps = FNV;
     let result = Triangulator::new()
         .triangulate_observed(points, edges, |event| steps = digest(steps, &event));
-    let triangles = result.map(|run| run.triangles().collect());
+    let triangles = result.map(|run| run.triangulation.triangles().collect());
     (triangles, steps)
 }
 
