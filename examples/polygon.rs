@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Corner `i` of a star with five points.
 fn corner(i: u8) -> [f64; 2] {
-    let radius = if i % 2 == 0 { 10.0 } else { 4.0 };
+    let radius = if i.is_multiple_of(2) { 10.0 } else { 4.0 };
     let (sine, cosine) = (f64::from(i) * std::f64::consts::PI / 5.0).sin_cos();
     [radius * sine, radius * cosine]
 }

@@ -1,4 +1,4 @@
-//! The result of another program verified: what SciPy 1.17.1 (Qhull) makes of 17 points.
+//! The result of another program verified: what `SciPy` 1.17.1 (Qhull) makes of 17 points.
 //!
 //!     cargo run --release --example verify_other
 //!     cargo run --release --example verify_other -- POINTS.json TRIANGLES.json
