@@ -1,4 +1,4 @@
-#![doc = include_str!("../README.md")]
+#![doc = include_str!("crate.md")]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod bucket;
@@ -48,3 +48,8 @@ pub fn triangulate<S: scalar::Scalar>(
 ) -> Result<Triangulation, Error> {
     Triangulator::new().triangulate(points, edges)
 }
+
+/// The example of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
