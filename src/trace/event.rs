@@ -1,10 +1,12 @@
 //! What the sweep does, in the paper's words: one value a step, indices only.
 //!
 //! The same input gives the same events for every scalar that holds it and for every search structure
-//! (whose own steps are counted in [`crate::Counters`], not told). Heuristics change the events, since
+//! (whose own steps [`crate::Counters`] counts). Heuristics change the events, since
 //! they change the steps.
 
 use std::fmt;
+
+use strum::{Display, EnumString};
 
 /// A vertex as events name it: the input index that stands for it, or an artificial point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -166,7 +168,8 @@ pub enum Event {
 }
 
 /// Where the projection of a new vertex falls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
+#[strum(serialize_all = "kebab-case")]
 #[cfg_attr(
     feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
@@ -180,7 +183,8 @@ pub enum PointCase {
 }
 
 /// What a triangle is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
+#[strum(serialize_all = "kebab-case")]
 #[cfg_attr(
     feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
@@ -192,6 +196,7 @@ pub enum Why {
     /// Needed by a point event (figures 7 and 8).
     Point,
     /// A narrow corner of the front beside the new vertex: the pi/2 heuristic (figure 9).
+    #[strum(to_string = "narrow corner")]
     NarrowCorner,
     /// The basin heuristic (figure 10).
     Basin,
@@ -200,11 +205,13 @@ pub enum Why {
     /// A pseudo-polygon (figure 12).
     PseudoPolygon,
     /// The upper hull (figure 15).
+    #[strum(to_string = "upper hull")]
     Hull,
 }
 
 /// How a legalization test ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
+#[strum(serialize_all = "kebab-case")]
 #[cfg_attr(
     feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
@@ -220,7 +227,8 @@ pub enum Outcome {
 }
 
 /// The position of a part of an edge against the advancing front (section 3.4.2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
+#[strum(serialize_all = "kebab-case")]
 #[cfg_attr(
     feature = "formats",
     derive(serde::Serialize, serde::Deserialize),
@@ -228,17 +236,21 @@ pub enum Outcome {
 )]
 pub enum EdgePosition {
     /// It is a side of the triangulation already: all steps are bypassed.
+    #[strum(to_string = "there already")]
     Present,
     /// Triangles only: it lies below the front (figure 12).
+    #[strum(to_string = "below the front")]
     BelowFront,
     /// The front only (figure 13).
+    #[strum(to_string = "front only")]
     FrontOnly,
     /// Both (figure 14).
     Mixed,
 }
 
 /// One of the two pseudo-polygons of an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
+#[strum(serialize_all = "kebab-case")]
 #[cfg_attr(
     feature = "formats",
     derive(serde::Serialize, serde::Deserialize),

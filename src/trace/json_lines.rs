@@ -4,7 +4,9 @@ use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
 
-use super::{BadTrace, Trace, VERSION};
+use super::VERSION;
+use super::bad_trace::BadTrace;
+use super::event::Event;
 
 const FORMAT: &str = "sweep-cdt trace";
 
@@ -27,24 +29,24 @@ fn is_first(step: &usize) -> bool {
     *step == first()
 }
 
-/// Writes a trace.
-pub(super) fn write(trace: &Trace, out: &mut impl Write) -> io::Result<()> {
+/// Writes a trace whose first `skipped` steps are left out.
+pub(super) fn write(skipped: usize, events: &[Event], out: &mut impl Write) -> io::Result<()> {
     let header = Header {
         format: FORMAT.to_owned(),
         version: VERSION,
-        from: trace.skipped + 1,
+        from: skipped + 1,
     };
     serde_json::to_writer(&mut *out, &header)?;
     writeln!(out)?;
-    for event in &trace.events {
+    for event in events {
         serde_json::to_writer(&mut *out, event)?;
         writeln!(out)?;
     }
     Ok(())
 }
 
-/// Reads a trace.
-pub(super) fn read(text: &str) -> Result<Trace, BadTrace> {
+/// Reads a trace: how many steps are left out before the first one, and the steps.
+pub(super) fn read(text: &str) -> Result<(usize, Vec<Event>), BadTrace> {
     let mut lines = (1..).zip(text.lines());
     let header = lines
         .next()
@@ -63,5 +65,5 @@ pub(super) fn read(text: &str) -> Result<Trace, BadTrace> {
     let step =
         |(number, line)| serde_json::from_str(line).map_err(|_| BadTrace::no_step(number, line));
     let events = lines.map(step).collect::<Result<_, _>>()?;
-    Ok(Trace { skipped, events })
+    Ok((skipped, events))
 }

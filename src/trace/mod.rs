@@ -31,6 +31,7 @@
 //! are its fields; words are written the same way. Vertices are numbers, or `"P-1"` and `"P-2"`. A part
 //! of a trace says at which step it begins: `from step 120` in the header, or `"from":120`.
 
+mod bad_trace;
 mod event;
 #[cfg(feature = "formats")]
 mod json_lines;
@@ -38,8 +39,9 @@ mod replay;
 mod text;
 mod whole;
 
+pub use bad_trace::BadTrace;
 pub use event::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
-pub use whole::{BadTrace, Trace};
+pub use whole::Trace;
 
 /// The version of both formats.
 const VERSION: u32 = 2;

@@ -7,49 +7,11 @@
 use std::fmt;
 use std::io::{self, Write};
 
-use super::{
-    BadTrace, EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Trace, VERSION, Vertex, Why,
-};
+use super::VERSION;
+use super::bad_trace::BadTrace;
+use super::event::{Event, Vertex};
 
 const HEADER: &str = "sweep-cdt trace";
-
-const WHYS: [(Why, &str); 7] = [
-    (Why::First, "first"),
-    (Why::Point, "point"),
-    (Why::NarrowCorner, "narrow corner"),
-    (Why::Basin, "basin"),
-    (Why::Pocket, "pocket"),
-    (Why::PseudoPolygon, "pseudo-polygon"),
-    (Why::Hull, "upper hull"),
-];
-const OUTCOMES: [(Outcome, &str); 3] = [
-    (Outcome::Legal, "legal"),
-    (Outcome::Illegal, "illegal"),
-    (Outcome::Fixed, "fixed"),
-];
-const POINT_CASES: [(PointCase, &str); 2] =
-    [(PointCase::Middle, "middle"), (PointCase::Left, "left")];
-const POSITIONS: [(EdgePosition, &str); 4] = [
-    (EdgePosition::Present, "there already"),
-    (EdgePosition::BelowFront, "below the front"),
-    (EdgePosition::FrontOnly, "front only"),
-    (EdgePosition::Mixed, "mixed"),
-];
-const POLYGONS: [(PseudoPolygon, &str); 2] = [
-    (PseudoPolygon::Upper, "upper"),
-    (PseudoPolygon::Lower, "lower"),
-];
-
-fn word<T: PartialEq>(table: &[(T, &'static str)], value: &T) -> &'static str {
-    let row = table.iter().find(|(other, _)| other == value);
-    row.expect("the table has all values").1
-}
-
-fn value<T: Copy>(table: &[(T, &str)], words: &[&str]) -> Option<T> {
-    let words = words.join(" ");
-    let row = table.iter().find(|(_, word)| *word == words)?;
-    Some(row.0)
-}
 
 impl fmt::Display for Event {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -60,7 +22,6 @@ impl fmt::Display for Event {
                 case,
                 segment: [l, r],
             } => {
-                let case = word(&POINT_CASES, case);
                 write!(
                     f,
                     "point {vertex}: {case} case, projected on segment {l} {r}"
@@ -69,13 +30,12 @@ impl fmt::Display for Event {
             Event::Triangle {
                 vertices: [a, b, c],
                 why,
-            } => write!(f, "triangle {a} {b} {c} ({})", word(&WHYS, why)),
+            } => write!(f, "triangle {a} {b} {c} ({})", why),
             Event::Test {
                 side: [a, b],
                 opposite: [p, q],
                 outcome,
             } => {
-                let outcome = word(&OUTCOMES, outcome);
                 write!(f, "test {a} {b} against {p} {q}: {outcome}")
             }
             Event::Flip {
@@ -95,17 +55,13 @@ impl fmt::Display for Event {
                 write!(f, "switch to {to} at {l} {r}")
             }
             Event::Part { from, to, position } => {
-                write!(f, "part {from} {to}: {}", word(&POSITIONS, position))
+                write!(f, "part {from} {to}: {}", position)
             }
             Event::Pierced {
                 vertices: [a, b, c],
             } => write!(f, "pierced {a} {b} {c}"),
             Event::Border { polygon, vertex } => {
-                write!(
-                    f,
-                    "border {vertex} ({} pseudo-polygon)",
-                    word(&POLYGONS, polygon)
-                )
+                write!(f, "border {vertex} ({} pseudo-polygon)", polygon)
             }
             Event::Fixed { side: [a, b] } => write!(f, "fixed {a} {b}"),
             Event::Finalization => write!(f, "finalization"),
@@ -141,17 +97,17 @@ fn event(line: &str) -> Option<Event> {
         ["sorted", v] => Event::Sorted { vertex: vertex(v)? },
         ["point", v, case, "case", "projected", "on", "segment", l, r] => Event::Point {
             vertex: vertex(v)?,
-            case: value(&POINT_CASES, &[case])?,
+            case: case.parse().ok()?,
             segment: vertices([l, r])?,
         },
         ["triangle", a, b, c, ref why @ ..] => Event::Triangle {
             vertices: vertices([a, b, c])?,
-            why: value(&WHYS, why)?,
+            why: why.join(" ").parse().ok()?,
         },
         ["test", a, b, "against", p, q, outcome] => Event::Test {
             side: vertices([a, b])?,
             opposite: vertices([p, q])?,
-            outcome: value(&OUTCOMES, &[outcome])?,
+            outcome: outcome.parse().ok()?,
         },
         ["flip", a, b, "to", p, q] => Event::Flip {
             side: vertices([a, b])?,
@@ -174,13 +130,13 @@ fn event(line: &str) -> Option<Event> {
         ["part", from, to, ref position @ ..] => Event::Part {
             from: vertex(from)?,
             to: vertex(to)?,
-            position: value(&POSITIONS, position)?,
+            position: position.join(" ").parse().ok()?,
         },
         ["pierced", a, b, c] => Event::Pierced {
             vertices: vertices([a, b, c])?,
         },
         ["border", v, polygon, "pseudo-polygon"] => Event::Border {
-            polygon: value(&POLYGONS, &[polygon])?,
+            polygon: polygon.parse().ok()?,
             vertex: vertex(v)?,
         },
         ["fixed", a, b] => Event::Fixed {
@@ -205,17 +161,14 @@ fn header(skipped: usize) -> String {
     }
 }
 
-/// Writes a trace.
-pub(super) fn write(trace: &Trace, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "{}", header(trace.skipped))?;
-    trace
-        .events
-        .iter()
-        .try_for_each(|event| writeln!(out, "{event}"))
+/// Writes a trace whose first `skipped` steps are left out.
+pub(super) fn write(skipped: usize, events: &[Event], out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "{}", header(skipped))?;
+    events.iter().try_for_each(|event| writeln!(out, "{event}"))
 }
 
-/// Reads a trace.
-pub(super) fn read(text: &str) -> Result<Trace, BadTrace> {
+/// Reads a trace: how many steps are left out before the first one, and the steps.
+pub(super) fn read(text: &str) -> Result<(usize, Vec<Event>), BadTrace> {
     let mut lines = text.lines();
     let first = lines.next().unwrap_or_default();
     let step = first.rsplit(' ').next().and_then(|step| step.parse().ok());
@@ -231,5 +184,5 @@ pub(super) fn read(text: &str) -> Result<Trace, BadTrace> {
             _ => return Err(BadTrace::no_step(number, line)),
         }
     }
-    Ok(Trace { skipped, events })
+    Ok((skipped, events))
 }

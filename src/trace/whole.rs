@@ -1,11 +1,12 @@
-//! A run's events as one value, and why one is refused.
+//! A run's events as one value.
 
-use std::fmt;
 use std::io::{self, Write};
 
+use super::bad_trace::BadTrace;
+use super::event::Event;
 #[cfg(feature = "formats")]
 use super::json_lines;
-use super::{Event, replay, text};
+use super::{replay, text};
 
 /// The events of a run, or a stretch of them.
 ///
@@ -15,7 +16,7 @@ use super::{Event, replay, text};
 ///
 /// let mut trace = Trace::default();
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-/// let result = Triangulator::new()
+/// let run = Triangulator::new()
 ///     .triangulate_observed(&points, &[[0, 2]], |event| trace.events.push(event))?;
 ///
 /// let mut text = Vec::new();
@@ -25,7 +26,7 @@ use super::{Event, replay, text};
 ///
 /// let read = Trace::parse(&text)?;
 /// assert_eq!(read, trace);
-/// assert_eq!(read.replay()?, result.canonical_triangles());
+/// assert_eq!(read.replay()?, run.triangulation.canonical_triangles());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -42,7 +43,7 @@ impl Trace {
     /// # Errors
     /// Those of `out`.
     pub fn write_text(&self, mut out: impl Write) -> io::Result<()> {
-        text::write(self, &mut out)
+        text::write(self.skipped, &self.events, &mut out)
     }
 
     /// Writes it as JSON Lines.
@@ -51,7 +52,7 @@ impl Trace {
     /// Those of `out`.
     #[cfg(feature = "formats")]
     pub fn write_lines(&self, mut out: impl Write) -> io::Result<()> {
-        json_lines::write(self, &mut out)
+        json_lines::write(self.skipped, &self.events, &mut out)
     }
 
     /// Reads what was written, in either format.
@@ -59,11 +60,13 @@ impl Trace {
     /// # Errors
     /// [`BadTrace`] names the first line that is no line of a trace.
     pub fn parse(text: &str) -> Result<Trace, BadTrace> {
-        #[cfg(feature = "formats")]
-        if text.starts_with('{') {
-            return json_lines::read(text);
-        }
-        text::read(text)
+        let read = match text.starts_with('{') {
+            #[cfg(feature = "formats")]
+            true => json_lines::read,
+            _ => text::read,
+        };
+        let (skipped, events) = read(text)?;
+        Ok(Trace { skipped, events })
     }
 
     /// Rebuilds the result on an empty mesh, triangle by triangle, without any geometry.
@@ -72,23 +75,26 @@ impl Trace {
     /// [`canonical_triangles`](crate::Triangulation::canonical_triangles) does. Every step must be one
     /// that the sweep could take on the mesh and the front that the steps before it made:
     ///
-    /// - vertices are swept in the order that is told first, each once, on a segment of the front;
-    /// - the triangles of a point event and of the pi/2 heuristic are those that the front dictates, and
-    ///   so is what joins and leaves the front; no other triangle has a side that another one has, and
-    ///   what it covers of the front leaves it;
-    /// - a test names a side with the vertices opposite; the flip follows on an illegal one, on no other
-    ///   one and never on a fixed one;
-    /// - an edge begins at the vertex swept last, its parts lead down to its lower end and each is
-    ///   fixed; pierced triangles are a strip from end to end, the borders are those of the strip, and
-    ///   the pseudo-polygons are filled;
-    /// - in the end all artificial triangles are gone, the others are as many as is told, they fill one
-    ///   simple polygon, every vertex is a corner and every fixed edge a side.
+    /// - vertices are swept in the order that the trace begins with, each once, on a segment of the front;
+    /// - the triangles of a point event and of narrow corners are those that the front dictates, and so is
+    ///   what joins and leaves the front; no other triangle has a side that another one has, and what it
+    ///   covers of the front leaves it;
+    /// - a test names a side with the vertices opposite; a flip follows every illegal side and no other,
+    ///   and a fixed side is never flipped;
+    /// - an edge begins at the vertex swept last, its parts lead down to its lower end and each is fixed;
+    ///   pierced triangles are a strip from end to end, the borders are those of the strip, and the
+    ///   pseudo-polygons are filled;
+    /// - in the end all artificial triangles are gone, the others are as many as the last step says, they
+    ///   fill one simple polygon, every vertex is a corner and every fixed edge a side.
     ///
-    /// Not to be told without geometry, and so not noticed: that a test is missing or comes at another
-    /// time, except the one just before a flip; that a switch of a mixed part is missing; the number of
-    /// an input edge (but that it is new); which pseudo-polygon is the upper one; for which of the two
-    /// heuristics a triangle is made that both may ask for; and the order of steps of one kind that do not
-    /// touch each other. None of these changes a triangle.
+    /// Some changes cannot be noticed without geometry. None of them changes a triangle:
+    ///
+    /// - a test is missing or comes at another time, except the one just before a flip;
+    /// - a switch of a mixed part is missing;
+    /// - an input edge has another number that is new too;
+    /// - the names of the upper and the lower pseudo-polygon are swapped;
+    /// - a triangle that either heuristic may make is said to be made by the other;
+    /// - steps of one kind that do not touch each other come in another order.
     ///
     /// # Errors
     /// [`BadTrace`] names the first line that contradicts those before it, or says that lines are
@@ -101,29 +107,3 @@ impl Trace {
         replay::replay(&self.events)
     }
 }
-
-/// A line that cannot stand in a trace, and why.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct BadTrace {
-    /// The line; the header is line 1, so that step `k` is line `k + 1`.
-    pub line: usize,
-    /// What is wrong with it.
-    pub message: String,
-}
-
-impl BadTrace {
-    /// For a line that tells no step; a long one is not shown whole.
-    pub(super) fn no_step(line: usize, text: &str) -> BadTrace {
-        let start: String = text.chars().take(80).collect();
-        let message = format!("is no step: {start:?}");
-        BadTrace { line, message }
-    }
-}
-
-impl fmt::Display for BadTrace {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}: {}", self.line, self.message)
-    }
-}
-
-impl std::error::Error for BadTrace {}

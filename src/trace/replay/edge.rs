@@ -1,4 +1,4 @@
-//! An edge event in a replay: first its parts are told, from the upper to the lower end, then each of
+//! An edge event in a replay: first its parts come, from the upper to the lower end, then each of
 //! them is inserted: as the side that is there already, or in place of the triangles that it pierces.
 
 use std::collections::HashSet;
@@ -10,7 +10,7 @@ use super::mesh::{self, Mesh, Side, across};
 #[derive(Debug)]
 pub(super) struct Edge {
     lower: Vertex,
-    /// Where the part to be told starts.
+    /// Where the next part starts.
     at: Vertex,
     /// Switches since then: whether to the front, and whether at a vertex.
     switches: Vec<(bool, bool)>,
@@ -28,7 +28,7 @@ struct Hole {
     /// The sides of the removed triangles that were not yet named as borders.
     sides: HashSet<Side>,
     border: Vec<Side>,
-    /// The pseudo-polygon that the border told last belongs to, and its end.
+    /// The pseudo-polygon that the last border vertex belongs to, and its end.
     polygon: Option<(PseudoPolygon, Vertex)>,
     /// How many borders are complete.
     complete: usize,
@@ -46,12 +46,12 @@ impl Edge {
         }
     }
 
-    /// Whether all parts have been told.
+    /// Whether all parts have come.
     pub(super) fn is_surveyed(&self) -> bool {
         self.at == self.lower
     }
 
-    /// Whether pockets may be filled: after the parts are told, before the first is inserted.
+    /// Whether pockets may be filled: after the parts have come, before the first is inserted.
     pub(super) fn may_fill_pockets(&self) -> bool {
         self.is_surveyed() && self.fixed == 0 && self.hole.last.is_none()
     }

@@ -1,6 +1,6 @@
 //! Replays a trace on an empty mesh, without any geometry, and refuses one that no run can have made.
 //!
-//! What is checked is told at [`Trace::replay`](super::Trace::replay). Each event is checked against the
+//! [`Trace::replay`](super::Trace::replay) says what is checked. Each event is checked against the
 //! state that those before it made: the mesh, the front, the edge being inserted, and, where the sweep
 //! has no choice, the events that must follow.
 //!
@@ -13,7 +13,8 @@ mod mesh;
 
 use std::collections::{HashMap, HashSet, VecDeque};
 
-use super::{BadTrace, Event, Vertex};
+use super::bad_trace::BadTrace;
+use super::event::{Event, Vertex};
 use edge::Edge;
 use front::Front;
 use mesh::Mesh;
