@@ -4,7 +4,8 @@ use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
 
-use super::{BadTrace, Trace, VERSION};
+use super::whole::VERSION;
+use super::{BadTrace, Trace};
 
 const FORMAT: &str = "sweep-cdt trace";
 

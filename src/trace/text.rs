@@ -7,9 +7,8 @@
 use std::fmt;
 use std::io::{self, Write};
 
-use super::{
-    BadTrace, EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Trace, VERSION, Vertex, Why,
-};
+use super::whole::VERSION;
+use super::{BadTrace, EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Trace, Vertex, Why};
 
 const HEADER: &str = "sweep-cdt trace";
 
