@@ -43,5 +43,68 @@ pub use bad_trace::BadTrace;
 pub use event::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 pub use whole::Trace;
 
-/// The version of both formats.
-const VERSION: u32 = 2;
+impl Trace {
+    /// Writes it as text.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_text(&self, mut out: impl Write) -> io::Result<()> {
+        text::write(self, &mut out)
+    }
+
+    /// Writes it as JSON Lines.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    #[cfg(feature = "formats")]
+    pub fn write_lines(&self, mut out: impl Write) -> io::Result<()> {
+        json_lines::write(self, &mut out)
+    }
+
+    /// Reads what was written, in either format.
+    ///
+    /// # Errors
+    /// [`BadTrace`] names the first line that is no line of a trace.
+    pub fn parse(text: &str) -> Result<Trace, BadTrace> {
+        #[cfg(feature = "formats")]
+        if text.starts_with('{') {
+            return json_lines::read(text);
+        }
+        text::read(text)
+    }
+
+    /// Rebuilds the result on an empty mesh, triangle by triangle, without any geometry.
+    ///
+    /// Returns the triangles as
+    /// [`canonical_triangles`](crate::Triangulation::canonical_triangles) does. Every step must be one
+    /// that the sweep could take on the mesh and the front that the steps before it made:
+    ///
+    /// - vertices are swept in the order that is told first, each once, on a segment of the front;
+    /// - the triangles of a point event and of the pi/2 heuristic are those that the front dictates, and
+    ///   so is what joins and leaves the front; no other triangle has a side that another one has, and
+    ///   what it covers of the front leaves it;
+    /// - a test names a side with the vertices opposite; the flip follows on an illegal one, on no other
+    ///   one and never on a fixed one;
+    /// - an edge begins at the vertex swept last, its parts lead down to its lower end and each is
+    ///   fixed; pierced triangles are a strip from end to end, the borders are those of the strip, and
+    ///   the pseudo-polygons are filled;
+    /// - in the end all artificial triangles are gone, the others are as many as is told, they fill one
+    ///   simple polygon, every vertex is a corner and every fixed edge a side.
+    ///
+    /// Not to be told without geometry, and so not noticed: that a test is missing or comes at another
+    /// time, except the one just before a flip; that a switch of a mixed part is missing; the number of
+    /// an input edge (but that it is new); which pseudo-polygon is the upper one; for which of the two
+    /// heuristics a triangle is made that both may ask for; and the order of steps of one kind that do not
+    /// touch each other. None of these changes a triangle.
+    ///
+    /// # Errors
+    /// [`BadTrace`] names the first line that contradicts those before it, or says that lines are
+    /// missing at the end.
+    pub fn replay(&self) -> Result<Vec<[usize; 3]>, BadTrace> {
+        if self.skipped > 0 {
+            let message = format!("the trace lacks its first {} steps", self.skipped);
+            return Err(BadTrace { line: 1, message });
+        }
+        replay::replay(&self.events)
+    }
+}
