@@ -16,20 +16,19 @@ use sweep_cdt::{Error, Run, Triangulator};
 struct Recent {
     size: usize,
     nodes: VecDeque<(FrontNode, f64)>,
-    /// How many of them have left the front.
-    lost: usize,
+    /// How many vertices the searches have compared.
+    compared: usize,
 }
 
 impl FrontSearch for Recent {
     fn begin(&mut self, _: Domain<'_>) {
         self.nodes.clear();
-        self.lost = 0;
+        self.compared = 0;
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
-        let before = self.nodes.len();
         self.nodes.retain(|&(node, _)| front.contains(node));
-        self.lost += before - self.nodes.len();
+        self.compared += self.nodes.len();
         let distance = |entry: &&(FrontNode, f64)| (entry.1 - x).abs();
         let nearest = |a: &_, b: &_| distance(a).total_cmp(&distance(b));
         let found = self.nodes.iter().min_by(nearest);
@@ -46,7 +45,7 @@ impl FrontSearch for Recent {
 
 fn main() -> Result<(), Error> {
     let points = scattered(20_000);
-    println!("front        steps along it   sweeping   lost");
+    println!("front        steps along it   sweeping   compared");
     measure("hash table", HashTable::default(), &points)?;
     measure("skip list", SkipList::default(), &points)?;
     measure("linear", Linear::default(), &points)?;
@@ -56,7 +55,7 @@ fn main() -> Result<(), Error> {
             ..Recent::default()
         };
         let front = measure(&format!("recent {size}"), front, &points)?;
-        println!("{:>45}", front.lost);
+        println!("{:>49}", front.compared);
     }
     Ok(())
 }

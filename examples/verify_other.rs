@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let bytes = fs::read(&name)?;
         Ok(Source { name, bytes })
     };
-    let points = source("hard/delaunator_issue13.json")?;
+    let points = source("peers/issue13.json")?;
     let triangles = source("peers/scipy_issue13.json")?;
 
     let Input::Doubles(input) = read(InputFormat::Json, &points, None)? else {
