@@ -1,12 +1,5 @@
 //! Lines of a drawing joined to long strokes, which are shorter to write than their pieces.
 
-/// The pairs, the lower vertex of each first, sorted.
-pub(super) fn sorted_pairs(pairs: impl Iterator<Item = [usize; 2]>) -> Vec<[usize; 2]> {
-    let mut sorted: Vec<[usize; 2]> = pairs.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    sorted.sort_unstable();
-    sorted
-}
-
 /// Walks that use each edge once, greedily long: from vertices with an odd number of edges first,
 /// since a walk must begin or end there.
 ///
@@ -44,7 +37,8 @@ pub(super) fn trails(vertices: usize, edges: &[[usize; 2]]) -> Vec<Vec<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{sorted_pairs, trails};
+    use super::trails;
+    use crate::formats::pairs::sorted_pairs;
 
     #[test]
     fn each_edge_is_walked_once() {
