@@ -9,10 +9,12 @@ mod palette;
 mod panels;
 mod plane;
 mod result;
+mod steps;
 mod svg;
 mod trails;
 mod violations;
 mod window;
 
 pub use result::ResultPicture;
+pub use steps::{StepsPage, StepsSheet};
 pub use violations::ViolationsPicture;

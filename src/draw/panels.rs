@@ -37,6 +37,11 @@ impl Panels {
         }
     }
 
+    /// The layout if no panel is taller than this.
+    pub(super) fn tallest(self, tallest: i64) -> Panels {
+        Panels { tallest, ..self }
+    }
+
     /// Width and height of the sheet.
     pub(super) fn size(&self) -> [i64; 2] {
         [WIDTH, GAP + self.rows as i64 * self.row()]

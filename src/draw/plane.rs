@@ -43,10 +43,23 @@ impl Bounds {
         }
     }
 
-    /// The longer side, or 1 if there is none.
+    /// The longer side.
     pub(super) fn longer(&self) -> f64 {
-        let longer = self.size[0].max(self.size[1]);
-        if longer > 0.0 { longer } else { 1.0 }
+        self.size[0].max(self.size[1])
+    }
+
+    /// What lengths are measured by: the longer side, or 1 if the box is a point.
+    pub(super) fn unit(&self) -> f64 {
+        if self.longer() > 0.0 {
+            self.longer()
+        } else {
+            1.0
+        }
+    }
+
+    /// A point as seen from the lower left corner, in units.
+    pub(super) fn share(&self, point: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| (point[axis] - self.low[axis]) / self.unit())
     }
 
     /// The square with the same middle and sides of this length.
@@ -57,18 +70,18 @@ impl Bounds {
         }
     }
 
-    /// The box with a margin all around, given as a share of its longer side.
+    /// The box with a margin all around, given as a share of its unit.
     pub(super) fn with_margin(&self, share: f64) -> Bounds {
-        let margin = share * self.longer();
+        let margin = share * self.unit();
         Bounds {
             low: self.low.map(|x| x - margin),
             size: self.size.map(|length| length + 2.0 * margin),
         }
     }
 
-    /// About the distance of neighbours among so many points in the box, as a share of its longer side.
+    /// About the distance of neighbours among so many points in the box, as a share of its unit.
     pub(super) fn spacing(&self, count: usize) -> f64 {
-        let [width, height] = self.size.map(|side| side / self.longer());
+        let [width, height] = self.size.map(|side| side / self.unit());
         let count = count.max(1) as f64;
         (width * height / count).sqrt().max(1.0 / count)
     }

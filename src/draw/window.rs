@@ -21,7 +21,7 @@ impl Window {
     /// A window on a part of the plane, the longer side of which becomes so many units long.
     pub(super) fn new(part: Bounds, longer: i64) -> Window {
         let longer = longer as f64;
-        let size = part.size.map(|side| units(side / part.longer() * longer));
+        let size = part.size.map(|side| units(side / part.unit() * longer));
         Window { part, longer, size }
     }
 
@@ -35,13 +35,21 @@ impl Window {
     /// A distance in the picture.
     pub(super) fn length(&self, distance: f64) -> i64 {
         // Divided first: the quotient is what cannot overflow where a window is tiny.
-        units(distance / self.part.longer() * self.longer)
+        units(distance / self.part.unit() * self.longer)
     }
 
     /// Whether it shows a point.
     pub(super) fn shows(&self, point: [f64; 2]) -> bool {
         let Bounds { low, size } = self.part;
         (0..2).all(|axis| (low[axis]..=low[axis] + size[axis]).contains(&point[axis]))
+    }
+
+    /// Whether it may show something of a shape through these places: whether they are not all beside it.
+    pub(super) fn may_show(&self, places: &[[i64; 2]]) -> bool {
+        (0..2).all(|axis| {
+            places.iter().any(|place| place[axis] >= 0)
+                && places.iter().any(|place| place[axis] <= self.size[axis])
+        })
     }
 
     /// The part of a segment that it shows, if any (by Liang and Barsky's algorithm).

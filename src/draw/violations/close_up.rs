@@ -34,7 +34,7 @@ impl<S> CloseUp<'_, S> {
     pub(super) fn window(&self, size: i64) -> Window {
         let points = &self.background.points;
         let focus = Bounds::of(self.vertices.iter().map(|&v| points[v]));
-        let mut side = focus.size[0].max(focus.size[1]);
+        let mut side = focus.longer();
         if side <= 0.0 {
             let at = focus.low;
             let distance = |p: &[f64; 2]| (p[0] - at[0]).abs().max((p[1] - at[1]).abs());

@@ -12,9 +12,7 @@ mod traces;
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
 use sweep_cdt::draw::ViolationsPicture;
-use sweep_cdt::formats::{
-    Coordinate, Graph, Input, ResultFormat, Source, read, read_result,
-};
+use sweep_cdt::formats::{Coordinate, Graph, Input, ResultFormat, Source, read, read_result};
 use sweep_cdt::verify::Verifier;
 
 use self::reader::{READERS, Reader, source};

@@ -1,4 +1,4 @@
-//! All that is to be seen after a step.
+//! The picture after a step.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ pub(super) struct Scene {
     pub(super) fixed: BTreeSet<[Vertex; 2]>,
     pub(super) sweep: Option<Vertex>,
     pub(super) is_swept: bool,
-    /// The edge being inserted, and what is in its way.
+    /// The edge being inserted, and the triangles that it pierces.
     pub(super) edge: Option<[Vertex; 2]>,
     pub(super) pierced: Vec<[Vertex; 3]>,
     /// The borders of the upper and lower pseudo-polygon.
@@ -48,7 +48,7 @@ impl Scene {
         }
     }
 
-    /// Changes that make this of a new one.
+    /// The changes that rebuild this scene from an empty one.
     pub(super) fn changes_since_new(&self) -> Vec<Change> {
         let mut all = Vec::new();
         all.extend(self.triangles.iter().copied().map(Change::Add));
@@ -62,11 +62,9 @@ impl Scene {
         all.extend(self.is_swept.then_some(Change::Swept));
         all.extend(self.edge.map(Change::Edge));
         all.extend(self.pierced.iter().copied().map(Change::Pierce));
-        for (side, border) in [PseudoPolygon::Upper, PseudoPolygon::Lower]
-            .into_iter()
-            .zip(&self.borders)
-        {
-            all.extend(border.iter().map(|&vertex| Change::Border(side, vertex)));
+        let polygons = [PseudoPolygon::Upper, PseudoPolygon::Lower];
+        for (polygon, border) in polygons.into_iter().zip(&self.borders) {
+            all.extend(border.iter().map(|&vertex| Change::Border(polygon, vertex)));
         }
         all
     }
@@ -99,7 +97,7 @@ impl Scene {
                 self.edge = Some(ends);
                 self.forget_polygons();
             }
-            Change::Border(side, vertex) => self.borders[side as usize].push(vertex),
+            Change::Border(polygon, vertex) => self.borders[polygon as usize].push(vertex),
             Change::Fix(mut ends) => {
                 ends.sort_unstable();
                 self.fixed.insert(ends);

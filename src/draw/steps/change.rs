@@ -1,13 +1,15 @@
 //! What an event changes in the picture.
 
-use crate::trace::{Event, Outcome, PseudoPolygon, Vertex};
+use serde::ser::{Serialize, SerializeSeq, Serializer};
 
-/// A change of the picture. The last four only point at something, for the length of a step.
+use crate::trace::{Event, Outcome, PseudoPolygon, Vertex, Why};
+
+/// A change of the picture. The last four only point at something, while their step is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Change {
     /// The sweep line comes to a vertex; the edge event before it is over.
     Sweep(Vertex),
-    /// It has passed all vertices.
+    /// The sweep line has passed all vertices.
     Swept,
     /// The triangulation is complete, and without a front.
     End,
@@ -25,21 +27,21 @@ pub(super) enum Change {
     Edge([Vertex; 2]),
     /// A pseudo-polygon has one more vertex.
     Border(PseudoPolygon, Vertex),
-    /// A constraint is there, and the pseudo-polygons are done with.
+    /// A constraint is there, and the pseudo-polygons are gone.
     Fix([Vertex; 2]),
     /// Look at this vertex.
     Vertex(Vertex),
     /// Look at this line.
     Line([Vertex; 2]),
-    /// This line is no more.
+    /// Look at where this line was.
     Gone([Vertex; 2]),
-    /// The edge between the first two is tested against the others.
+    /// The side between the first two is tested against the others.
     Test([Vertex; 4], Outcome),
 }
 
 impl Change {
-    /// Its letter and numbers in the page; P-1 and P-2 are -1 and -2.
-    pub(super) fn code(&self) -> (&'static str, Vec<i64>) {
+    /// Its name and vertices in the page; P-1 and P-2 are -1 and -2.
+    fn code(&self) -> (&'static str, Vec<i64>) {
         let codes = |vertices: &[Vertex]| vertices.iter().copied().map(number).collect();
         match self {
             Change::Sweep(v) => ("sweep", codes(&[*v])),
@@ -71,6 +73,19 @@ impl Change {
     }
 }
 
+/// As a list: the name, then the vertices.
+impl Serialize for Change {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        let (name, vertices) = self.code();
+        let mut list = serializer.serialize_seq(Some(1 + vertices.len()))?;
+        list.serialize_element(name)?;
+        for vertex in &vertices {
+            list.serialize_element(vertex)?;
+        }
+        list.end()
+    }
+}
+
 fn number(vertex: Vertex) -> i64 {
     match vertex {
         Vertex::Input(index) => index.into(),
@@ -87,10 +102,11 @@ pub(super) fn changes(event: &Event) -> Vec<Change> {
         Event::Point {
             vertex, segment, ..
         } => vec![C::Sweep(vertex), C::Vertex(vertex), C::Line(segment)],
-        Event::Triangle { vertices, why } => match (why, vertices[0]) {
-            (crate::trace::Why::First, first) => vec![C::Sweep(first), C::Add(vertices)],
-            _ => vec![C::Add(vertices)],
-        },
+        Event::Triangle {
+            vertices,
+            why: Why::First,
+        } => vec![C::Sweep(vertices[0]), C::Add(vertices)],
+        Event::Triangle { vertices, .. } => vec![C::Add(vertices)],
         Event::Test {
             side: [a, b],
             opposite: [p, q],

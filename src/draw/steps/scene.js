@@ -1,7 +1,7 @@
-// The state of the sweep after any step, from copies kept at every so many steps.
+// The state of the sweep after any step, rebuilt from copies kept at regular intervals.
 
 const trace = JSON.parse(document.getElementById("trace").textContent);
-/** The number of the state before the first step of this page, and of its last one. */
+/** The number of the step before the first one of this page, and of its last one. */
 const BEFORE = trace.first - 1;
 const LAST = BEFORE + trace.steps.length;
 const LEFT = -1;
@@ -101,7 +101,7 @@ const copies = [new Scene()];
 copies[0].advance(trace.base);
 copies[0].step = [];
 
-/** The state after a step. `current` may be an earlier one, and is used up. */
+/** The state after a step. Reuses `current`, the state after step `currentNumber`, if that is earlier. */
 function sceneAt(number, current, currentNumber) {
   const wanted = number - BEFORE;
   let at = Math.min(Math.floor(wanted / COPY_EVERY), copies.length - 1) * COPY_EVERY;
@@ -113,7 +113,7 @@ function sceneAt(number, current, currentNumber) {
     scene = copies[at / COPY_EVERY].copy();
   }
   while (at < wanted) {
-    scene.advance(trace.steps[at].slice(2));
+    scene.advance(trace.steps[at][2]);
     at += 1;
     if (at === copies.length * COPY_EVERY) {
       copies.push(scene.copy());

@@ -1,4 +1,4 @@
-// The controls: which step is shown, and from where one looks.
+// The controls: which step is shown, and which part of the plane.
 
 const element = (id) => document.getElementById(id);
 const view = new View(element("picture"));
@@ -13,7 +13,7 @@ function show(wanted) {
   number = Math.min(Math.max(Math.round(wanted) || BEFORE, BEFORE), LAST);
   scene = sceneAt(number, scene, before);
   view.follow(scene.step);
-  tell();
+  describe();
   view.draw(scene);
   addressTimer ??= setTimeout(() => {
     addressTimer = null;
@@ -21,7 +21,8 @@ function show(wanted) {
   }, 200);
 }
 
-function tell() {
+/** Shows the words of the current step, and the list of the steps around it. */
+function describe() {
   const [heading, sentence] = textOf(number);
   element("position").textContent = `Step ${number} of ${trace.total}`;
   element("heading").textContent = heading;
@@ -59,11 +60,11 @@ function textOf(step) {
   return BEFORE === 0 ? ["Input", input] : ["Before the first step of this page", input];
 }
 
-/** The nearest step in a direction that begins a point or an edge event, or a part of the algorithm. */
+/** The next step in a direction that begins a point event, an edge event or a part of the algorithm. */
 function nextEvent(direction) {
   const begins = (change) => ["sweep", "swept", "edge", "end"].includes(change[0]);
   let at = number + direction;
-  while (at > BEFORE && at < LAST && !trace.steps[at - trace.first].slice(2).some(begins)) {
+  while (at > BEFORE && at < LAST && !trace.steps[at - trace.first][2].some(begins)) {
     at += direction;
   }
   return at;
@@ -82,8 +83,8 @@ function play(wanted = timer === null) {
   element("play").textContent = timer === null ? "Play" : "Pause";
 }
 
-/** Obeys `#step=120`. */
-function obeyAddress() {
+/** Shows the step that the address names, as in `#step=120`. */
+function followAddress() {
   const step = /^#step=(\d+)$/.exec(location.hash);
   show(step ? Number(step[1]) : number);
 }
@@ -124,8 +125,8 @@ document.addEventListener("keydown", (event) => {
 });
 element("slider").oninput = (event) => show(event.target.valueAsNumber);
 element("speed").onchange = () => play(timer !== null);
-window.addEventListener("hashchange", obeyAddress);
-new ResizeObserver(() => look(() => (view.resize(), tell()))).observe(element("picture"));
+window.addEventListener("hashchange", followAddress);
+new ResizeObserver(() => look(() => (view.resize(), describe()))).observe(element("picture"));
 
 const fingers = new Map();
 const canvas = element("picture");
@@ -154,10 +155,10 @@ Object.assign(element("slider"), { min: BEFORE, max: LAST });
 if (trace.steps.length < trace.total) {
   element("notice").hidden = false;
   element("notice").textContent =
-    `This page holds steps ${trace.first} to ${LAST} of ${trace.total}; others: sweep-cdt trace --from K --to K.`;
+    `This page holds steps ${trace.first} to ${LAST} of ${trace.total}.`;
 }
 if (innerWidth <= 860) {
   element("legend").open = false;
 }
 drawLegend(element("legend").querySelector("ul"));
-obeyAddress();
+followAddress();

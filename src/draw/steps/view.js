@@ -1,29 +1,10 @@
-// Draws a scene on a canvas; what is told apart by colour is so by shape, dash or width too.
+// Draws a scene on a canvas. The styles of lines and areas come with the steps.
 
-const INK = "#1B1F23";
-const GREY = "#848E98";
-const BLUE = "#0072B2";
-const RED = "#D55E00";
-const GREEN = "#009E73";
-const STYLES = {
-  triangle: { stroke: GREY, width: 1, fill: "#F6F5F1" },
-  ray: { stroke: GREY, width: 1, dash: [2, 6], alpha: 0.55 },
-  pierced: { stroke: "#5B646D", width: 2, dash: [0.1, 5], fill: "#848E9826" },
-  upper: { stroke: "#56B4E9", width: 2, hatch: ["#56B4E9", "/"] },
-  lower: { stroke: "#B8A500", width: 2, hatch: ["#CDBB00", "\\"] },
-  added: { stroke: GREEN, width: 1.5, fill: "#009E734D" },
-  input: { stroke: BLUE, width: 1.2, dash: [5, 5], alpha: 0.7 },
-  constraint: { stroke: BLUE, width: 3 },
-  front: { stroke: "#E69F00", width: 8, alpha: 0.85 },
-  sweep: { stroke: "#CC79A7", width: 2, dash: [14, 5, 1, 5] },
-  inserted: { stroke: BLUE, width: 3.5, dash: [11, 7] },
-  line: { stroke: INK, width: 4 },
-  gone: { stroke: RED, width: 4, dash: [0.1, 8] },
-  came: { stroke: RED, width: 4 },
-  quad: { stroke: INK, width: 1, fill: "#1B1F230D" },
-  legal: { stroke: GREEN, width: 2 },
-  illegal: { stroke: RED, width: 2, dash: [7, 6] },
-};
+const STYLES = Object.fromEntries(trace.styles.map((style) => [style.name, style]));
+/** A colour of the page by its name. */
+const colour = (name) =>
+  getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+const [INK, GREY, BLUE, PAPER] = ["ink", "grey", "blue", "paper"].map(colour);
 /** Vertices get numbers where they are so far apart, in pixels. */
 const ROOM_FOR_NUMBERS = 24;
 /** What the buttons take on the left, in pixels. */
@@ -33,9 +14,7 @@ class View {
   constructor(canvas) {
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
-    const count = Math.max(trace.points.length, 1);
-    const [width, height] = trace.size;
-    this.spacing = Math.max(Math.sqrt((width * height) / count), 1 / count);
+    this.spacing = trace.spacing;
     this.resize();
   }
 
@@ -76,7 +55,7 @@ class View {
     }
   }
 
-  /** Zooms, with the place under a pixel held where it is. */
+  /** Zooms, and keeps the place under a pixel where it is. */
   zoom(factor, [x, y] = [this.width / 2, this.height / 2]) {
     const from = this.scale;
     this.scale = Math.min(Math.max(from * factor, 50), 1e9);
@@ -92,11 +71,11 @@ class View {
     this.isMoved = true;
   }
 
-  /** Moves so that at least one of the vertices of a step is to be seen. */
+  /** Moves so that at least one of the vertices of a step is visible. */
   follow(changes) {
     const places = changes.flatMap((change) => this.places(change.slice(1)));
-    const isSeen = ([x, y]) => x >= 0 && y >= 0 && x <= this.width && y <= this.height;
-    if (this.isMoved && places.length && !places.some(isSeen)) {
+    const isVisible = ([x, y]) => x >= 0 && y >= 0 && x <= this.width && y <= this.height;
+    if (this.isMoved && places.length && !places.some(isVisible)) {
       const mean = (axis) => places.reduce((sum, place) => sum + place[axis], 0) / places.length;
       this.pan(this.width / 2 - mean(0), this.height / 2 - mean(1));
     }
@@ -178,14 +157,14 @@ class View {
       const isBelow = sweep && (py < sweep[1] || (py === sweep[1] && px <= sweep[0]));
       context.beginPath();
       context.arc(x, y, radius, 0, 2 * Math.PI);
-      context.fillStyle = isBelow || scene.isSwept ? INK : "#FFF";
+      context.fillStyle = isBelow || scene.isSwept ? INK : PAPER;
       context.fill();
       context.lineWidth = 1.2;
       context.strokeStyle = isBelow || scene.isSwept ? INK : GREY;
       context.stroke();
       if (isNumbered) {
         context.lineWidth = 3.5;
-        context.strokeStyle = "#FFF";
+        context.strokeStyle = PAPER;
         context.strokeText(v, x + 7, y - 7);
         context.fillStyle = INK;
         context.fillText(v, x + 7, y - 7);
@@ -203,7 +182,7 @@ class View {
     }
   }
 
-  /** The circle through three places; one that is all but straight is drawn as a line. */
+  /** The circle through three places; a circle that is all but straight is drawn as a line. */
   circle(style, [[ax, ay], [bx, by], [cx, cy]]) {
     const [ux, uy, vx, vy] = [bx - ax, by - ay, cx - ax, cy - ay];
     const area = 2 * (ux * vy - uy * vx);
@@ -244,21 +223,22 @@ class View {
     this.paint(typeof style === "string" ? STYLES[style] : style, isClosed);
   }
 
-  paint({ stroke, width, dash = [], fill, hatch, alpha = 1 }, isClosed = false) {
+  paint({ stroke, width, dash = [], alpha = 1, fill, fillAlpha = 1, hatch }, isClosed = false) {
     const { context } = this;
     // Where triangles are small, their sides are thin and the front is narrow.
     const room = this.spacing * this.scale;
     const most = width <= 1.2 ? Math.max(0.05 * room, 0.3) : Math.max(0.2 * room, 4);
     context.save();
-    context.globalAlpha = alpha;
     context.setLineDash(dash);
     context.lineWidth = Math.min(width, most);
     [context.lineCap, context.lineJoin] = ["round", "round"];
     context.strokeStyle = stroke;
     if (isClosed && (fill || hatch)) {
-      context.fillStyle = fill || hatching(context, ...hatch);
+      context.globalAlpha = hatch ? 1 : fillAlpha;
+      context.fillStyle = hatch ? hatching(context, stroke, fillAlpha, hatch) : fill;
       context.fill();
     }
+    context.globalAlpha = alpha;
     context.stroke();
     context.restore();
   }
@@ -275,14 +255,15 @@ class View {
   }
 }
 
-function hatching(context, colour, slope) {
+/** The pattern of an area: pale, with lines in this direction. */
+function hatching(context, stroke, alpha, direction) {
   const tile = new OffscreenCanvas(8, 8);
   const lines = tile.getContext("2d");
-  lines.fillStyle = colour + "30";
+  [lines.fillStyle, lines.globalAlpha] = [stroke, alpha];
   lines.fillRect(0, 0, 8, 8);
-  lines.strokeStyle = colour;
+  [lines.strokeStyle, lines.globalAlpha] = [stroke, 1];
   lines.lineWidth = 1.2;
-  const [from, to] = slope === "/" ? [8, 0] : [0, 8];
+  const [from, to] = direction === "/" ? [8, 0] : [0, 8];
   for (const shift of [-8, 0, 8]) {
     lines.moveTo(shift, from);
     lines.lineTo(shift + 8, to);

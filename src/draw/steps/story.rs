@@ -1,4 +1,4 @@
-//! Each event told to a reader: a heading that names the part of the paper, and a sentence.
+//! Each event in words: a heading that names the part of the paper, and a sentence.
 
 use crate::trace::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 
@@ -13,11 +13,11 @@ pub(super) fn heading(event: &Event) -> &'static str {
         Event::Triangle { why, .. } => match why {
             Why::First => "Initial triangle · figure 6",
             Why::Point => "Point event, new triangle · section 3.4.1",
-            Why::NarrowCorner => "Narrow angle is filled · figure 9",
-            Why::Basin => "Basin is filled · figure 10",
-            Why::Pocket => "Pocket under the edge · figure 13",
-            Why::PseudoPolygon => "Pseudo-polygon is filled · figure 12",
-            Why::Hull => "Upper hull · figure 15",
+            Why::NarrowCorner => "Point event, narrow corner · figure 9",
+            Why::Basin => "Point event, basin · figure 10",
+            Why::Pocket => "Edge event, pocket under the edge · figure 13",
+            Why::PseudoPolygon => "Edge event, triangle of a pseudo-polygon · figure 12",
+            Why::Hull => "Finalization, upper hull · figure 15",
         },
         Event::Test { .. } => "Legalization, test · figure 2",
         Event::Flip { .. } => "Legalization, swap · figure 3",
@@ -25,7 +25,7 @@ pub(super) fn heading(event: &Event) -> &'static str {
         Event::Edge { .. } => "Edge event · section 3.4.2",
         Event::Switch { .. } => "Edge event, switch of traversal · figure 14",
         Event::Part { position, .. } => match position {
-            EdgePosition::Present => "Edge event, edge is there · section 3.4.2",
+            EdgePosition::Present => "Edge event, edge already present · section 3.4.2",
             EdgePosition::BelowFront => "Edge event, below the front · figure 12",
             EdgePosition::FrontOnly => "Edge event, front only · figure 13",
             EdgePosition::Mixed => "Edge event, mixed · figure 14",
@@ -62,12 +62,12 @@ pub(super) fn sentence(event: &Event) -> String {
             why,
         } => {
             let why = match why {
-                Why::First => "of the first vertex and the artificial points",
-                Why::Point => "from the new vertex to the front",
-                Why::NarrowCorner => "where the front had a narrow angle",
+                Why::First => "of the first vertex and the two artificial points",
+                Why::Point => "between the new vertex and the front",
+                Why::NarrowCorner => "in a narrow corner of the front",
                 Why::Basin => "in a basin of the front",
-                Why::Pocket => "where the front ran below the edge",
-                Why::PseudoPolygon => "in the pseudo-polygon",
+                Why::Pocket => "in a pocket of the front below the edge",
+                Why::PseudoPolygon => "in a pseudo-polygon",
                 Why::Hull => "between the front and the upper hull",
             };
             format!("Triangle {a} {b} {c} is made {why}.")
@@ -80,7 +80,7 @@ pub(super) fn sentence(event: &Event) -> String {
             let is_real = [a, b, p, q].iter().all(|v| matches!(v, Vertex::Input(_)));
             let circle = match outcome {
                 Outcome::Legal | Outcome::Illegal if !is_real => {
-                    " No circle is drawn: artificial points are directions."
+                    " No circle is drawn: an artificial point is a direction."
                 }
                 _ => "",
             };
@@ -89,12 +89,12 @@ pub(super) fn sentence(event: &Event) -> String {
                 Outcome::Illegal => "It is illegal and will be swapped.",
                 Outcome::Fixed => "It is a constraint and stays.",
             };
-            format!("The edge {a}–{b} between vertices {p} and {q} is tested. {outcome}{circle}")
+            format!("The side {a}–{b} between vertices {p} and {q} is tested. {outcome}{circle}")
         }
         Event::Flip {
             side: [a, b],
             new_side: [p, q],
-        } => format!("The edge {a}–{b} is swapped for {p}–{q}."),
+        } => format!("The side {a}–{b} is swapped for {p}–{q}."),
         Event::FrontInsert { vertex, after } => {
             format!("Vertex {vertex} joins the advancing front, right of {after}.")
         }
@@ -109,9 +109,9 @@ pub(super) fn sentence(event: &Event) -> String {
         }
         Event::Part { from, to, position } => {
             let position = match position {
-                EdgePosition::Present => "is a side already, so that all steps are bypassed",
+                EdgePosition::Present => "is a side already and only needs to be fixed",
                 EdgePosition::BelowFront => "lies below the front and pierces triangles",
-                EdgePosition::FrontOnly => "runs above the front alone",
+                EdgePosition::FrontOnly => "lies above the front",
                 EdgePosition::Mixed => "pierces triangles and crosses the front",
             };
             format!("The edge from {from} to {to} {position}.")
@@ -129,9 +129,11 @@ pub(super) fn sentence(event: &Event) -> String {
             format!("Vertex {vertex} is on the border of the {polygon} pseudo-polygon.")
         }
         Event::Fixed { side: [a, b] } => {
-            format!("The side {a}–{b} is fixed: a constraint, never to be swapped.")
+            format!("The side {a}–{b} is fixed: it is a constraint and is never swapped.")
         }
-        Event::Finalization => "All vertices are swept. The hull is to be completed.".to_owned(),
+        Event::Finalization => {
+            "All vertices are swept. The hull remains to be completed.".to_owned()
+        }
         Event::Removed {
             vertices: [a, b, c],
         } => {
@@ -143,12 +145,16 @@ pub(super) fn sentence(event: &Event) -> String {
 
 fn switch(to_front: bool, [a, b]: [String; 2]) -> String {
     match (to_front, a == b) {
-        (true, true) => format!("The edge leaves vertex {a} above the front and follows it."),
+        (true, true) => {
+            format!("From vertex {a} the edge runs above the front, which the traversal follows.")
+        }
         (true, false) => {
-            format!("The edge leaves across the front segment {a}–{b} and follows the front.")
+            format!(
+                "The edge leaves the triangles across the front segment {a}–{b}. The traversal follows the front."
+            )
         }
         (false, _) => format!(
-            "The edge comes back across the front segment {a}–{b} and passes through triangles."
+            "The edge enters triangles across the front segment {a}–{b}. The traversal passes through them."
         ),
     }
 }
