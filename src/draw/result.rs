@@ -12,9 +12,9 @@ use super::plane::{Bounds, places};
 use super::trails::trails;
 use super::window::{PIXEL, Window};
 use super::{legend, mesh_style, svg};
+use crate::Triangulation;
 use crate::formats::Graph;
 use crate::formats::pairs::sorted_pairs;
-use crate::Triangulation;
 use crate::scalar::Scalar;
 
 /// Up to how many vertices numbers are written.

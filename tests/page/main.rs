@@ -6,6 +6,7 @@ mod browser;
 mod controls;
 mod inputs;
 mod pictures;
+mod script;
 mod sheet;
 
 use std::fs;

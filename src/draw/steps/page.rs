@@ -12,10 +12,10 @@ use super::change::{Change, changes};
 use super::part::Part;
 use super::story::{heading, sentence};
 use super::style::{STYLES, Style};
-use crate::scalar::Scalar;
 use crate::draw::palette;
 use crate::draw::plane::{Bounds, places};
 use crate::formats::Graph;
+use crate::scalar::Scalar;
 use crate::trace::Event;
 
 const HTML: &str = include_str!("page.html");

@@ -7,13 +7,13 @@ use super::panel::Panel;
 use super::part::Part;
 use super::story::{heading, sentence};
 use super::style::{STYLES, Style};
-use crate::scalar::Scalar;
 use crate::draw::palette::{BLUE, GREY, INK, PAPER};
 use crate::draw::panels::{self, Panels};
 use crate::draw::plane::places;
 use crate::draw::svg;
 use crate::draw::window::PIXEL;
 use crate::formats::Graph;
+use crate::scalar::Scalar;
 use crate::trace::Event;
 
 /// Room for the note that steps are left out.

@@ -2,12 +2,12 @@
 
 use std::io::{self, Write};
 
-use crate::scalar::Scalar;
 use crate::draw::plane::places;
 use crate::draw::svg;
 use crate::draw::window::Window;
 use crate::formats::pairs::sorted_pairs;
 use crate::formats::{Graph, Triangles};
+use crate::scalar::Scalar;
 
 /// More lines of a kind than this are left out of a panel, so that a file stays readable.
 const MOST_LINES: usize = 30_000;

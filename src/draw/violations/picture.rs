@@ -5,13 +5,13 @@ use std::io::{self, Write};
 use super::background::Background;
 use super::close_up::CloseUp;
 use super::overview;
-use crate::scalar::Scalar;
 use crate::draw::palette::RED;
 use crate::draw::panels::{self, Panels};
 use crate::draw::plane::Bounds;
 use crate::draw::window::PIXEL;
 use crate::draw::{legend, mesh_style, svg};
 use crate::formats::{Graph, Triangles};
+use crate::scalar::Scalar;
 use crate::verify::Violation;
 
 /// About the distance of neighbouring vertices in a close-up, in pixels.
