@@ -40,7 +40,7 @@ pub(super) const STYLES: [Style; 17] = [
         .dash(&[5.0, 5.0])
         .alpha(0.7),
     line("constraint", "constraint", BLUE, 3.0),
-    line("inserted", "edge being inserted", BLUE, 3.5).dash(&[11.0, 7.0]),
+    line("inserted", "inserted edge", BLUE, 3.5).dash(&[11.0, 7.0]),
     line("pierced", "pierced triangle", SLATE, 2.0)
         .dash(&[0.1, 5.0])
         .fill(GREY, 0.15),
@@ -48,9 +48,9 @@ pub(super) const STYLES: [Style; 17] = [
     line("lower", "lower pseudo-polygon", OCHRE, 2.0).hatch('\\'),
     line("legal", "test: legal", GREEN, 2.0),
     line("illegal", "test: illegal", VERMILION, 2.0).dash(&[7.0, 6.0]),
-    line("gone", "side that goes", VERMILION, 4.0).dash(&[0.1, 8.0]),
-    line("came", "side that comes", VERMILION, 4.0),
-    line("ray", "side to P‑1 or P‑2", GREY, 1.0)
+    line("gone", "swapped side", VERMILION, 4.0).dash(&[0.1, 8.0]),
+    line("came", "new side", VERMILION, 4.0),
+    line("ray", "side to P‑1, P‑2", GREY, 1.0)
         .dash(&[2.0, 6.0])
         .alpha(0.55),
     line("line", "front segment", INK, 4.0),
