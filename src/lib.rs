@@ -2,6 +2,8 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod bucket;
+#[cfg(feature = "formats")]
+pub mod draw;
 mod error;
 #[cfg(feature = "formats")]
 pub mod formats;

@@ -17,13 +17,12 @@
 
 mod coordinate;
 mod graph;
+pub(crate) mod pairs;
 mod rational;
 mod read;
-mod steps;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError};
 pub use graph::Graph;
 pub use read::{Input, InputFormat, ReadError, ResultFormat, Source, Triangles, read, read_result};
-pub use steps::{MOST_PANELS, MOST_STEPS, write_page, write_sheet};
-pub use write::{OutputFormat, write, write_node, write_violations_svg};
+pub use write::{OutputFormat, write, write_node};

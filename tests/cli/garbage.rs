@@ -3,9 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use sweep_cdt::formats::{
-    Graph, Input, InputFormat, ResultFormat, Source, read, read_result, write_violations_svg,
-};
+use sweep_cdt::draw::ViolationsPicture;
+use sweep_cdt::formats::{Graph, Input, InputFormat, ResultFormat, Source, read, read_result};
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_testing::Random;
 
@@ -52,14 +51,10 @@ fn try_all(format: ResultFormat, source: &Source, node: Option<&Source>, graph: 
         triangles.vertices_of(graph, violation);
     }
     let mut picture = Vec::new();
-    write_violations_svg(
-        graph,
-        &triangles,
-        &violations.list,
-        violations.found,
-        &mut picture,
-    )
-    .expect("memory takes all that is written");
+    ViolationsPicture::new(graph, &triangles, &violations.list)
+        .found(violations.found)
+        .write(&mut picture)
+        .expect("memory takes all that is written");
     assert!(!String::from_utf8(picture).expect("text").contains("NaN"));
 }
 

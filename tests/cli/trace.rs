@@ -140,8 +140,8 @@ fn a_stretch_of_the_steps_is_drawn_on_demand() {
             .map(|line| text(line).expect("a text"))
             .collect::<Vec<_>>()
     };
-    assert_eq!(of_class("sentence"), expected);
-    let numbers = of_class("number");
+    assert_eq!(of_class("caption"), expected);
+    let numbers = of_class("title");
     let numbers: Vec<_> = numbers
         .iter()
         .filter_map(|title| title.split(' ').next())

@@ -6,6 +6,7 @@
 //!   and what is refused.
 //! * `trace`: the steps of the paper's figures, which are snapshots; the steps are the same for every scalar
 //!   and front, and a replay returns the result.
+//! * `draw`: the sentences of the drawn steps, and one picture of each kind, as snapshots.
 //! * `work`: how much work larger inputs take, as snapshots. `statistics`: what a run reports of itself.
 //! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
 //! * `scalars` and `verify`: the exact predicates, and the verifier.
@@ -15,6 +16,7 @@
 #![cfg(feature = "cli")]
 
 mod cases;
+mod draw;
 mod generators;
 mod hard;
 mod limits;

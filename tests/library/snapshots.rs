@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 
 use sweep_cdt_testing::data;
 
+use super::draw::{pictures, story};
 use super::trace::figures;
 use super::work;
 
@@ -26,6 +27,7 @@ fn every_snapshot_is_used() {
         .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
         .collect();
     let names = figures::NAMES.iter().chain(work::NAMES);
+    let names = names.chain(pictures::NAMES).chain(story::NAMES);
     let used: BTreeSet<String> = names.map(|name| (*name).to_owned()).collect();
     assert_eq!(found, used, "(left: the folder, right: the tests)");
 }

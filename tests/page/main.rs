@@ -1,11 +1,12 @@
 //! The page that shows the steps of a trace, in a real browser. Where there is no Chromium these tests
-//! say so and pass.
-#![cfg(feature = "cli")]
+//! print so and pass; in continuous integration, where `CI` is `true`, they fail.
+#![cfg(feature = "formats")]
 
 mod browser;
 mod controls;
 mod inputs;
 mod pictures;
+mod script;
 mod sheet;
 
 use std::fs;
@@ -14,7 +15,8 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use sweep_cdt::Triangulator;
-use sweep_cdt::formats::{Graph, write_page};
+use sweep_cdt::draw::StepsPage;
+use sweep_cdt::formats::Graph;
 use sweep_cdt::trace::Event;
 use tempfile::TempDir;
 
@@ -33,7 +35,10 @@ fn events(graph: &Graph<f64>) -> Vec<Event> {
 /// A page in a folder, which must be kept while it is shown.
 fn page(graph: &Graph<f64>, steps: RangeInclusive<usize>) -> (TempDir, PathBuf) {
     let mut page = Vec::new();
-    write_page(graph, &events(graph), steps, &mut page).expect("memory takes all");
+    StepsPage::new(graph, &events(graph))
+        .steps(steps)
+        .write(&mut page)
+        .expect("memory takes all");
     let folder = TempDir::new().expect("a temporary folder");
     let path = folder.path().join("page.html");
     fs::write(&path, page).expect("a file");

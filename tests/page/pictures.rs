@@ -1,17 +1,17 @@
-//! Pictures to be looked at, written to the folder that `SWEEP_CDT_SCREENSHOTS` names.
+//! Pictures to look at, written to the folder that `SWEEP_CDT_SCREENSHOTS` names.
 
 use std::fs;
 use std::path::PathBuf;
 
-use sweep_cdt::formats::write_sheet;
+use sweep_cdt::draw::StepsSheet;
 
 use super::inputs::{many, scattered};
 use super::{ALL, Browser, assert_quiet, events, page};
 
-/// The last step with a change of that name, and the last one told in these words.
+/// The last step with a change of that name, and the last one with these words.
 const FIND: &str = "const lastWith = (wanted) => trace.first + trace.steps.findLastIndex(
-    (step) => step.slice(2).some(([name]) => name === wanted));
-  const lastTold = (words) => trace.first + trace.steps.findLastIndex(
+    (step) => step[2].some(([name]) => name === wanted));
+  const lastWords = (words) => trace.first + trace.steps.findLastIndex(
     (step) => step[1].includes(words));";
 
 #[test]
@@ -23,7 +23,10 @@ fn screenshots() {
     fs::create_dir_all(&folder).expect("a folder");
     let graph = scattered();
     let mut sheet = Vec::new();
-    write_sheet(&graph, &events(&graph), 222..=233, &mut sheet).expect("memory takes all");
+    StepsSheet::new(&graph, &events(&graph))
+        .steps(222..=233)
+        .write(&mut sheet)
+        .expect("memory takes all");
     fs::write(folder.join("sheet.svg"), sheet).expect("a file");
 
     let (small, large) = (page(&graph, ALL), page(&many(1500), ALL));
@@ -35,7 +38,11 @@ fn screenshots() {
         for (name, (_, page), script) in [
             ("input", &small, "show(0)"),
             ("illegal", &small, "show(lastWith('illegal'))"),
-            ("artificial", &small, "show(lastTold('No circle is drawn'))"),
+            (
+                "artificial",
+                &small,
+                "show(lastWords('No circle is drawn'))",
+            ),
             ("swap", &small, "show(lastWith('gone'))"),
             ("pierced", &small, "show(lastWith('pierce'))"),
             ("polygons", &small, "show(225)"),

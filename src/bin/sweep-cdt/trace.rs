@@ -5,7 +5,8 @@ use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
-use sweep_cdt::formats::{Coordinate, Graph, write_page, write_sheet};
+use sweep_cdt::draw::{StepsPage, StepsSheet};
+use sweep_cdt::formats::{Coordinate, Graph};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 
@@ -104,8 +105,8 @@ impl TraceFormat {
         match self {
             TraceFormat::Text => trace(events).write_text(out),
             TraceFormat::JsonLines => trace(events).write_lines(out),
-            TraceFormat::Page => write_page(graph, &events, steps, &mut out),
-            TraceFormat::Sheet => write_sheet(graph, &events, steps, &mut out),
+            TraceFormat::Page => StepsPage::new(graph, &events).steps(steps).write(&mut out),
+            TraceFormat::Sheet => StepsSheet::new(graph, &events).steps(steps).write(&mut out),
         }
     }
 }

@@ -3,7 +3,8 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use sweep_cdt::formats::{Coordinate, Graph, read_result, write_violations_svg};
+use sweep_cdt::draw::ViolationsPicture;
+use sweep_cdt::formats::{Coordinate, Graph, read_result};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::Verifier;
 
@@ -152,7 +153,9 @@ impl Job for Run<'_> {
         if let Some(path) = &arguments.svg {
             let (list, found) = violations(&answer);
             files.add(path, |out| {
-                write_violations_svg(graph, &triangles, list, found, out)
+                ViolationsPicture::new(graph, &triangles, list)
+                    .found(found)
+                    .write(out)
             })?;
         }
         files.persist()?;

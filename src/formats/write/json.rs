@@ -19,7 +19,7 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 
 use crate::Triangulation;
-use crate::formats::write::trails::sorted_pairs;
+use crate::formats::pairs::sorted_pairs;
 use crate::formats::{Coordinate, Graph};
 
 /// Writes the object, one element a line.

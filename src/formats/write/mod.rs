@@ -3,15 +3,13 @@
 mod ele;
 mod json;
 mod obj;
-mod svg;
-mod trails;
 
 use std::io::{self, Write};
 
 pub use ele::write_node;
-pub use svg::write_violations_svg;
 
 use crate::Triangulation;
+use crate::draw::ResultPicture;
 use crate::formats::{Coordinate, Graph};
 
 /// What [`write()`] makes. Each format is named by the extension of its files.
@@ -63,6 +61,6 @@ pub fn write<S: Coordinate>(
         OutputFormat::Ele => ele::write(graph, result, out),
         OutputFormat::Json => json::write(graph, result, out),
         OutputFormat::Obj => obj::write(graph, result, out),
-        OutputFormat::Svg => svg::write(graph, result, out),
+        OutputFormat::Svg => ResultPicture::new(graph, result).write(out),
     }
 }

@@ -11,9 +11,8 @@ mod traces;
 
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
-use sweep_cdt::formats::{
-    Coordinate, Graph, Input, ResultFormat, Source, read, read_result, write_violations_svg,
-};
+use sweep_cdt::draw::ViolationsPicture;
+use sweep_cdt::formats::{Coordinate, Graph, Input, ResultFormat, Source, read, read_result};
 use sweep_cdt::verify::Verifier;
 
 use self::reader::{READERS, Reader, source};
@@ -126,8 +125,9 @@ fn try_result<S: Coordinate>(
         assert!(vertices.iter().all(|&v| v < graph.points.len()));
     }
     let mut picture = Vec::new();
-    let (list, found) = (&violations.list, violations.found);
-    write_violations_svg(graph, &triangles, list, found, &mut picture)
+    ViolationsPicture::new(graph, &triangles, &violations.list)
+        .found(violations.found)
+        .write(&mut picture)
         .expect("memory takes all that is written");
     again::assert_picture(picture);
 }

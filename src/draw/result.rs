@@ -1,0 +1,166 @@
+//! The picture of a triangulation, readable with ten points as well as with a million.
+//!
+//! From back to front: the hull's area (pale) and border (a broad orange band, so that an edge on the
+//! border shows inside it), sides of triangles (thin, grey), input edges (blue), vertices (dark dots)
+//! and their numbers in the file; dots and numbers only where there is room for them. Each line is drawn
+//! once, as part of a stroke as long as possible, in relative whole units: about 10 bytes a side.
+
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+use super::plane::{Bounds, places};
+use super::trails::trails;
+use super::window::{PIXEL, Window};
+use super::{legend, mesh_style, svg};
+use crate::Triangulation;
+use crate::formats::Graph;
+use crate::formats::pairs::sorted_pairs;
+use crate::scalar::Scalar;
+
+/// Up to how many vertices numbers are written.
+const MOST_NUMBERS: usize = 60;
+/// From which spacing on, in pixels, vertices are drawn.
+const LEAST_SPACING: f64 = 8.0;
+/// The longer side of the points' bounding box.
+const LONG_SIDE: i64 = 1000 * PIXEL;
+/// Room for the legend: no picture is narrower.
+const NARROWEST: i64 = 780 * PIXEL;
+const MARGIN: i64 = 28 * PIXEL;
+
+/// A picture of a triangulation, as SVG.
+///
+/// ```
+/// use sweep_cdt::draw::ResultPicture;
+/// use sweep_cdt::formats::Graph;
+///
+/// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
+/// let graph = Graph { points, edges: vec![[0, 2]], ..Graph::default() };
+/// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
+/// let mut picture = Vec::new();
+/// ResultPicture::new(&graph, &result).write(&mut picture)?;
+/// assert!(picture.starts_with(b"<svg "));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct ResultPicture<'a, S> {
+    graph: &'a Graph<S>,
+    result: &'a Triangulation,
+}
+
+impl<'a, S: Scalar> ResultPicture<'a, S> {
+    /// A picture of `result`, the triangulation of `graph`.
+    #[must_use]
+    pub fn new(graph: &'a Graph<S>, result: &'a Triangulation) -> ResultPicture<'a, S> {
+        ResultPicture { graph, result }
+    }
+
+    /// Writes the picture.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        let ResultPicture { graph, result } = *self;
+        let points = places(&graph.points);
+        let bounds = Bounds::of(points.iter().copied());
+        let window = Window::new(bounds, LONG_SIDE);
+        let spacing = bounds.spacing(points.len()) * (LONG_SIDE / PIXEL) as f64;
+
+        // The drawing stands in the middle, with a margin around it and the legend below.
+        let [width, height] = [window.size[0].max(NARROWEST), window.size[1]];
+        let [width, height] = [width, height].map(|side| side + 2 * MARGIN);
+        let left = (width - window.size[0]) / 2;
+        let place = |point| {
+            let [x, y] = window.place(point);
+            [left + x, MARGIN + y]
+        };
+        let places: Vec<[i64; 2]> = points.into_iter().map(place).collect();
+        svg::begin(
+            out,
+            [width, height + legend::HEIGHT],
+            &mesh_style::rules(spacing),
+        )?;
+
+        // Lines, from back to front.
+        let strokes = |sides: &[[usize; 2]]| {
+            let trails = trails(places.len(), sides).into_iter();
+            trails.map(|trail| stroke(&places, &trail))
+        };
+        let hull: Vec<usize> = result.hull().chain(result.hull().take(1)).collect();
+        if let [_, .., _] = hull[..] {
+            svg::layer(out, "hull", [stroke(&places, &hull)])?;
+        }
+        svg::layer(out, "side", strokes(&inner_sides(result)))?;
+        svg::layer(out, "edge", strokes(&input_edges(graph, result)))?;
+
+        // Vertices and their numbers, where there is room, and the legend.
+        let mut entries = vec![
+            ("side", format!("triangles: {}", result.len())),
+            ("edge", format!("edges: {}", graph.edges.len())),
+            ("hull", format!("hull: {}", result.hull().len())),
+        ];
+        let vertices = || (0..places.len()).filter(|&v| result.representative(v) == v);
+        if spacing > LEAST_SPACING {
+            svg::layer(out, "vertex", vertices().map(|v| svg::dot(places[v])))?;
+            entries.push(("vertex", format!("vertices: {}", places.len())));
+        }
+        if places.len() <= MOST_NUMBERS {
+            for vertex in vertices() {
+                svg::label(out, places[vertex], vertex + graph.first_vertex)?;
+            }
+        }
+        legend::write(out, [width / 2, height], &entries)?;
+        svg::end(out)
+    }
+}
+
+/// The sides between two triangles that are not pieces of input edges.
+fn inner_sides(result: &Triangulation) -> Vec<[usize; 2]> {
+    let of_triangle = |t: usize| {
+        let corners = result.triangle(t);
+        let is_inner = move |side: &usize| {
+            let across = result.neighbor(t, *side);
+            across.is_some_and(|across| across > t) && !result.is_constrained(t, *side)
+        };
+        let ends = move |side| [corners[(side + 1) % 3], corners[(side + 2) % 3]];
+        (0..3).filter(is_inner).map(ends)
+    };
+    sorted_pairs((0..result.len()).flat_map(of_triangle))
+}
+
+/// The input edges that have a length, each once.
+fn input_edges<S>(graph: &Graph<S>, result: &Triangulation) -> Vec<[usize; 2]> {
+    let ends = graph
+        .edges
+        .iter()
+        .map(|edge| edge.map(|vertex| result.representative(vertex)));
+    let mut edges = sorted_pairs(ends.filter(|[a, b]| a != b));
+    edges.dedup();
+    edges
+}
+
+/// A stroke through vertices; steps shorter than a unit are left out, and so is a stroke without any.
+fn stroke(places: &[[i64; 2]], trail: &[usize]) -> String {
+    let [mut x, mut y] = places[trail[0]];
+    let start = format!("M{x} {y}");
+    let mut path = start.clone();
+    for &vertex in &trail[1..] {
+        let [to_x, to_y] = places[vertex];
+        let (right, down) = (to_x - x, to_y - y);
+        if (right, down) != (0, 0) {
+            let first = path.len() == start.len();
+            let before = if first { "l" } else { space(right) };
+            write!(path, "{before}{right}{}{down}", space(down)).expect("strings grow");
+            (x, y) = (to_x, to_y);
+        }
+    }
+    if path.len() == start.len() {
+        String::new()
+    } else {
+        path
+    }
+}
+
+/// What separates a number from the one before it.
+fn space(number: i64) -> &'static str {
+    if number < 0 { "" } else { " " }
+}

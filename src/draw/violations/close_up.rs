@@ -1,0 +1,132 @@
+//! A close-up of one violation: what lies around it, and what is wrong in red. That is its triangles, its
+//! sides (broken where they should be and are not), the vertices to blame, and the circle that should
+//! have been empty.
+
+use std::io::{self, Write};
+
+use super::background::Background;
+use crate::draw::circle::Circle;
+use crate::draw::plane::Bounds;
+use crate::draw::svg;
+use crate::draw::window::Window;
+use crate::formats::{Graph, Triangles};
+use crate::verify::Violation;
+
+/// Up to how many vertices in a panel are drawn, and numbered.
+const MOST_DOTS: usize = 400;
+const MOST_NUMBERS: usize = 60;
+/// A violation at a single point is shown with so many of the points nearest to it.
+const NEAREST: usize = 4;
+
+/// A close-up.
+pub(super) struct CloseUp<'a, S> {
+    pub(super) graph: &'a Graph<S>,
+    pub(super) triangles: &'a Triangles,
+    pub(super) background: &'a Background,
+    pub(super) violation: Violation,
+    /// The vertices that the violation names: they exist, and there is at least one.
+    pub(super) vertices: &'a [usize],
+}
+
+impl<S> CloseUp<'_, S> {
+    /// Its window, so many units wide and high: around the vertices, or if they are one point, around
+    /// those nearest to it too.
+    pub(super) fn window(&self, size: i64) -> Window {
+        let points = &self.background.points;
+        let focus = Bounds::of(self.vertices.iter().map(|&v| points[v]));
+        let mut side = focus.longer();
+        if side <= 0.0 {
+            let at = focus.low;
+            let distance = |p: &[f64; 2]| (p[0] - at[0]).abs().max((p[1] - at[1]).abs());
+            let others = points.iter().map(distance).filter(|&d| d > 0.0);
+            let mut distances: Vec<f64> = others.collect();
+            distances.sort_by(f64::total_cmp);
+            let radius = distances.get(NEAREST.min(distances.len().saturating_sub(1)));
+            side = 2.0 * radius.copied().unwrap_or(1.0);
+        }
+        Window::new(focus.squared(side).with_margin(0.2), size)
+    }
+
+    /// Draws it in its window.
+    pub(super) fn draw(&self, window: &Window, out: &mut impl Write) -> io::Result<()> {
+        self.background.draw(window, out)?;
+        let place = |v: usize| window.place(self.background.points[v]);
+        let offenders = self.violation.offenders();
+        let (mut wrong, mut absent) = (vec![], vec![]);
+        let mut culprits = offenders.vertices;
+        match self.violation {
+            Violation::MissingEdge { edge, .. } => absent.push(self.graph.edges[edge]),
+            Violation::MissingBoundary { side } => absent.push(side),
+            Violation::RepeatedSide { side, .. }
+            | Violation::ExtraBoundary { side, .. }
+            | Violation::UndeclaredBoundary { side, .. } => wrong.push(side),
+            Violation::ConcaveBoundary {
+                vertices: [a, b, c],
+            } => wrong.extend([[a, b], [b, c]]),
+            Violation::NotDelaunay { side, opposite, .. } => {
+                wrong.push(side);
+                culprits = opposite.to_vec();
+                if let Some(circle) = self.smaller_circle(side, opposite) {
+                    circle.write("circle", window, out)?;
+                }
+            }
+            _ => {}
+        }
+        let bad = offenders.triangles.into_iter();
+        let bad = bad.map(|t| self.triangles.list[t]);
+        let bad = bad.filter(|corners| self.exist(corners));
+        svg::layer(
+            out,
+            "bad",
+            bad.map(|corners| svg::polygon(&corners.map(place))),
+        )?;
+        for (class, lines) in [("wrong", wrong), ("absent", absent)] {
+            let lines = lines.into_iter().filter(|line| self.exist(line));
+            svg::layer(out, class, lines.map(|line| svg::line(&line.map(place))))?;
+        }
+        self.vertices(window, &culprits, out)
+    }
+
+    fn exist(&self, vertices: &[usize]) -> bool {
+        let count = self.background.points.len();
+        vertices.iter().all(|&v| v < count)
+    }
+
+    /// Draws the vertices in the window, if they are few, with their numbers. Those that the violation
+    /// names are always drawn.
+    fn vertices(
+        &self,
+        window: &Window,
+        culprits: &[usize],
+        out: &mut impl Write,
+    ) -> io::Result<()> {
+        let points = &self.background.points;
+        let shown = (0..points.len()).filter(|&v| window.shows(points[v]));
+        let shown: Vec<usize> = shown.take(MOST_DOTS + 1).collect();
+        let dot = |&v: &usize| svg::dot(window.place(points[v]));
+        if shown.len() <= MOST_DOTS {
+            svg::layer(out, "vertex", shown.iter().map(dot))?;
+        }
+        let culprits = culprits.iter().filter(|&&v| self.exist(&[v]));
+        svg::layer(out, "culprit", culprits.map(dot))?;
+        let numbered = if shown.len() <= MOST_NUMBERS {
+            &shown
+        } else {
+            self.vertices
+        };
+        for &v in numbered {
+            let number = v.saturating_add(self.graph.first_vertex);
+            svg::label(out, window.place(points[v]), number)?;
+        }
+        Ok(())
+    }
+
+    /// The smaller one of the circles through a side and a vertex opposite to it: if one of them holds
+    /// the other vertex, both do, and the smaller one is easier to see.
+    fn smaller_circle(&self, [a, b]: [usize; 2], opposite: [usize; 2]) -> Option<Circle> {
+        let points = |c: usize| [a, b, c].map(|v| self.background.points[v]);
+        let circles = opposite.into_iter().map(points);
+        let circles = circles.filter_map(Circle::through);
+        circles.min_by(|p, q| p.radius.total_cmp(&q.radius))
+    }
+}

@@ -1,0 +1,4 @@
+//! Drawings, compared with snapshots.
+
+pub(crate) mod pictures;
+pub(crate) mod story;
