@@ -26,6 +26,7 @@ mod random;
 mod runs;
 #[path = "../scalars/mod.rs"]
 mod scalars;
+mod snapshot_names;
 mod snapshots;
 mod statistics;
 mod trace;

@@ -35,7 +35,7 @@ fn what_is_no_trace_is_refused() {
     let cases = [
         ("", "line 1: is not the header `sweep-cdt trace 2`"),
         (
-            "sweep-cdt trace 2\n",
+            "sweep-cdt trace 1\n",
             "line 1: is not the header `sweep-cdt trace 2`",
         ),
         ("sweep-cdt trace 2\n", "line 2: the trace ends too early"),
