@@ -6,10 +6,10 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use sweep_cdt::Unbounded;
 
-use crate::reference::rational;
+use super::reference::rational;
 
-/// A rational number that becomes a double by rounding towards zero: off by up to a whole unit in the
-/// last place, zero for what is below the normal doubles, the largest double for what is above.
+/// A rational number that becomes a double of 52 bits, so it is off by up to a whole unit in the last
+/// place; zero for what is below the normal doubles, the largest double for what is above.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Crude(pub(crate) BigRational);
 
@@ -19,15 +19,15 @@ impl ToPrimitive for Crude {
     fn to_f64(&self) -> Option<f64> {
         let size = self.0.abs();
         let nearest = size.to_f64()?.min(f64::MAX);
-        let below = if rational(nearest) > size {
-            nearest.next_down()
-        } else {
-            nearest
+        let short = match nearest.to_bits() % 2 {
+            0 => nearest,
+            _ if rational(nearest) < size => nearest.next_up().min(f64::MAX),
+            _ => nearest.next_down(),
         };
-        let normal = if below < f64::MIN_POSITIVE {
+        let normal = if short < f64::MIN_POSITIVE {
             0.0
         } else {
-            below
+            short
         };
         Some(if self.0.is_negative() {
             -normal

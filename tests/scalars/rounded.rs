@@ -7,8 +7,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::{Scalar, triangulate};
 
-use crate::crude::Crude;
-use crate::reference::*;
+use super::crude::Crude;
+use super::reference::*;
 
 /// The predicates called directly, and the sweep, whose scale is that of all points.
 fn check_scalar<S: Scalar>(points: &[[S; 2]; 4], exact: &Exact, what: &str) {
@@ -60,105 +60,132 @@ fn check_rationals(exact: &Exact, what: &str) {
 /// Offsets and sizes of the figures at them, as powers of two.
 const PLACES: [[u32; 2]; 6] = [[60, 24], [60, 30], [61, 10], [58, 52], [54, 20], [62, 60]];
 
+/// A random number from 2^`bits` to 5/4 of it.
+fn far(random: &mut Random, bits: u32) -> i64 {
+    (1 << bits) + (random.bits() >> (66 - bits)) as i64
+}
+
+/// The nearest number of 52 bits.
+fn rounded(x: i64) -> i64 {
+    let unit = 1_i64 << (64 - x.leading_zeros()).saturating_sub(52);
+    (x + unit / 2) / unit * unit
+}
+
+/// Of some figures the one that rounding bends most, as this measures it.
+fn most_bent<const N: usize>(
+    mut figure: impl FnMut() -> [[i64; 2]; N],
+    measure: impl Fn([[f64; 2]; N]) -> f64,
+) -> [[i64; 2]; N] {
+    let bend = |figure: &[[i64; 2]; N]| {
+        let last = figure[N - 1].map(rounded);
+        let row = |p: [i64; 2]| [0, 1].map(|i| (rounded(p[i]) - last[i]) as f64);
+        measure(figure.map(row))
+    };
+    (0..100)
+        .map(|_| figure())
+        .max_by(|a, b| bend(a).total_cmp(&bend(b)))
+        .expect("some figures")
+}
+
 #[test]
 fn near_circles_far_away() {
-    let mut random = Random(11);
-    for round in 0..3000 {
-        let [offset, radius] = PLACES[round % PLACES.len()];
-        let radius = f64::from(1 << (radius / 2)) * f64::from(1 << (radius - radius / 2));
-        let center = [(); 2].map(|()| (1_i64 << offset) + (random.next() >> (66 - offset)) as i64);
-        let points = [(); 4].map(|()| {
-            let (sin, cos) = (random.unit() * 3.2).sin_cos();
-            [
-                center[0] + (radius * cos) as i64,
-                center[1] + (radius * sin) as i64,
-            ]
-        });
+    let mut random = Random::new(11);
+    for round in 0..200 {
+        let [offset, size] = PLACES[round % PLACES.len()];
+        let radius = (1_i64 << size) as f64;
+        let center = [(); 2].map(|()| far(&mut random, offset));
+        let figure = || {
+            [(); 4].map(|()| {
+                let (sin, cos) = (random.unit() * 6.4).sin_cos();
+                [
+                    center[0] + (radius * cos) as i64,
+                    center[1] + (radius * sin) as i64,
+                ]
+            })
+        };
+        let points = most_bent(figure, in_circle);
         check_integers(points, "near a circle, far away");
     }
 }
 
 #[test]
 fn near_squares_far_away() {
-    let mut random = Random(12);
-    for round in 0..2000 {
+    let mut random = Random::new(12);
+    for round in 0..200 {
         let [offset, size] = PLACES[round % PLACES.len()];
-        let corner = [(); 2].map(|()| (1_i64 << offset) + (random.next() >> (66 - offset)) as i64);
-        let side = (1_i64 << (size - 1)) + (random.next() >> (66 - size)) as i64;
-        let mut points =
-            [[0, 0], [side, 0], [side, side], [0, side]].map(|p| [0, 1].map(|i| corner[i] + p[i]));
-        points[round % 4][round % 2] += random.below(3) as i64 - 1;
+        let figure = || {
+            let corner = [(); 2].map(|()| far(&mut random, offset));
+            let side = far(&mut random, size) / 2;
+            let mut points = [[0, 0], [side, 0], [side, side], [0, side]]
+                .map(|p| [0, 1].map(|i| corner[i] + p[i]));
+            points[round % 4][round % 2] += random.below(3) as i64 - 1;
+            points
+        };
+        let points = most_bent(figure, in_circle);
         check_integers(points, "near a square, far away");
     }
 }
 
-#[test]
-fn near_lines_far_away() {
-    let mut random = Random(13);
-    for round in 0..3000 {
-        let [offset, size] = PLACES[round % PLACES.len()];
-        let start = [(); 2].map(|()| (1_i64 << offset) + (random.next() >> (66 - offset)) as i64);
-        let small = |random: &mut Random, bits: u32| (random.next() >> (64 - bits)) as i64;
-        let step = [(); 2].map(|()| small(&mut random, size / 2));
-        let along = |times: i64| [0, 1].map(|i| start[i] + times * step[i]);
-        let mut points = [1, 0, 0, 0].map(|_| along(small(&mut random, size / 2)));
-        points[3][0] += 1 << (size / 2);
-        points[round % 3][round % 2] += random.below(3) as i64 - 1;
-        check_integers(points, "near a line, far away");
-    }
+/// The in-circle determinant against the sum of the absolute values of its terms.
+fn in_circle([[ax, ay], [bx, by], [cx, cy], _]: Points) -> f64 {
+    let lifts = [ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy];
+    let pairs = [(bx * cy, by * cx), (ay * cx, ax * cy), (ax * by, ay * bx)];
+    let sum = |term: fn(f64, f64) -> f64| -> f64 {
+        let terms = lifts
+            .iter()
+            .zip(pairs)
+            .map(|(lift, (p, q))| lift * term(p, q));
+        terms.sum()
+    };
+    sum(|p, q| p - q).abs() / sum(|p, q| p.abs() + q.abs())
 }
 
-/// Three points on a diagonal, of those with one line the ones that rounding moves farthest off it.
 #[test]
-fn diagonals_that_rounding_bends() {
-    let mut random = Random(14);
-    for round in 0..400 {
-        let unit = 1_i64 << 8;
-        let start = (1_i64 << 60) + ((random.next() >> 30) as i64) * unit;
-        // `up` loses nearly a unit in the last place, `down` loses nothing.
-        let (up, down) = (random.below(8) as i64, unit - 1 - random.below(8) as i64);
-        let near = 1 + random.below(1 << 10) as i64;
-        let far = (1 << 13) + random.below(1 << 14) as i64;
-        // x and y differ by `down - up` throughout; after rounding, by nothing or by a whole unit.
-        let a = [start + far * unit + down, start + far * unit + up];
-        let b = [
-            start + near * unit + up + unit,
-            start + near * unit + 2 * up + unit - down,
-        ];
-        let c = [start + down, start + up];
-        let mut points = [a, b, c, [start - far * unit, start + far * unit]];
-        points.swap(round % 3, (round / 3) % 3);
-        check_integers(points, "on a diagonal");
-        points[round % 3][round % 2] += random.below(3) as i64 - 1;
-        check_integers(points, "near a diagonal");
+fn near_lines_far_away() {
+    let mut random = Random::new(13);
+    for round in 0..300 {
+        let [offset, size] = PLACES[round % PLACES.len()];
+        let figure = || {
+            let start = [(); 2].map(|()| far(&mut random, offset));
+            let step = [(); 2].map(|()| far(&mut random, size / 2));
+            let along = |times: i64| [0, 1].map(|i| start[i] + times * step[i]);
+            let (near, most) = (random.below(9) as i64, far(&mut random, size / 2) / 2);
+            let mut points = [along(most), along(near), along(0)];
+            points[round % 3][round % 2] += random.below(3) as i64 - 1;
+            points
+        };
+        let [mut a, mut b, c] = most_bent(figure, |[[ax, ay], [bx, by], _]| {
+            (ax * by - ay * bx).abs() / (ax.abs() + ay.abs() + bx.abs() + by.abs())
+        });
+        if round % 2 == 0 {
+            (a, b) = (b, a);
+        }
+        let d = [c[0] + (1 << (size / 2)), c[1]];
+        check_integers([a, b, c, d], "near a line, far away");
     }
 }
 
 /// Numbers among the subnormal doubles, which approximations may lose, beside larger ones.
 #[test]
 fn points_that_doubles_lose() {
-    let mut random = Random(15);
+    let mut random = Random::new(15);
     for _ in 0..300 {
-        let large = 1_u64 << random.below(25);
-        let points = random
-            .points(|r| r.integer(3) * [1.0, large as f64][r.below(2) as usize])
-            .map(|p| p.map(rational));
+        let large = (1_u64 << random.below(25)) as f64;
+        let points = draw(&mut random, |r| r.integer(3) * r.pick(&[1.0, large]));
         let unit = BigRational::new(1.into(), BigInt::from(1) << 1024_u32);
-        check_rationals(&points.map(|p| p.map(|x| x * &unit)), "tiny");
+        let tiny = exact(&points).map(|p| p.map(|x| x * &unit));
+        check_rationals(&tiny, "tiny");
     }
 }
 
 /// Numbers above the doubles, some of which become the same one.
 #[test]
 fn points_beyond_doubles() {
-    let mut random = Random(16);
+    let mut random = Random::new(16);
     for _ in 0..300 {
-        let points = random.points(|r| r.integer(3)).map(|p| {
-            p.map(|x| {
-                rational(x)
-                    * (BigInt::from(1) << [0, 1000, 1030, 2000_u32][random.below(4) as usize])
-            })
-        });
-        check_rationals(&points, "huge");
+        let points = exact(&draw(&mut random, |r| r.integer(3)));
+        let huge = points
+            .map(|p| p.map(|x| x * (BigInt::from(1) << random.pick(&[0, 1000, 1030, 2000_u32]))));
+        check_rationals(&huge, "huge");
     }
 }
