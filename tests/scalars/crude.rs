@@ -4,7 +4,7 @@ use std::ops::{Add, Mul, Sub};
 
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
-use sweep_cdt::Unbounded;
+use sweep_cdt::scalar::Unbounded;
 
 use super::reference::rational;
 

@@ -5,7 +5,8 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::{Scalar, triangulate};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::triangulate;
 
 use super::crude::Crude;
 use super::reference::*;
@@ -18,19 +19,25 @@ fn check_scalar<S: Scalar>(points: &[[S; 2]; 4], exact: &Exact, what: &str) {
     for count in [3, 4] {
         let result = triangulate(&points[..count], &[]).expect("finite points");
         let triangles: Vec<_> = result.triangles().collect();
-        judge(exact, count, &triangles, &format!("{scalar} {what}"));
+        judge(&exact[..count], &triangles, &format!("{scalar} {what}"));
     }
 }
 
-/// Panics unless these are the Delaunay triangles of the first `count` points.
-fn judge(exact: &Exact, count: usize, triangles: &[[usize; 3]], what: &str) {
+/// Panics unless these are the Delaunay triangles of the points.
+fn judge(exact: &[[BigRational; 2]], triangles: &[[usize; 3]], what: &str) {
     let signs = |order: [usize; 4]| reference(&order.map(|v| exact[v].clone()));
-    let flat = |[a, b, c]: [usize; 3]| signs([a, b, c, a])[0].is_eq();
-    let triples = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]];
-    let all_flat = triples[..if count == 3 { 1 } else { 4 }]
-        .iter()
-        .all(|&triple| flat(triple));
+    let count = exact.len();
+    let mut others = (1..count).flat_map(|b| (0..b).map(move |a| [a, b]));
+    let all_flat = others.all(|[a, b]| (0..a).all(|c| signs([a, b, c, a])[0].is_eq()));
     assert_eq!(triangles.is_empty(), all_flat, "{what} {exact:?}");
+    for v in 0..count {
+        let is_repeated = exact[..v].contains(&exact[v]);
+        let is_there = triangles.iter().any(|triangle| triangle.contains(&v));
+        assert!(
+            is_there != is_repeated || all_flat,
+            "a point: {what} {exact:?}"
+        );
+    }
     for &[a, b, c] in triangles {
         assert!(signs([a, b, c, a])[0].is_gt(), "a turn: {what} {exact:?}");
         for d in (0..count).filter(|d| ![a, b, c].contains(d)) {
@@ -175,6 +182,51 @@ fn points_that_doubles_lose() {
         let unit = BigRational::new(1.into(), BigInt::from(1) << 1024_u32);
         let tiny = exact(&points).map(|p| p.map(|x| x * &unit));
         check_rationals(&tiny, "tiny");
+    }
+}
+
+/// Doubles beside much larger ones: their products are below the doubles, or scaling loses their digits.
+#[test]
+fn points_that_products_or_scaling_lose() {
+    let mut random = Random::new(17);
+    for round in 0..2000 {
+        let [small, large] = match round % 4 {
+            0 | 1 => [-538 + random.below(20) as i32, random.below(20) as i32],
+            2 => [-100, 999],
+            _ => [-60 - random.below(30) as i32, 990 + random.below(30) as i32],
+        };
+        let sizes = [small, small, small, large].map(|power| 2_f64.powi(power));
+        let points = draw(&mut random, |r| (7.0 + r.integer(9)) * r.pick(&sizes));
+        let points = if round % 8 < 4 {
+            points
+        } else {
+            // The large one last.
+            let mut points = draw(&mut random, |r| (7.0 + r.integer(9)) * sizes[0]);
+            points[3] = [sizes[3], random.integer(3) * sizes[3]];
+            points
+        };
+        check_scalar(&points, &exact(&points), "lost");
+        if round % 16 < 2 {
+            check_rationals(&exact(&points), "lost");
+        }
+    }
+}
+
+/// Four points so near each other, beside a fifth, that the products of their differences underflow.
+#[test]
+fn circles_that_products_lose() {
+    let mut random = Random::new(18);
+    for round in 0..4000 {
+        let unit = 2_f64.powi(-269 - round % 5);
+        let [a, b, c, d] = draw(&mut random, |r| r.integer(6) * unit);
+        let points = [a, b, c, d, [1.0, 0.5]];
+        let result = triangulate(&points, &[]).expect("finite points");
+        let triangles: Vec<_> = result.triangles().collect();
+        judge(
+            &points.map(|p| p.map(rational)),
+            &triangles,
+            "a small circle",
+        );
     }
 }
 
