@@ -4,6 +4,7 @@
 
 use std::time::{Duration, Instant};
 
+use crate::scalar::Stage;
 use crate::triangulation::Triangulation;
 
 /// What one run of the sweep met and did.
@@ -41,12 +42,24 @@ pub struct Stats {
 pub struct Counters {
     /// Orientation tests decided by the floating-point filter.
     pub orient2d_filtered: u64,
-    /// Orientation tests that needed exact arithmetic.
-    pub orient2d_exact: u64,
+    /// Orientation tests decided in machine integers.
+    pub orient2d_integers: u64,
+    /// Orientation tests decided by adaptive expansions.
+    pub orient2d_expansions: u64,
+    /// Orientation tests decided in big integers.
+    pub orient2d_big: u64,
+    /// Orientation tests decided in the scalar's own arithmetic.
+    pub orient2d_own: u64,
     /// In-circle tests decided by the floating-point filter.
     pub in_circle_filtered: u64,
-    /// In-circle tests that needed exact arithmetic.
-    pub in_circle_exact: u64,
+    /// In-circle tests decided in machine integers.
+    pub in_circle_integers: u64,
+    /// In-circle tests decided by adaptive expansions.
+    pub in_circle_expansions: u64,
+    /// In-circle tests decided in big integers.
+    pub in_circle_big: u64,
+    /// In-circle tests decided in the scalar's own arithmetic.
+    pub in_circle_own: u64,
     /// Tests with an artificial vertex, decided by rule.
     pub symbolic: u64,
     /// In-circle tests that found four points on one circle.
@@ -117,5 +130,42 @@ impl Recorder {
             hull: result.hull().len(),
             ..self.stats
         }
+    }
+}
+
+impl Counters {
+    /// Orientation tests that the filter left open.
+    #[must_use]
+    pub fn orient2d_exact(&self) -> u64 {
+        self.orient2d_integers + self.orient2d_expansions + self.orient2d_big + self.orient2d_own
+    }
+
+    /// In-circle tests that the filter left open.
+    #[must_use]
+    pub fn in_circle_exact(&self) -> u64 {
+        self.in_circle_integers
+            + self.in_circle_expansions
+            + self.in_circle_big
+            + self.in_circle_own
+    }
+
+    /// Counts an orientation test that this stage decided.
+    pub(crate) fn count_orient2d(&mut self, stage: Stage) {
+        *match stage {
+            Stage::Integers => &mut self.orient2d_integers,
+            Stage::Expansions => &mut self.orient2d_expansions,
+            Stage::BigIntegers => &mut self.orient2d_big,
+            Stage::Own => &mut self.orient2d_own,
+        } += 1;
+    }
+
+    /// Counts an in-circle test that this stage decided.
+    pub(crate) fn count_in_circle(&mut self, stage: Stage) {
+        *match stage {
+            Stage::Integers => &mut self.in_circle_integers,
+            Stage::Expansions => &mut self.in_circle_expansions,
+            Stage::BigIntegers => &mut self.in_circle_big,
+            Stage::Own => &mut self.in_circle_own,
+        } += 1;
     }
 }

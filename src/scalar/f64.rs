@@ -1,15 +1,16 @@
-//! `f64`: exact for every finite double, in four stages, each only where the one before is silent.
+//! `f64`: exact for every finite double, in four stages, each only where the one before decides nothing.
 //!
-//! 1. The [`filter`]: most signs.
-//! 2. Integers. If all differences are exact and multiples of a power of two less than 2^30 times as
-//!    large as it, in 64 and 128 bits ([`narrow`]): ties on lattices, in about 15 ns. If not, but all
-//!    coordinates are multiples of a power of two less than 2^61 times as large, in up to 256 bits
+//! 1. The [filter](super::filter): most signs.
+//! 2. Machine integers. If all differences are exact and multiples of a power of two less than 2^30
+//!    times as large as it, in 64 and 128 bits ([`narrow`]): ties on lattices, in about 15 ns. If not, but
+//!    all coordinates are multiples of a power of two less than 2^61 times as large, in up to 256 bits
 //!    ([`integers`]): most near-ties of other points, since coordinates of 53 bits may still differ by
 //!    2^8 in size, in about 50 ns.
-//! 3. The adaptive expansions of Shewchuk (crate `robust`), 300 to 700 ns on ties. They are exact while
-//!    nothing under- or overflows, which holds if every coordinate is zero or within
+//! 3. The adaptive expansions of Shewchuk (1997; crate `robust`), 300 to 700 ns on ties. They are exact
+//!    while nothing under- or overflows, which holds if every coordinate is zero or within
 //!    2^-142..=2^201 in size; coordinates outside are multiplied by a power of two first if that
-//!    brings all of them in, exactly.
+//!    brings all of them in, exactly. They begin with a filter of their own, which the crate gives no
+//!    way around; it costs some nanoseconds.
 //! 4. Big integers: every finite double is an integer times a power of two. Needed only if sizes differ
 //!    by a factor of more than 2^342, microseconds.
 
@@ -20,7 +21,8 @@ use num_traits::Zero;
 use num_traits::float::FloatCore;
 use robust::Coord;
 
-use super::{Scalar, filter, sign, unbounded, wide};
+use super::doubles::{exponent, power};
+use super::{Scalar, Stage, direct, unbounded, wide};
 
 impl Scalar for f64 {
     const APPROX_IS_EXACT: bool = true;
@@ -38,46 +40,53 @@ impl Scalar for f64 {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        filter::orient2d(*a, *b, *c, true).unwrap_or_else(|| orient2d_exact([*a, *b, *c]))
+        direct::orient2d([a, b, c])
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        filter::in_circle(*a, *b, *c, *d, true).unwrap_or_else(|| in_circle_exact([*a, *b, *c, *d]))
+        direct::in_circle([a, b, c, d])
     }
-}
 
-#[cold]
-fn orient2d_exact(points: [[f64; 2]; 3]) -> Ordering {
-    let [a, b, c] = points;
-    if let Some([a, b]) = narrow([a, b], c) {
-        return (a[0] * b[1]).cmp(&(a[1] * b[0]));
+    #[cold]
+    fn orient2d_exact(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> (Ordering, Stage) {
+        if let Some([a, b]) = narrow([a, b], c) {
+            return ((a[0] * b[1]).cmp(&(a[1] * b[0])), Stage::Integers);
+        }
+        let points = [a, b, c];
+        let Some(points) = moderate(points) else {
+            let [a, b, c] = big(points);
+            let sign = unbounded::turn(&unbounded::minus(&a, &c), &unbounded::minus(&b, &c));
+            return (sign, Stage::BigIntegers);
+        };
+        if let Some([a, b, c]) = integers(&points) {
+            return wide::turn(minus(a, c), minus(b, c));
+        }
+        let [a, b, c] = points.map(|[x, y]| Coord { x, y });
+        (sign(robust::orient2d(a, b, c)), Stage::Expansions)
     }
-    let Some(points) = moderate(points) else {
-        let [a, b, c] = big(points);
-        return unbounded::turn(&unbounded::minus(&a, &c), &unbounded::minus(&b, &c));
-    };
-    if let Some([a, b, c]) = integers(&points) {
-        return wide::turn(minus(a, c), minus(b, c));
-    }
-    let [a, b, c] = points.map(|[x, y]| Coord { x, y });
-    sign(robust::orient2d(a, b, c))
-}
 
-#[cold]
-fn in_circle_exact(points: [[f64; 2]; 4]) -> Ordering {
-    let [a, b, c, d] = points;
-    if let Some(rows) = narrow([a, b, c], d) {
-        return wide::in_circle_narrow(rows);
+    #[cold]
+    fn in_circle_exact(
+        &a: &[Self; 2],
+        &b: &[Self; 2],
+        &c: &[Self; 2],
+        &d: &[Self; 2],
+    ) -> (Ordering, Stage) {
+        if let Some(rows) = narrow([a, b, c], d) {
+            return (wide::in_circle_narrow(rows), Stage::Integers);
+        }
+        let points = [a, b, c, d];
+        let Some(points) = moderate(points) else {
+            let [a, b, c, d] = big(points);
+            let sign = unbounded::lifted(&[a, b, c].map(|p| unbounded::minus(&p, &d)));
+            return (sign, Stage::BigIntegers);
+        };
+        if let Some([a, b, c, d]) = integers(&points) {
+            return wide::in_circle([a, b, c].map(|p| minus(p, d)));
+        }
+        let [a, b, c, d] = points.map(|[x, y]| Coord { x, y });
+        (sign(robust::incircle(a, b, c, d)), Stage::Expansions)
     }
-    let Some(points) = moderate(points) else {
-        let [a, b, c, d] = big(points);
-        return unbounded::lifted(&[a, b, c].map(|p| unbounded::minus(&p, &d)));
-    };
-    if let Some([a, b, c, d]) = integers(&points) {
-        return wide::in_circle([a, b, c].map(|p| minus(p, d)));
-    }
-    let [a, b, c, d] = points.map(|[x, y]| Coord { x, y });
-    sign(robust::incircle(a, b, c, d))
 }
 
 /// The differences of points to a last one in units of a power of two, if they are exact and that makes
@@ -89,7 +98,7 @@ fn in_circle_exact(points: [[f64; 2]; 4]) -> Ordering {
 fn narrow<const N: usize>(points: [[f64; 2]; N], last: [f64; 2]) -> Option<[[i64; 2]; N]> {
     const SHIFTER: f64 = 3.0 * power(51);
     let rows = points.map(|p| [p[0] - last[0], p[1] - last[1]]);
-    let exponent = (largest(&rows).max(power(-900)).to_bits() >> 52).cast_signed() - 1023;
+    let exponent = exponent(largest(&rows).max(power(-900)));
     if exponent > 900 {
         return None;
     }
@@ -113,11 +122,6 @@ fn is_moderate(x: f64) -> bool {
     x == 0.0 || (power(-142)..=power(201)).contains(&x.abs())
 }
 
-/// 2^`exponent`, for exponents of normal doubles.
-const fn power(exponent: i64) -> f64 {
-    f64::from_bits((exponent + 1023).cast_unsigned() << 52)
-}
-
 /// The points, scaled by a power of two if need be, with moderate coordinates only; `None` if there is
 /// no such scale.
 fn moderate<const N: usize>(points: [[f64; 2]; N]) -> Option<[[f64; 2]; N]> {
@@ -131,8 +135,7 @@ fn moderate<const N: usize>(points: [[f64; 2]; N]) -> Option<[[f64; 2]; N]> {
         points
     };
     // Scaling by this one is exact wherever the product is moderate.
-    let exponent = (largest(&lifted).to_bits() >> 52).cast_signed() - 1023;
-    let scaled = scale(lifted, power(200 - exponent));
+    let scaled = scale(lifted, power(200 - exponent(largest(&lifted))));
     let survives = |(&x, &y): (&f64, &f64)| is_moderate(y) && (x == 0.0) == (y == 0.0);
     points
         .iter()
@@ -160,7 +163,7 @@ fn largest<const N: usize>(points: &[[f64; 2]; N]) -> f64 {
 )]
 #[expect(clippy::float_cmp, reason = "asks for exact equality")]
 fn integers<const N: usize>(points: &[[f64; 2]; N]) -> Option<[[i64; 2]; N]> {
-    let exponent = (largest(points).max(power(-142)).to_bits() >> 52).cast_signed() - 1023;
+    let exponent = exponent(largest(points).max(power(-142)));
     let scaled = scale(*points, power(60 - exponent));
     let integers = scaled.map(|point| point.map(|x| x as i64));
     let exact = |(&i, &x): (&i64, &f64)| i as f64 == x;
@@ -191,4 +194,11 @@ fn big<const N: usize>(points: [[f64; 2]; N]) -> [[BigInt; 2]; N] {
             size * sign
         })
     })
+}
+
+/// The sign of what the expansions return.
+fn sign(determinant: f64) -> Ordering {
+    determinant
+        .partial_cmp(&0.0)
+        .expect("finite points have a determinant")
 }

@@ -1,98 +1,139 @@
-//! Signs that are certain from doubles alone: the floating-point filter in front of exact arithmetic.
+//! The floating-point filter: signs of both determinants that are certain from doubles alone.
 //!
-//! Both tests evaluate the determinant of differences to the last point in doubles and compare it with
-//! a bound on the error; they answer only if the sign is beyond doubt.
+//! Each test subtracts the last point from the others, evaluates the determinant of the differences in
+//! doubles, and compares it with a bound on its error. It answers only where the sign is beyond doubt;
+//! what it leaves open goes to the scalar's exact stages. The bounds are of the kind of Shewchuk's
+//! bound A (1997, sections 4.3 and 4.4: one evaluation, its error against the sum of the absolute
+//! values of the terms); the in-circle bound replaces that sum by one that is cheaper.
 //!
-//! Why it is right, with u = 2^-53 and coordinates x known through doubles X:
+//! # Why it is right
 //!
-//! 1. *Doubles that are the coordinates.* Without underflow the computed determinant differs from the
-//!    true one by at most (3 + 16 u) u times the sum of the absolute products (orientation), or
-//!    (10 + 96 u) u times the permanent, the determinant with every sign made plus (in-circle); that is
-//!    bound A of Shewchuk (1997), which counts the rounding of the differences. The constants 4e-16
-//!    and 1.2e-15 are these bounds with at least 8 % to spare for their own rounding.
-//! 2. *Doubles near the coordinates.* By the contract of `approx`, |X - x| <= 2u |x|, or 2^-1022 below
-//!    the normal doubles, so a difference is off by at most `slack` = 4.5 u M + 2^-1020, where M is the
-//!    largest |X|. Each of the 2 products of 2 factors (12 products of 4) then changes by at most
-//!    (m + slack)^2 - m^2 <= 2 slack (m + slack) (or 4 slack (m + slack)^3), where m bounds the
-//!    differences. An infinite X makes the determinant NaN or m infinite, and nothing is decided; a
-//!    value too large for a double whose X is finite makes the bound infinite.
-//! 3. *Underflow* adds less than 2^-1072 (orientation) or 2^-1068 max(m^2, 1) (in-circle). For m in the
-//!    ranges asked for, that is less than 2^-100 m^2 or 2^-100 m^4, which the bound contains; nor does
-//!    anything overflow in them.
+//! Write u for 2^-53. A sum or difference is rounded by a factor 1 + e with |e| <= u, a product by such
+//! a factor and an underflow of at most 2^-1075. Let d stand for the differences of the doubles before
+//! they are rounded, D for the determinant of these, P for the sum of the absolute values of its
+//! terms, and V for the computed determinant before its last rounding, which changes no sign and makes
+//! it at most 1 + u times as large. No test overflows, since doubles are at most 2^200 in size
+//! ([`Scale`]), so differences are at most 2^201 and fourth powers far below 2^1023.
 //!
-//! Cost: about 3 ns (orientation) and 6 ns (in-circle).
+//! 1. **Orientation, exact doubles.** Each product is off by three factors 1 + e (two differences, one
+//!    product), so |V - D| <= ((1 - u)^-3 - 1) S, where S is the sum of the absolute values of the two
+//!    computed products. The bound is rounded three times. So `ORIENT2D` (1 - u)^3 must be at least
+//!    ((1 - u)^-3 - 1) (1 + u). Shewchuk's constant is (3 + 16u) u; the rest pays for one more
+//!    rounding, that of adding `UNDERFLOW`.
+//! 2. **In circle, exact doubles.** Each term passes ten factors: four in the lift (two differences, a
+//!    square, a sum), four in the minor, one in their product, one in the first sum. So
+//!    |V - D| <= ((1 + u)^10 - 1) P. With the lifts A, B, C of the three points,
+//!    |bx cy| + |by cx| <= (B + C) / 2 and so on, hence P <= A (B + C) + B C. That passes eleven factors
+//!    when computed (two lifts, sum, product, sum), and the bound two more. So
+//!    `IN_CIRCLE` (1 - u)^13 must be at least ((1 + u)^10 - 1) (1 + u).
+//! 3. **Approximated doubles.** Differences are off by up to `error`, twice that of a coordinate. Let Q be P
+//!    with every |d| made larger by `error`. Each term is a product of differences, so it changes by no
+//!    more than its absolute value grows, and the true determinant is within Q - P of D. The code
+//!    computes P as `least` and Q as `most`, never smaller. `least` passes 4 factors (orientation) or 11
+//!    (in circle), `most` 6 or 15, the rest of the bound 3. With K for `ORIENT2D_APPROX` or
+//!    `IN_CIRCLE_APPROX`, k for 3 or 10, l for 4 or 11 and m for 6 or 15
+//!    (1 - u)^3 ((1 - u)^m (1 + K) Q - (1 + u)^l P) must be at least (1 + u) (Q - P + ((1 + u)^k - 1) P)
+//!    for 0 <= P <= Q. Both sides are linear, so it is enough that it holds for P = 0 and for P = Q.
+//! 4. **Underflow** of products, multiplied by at most 2^404 in later products, adds less than 2^-663
+//!    to the determinant and to what the bound is computed from. `UNDERFLOW` covers both.
+//!
+//! A coordinate that is infinite or no number, as those of the artificial points, makes the
+//! determinant no number or the bound infinite, and nothing is decided.
+//!
+//! The inequalities for the constants, the factors of each term and the bound on underflow are checked
+//! by Gappa (`tests/proofs`). By hand remain the counting of factors, the inequality of the two means
+//! behind P <= A (B + C) + B C, and that a sum of terms is off by at most the sum of what they are.
+//!
+//! Cost: about 2 ns (orientation) and 4 ns (in circle) for exact doubles, three times that for others.
 
-use std::cmp::Ordering;
+use std::cmp::Ordering::{self, Greater, Less};
 
-/// The orientation of `a`, `b`, `c` if the doubles decide it. `exact`: they are the coordinates
-/// themselves, not approximations of them.
-#[inline]
-pub(crate) fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2], exact: bool) -> Option<Ordering> {
-    let (ax, ay) = (a[0] - c[0], a[1] - c[1]);
-    let (bx, by) = (b[0] - c[0], b[1] - c[1]);
+use super::doubles::{U, power};
+use super::scale::Scale;
+
+const ORIENT2D: f64 = (3.0 + 32.0 * U) * U;
+const IN_CIRCLE: f64 = (10.0 + 256.0 * U) * U;
+const ORIENT2D_APPROX: f64 = 14.0 * U;
+const IN_CIRCLE_APPROX: f64 = 37.0 * U;
+const UNDERFLOW: f64 = power(-660);
+
+/// The orientation of `a`, `b`, `c`, if these doubles decide it: `Greater` for a left turn.
+#[inline(always)]
+pub(crate) fn orient2d([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
+    let [ax, ay] = minus(a, c);
+    let [bx, by] = minus(b, c);
     let (left, right) = (ax * by, ay * bx);
-    let m = ax.abs().max(ay.abs()).max(bx.abs()).max(by.abs());
-    let mut bound = 4e-16 * (left.abs() + right.abs()) + m * m * TINY;
-    if !exact {
-        let slack = slack(&[a, b, c]);
-        bound += 4.1 * slack * (m + slack);
+    let determinant = left - right;
+    let bound = ORIENT2D * (left.abs() + right.abs()) + UNDERFLOW;
+    if determinant.abs() > bound && scale.is_exact() {
+        return Some(sign(determinant));
     }
-    certain(left - right, bound, m > 1e-140 && m < 1e140)
+    if scale.is_exact() {
+        return None;
+    }
+    orient2d_approx(determinant, [ax, ay, bx, by], scale)
 }
 
-/// The side of the circle through `a`, `b`, `c` on which `d` lies if the doubles decide it. `exact`:
-/// they are the coordinates themselves, not approximations of them.
-#[inline]
-pub(crate) fn in_circle(
-    a: [f64; 2],
-    b: [f64; 2],
-    c: [f64; 2],
-    d: [f64; 2],
-    exact: bool,
-) -> Option<Ordering> {
-    let (ax, ay) = (a[0] - d[0], a[1] - d[1]);
-    let (bx, by) = (b[0] - d[0], b[1] - d[1]);
-    let (cx, cy) = (c[0] - d[0], c[1] - d[1]);
-    let (lift_a, lift_b, lift_c) = (ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy);
-    let (bxcy, cxby) = (bx * cy, cx * by);
-    let (cxay, axcy) = (cx * ay, ax * cy);
-    let (axby, bxay) = (ax * by, bx * ay);
-    let det = lift_a * (bxcy - cxby) + lift_b * (cxay - axcy) + lift_c * (axby - bxay);
-    let permanent = lift_a * (bxcy.abs() + cxby.abs())
-        + lift_b * (cxay.abs() + axcy.abs())
-        + lift_c * (axby.abs() + bxay.abs());
-    let lift = lift_a.max(lift_b).max(lift_c);
-    let mut bound = 1.2e-15 * permanent + lift * lift * TINY;
-    if !exact {
-        // The largest difference is at most the root of the largest lift.
-        let (slack, m) = (slack(&[a, b, c, d]), lift.sqrt() * (1.0 + 1e-14));
-        bound += 49.0 * slack * (m + slack) * (m + slack) * (m + slack);
+/// The side of the circle through `a`, `b`, `c` on which `d` lies, if these doubles decide it:
+/// `Greater` for inside, where the three are counter-clockwise.
+#[inline(always)]
+pub(crate) fn in_circle([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
+    let [ax, ay] = minus(a, d);
+    let [bx, by] = minus(b, d);
+    let [cx, cy] = minus(c, d);
+    let (al, bl, cl) = (ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy);
+    let determinant =
+        al * (bx * cy - by * cx) - bl * (ax * cy - ay * cx) + cl * (ax * by - ay * bx);
+    let bound = IN_CIRCLE * (al * (bl + cl) + bl * cl) + UNDERFLOW;
+    if determinant.abs() > bound && scale.is_exact() {
+        return Some(sign(determinant));
     }
-    certain(det, bound, lift > 1e-140 && lift < 1e140)
+    if scale.is_exact() {
+        return None;
+    }
+    in_circle_approx(determinant, [ax, ay, bx, by, cx, cy], scale)
 }
 
-/// 2^-100, and a little for the rounding of what it is multiplied with.
-const TINY: f64 = 8e-31;
-
-/// How far the difference of two approximated coordinates may be off before it is rounded.
-#[inline]
-fn slack<const N: usize>(points: &[[f64; 2]; N]) -> f64 {
-    let largest = points
-        .iter()
-        .flatten()
-        .fold(0.0, |m: f64, x| m.max(x.abs()));
-    5e-16 * largest + 1e-307
+/// The orientation test for doubles that may be off.
+#[cold]
+#[inline(never)]
+fn orient2d_approx(determinant: f64, differences: [f64; 4], scale: Scale) -> Option<Ordering> {
+    let size = |[ax, ay, bx, by]: [f64; 4]| ax * by + ay * bx;
+    let (least, most) = widen(differences, scale);
+    let (least, most) = (size(least), size(most));
+    let bound = (most - least) + ORIENT2D_APPROX * most + UNDERFLOW;
+    (determinant.abs() > bound).then_some(sign(determinant))
 }
 
-#[inline]
-fn certain(det: f64, bound: f64, in_range: bool) -> Option<Ordering> {
-    if !in_range {
-        None
-    } else if det > bound {
-        Some(Ordering::Greater)
-    } else if -det > bound {
-        Some(Ordering::Less)
-    } else {
-        None
-    }
+/// The in-circle test for doubles that may be off.
+#[cold]
+#[inline(never)]
+fn in_circle_approx(determinant: f64, differences: [f64; 6], scale: Scale) -> Option<Ordering> {
+    let size = |[ax, ay, bx, by, cx, cy]: [f64; 6]| {
+        (ax * ax + ay * ay) * (bx * cy + by * cx)
+            + (bx * bx + by * by) * (ax * cy + ay * cx)
+            + (cx * cx + cy * cy) * (ax * by + ay * bx)
+    };
+    let (least, most) = widen(differences, scale);
+    let (least, most) = (size(least), size(most));
+    let bound = (most - least) + IN_CIRCLE_APPROX * most + UNDERFLOW;
+    (determinant.abs() > bound).then_some(sign(determinant))
+}
+
+#[inline(always)]
+fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// The absolute values of differences, and the same made larger by what each may be off by.
+fn widen<const N: usize>(differences: [f64; N], scale: Scale) -> ([f64; N], [f64; N]) {
+    let error = 2.0 * scale.error();
+    let least = differences.map(f64::abs);
+    (least, least.map(|size| size + error))
+}
+
+/// The sign of a number that is certainly not zero.
+#[inline(always)]
+fn sign(determinant: f64) -> Ordering {
+    if determinant > 0.0 { Greater } else { Less }
 }

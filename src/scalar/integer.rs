@@ -4,7 +4,7 @@
 
 use std::cmp::Ordering;
 
-use super::{Scalar, wide};
+use super::{Scalar, Stage, wide};
 
 /// The difference of two points; it always fits.
 fn minus(a: &[i64; 2], b: &[i64; 2]) -> [i128; 2] {
@@ -21,10 +21,23 @@ impl Scalar for i64 {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        wide::turn(minus(a, c), minus(b, c))
+        Self::orient2d_exact(a, b, c).0
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+        Self::in_circle_exact(a, b, c, d).0
+    }
+
+    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        wide::turn(minus(a, c), minus(b, c))
+    }
+
+    fn in_circle_exact(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
         wide::in_circle([a, b, c].map(|p| minus(p, d)))
     }
 }
@@ -41,12 +54,25 @@ impl Scalar for i32 {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        let [a, b, c] = [a, b, c].map(|p| p.map(i64::from));
-        i64::orient2d(&a, &b, &c)
+        Self::orient2d_exact(a, b, c).0
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+        Self::in_circle_exact(a, b, c, d).0
+    }
+
+    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        let [a, b, c] = [a, b, c].map(|p| p.map(i64::from));
+        i64::orient2d_exact(&a, &b, &c)
+    }
+
+    fn in_circle_exact(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
         let [a, b, c, d] = [a, b, c, d].map(|p| p.map(i64::from));
-        i64::in_circle(&a, &b, &c, &d)
+        i64::in_circle_exact(&a, &b, &c, &d)
     }
 }

@@ -7,13 +7,15 @@
 //!
 //! | type | how it is exact |
 //! |---|---|
-//! | `f64` | filter, then small integers, then adaptive expansions (crate `robust`), then big integers where exponents are extreme |
+//! | `f64` | filter, then machine integers, then adaptive expansions (crate `robust`), then big integers where exponents are extreme |
 //! | `f32` | as `f64`, which holds every `f32` |
 //! | `i32`, `i64` | 128-bit integers where they suffice, else big integers |
 //! | `BigRational` | filter, then integers over a common denominator |
 //! | any [`Unbounded`] number (`BigInt`, your own, ...) | filter, then its own arithmetic |
 //! | `rug::Rational` (feature `rug`) | filter, then GMP's arithmetic |
 
+mod direct;
+mod doubles;
 mod f32;
 mod f64;
 pub(crate) mod filter;
@@ -72,10 +74,37 @@ pub trait Scalar: Sized {
     /// For a counter-clockwise triangle `a`, `b`, `c`: `Greater` if `d` lies inside its circumcircle,
     /// `Less` outside, `Equal` on it. Two of the first three points swapped turn the sign round.
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering;
+
+    /// The answer of [`orient2d`](Scalar::orient2d), and the stage that gave it.
+    ///
+    /// The sweep and the verifier call this one, and only where the floating-point filter has left the
+    /// sign open. A type whose `orient2d` filters too skips its filter here.
+    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        (Self::orient2d(a, b, c), Stage::Own)
+    }
+
+    /// The answer of [`in_circle`](Scalar::in_circle), and the stage that gave it; see
+    /// [`orient2d_exact`](Scalar::orient2d_exact).
+    fn in_circle_exact(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
+        (Self::in_circle(a, b, c, d), Stage::Own)
+    }
 }
 
-/// The sign of a finite number compared with zero.
-pub(crate) fn sign(x: f64) -> Ordering {
-    x.partial_cmp(&0.0)
-        .expect("a predicate's value is a number")
+/// The exact arithmetic that decided a sign where the floating-point filter did not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Stage {
+    /// Machine integers of up to 256 bits.
+    Integers,
+    /// The adaptive expansions of Shewchuk (1997): sums of doubles, only as many as the sign needs.
+    Expansions,
+    /// Big integers.
+    BigIntegers,
+    /// The scalar's own arithmetic.
+    Own,
 }

@@ -1,5 +1,5 @@
-//! `BigRational`: doubles where the numbers are doubles; else big integers over a common denominator,
-//! behind the floating-point [`filter`].
+//! `BigRational`: behind the floating-point [filter](super::filter), as doubles where the numbers are
+//! doubles, else in integers over a common denominator.
 //!
 //! Why it is right: multiplying all coordinates by one number other than zero multiplies the determinants by
 //! its square or fourth power, and changes no sign. With a common multiple of the denominators, whichever
@@ -8,7 +8,7 @@
 //! integers ([`wide`]).
 //!
 //! Cost: six or eight conversions to doubles (20 to 300 ns each), and a few microseconds where the
-//! filter is silent.
+//! filter decides nothing.
 
 use std::cmp::Ordering;
 
@@ -17,7 +17,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::unbounded::{self, minus};
-use super::{Scalar, filter, wide};
+use super::{Scalar, Stage, direct, wide};
 
 impl Scalar for BigRational {
     /// Whether the denominator is not zero, as `new_raw` may make it.
@@ -34,32 +34,42 @@ impl Scalar for BigRational {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        let points = [a, b, c];
-        if let Some([a, b, c]) = doubles(points) {
-            return f64::orient2d(&a, &b, &c);
-        }
-        let [x, y, z] = points.map(unbounded::approx);
-        filter::orient2d(x, y, z, false).unwrap_or_else(|| {
-            let [a, b, c] = integers(points);
-            let rows = [minus(&a, &c), minus(&b, &c)];
-            match small(&rows) {
-                Some([a, b]) => wide::turn(a, b),
-                None => unbounded::turn(&rows[0], &rows[1]),
-            }
-        })
+        direct::orient2d([a, b, c])
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+        direct::in_circle([a, b, c, d])
+    }
+
+    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        let points = [a, b, c];
+        if let Some([a, b, c]) = doubles(points) {
+            return f64::orient2d_exact(&a, &b, &c);
+        }
+        let [a, b, c] = integers(points);
+        let rows = [minus(&a, &c), minus(&b, &c)];
+        match small(&rows) {
+            Some([a, b]) => wide::turn(a, b),
+            None => (unbounded::turn(&rows[0], &rows[1]), Stage::BigIntegers),
+        }
+    }
+
+    fn in_circle_exact(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
         let points = [a, b, c, d];
         if let Some([a, b, c, d]) = doubles(points) {
-            return f64::in_circle(&a, &b, &c, &d);
+            return f64::in_circle_exact(&a, &b, &c, &d);
         }
-        let [w, x, y, z] = points.map(unbounded::approx);
-        filter::in_circle(w, x, y, z, false).unwrap_or_else(|| {
-            let [a, b, c, d] = integers(points);
-            let rows = [a, b, c].map(|p| minus(&p, &d));
-            small(&rows).map_or_else(|| unbounded::lifted(&rows), wide::in_circle)
-        })
+        let [a, b, c, d] = integers(points);
+        let rows = [a, b, c].map(|p| minus(&p, &d));
+        match small(&rows) {
+            Some(rows) => wide::in_circle(rows),
+            None => (unbounded::lifted(&rows), Stage::BigIntegers),
+        }
     }
 }
 

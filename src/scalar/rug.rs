@@ -1,5 +1,5 @@
-//! `rug::Rational` (feature `rug`): the rationals of GMP, behind the same filter as every
-//! [`Unbounded`](super::Unbounded) number.
+//! `rug::Rational` (feature `rug`): the rationals of GMP, behind the floating-point
+//! [filter](super::filter); as doubles where the numbers are doubles.
 //!
 //! `to_f64` rounds towards zero: monotone, and off by less than one unit in the last place, which is
 //! what [`approx`](Scalar::approx) must be.
@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use super::{Scalar, filter};
+use super::{Scalar, Stage, direct};
 
 impl Scalar for Rational {
     fn approx(&self) -> f64 {
@@ -20,37 +20,45 @@ impl Scalar for Rational {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        let points = [a, b, c];
-        let [x, y, z] = points.map(approx);
-        filter::orient2d(x, y, z, false)
-            .or_else(|| are_doubles(points, [x, y, z]).then(|| f64::orient2d(&x, &y, &z)))
-            .unwrap_or_else(|| cross(&minus(a, c), &minus(b, c)).cmp0())
+        direct::orient2d([a, b, c])
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        let points = [a, b, c, d];
-        let [w, x, y, z] = points.map(approx);
-        filter::in_circle(w, x, y, z, false)
-            .or_else(|| are_doubles(points, [w, x, y, z]).then(|| f64::in_circle(&w, &x, &y, &z)))
-            .unwrap_or_else(|| {
-                let [a, b, c] = [a, b, c].map(|p| minus(p, d));
-                let det =
-                    lift(&a) * cross(&b, &c) + lift(&b) * cross(&c, &a) + lift(&c) * cross(&a, &b);
-                det.cmp0()
-            })
+        direct::in_circle([a, b, c, d])
+    }
+
+    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        if let Some([a, b, c]) = doubles([a, b, c]) {
+            return f64::orient2d_exact(&a, &b, &c);
+        }
+        (cross(&minus(a, c), &minus(b, c)).cmp0(), Stage::Own)
+    }
+
+    fn in_circle_exact(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
+        if let Some([a, b, c, d]) = doubles([a, b, c, d]) {
+            return f64::in_circle_exact(&a, &b, &c, &d);
+        }
+        let [a, b, c] = [a, b, c].map(|p| minus(p, d));
+        let determinant =
+            lift(&a) * cross(&b, &c) + lift(&b) * cross(&c, &a) + lift(&c) * cross(&a, &b);
+        (determinant.cmp0(), Stage::Own)
     }
 }
 
-fn approx(point: &[Rational; 2]) -> [f64; 2] {
-    [point[0].approx(), point[1].approx()]
-}
-
-fn are_doubles<const N: usize>(points: [&[Rational; 2]; N], near: [[f64; 2]; N]) -> bool {
+/// The points in doubles, if these equal them.
+fn doubles<const N: usize>(points: [&[Rational; 2]; N]) -> Option<[[f64; 2]; N]> {
+    let doubles = points.map(|[x, y]| [x.approx(), y.approx()]);
     points
         .into_iter()
         .flatten()
-        .zip(near.iter().flatten())
+        .zip(doubles.iter().flatten())
         .all(|(exact, double)| exact == double)
+        .then_some(doubles)
 }
 
 fn minus(a: &[Rational; 2], b: &[Rational; 2]) -> [Rational; 2] {

@@ -1,10 +1,10 @@
 //! Numbers whose arithmetic is exact and without bounds: big integers, and whatever else says so by
 //! implementing [`Unbounded`].
 //!
-//! Why it is right: a sign is taken from doubles only if the [`filter`] is certain of it for the
-//! numbers that they approximate, else from the determinant in the number's own arithmetic.
+//! Why it is right: a sign comes from doubles only if the [filter](super::filter) is certain of it for
+//! the numbers that they approximate, else from the determinant in the number's own arithmetic.
 //!
-//! Cost: six or eight conversions to doubles, then a few nanoseconds; where the filter is silent,
+//! Cost: six or eight conversions to doubles and some nanoseconds; where the filter decides nothing,
 //! about 20 operations of the number.
 
 use std::cmp::Ordering;
@@ -13,12 +13,12 @@ use std::ops::{Mul, Sub};
 use num_bigint::BigInt;
 use num_traits::{ToPrimitive, Zero};
 
-use super::{Scalar, filter};
+use super::{Scalar, Stage, direct};
 
 /// Says that a number's `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a
 /// [`Scalar`].
 ///
-/// Implement it for exact numbers of your own; it has no functions. `to_f64` must return what
+/// Implement it for exact numbers of your own; there is nothing to write. `to_f64` must return what
 /// [`Scalar::approx`] demands: monotone, never `None` or NaN, within a relative error of 2^-52,
 /// infinite only for what is too large.
 ///
@@ -34,9 +34,13 @@ use super::{Scalar, filter};
 pub trait Unbounded:
     Clone + Ord + Zero + Sub<Output = Self> + Mul<Output = Self> + ToPrimitive
 {
+    /// What [`Counters`](crate::Counters) count the number's arithmetic as.
+    const STAGE: Stage = Stage::Own;
 }
 
-impl Unbounded for BigInt {}
+impl Unbounded for BigInt {
+    const STAGE: Stage = Stage::BigIntegers;
+}
 
 impl<T: Unbounded> Scalar for T {
     fn approx(&self) -> f64 {
@@ -48,19 +52,25 @@ impl<T: Unbounded> Scalar for T {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        let [x, y, z] = [a, b, c].map(approx);
-        filter::orient2d(x, y, z, false).unwrap_or_else(|| turn(&minus(a, c), &minus(b, c)))
+        direct::orient2d([a, b, c])
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        let [w, x, y, z] = [a, b, c, d].map(approx);
-        filter::in_circle(w, x, y, z, false)
-            .unwrap_or_else(|| lifted(&[a, b, c].map(|p| minus(p, d))))
+        direct::in_circle([a, b, c, d])
     }
-}
 
-pub(super) fn approx<T: Scalar>(point: &[T; 2]) -> [f64; 2] {
-    [point[0].approx(), point[1].approx()]
+    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        (turn(&minus(a, c), &minus(b, c)), T::STAGE)
+    }
+
+    fn in_circle_exact(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
+        (lifted(&[a, b, c].map(|p| minus(p, d))), T::STAGE)
+    }
 }
 
 /// The difference of two points.

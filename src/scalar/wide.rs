@@ -11,35 +11,38 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 
-use super::unbounded;
+use super::{Stage, unbounded};
 
-/// The sign of the turn from `a` to `b`, two differences to the same point.
-pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> Ordering {
+/// The sign of the turn from `a` to `b`, two differences to the same point, and the integers it took.
+pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> (Ordering, Stage) {
     match (a[0].checked_mul(b[1]), a[1].checked_mul(b[0])) {
-        (Some(left), Some(right)) => left.cmp(&right),
+        (Some(left), Some(right)) => (left.cmp(&right), Stage::Integers),
         _ => {
             let [a, b] = [a, b].map(|row| row.map(BigInt::from));
-            unbounded::turn(&a, &b)
+            (unbounded::turn(&a, &b), Stage::BigIntegers)
         }
     }
 }
 
-/// The sign of the in-circle determinant whose rows are the differences of three points to a fourth.
+/// The sign of the in-circle determinant whose rows are the differences of three points to a fourth,
+/// and the integers it took.
 #[expect(clippy::cast_possible_truncation, reason = "only what is below 2^30")]
-pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> Ordering {
+pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> (Ordering, Stage) {
     let span = rows
         .iter()
         .flatten()
         .fold(0, |span, x| span | x.unsigned_abs());
-    // A factor of two that all have in common says nothing.
+    // A power of two that divides all of them changes no sign.
     let zeros = span.trailing_zeros() & 127;
     let rows = rows.map(|row| row.map(|x| x >> zeros));
     if span >> zeros < 1 << 30 {
-        in_circle_narrow(rows.map(|row| row.map(|x| x as i64)))
+        let sign = in_circle_narrow(rows.map(|row| row.map(|x| x as i64)));
+        (sign, Stage::Integers)
     } else if span >> zeros < 1 << 62 {
-        middle(rows)
+        (middle(rows), Stage::Integers)
     } else {
-        unbounded::lifted(&rows.map(|row| row.map(BigInt::from)))
+        let sign = unbounded::lifted(&rows.map(|row| row.map(BigInt::from)));
+        (sign, Stage::BigIntegers)
     }
 }
 

@@ -9,7 +9,7 @@ use super::record::Record;
 use super::signs::Signs;
 use super::soup::{LIMIT, REJECTED, Soup};
 use super::violation::Violation;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, Scale};
 
 /// What the caller gave, by rank, as far as it is in range.
 #[derive(Debug)]
@@ -93,8 +93,10 @@ impl<'a, S: Scalar> Ranks<'a, S> {
         }
         let is_finite = |v: u32| rank[v as usize] == NEW;
         let representative = representatives(points, &approximations, is_finite);
+        let all = approximations.iter().flatten().copied();
         let signs = Signs {
             points,
+            scale: Scale::of(all, S::APPROX_IS_EXACT),
             vertex: Vec::with_capacity(points.len()),
             near: Vec::with_capacity(points.len()),
         };
@@ -172,7 +174,9 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             if self.rank[v] == NEW {
                 self.rank[v] = self.given_out();
                 self.signs.vertex.push(*to);
-                self.signs.near.push(self.approximations[v]);
+                self.signs
+                    .near
+                    .push(self.signs.scale.apply(self.approximations[v]));
             }
             *to = self.rank[v];
         }

@@ -1,4 +1,4 @@
-//! The exact signs that the checks ask for: a filter on approximated coordinates, then the scalar.
+//! The exact signs that the checks ask for: the floating-point [`filter`], then the scalar.
 //!
 //! Vertices go by rank, the order in which the triangles name them first, so that memory follows the
 //! triangles; each distinct point has one rank, whatever number of equal points the caller gave.
@@ -6,8 +6,7 @@
 use std::cmp::Ordering;
 use std::ops::AddAssign;
 
-use crate::scalar::Scalar;
-use crate::scalar::filter;
+use crate::scalar::{Scalar, Scale, filter};
 
 /// Points by rank.
 #[derive(Debug)]
@@ -15,8 +14,9 @@ pub(super) struct Signs<'a, S> {
     pub(super) points: &'a [[S; 2]],
     /// For each rank an index into `points`.
     pub(super) vertex: Vec<u32>,
-    /// For each rank the approximated coordinates.
+    /// For each rank the approximated coordinates, scaled.
     pub(super) near: Vec<[f64; 2]>,
+    pub(super) scale: Scale,
 }
 
 /// How signs were decided.
@@ -62,18 +62,18 @@ impl<S: Scalar> Signs<'_, S> {
     #[inline]
     pub(super) fn orient2d(&self, [a, b, c]: [u32; 3], tally: &mut Tally) -> Ordering {
         let near = |v: u32| self.near[v as usize];
-        let filtered = filter::orient2d(near(a), near(b), near(c), S::APPROX_IS_EXACT);
+        let filtered = filter::orient2d([near(a), near(b), near(c)], self.scale);
         tally.count(filtered, || {
-            S::orient2d(self.point(a), self.point(b), self.point(c))
+            S::orient2d_exact(self.point(a), self.point(b), self.point(c)).0
         })
     }
 
     #[inline]
     pub(super) fn in_circle(&self, [a, b, c, d]: [u32; 4], tally: &mut Tally) -> Ordering {
         let near = |v: u32| self.near[v as usize];
-        let filtered = filter::in_circle(near(a), near(b), near(c), near(d), S::APPROX_IS_EXACT);
+        let filtered = filter::in_circle([near(a), near(b), near(c), near(d)], self.scale);
         tally.count(filtered, || {
-            S::in_circle(self.point(a), self.point(b), self.point(c), self.point(d))
+            S::in_circle_exact(self.point(a), self.point(b), self.point(c), self.point(d)).0
         })
     }
 

@@ -3,5 +3,7 @@
 #![expect(clippy::cast_possible_truncation, reason = "chosen to fit")]
 
 mod approximation;
+mod crude;
 mod predicates;
 mod reference;
+mod rounded;

@@ -57,10 +57,10 @@ const REACHABLE: [Reachable; 16] = [
     }),
     ("upper hull", |run| run.makes(Why::Hull)),
     ("orientation by exact stage", |run| {
-        run.counters.orient2d_exact > 0
+        run.counters.orient2d_exact() > 0
     }),
     ("in-circle by exact stage", |run| {
-        run.counters.in_circle_exact > 0
+        run.counters.in_circle_exact() > 0
     }),
     ("canonical tie", |run| run.counters.cocircular > 0),
     ("test with an artificial vertex", |run| {

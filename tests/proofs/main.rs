@@ -1,0 +1,151 @@
+//! The proof of the floating-point filter, checked by Gappa.
+//!
+//! Gappa (Debian package `gappa`) bounds the rounding of floating-point expressions. Melquiond and Pion,
+//! "Formally certified floating-point filters for homogeneous geometric predicates" (2007), checked
+//! filters of this kind with it. Each script in this folder proves one part of the reasoning in
+//! `src/scalar/filter.rs`; what remains by hand is said there.
+//!
+//! Proof and code cannot drift apart: the constants in the scripts are those of the source text, and
+//! each line of a script that starts with `# code:` must stand in the source. Each constant made half as
+//! large must fail.
+//!
+//! Where Gappa is not installed the tests say so and pass, unless `SWEEP_CDT_NEED_GAPPA` is set.
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+const FILTER: &str = include_str!("../../src/scalar/filter.rs");
+const SCALE: &str = include_str!("../../src/scalar/scale.rs");
+const DOUBLES: &str = include_str!("../../src/scalar/doubles.rs");
+
+/// The scripts, and the constants that each is about.
+const SCRIPTS: [(&str, &str, &[&str]); 6] = [
+    (
+        "orient2d_exact",
+        include_str!("orient2d_exact.gappa"),
+        &["ORIENT2D"],
+    ),
+    (
+        "in_circle_exact",
+        include_str!("in_circle_exact.gappa"),
+        &["IN_CIRCLE"],
+    ),
+    (
+        "orient2d_approx",
+        include_str!("orient2d_approx.gappa"),
+        &["ORIENT2D_APPROX"],
+    ),
+    (
+        "in_circle_approx",
+        include_str!("in_circle_approx.gappa"),
+        &["IN_CIRCLE_APPROX"],
+    ),
+    ("underflow", include_str!("underflow.gappa"), &["UNDERFLOW"]),
+    ("scale", include_str!("scale.gappa"), &["RELATIVE_ERROR"]),
+];
+
+/// The value of a constant as the source has it, in Gappa's words, which differ for powers of two only.
+fn value(name: &str) -> String {
+    let start = format!("const {name}: f64 = ");
+    let line = [FILTER, SCALE, DOUBLES]
+        .iter()
+        .flat_map(|source| source.lines())
+        .find_map(|line| line.trim_start_matches("pub(crate) ").strip_prefix(&start))
+        .unwrap_or_else(|| panic!("no source has the constant {name}"));
+    let value = line.strip_suffix(';').expect("a constant of one line");
+    match value
+        .strip_prefix("power(")
+        .and_then(|x| x.strip_suffix(')'))
+    {
+        Some(exponent) => format!("1b{exponent}"),
+        None => value.to_owned(),
+    }
+}
+
+/// Whether Gappa proves the script with these constants; what it says if not.
+fn prove(script: &str, constants: &[(&str, String)]) -> Result<(), String> {
+    let mut text = format!("U = {};\n", value("U"));
+    for (name, value) in constants {
+        text += &format!("{name} = {value};\n");
+    }
+    text += script;
+    // The constants hold with a margin of some u^2, far below Gappa's usual 60 bits. Coordinates are
+    // variables without bounds.
+    let mut gappa = Command::new("gappa")
+        .args(["-Eprecision=400", "-Wno-unbound-variable"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("gappa was found before");
+    let mut input = gappa.stdin.take().expect("a pipe");
+    input.write_all(text.as_bytes()).expect("gappa reads");
+    drop(input);
+    let output = gappa.wait_with_output().expect("gappa ends");
+    let said =
+        [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    // A warning is a failure too: a hint that Gappa cannot check for itself would be one.
+    if output.status.success() && said.iter().all(String::is_empty) {
+        Ok(())
+    } else {
+        Err(said.concat())
+    }
+}
+
+fn has_gappa() -> bool {
+    let found = Command::new("gappa")
+        .arg("--version")
+        .stdout(Stdio::null())
+        .status()
+        .is_ok();
+    if !found {
+        assert!(
+            std::env::var_os("SWEEP_CDT_NEED_GAPPA").is_none(),
+            "gappa is not installed"
+        );
+        eprintln!("skipped: gappa is not installed");
+    }
+    found
+}
+
+#[test]
+fn every_part_is_proved() {
+    if !has_gappa() {
+        return;
+    }
+    for (name, script, constants) in SCRIPTS {
+        let constants: Vec<_> = constants.iter().map(|&name| (name, value(name))).collect();
+        if let Err(said) = prove(script, &constants) {
+            panic!("{name} with {constants:?}:\n{said}");
+        }
+    }
+}
+
+#[test]
+fn half_of_any_constant_fails() {
+    if !has_gappa() {
+        return;
+    }
+    for (name, script, constants) in SCRIPTS {
+        for &constant in constants {
+            let half = format!("({}) / 2", value(constant));
+            let result = prove(script, &[(constant, half)]);
+            assert!(result.is_err(), "{name} holds with half of {constant}");
+        }
+    }
+}
+
+#[test]
+fn scripts_are_about_the_code() {
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let source = words(&[FILTER, SCALE].concat());
+    for (name, script, _) in SCRIPTS {
+        let mut lines = script
+            .lines()
+            .filter_map(|line| line.strip_prefix("# code: "));
+        assert!(script.contains("# code: "), "{name} is about no code");
+        if let Some(line) = lines.find(|line| !source.contains(&words(line))) {
+            panic!("{name}: the source has no line `{line}`");
+        }
+    }
+}
