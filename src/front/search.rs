@@ -39,7 +39,13 @@ impl<'a> Domain<'a> {
 /// [`locate`](FrontSearch::locate) does the work. The other functions report what happens to the front,
 /// and may be left out. A structure is a value: it may carry parameters, a seed and counters of its own.
 /// Each run of a [`Triangulator`](crate::Triangulator) works on a clone of the value it was given and
-/// returns that clone in [`Run::front`](crate::Run::front). A structure of one's own is one file:
+/// returns that clone in [`Run::front`](crate::Run::front).
+///
+/// From left to right on the front, the x that a structure gets never falls. It may repeat: where a new
+/// vertex comes straight above another, and where two coordinates have the same double near them. So a
+/// structure keyed by x needs the node in its key too.
+///
+/// A structure of one's own is one file:
 ///
 /// ```
 /// use sweep_cdt::Triangulator;
@@ -65,7 +71,8 @@ impl<'a> Domain<'a> {
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 pub trait FrontSearch {
-    /// A run begins: the front has no vertex yet but its two artificial ends.
+    /// A run begins: the front has no vertex yet but its two artificial ends, which `inserted` and
+    /// `removed` never name.
     ///
     /// What an earlier run left in the structure must be forgotten here.
     fn begin(&mut self, domain: Domain<'_>) {

@@ -35,8 +35,10 @@ pub use unbounded::Unbounded;
 /// A coordinate type with exact predicates.
 ///
 /// Neither `Copy` nor `Clone` nor any operator is asked for, so that big rationals fit as well as
-/// doubles do. Implement it for a type of your own with four functions; a type whose arithmetic may
-/// overflow silently or round must not implement it that way.
+/// doubles do. A type of your own needs `approx`, `compare`, `orient2d` and `in_circle`. All
+/// but `approx` must be exact for every value: where the type's own arithmetic rounds or overflows,
+/// compute them in a wider type. The in-circle determinant has about four times the digits of the
+/// differences of coordinates. Numbers whose arithmetic is exact without bounds need [`Unbounded`] only.
 ///
 /// A predicate answers with an [`Ordering`]: the sign of the determinant compared with zero.
 ///
@@ -47,6 +49,44 @@ pub use unbounded::Unbounded;
 /// let (a, b, c) = ([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]);
 /// assert_eq!(Scalar::orient2d(&a, &b, &c), Ordering::Greater);
 /// assert_eq!(Scalar::in_circle(&a, &b, &c, &[1.0, 1.0]), Ordering::Equal);
+/// ```
+///
+/// A type of one's own. Signs do not change where all coordinates are multiplied by the same positive number,
+/// so a fixed-point number can leave the work to `i64`:
+///
+/// ```
+/// use std::cmp::Ordering;
+/// use sweep_cdt::scalar::Scalar;
+///
+/// /// A number of 65536ths.
+/// #[derive(Clone, Copy)]
+/// struct Fixed(i64);
+///
+/// fn whole(point: &[Fixed; 2]) -> [i64; 2] {
+///     point.map(|number| number.0)
+/// }
+///
+/// impl Scalar for Fixed {
+///     fn approx(&self) -> f64 {
+///         self.0 as f64 / 65536.0
+///     }
+///
+///     fn compare(&self, other: &Self) -> Ordering {
+///         self.0.cmp(&other.0)
+///     }
+///
+///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+///         Scalar::orient2d(&whole(a), &whole(b), &whole(c))
+///     }
+///
+///     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+///         Scalar::in_circle(&whole(a), &whole(b), &whole(c), &whole(d))
+///     }
+/// }
+///
+/// let points = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|point| point.map(Fixed));
+/// assert_eq!(sweep_cdt::triangulate(&points, &[[0, 2]])?.len(), 2);
+/// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 pub trait Scalar: Sized {
     /// Whether [`approx`](Scalar::approx) always returns the value itself.

@@ -22,6 +22,10 @@ use super::{Scalar, Stage, direct};
 /// [`Scalar::approx`] demands: monotone, never `None` or NaN, within a relative error of 2^-52,
 /// infinite only for what is too large.
 ///
+/// It is implemented for the `BigInt` of `num-bigint` 0.4; `BigRational`, of `num-rational` 0.4, is a
+/// [`Scalar`] too. Those of other versions are other types. The traits asked for are those of
+/// `num-traits` 0.2.
+///
 /// ```
 /// use std::cmp::Ordering;
 /// use num_bigint::BigInt;

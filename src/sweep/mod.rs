@@ -10,14 +10,14 @@
 //! | 3.3 | 5 | edges at their upper ends | [`edges`] |
 //! | 3.3 | 6 | P-1 and P-2, first triangle | [`artificial`], [`initialization`] |
 //! | 3.4 | | the state between two events | [`state`] (front, edges), [`fabric`] (triangles, signs) |
-//! | 3.4.1 | 7, 8 | point event: middle and left case | [`point_event`] |
-//! | 3.4.1 (i) | 9 | heuristic: angles below pi/2 | [`narrow_corners`] |
+//! | 3.4.1 | 7, 8 | point event: projection, middle and left case | [`point_event`] |
+//! | 3.4.1 (i) | 9 | heuristic: narrow corners, angles below pi/2 | [`narrow_corners`] |
 //! | 3.4.1 (ii) | 10 | heuristic: basins | [`basins`] |
-//! | 3.4.2 | | edge event | [`edge_event`] |
+//! | 3.4.2 | | edge event: pockets under the edge, parts of it, fixed sides | [`edge_event`] |
 //! | 3.4.2 (i), (ii) | 11, 13, 14 | triangle and front traversal | [`traversal`], [`obstacles`] |
 //! | 3.4.2 (ii), (iii) | 12 | removed triangles, pseudo-polygons | [`pseudo_polygons`] |
 //! | 3.4.2, 3.5 | 12, 13, 15a | filling a chain up to its hull | [`chain`], [`corner`], [`stretch`] |
-//! | 2 | 2, 3 | empty circle test, legalization | [`signs`], [`legalization`] |
+//! | 2 | 2, 3 | empty circle test and its ties, legalization | [`signs`], [`legalization`] |
 //! | 3.5 | 15 | finalization | [`finalization`] |
 //!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
