@@ -9,7 +9,7 @@ pub struct Domain<'a> {
 }
 
 impl<'a> Domain<'a> {
-    /// Of the vertices with these coordinates `[x, y]`, by rank in the sweep order.
+    /// The domain of vertices with these coordinates `[x, y]`, by rank in the sweep order.
     pub fn new(approx: &'a [[f64; 2]]) -> Self {
         Domain { approx }
     }
@@ -24,8 +24,8 @@ impl<'a> Domain<'a> {
         self.approx.is_empty()
     }
 
-    /// The x of the vertex of this rank, as every `x` that [`FrontSearch`] gets: a double near the
-    /// coordinate. It may be scaled by a power of two, and it may be infinite.
+    /// The x of the vertex of this rank: a double near the coordinate. Like every `x` that [`FrontSearch`]
+    /// gets, it may be scaled by a power of two, and it may be infinite.
     ///
     /// # Panics
     /// If there is no such vertex.
@@ -39,7 +39,7 @@ impl<'a> Domain<'a> {
 /// [`locate`](FrontSearch::locate) does the work. The other functions report what happens to the front,
 /// and may be left out. A structure is a value: it may carry parameters, a seed and counters of its own.
 /// Each run of a [`Triangulator`](crate::Triangulator) works on a clone of the value it was given and
-/// returns that clone in [`Run::front`](crate::Run::front). A structure of one's own is one file:
+/// returns that clone in [`Run::front`](crate::Run::front). Your own structure takes a few lines:
 ///
 /// ```
 /// use sweep_cdt::Triangulator;
