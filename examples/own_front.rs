@@ -1,9 +1,9 @@
-//! A front of one's own: a search structure with a parameter and its own counter, compared with the three
-//! that are built in.
+//! Your own front: a search structure with a parameter and a counter, compared with the three that are
+//! built in.
 //!
 //!     cargo run --release --example own_front
 //!
-//! `Recent` keeps the vertices that were put on the front last, so many of them, and starts at the nearest. A
+//! `Recent` remembers the last few vertices that joined the front, and starts at the nearest of them. A
 //! search structure changes the number of steps along the front, never the triangles.
 
 use std::collections::VecDeque;
@@ -60,7 +60,7 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-/// Triangulates, prints what it took, and gives the front back.
+/// Triangulates, prints the steps and the time, and returns the front.
 fn measure<F: FrontSearch + Clone>(name: &str, front: F, points: &[[f64; 2]]) -> Result<F, Error> {
     let Run { stats, front, .. } = Triangulator::new()
         .front(front)

@@ -42,8 +42,8 @@ fn corner(i: u8) -> [f64; 2] {
     [radius * sine, radius * cosine]
 }
 
-/// For each triangle whether it lies inside the polygon: from the hull inwards, each constrained side
-/// that is crossed changes the answer.
+/// For each triangle, whether it lies inside the polygon. The answer spreads from the hull inwards; each
+/// constrained side that is crossed reverses it.
 fn inside(result: &Triangulation) -> Vec<bool> {
     let mut inside = vec![None; result.len()];
     let mut waiting = Vec::new();

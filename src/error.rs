@@ -1,5 +1,4 @@
-//! Why an input is refused. Every error names the offenders by the caller's own indices, and its
-//! sentence stands on its variant.
+//! Why an input is refused. Every error names the offenders by the caller's own indices.
 
 /// Why an input is refused, and which of its points and edges are to blame.
 ///

@@ -2,7 +2,7 @@
 
 /// Settings of the two heuristics of the point event: they change the work, never the result.
 ///
-/// Without them the front undulates and many badly shaped triangles are made first and flipped later.
+/// Without them the front undulates, and many badly shaped triangles are made and flipped later.
 /// Both test angles in plain floating point; whether a triangle may be made at all is decided exactly.
 ///
 /// ```
@@ -21,7 +21,7 @@ pub struct Heuristics {
     /// triangle: the angle between a new triangle's side and the next front segment (figure 9).
     pub corners: Corners,
     /// Whether basins are filled: stretches of the front that fall away from the new point more
-    /// steeply than 45 degrees, an angle of more than 3pi/4 with the vertical (figure 10).
+    /// steeply than 45 degrees, an angle of more than 3pi/4 with the upward vertical (figure 10).
     pub basins: bool,
 }
 

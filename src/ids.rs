@@ -1,5 +1,5 @@
-//! Numbers of vertices, triangles and open sides: 32 bits each, and a type for each, so that none can
-//! be passed for another.
+//! Numbers of vertices, triangles and open sides: 32 bits each, and a type for each, so that the compiler
+//! keeps them apart.
 //!
 //! [`narrow`] is the one place where a count or position becomes 32 bits wide; the size of the input
 //! was checked before.

@@ -29,10 +29,10 @@ pub use triangulator::{Run, Triangulator};
 /// The constrained Delaunay triangulation of `points` with `edges`, by the sweep-line algorithm of
 /// Domiter and Žalik (2008).
 ///
-/// `points` are `[x, y]` in any [`Scalar`](scalar::Scalar); `edges` are pairs of positions in `points`. Nothing need be
-/// sorted or free of duplicates; edges may share ends, overlap, pass through points or have no length.
-/// Fewer than three distinct points, or all on one line, give no triangles. For a choice of front and
-/// heuristics, progress and statistics see [`Triangulator`].
+/// `points` are `[x, y]` in any [`Scalar`](scalar::Scalar); `edges` are pairs of positions in `points`. They
+/// may come in any order, with duplicates. Edges may share ends, overlap, pass through points or have no
+/// length. Fewer than three distinct points, or points that all lie on one line, give no triangles. For a
+/// choice of front and heuristics, progress and statistics see [`Triangulator`].
 ///
 /// # Errors
 /// [`Error`] names the offender: a coordinate that is not finite, an edge with an end that is no point,

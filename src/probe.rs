@@ -1,5 +1,4 @@
-//! How the sweep is looked on from outside: counters, clocks and events that cost nothing when nobody
-//! looks.
+//! How the sweep is observed: counters, clocks and events, which cost nothing when nobody observes.
 
 use crate::stats::{Counters, Phase, Recorder, Stats};
 use crate::trace::Event;

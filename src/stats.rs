@@ -1,6 +1,6 @@
 //! Numbers about one run: what there was, what was done, how long it took.
 //!
-//! Only these statistics read the clock, so that all else runs where there is none.
+//! Nothing else reads the clock, so the library runs on platforms without one.
 
 use std::time::{Duration, Instant};
 
@@ -36,7 +36,7 @@ pub struct Stats {
     pub counters: Counters,
 }
 
-/// How often the sweep did what.
+/// How often the sweep did each kind of work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counters {
@@ -64,7 +64,7 @@ pub struct Counters {
     pub symbolic: u64,
     /// In-circle tests that found four points on one circle.
     pub cocircular: u64,
-    /// Edges swapped by the legalization.
+    /// Sides swapped by the legalization.
     pub flips: u64,
     /// Steps along the front after the search structure's answer (3.4.1).
     pub front_steps: u64,
@@ -99,12 +99,12 @@ pub(crate) enum Phase {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Recorder {
     pub(crate) stats: Stats,
-    /// The phase that is on, and when it began.
+    /// The current phase, and when it began.
     current: Option<(Phase, Instant)>,
 }
 
 impl Recorder {
-    /// Ends the phase before and begins this one.
+    /// Ends the current phase and begins the next one.
     pub(crate) fn clock(&mut self, next: Phase) {
         let has_clock = !cfg!(all(target_family = "wasm", target_os = "unknown"));
         let now = has_clock.then(Instant::now);

@@ -1,5 +1,5 @@
-//! The result: triangles, their neighbours, which sides are constrained, the hull, what became of each
-//! input vertex and edge. Everything is an index into the caller's input.
+//! The result: triangles, their neighbours, constrained sides, hull, duplicates, and the vertices along each
+//! edge. Everything is an index into the caller's input.
 
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, Side, Triangle};
@@ -161,13 +161,13 @@ impl Triangulation {
         })
     }
 
-    /// Has this triangulation checked by the exact verifier, which shares the scalar's exact predicates
-    /// with the sweep and nothing else.
+    /// Checks this triangulation with the exact verifier, which shares the signs of [`crate::scalar`]
+    /// (filter and exact predicates) with the sweep and nothing else.
     ///
     /// `points` and `edges` are the input; see [`mod@crate::verify`] for what is proved.
     ///
     /// # Errors
-    /// [`Violations`], all that is wrong up to a limit: never for the input that this is the result of.
+    /// [`Violations`]: what is wrong, up to a limit. For the input that this is the result of there are none.
     ///
     /// ```
     /// let points = [[0, 0], [4, 0], [4, 3], [0, 3], [2, 1]];

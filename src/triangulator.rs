@@ -1,4 +1,4 @@
-//! The call with all its knobs.
+//! The call with all its settings.
 
 use std::fmt;
 
@@ -12,9 +12,9 @@ use crate::sweep;
 use crate::trace::Event;
 use crate::triangulation::Triangulation;
 
-/// Triangulates with a front, heuristics and progress report of one's choice, any number of times.
+/// Triangulates with the front, heuristics and progress report of your choice, any number of times.
 ///
-/// None of the settings changes the result, only the work.
+/// The settings change the work, never the result.
 ///
 /// ```
 /// use sweep_cdt::front::SkipList;
@@ -35,7 +35,7 @@ pub struct Triangulator<'p, F = HashTable> {
     front: F,
 }
 
-/// A result, what was done for it, and the front's search structure as the run left it.
+/// A result, the statistics of the run, and the front's search structure as the run left it.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Run<F> {
@@ -116,7 +116,7 @@ impl<F: FrontSearch + Clone> Triangulator<'_, F> {
         Ok(triangulation)
     }
 
-    /// The same, and what was done for it; counting costs a few per cent of the time.
+    /// The same, with statistics; counting costs a few per cent of the time.
     ///
     /// # Errors
     /// See [`Error`].
@@ -134,10 +134,10 @@ impl<F: FrontSearch + Clone> Triangulator<'_, F> {
         })
     }
 
-    /// The same, and every step of it, as it happens, to `observer`.
+    /// The same; also passes every step to `observer` as it happens.
     ///
     /// # Errors
-    /// See [`Error`]; the steps up to it have been reported.
+    /// See [`Error`]; the steps before it have been reported.
     pub fn triangulate_observed<S: Scalar>(
         &self,
         points: &[[S; 2]],

@@ -1,16 +1,16 @@
 //! The paper's structure (section 3.4.1, after Žalik 2005): a hash table over intervals of x.
 //!
-//! Every interval remembers the node that was inserted in it last. A search looks into the interval of
-//! x and, where it is empty or its node has left the front, into the intervals around; the node found
-//! is near, since a node only leaves the front when one beside it was inserted.
+//! Every interval remembers the node that was inserted in it last. A search looks into the interval of x.
+//! If that is empty or its node has left the front, the search looks into the intervals on either side. The
+//! node found is usually near: most nodes leave the front when one beside them joins it.
 //!
-//! Cost: O(1) expected a search with 2 sqrt(n) intervals, about as many as the front has vertices where
-//! the points are spread evenly. A dense cluster in a wide domain defeats equal intervals. A sample of
-//! the points shows that beforehand; then the intervals end at quantiles of the sample and are found in
-//! O(log n).
+//! Cost: O(1) expected for a search. There are 2 sqrt(n) intervals, about as many as the front has vertices
+//! where the points are spread evenly. A dense cluster in a wide domain would crowd a few of many equal
+//! intervals. A sample of the points shows this beforehand; then the intervals end at quantiles of the
+//! sample, and finding one takes O(log n).
 //!
-//! Differs from the paper: a removal is not written to the table but noticed when the entry is read;
-//! quantiles.
+//! Differs from the paper: the table is not updated when a node leaves the front; the search notices it.
+//! Intervals may be quantiles.
 
 use super::list::{Front, FrontNode};
 use super::search::{Domain, FrontSearch};
@@ -26,7 +26,7 @@ pub struct HashTable {
 
 #[derive(Clone, Debug)]
 enum Intervals {
-    /// The one of `x` has the number `(x - low) * factor`.
+    /// `x` lies in interval number `(x - low) * factor`.
     Equal { low: f64, factor: f64 },
     /// They end at these x, ascending; the last one has no end.
     Quantiles(Vec<f64>),
@@ -38,7 +38,7 @@ impl Default for Intervals {
     }
 }
 
-/// How many intervals are searched on either side before the last insertion is taken.
+/// How many intervals are searched on either side before the last node inserted is taken.
 const REACH: usize = 16;
 /// How many points a sample has at most, and how many cells judge it.
 const SAMPLE: usize = 4096;
@@ -105,8 +105,8 @@ impl HashTable {
     }
 }
 
-/// Whether equal intervals would be crowded: whether a point shares its one of [`CELLS`] cells with
-/// four times as many others as it would if all cells held the same.
+/// Whether equal intervals would be crowded. The sample is put into [`CELLS`] equal cells; it is skewed if
+/// an average point shares its cell with four times as many points as if all cells held equally many.
 fn is_skewed(sample: &[f64], low: f64, high: f64) -> bool {
     let mut cells = [0_usize; CELLS];
     let factor = CELLS as f64 / (high - low);

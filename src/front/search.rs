@@ -9,7 +9,7 @@ pub struct Domain<'a> {
 }
 
 impl<'a> Domain<'a> {
-    /// Of the vertices with these coordinates `[x, y]`, by rank in the sweep order.
+    /// The domain of vertices with these coordinates `[x, y]`, by rank in the sweep order.
     pub fn new(approx: &'a [[f64; 2]]) -> Self {
         Domain { approx }
     }
@@ -24,8 +24,8 @@ impl<'a> Domain<'a> {
         self.approx.is_empty()
     }
 
-    /// The x of the vertex of this rank, as every `x` that [`FrontSearch`] gets: a double near the
-    /// coordinate. It may be scaled by a power of two, and it may be infinite.
+    /// The x of the vertex of this rank: a double near the coordinate. Like every `x` that [`FrontSearch`]
+    /// gets, it may be scaled by a power of two, and it may be infinite.
     ///
     /// # Panics
     /// If there is no such vertex.
@@ -42,10 +42,10 @@ impl<'a> Domain<'a> {
 /// returns that clone in [`Run::front`](crate::Run::front).
 ///
 /// From left to right on the front, the x that a structure gets never falls. It may repeat: where a new
-/// vertex comes straight above another, and where two coordinates have the same double near them. So a
+/// vertex comes straight above another, and where two coordinates have the same approximation. So a
 /// structure keyed by x needs the node in its key too.
 ///
-/// A structure of one's own is one file:
+/// Your own structure takes a few lines:
 ///
 /// ```
 /// use sweep_cdt::Triangulator;

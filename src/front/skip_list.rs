@@ -1,8 +1,8 @@
 //! A skip list over the nodes of the front (Pugh 1990).
 //!
 //! All nodes are linked in order of x at level 0. About one in four nodes of a level is linked at the
-//! next level too, so that a search from the top passes O(log n) nodes. Which ones is decided by a fixed
-//! hash of the rank: the list is the same in every run.
+//! next level too, so that a search from the top passes O(log n) nodes. A fixed hash of the rank
+//! decides which ones, so the list is the same in every run.
 //!
 //! Cost: O(log n) expected for search, insertion and removal, whatever the shape of the front; 64 bytes
 //! for each vertex on the front at one time.

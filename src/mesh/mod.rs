@@ -1,17 +1,16 @@
-//! The triangles swept so far and how they hang together: topology only, no coordinate in sight.
+//! The triangles made so far and their neighbours: topology only, without any coordinates.
 //!
 //! A triangle is three vertices in counter-clockwise order; across its side `i`, opposite vertex `i`, it
-//! names the neighbour's side. That [`Side`] is a half-edge, a triangle and its corner opposite, so the
-//! quadrilateral around a side is two reads.
+//! names the neighbour's side. That [`Side`] is a half-edge: a triangle and the corner opposite. So two
+//! reads give the quadrilateral around a side.
 //!
-//! Invariants: if across a side of triangle `t` lies a side of `u`, then across that one lies the side
-//! of `t`, and both carry the same fixed bit; below an open side lies the side that
-//! [`Mesh::below`] names, and across that one the open side. [`Mesh::flip`] keeps them, moving four
-//! sides.
+//! Invariants: neighbours name each other. If the side of `u` lies across a side of `t`, then the side of
+//! `t` lies across that of `u`, and both carry the same fixed bit. Likewise the side that [`Mesh::below`]
+//! names has the open side across it. [`Mesh::flip`] keeps these invariants.
 //!
 //! Cost: 32 bytes a triangle.
 //!
-//! Differs from the paper: nothing; the paper leaves the structure open.
+//! No differences: the paper leaves the structure open.
 
 mod side;
 mod triangle;
@@ -78,7 +77,7 @@ impl Mesh {
         self.below(open) != Side::NO_TRIANGLE
     }
 
-    /// Says what lies across `side`; whether it is fixed stays as `side` says.
+    /// Sets what lies across `side`, fixed if `side` is.
     #[inline(always)]
     fn relink(&mut self, side: Side, across: Side) {
         let across = across.unfixed().fixed_as(side);
@@ -130,7 +129,7 @@ impl Mesh {
         self.get(t).is_marked()
     }
 
-    /// Removes the triangles of `list`, whose places the next ones take.
+    /// Removes the triangles of `list`. New triangles take their places.
     pub(crate) fn remove(&mut self, list: &[TriangleId]) {
         self.removed.extend_from_slice(list);
     }

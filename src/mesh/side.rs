@@ -2,20 +2,21 @@
 //! number.
 //!
 //! ```text
-//!          corner i                     side i of triangle t, seen from t: it runs from corner
-//!             /\                        next(i) to corner prev(i), counter-clockwise.
-//!      prev  /  \  next                 side.next() and side.prev() are the other two sides;
-//!      side /  t \ side                 side.next() is the side opposite corner next(i), which
-//!          /______\                     starts where this one ends.
-//!    next(i) -----> prev(i)
-//!           side i
+//!                   corner i                   Side i of triangle t is opposite corner i. It runs
+//!                      /\                      counter-clockwise, from corner next(i) to prev(i).
+//!                     /  \
+//!       side.prev()  / t  \  side.next()       side.next() starts where this side ends, at corner
+//!                   /      \                   prev(i); it is opposite corner next(i).
+//!                  /________\
+//!    corner next(i)   -->    corner prev(i)
+//!                    side i
 //! ```
 //!
-//! What lies across a side is a `Side` too: that of the neighbouring triangle. Two more bits say what
-//! the mesh must know of it. *Fixed*: it is a constrained edge, never to be flipped (section 3.4.2).
-//! *Open*: there is no triangle across; instead of a triangle the number names an open side, a segment
-//! of the advancing front or a side that borders on an empty polygon. "Must this side stay?" is then
-//! one comparison ([`Side::is_blocked`]).
+//! What lies across a side is a `Side` too: that of the neighbouring triangle. Two more bits mark the two
+//! special cases. *Fixed*: it is a constrained edge, which is never flipped (section 3.4.2). *Open*:
+//! there is no triangle across. Then the number is that of an open side: a segment of the advancing
+//! front, or a side that borders on an empty polygon. So one comparison answers whether a side must stay
+//! ([`Side::is_blocked`]).
 
 use crate::ids::{OpenId, TriangleId};
 
@@ -40,9 +41,9 @@ pub(crate) const fn prev(i: u32) -> u32 {
 }
 
 impl Side {
-    /// Across a side with no triangle now or ever: below the first triangle there is nothing.
+    /// Across a side that never gets a triangle: the lower side of the first triangle.
     pub(crate) const NOTHING: Side = Side(u32::MAX);
-    /// Of an open side on which no triangle borders yet.
+    /// In place of the triangle below an open side: there is none yet.
     pub(crate) const NO_TRIANGLE: Side = Side(u32::MAX - 1);
     /// In a result: across a side on the convex hull.
     pub(crate) const HULL: Side = Side(OPEN);

@@ -1,5 +1,5 @@
-//! The predicates of a few points alone, as whoever calls [`Scalar`] directly asks for them: the
-//! [`filter`] at the scale of these points, then the exact stages.
+//! The predicates for those who call [`Scalar`] directly with a few points: the [`filter`] at the scale of
+//! these points, then the exact stages.
 //!
 //! The sweep and the verifier have one scale for all their points, and call the filter themselves.
 

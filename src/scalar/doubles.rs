@@ -1,4 +1,4 @@
-//! Doubles as the formats of section 3.4 of IEEE 754 give them: powers of two, exponents, rounding.
+//! The format of doubles (IEEE 754, section 3.4): powers of two, exponents, rounding.
 
 /// The unit roundoff, 2^-53: a sum, difference or product is rounded by at most this part of itself,
 /// unless it underflows.

@@ -11,8 +11,8 @@
 //!    2^-142..=2^201 in size; coordinates outside are multiplied by a power of two first if that
 //!    brings all of them in, exactly. They begin with a filter of their own, which the crate gives no
 //!    way around; it costs some nanoseconds.
-//! 4. Big integers: every finite double is an integer times a power of two. Needed only if sizes differ
-//!    by a factor of more than 2^342, microseconds.
+//! 4. Big integers: every finite double is an integer times a power of two. They take microseconds, and are
+//!    needed only if sizes differ by a factor of more than 2^342.
 
 use std::cmp::Ordering;
 

@@ -37,12 +37,12 @@
 //! 4. **Underflow** of products, multiplied by at most 2^404 in later products, adds less than 2^-663
 //!    to the determinant and to what the bound is computed from. `UNDERFLOW` covers both.
 //!
-//! A coordinate that is infinite or no number, as those of the artificial points, makes the
-//! determinant no number or the bound infinite, and nothing is decided.
+//! A coordinate that is infinite or NaN, as those of the artificial points are, makes the determinant NaN
+//! or the bound infinite. Then the filter decides nothing.
 //!
-//! The inequalities for the constants, the factors of each term and the bound on underflow are checked
-//! by Gappa (`tests/proofs`). By hand remain the counting of factors, the inequality of the two means
-//! behind P <= A (B + C) + B C, and that a sum of terms is off by at most the sum of what they are.
+//! Gappa checks the inequalities for the constants, the factors of each term and the bound on underflow
+//! (`tests/proofs`). Checked by hand only: the number of factors, the inequality of the two means behind
+//! P <= A (B + C) + B C, and that the error of a sum is at most the sum of the errors of its terms.
 //!
 //! Cost: about 2 ns (orientation) and 4 ns (in circle) for exact doubles, three times that for others.
 

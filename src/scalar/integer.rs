@@ -1,4 +1,4 @@
-//! `i32` and `i64`: exact for every value, in integers as wide as the differences ask for.
+//! `i32` and `i64`: exact for every value, in integers as wide as the differences require.
 //!
 //! Cost: 5 to 15 ns a test; big integers only for in-circle tests with differences above 2^62.
 

@@ -1,9 +1,10 @@
-//! The only door to arithmetic: exact predicates on coordinates, by reference, signs out.
+//! All arithmetic on coordinates: exact predicates, which take references and return signs.
 //!
-//! The sweep asks four things of a coordinate type: is it a number, which of two is larger, on which
-//! side of a line is a point, and is a point inside a circle. All answers are exact. A fifth function,
-//! [`Scalar::approx`], gives a double near the value; it filters (most signs are certain from the
-//! doubles alone) and steers (hash buckets, angles of the heuristics), and never decides alone.
+//! The sweep asks four questions of a coordinate type: is it a finite number, which of two is larger, on
+//! which side of a line is a point, and is a point inside a circle. All answers are exact. A fifth
+//! function, [`Scalar::approx`], gives a double near the value. The doubles feed the floating-point filter
+//! (which returns a sign only if it is certain) and choose what only costs time: hash buckets, and the
+//! angles of the heuristics.
 //!
 //! | type | how it is exact |
 //! |---|---|
@@ -34,8 +35,8 @@ pub use unbounded::Unbounded;
 
 /// A coordinate type with exact predicates.
 ///
-/// Neither `Copy` nor `Clone` nor any operator is asked for, so that big rationals fit as well as
-/// doubles do. A type of your own needs `approx`, `compare`, `orient2d` and `in_circle`. All
+/// It requires neither `Copy` nor `Clone` nor any operator, so that big rationals fit as well as
+/// doubles. A type of your own needs `approx`, `compare`, `orient2d` and `in_circle`. All
 /// but `approx` must be exact for every value: where the type's own arithmetic rounds or overflows,
 /// compute them in a wider type. The in-circle determinant has about four times the digits of the
 /// differences of coordinates. Numbers whose arithmetic is exact without bounds need [`Unbounded`] only.
@@ -92,7 +93,7 @@ pub trait Scalar: Sized {
     /// Whether [`approx`](Scalar::approx) always returns the value itself.
     const APPROX_IS_EXACT: bool = false;
 
-    /// Whether this is a number at all; the sweep refuses points for which it is not.
+    /// Whether this is a finite number; the sweep refuses points for which it is not.
     fn is_finite(&self) -> bool {
         true
     }
@@ -112,7 +113,7 @@ pub trait Scalar: Sized {
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering;
 
     /// For a counter-clockwise triangle `a`, `b`, `c`: `Greater` if `d` lies inside its circumcircle,
-    /// `Less` outside, `Equal` on it. Two of the first three points swapped turn the sign round.
+    /// `Less` outside, `Equal` on it. Swapping two of the first three points reverses the sign.
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering;
 
     /// The answer of [`orient2d`](Scalar::orient2d), and the stage that gave it.

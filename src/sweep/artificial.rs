@@ -1,27 +1,27 @@
 //! The artificial points P-1 and P-2 (section 3.3, figure 6).
 //!
-//! The paper puts them a factor alpha outside the data, and any finite place makes some hull edge wrong.
-//! Here they are directions: P-1 is (-1, 0), P-2 is (+1, -epsilon), the two ends of a sweep line that
-//! is tilted just enough to order equal y.
+//! The paper gives them coordinates outside the data, at a distance alpha. Whatever finite place they
+//! have, some input gets a wrong hull. Here they are directions: P-1 is (-1, 0) and P-2 is (+1, -epsilon),
+//! the two ends of a sweep line that is tilted just enough to order equal y.
 //!
 //! ```text
-//!            P0
-//!           /  \              the first triangle: the lower hull of the swept vertices is where
-//!         /      \            artificial triangles border on real ones
-//!    P-1 <--------> P-2
+//!            v0                The first triangle, of the first vertex swept, P-1 and P-2. Later the
+//!           /  \               artificial triangles lie below the real ones, and the sides between
+//!         /      \             real and artificial triangles are the lower hull of the vertices
+//!    P-1 <--------> P-2        swept so far.
 //! ```
 //!
-//! They are vertices of ordinary triangles; tests with one of them are decided by rule:
+//! They are vertices of ordinary triangles, and rules decide the tests with one of them:
 //! - a side whose opposite vertex is artificial stays, since no circle reaches out so far;
-//! - a side with an artificial end is flipped exactly if the three real vertices around it turn left
-//!   strictly, for then its real end is not on the lower hull. So the lower hull is exact at every
-//!   moment, and the walk of figure 15b and c happens on the way;
-//! - an edge, which runs down from its upper end, has P-1 to its right and P-2 to its left.
+//! - a side with an artificial end is flipped exactly if the three real vertices around it turn strictly
+//!   left, for then its real end is not on the lower hull. So the lower hull is exact at every moment,
+//!   and the walk of figures 15b and c needs no step of its own;
+//! - an edge, which runs down from its upper end, has P-1 on its right and P-2 on its left.
 //!
-//! Their approximated coordinates are infinite and NaN, so that every filter fails on them and the hot
-//! path need not know them.
+//! Their approximated coordinates are infinite or NaN. So the filter never decides a test with one of
+//! them, and the fast path needs no test for them.
 //!
-//! Differs from the paper: its P-1 and P-2 have coordinates, and P-2's are misprinted.
+//! Differs from the paper: there P-1 and P-2 have coordinates (those of P-2 are misprinted).
 
 use std::cmp::Ordering;
 
@@ -48,7 +48,7 @@ impl Artificial {
         }
     }
 
-    /// Whether `v` is one of them. True for every number above them too.
+    /// Whether `v` is one of them, or a number above them.
     #[inline(always)]
     pub(super) fn contains(self, v: VertexId) -> bool {
         v >= self.left
@@ -61,7 +61,8 @@ impl Artificial {
         place(a).cmp(&place(b))
     }
 
-    /// On which side of a downward ray artificial `v` is: the ray points below the tilted sweep line.
+    /// On which side of a downward ray the artificial point `v` is. The ray points below the tilted sweep
+    /// line, so P-1 is on its right and P-2 on its left.
     pub(super) fn side_of_ray(self, v: VertexId) -> Ordering {
         if v == self.left {
             Ordering::Less

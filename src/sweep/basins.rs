@@ -1,20 +1,22 @@
 //! Heuristic (ii) of the point event (section 3.4.1, figure 10): basins are filled.
 //!
 //! ```text
-//!    p                          A basin begins beside p where the front falls from p by more than 45
-//!     \                         degrees over two nodes: an angle of more than 3pi/4 with the
-//!      rim            at        vertical. It is filled from its rim, the node beside p, down to the
-//!        \         /            bottom and up again to the last node not above the rim.
-//!         \   ___/
-//!          bottom
+//!    p                              .-     Beside p the front falls by more than 45 degrees over two
+//!     \                          .-'       nodes, which is an angle of more than 3pi/4 with the upward
+//!     rim . . . . . . . . . . .-'          vertical: a basin begins. Its `rim` is the node beside p. The
+//!       \                   end            search walks down to the bottom, and up again to `end`, the
+//!        x                .-'              last node that is not above the rim. The front from `rim`
+//!         \            x-'                 to `end` is filled to its upper hull.
+//!          bottom ---'
 //! ```
 //!
-//! Why it is right: angles and heights steer, in plain floating point; the stretch of the front is
-//! filled to its upper hull by exact signs ([`super::chain`]).
+//! Why it is right: angles and heights, in plain floating point, only choose a stretch of the front. Exact
+//! signs fill it to its upper hull ([`super::chain`]).
 //!
-//! Cost: a basin is searched for at most [`BASIN_REACH`] nodes either way, so the search is O(1).
+//! Cost: the search passes at most [`BASIN_REACH`] nodes on its way down and as many on its way up: O(1).
 //!
-//! Differs from the paper: a basin is filled as far up as its rim, to the upper hull of that stretch.
+//! Differs from the paper: it does not say how far a basin is filled. Here it is the upper hull of the
+//! stretch up to the height of the rim.
 
 use super::state::Sweep;
 use crate::front::{FrontSearch, Way};
@@ -23,7 +25,7 @@ use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
 
-/// How many nodes the search for the bottom of a basin, and that for its other end, may pass.
+/// How many nodes the search for the bottom of a basin may pass, and again that for its other end.
 const BASIN_REACH: usize = 32;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {

@@ -1,33 +1,38 @@
 //! Fills a chain of open sides up to its hull: pockets and basins of the front, the upper hull
 //! (figure 15a), and pseudo-polygons (figures 12 and 13).
 //!
-//! A chain is a polyline of open sides with the empty region to its left. Wherever it turns left, the
-//! corner can be closed by a triangle. Graham's scan does that until no left turn remains: from the
-//! front a chain under a chord comes out as that chord, the whole front as the upper hull, and a
-//! pseudo-polygon as the constrained edge.
+//! A chain is a polyline of open sides with the empty region to its left. Where it turns left, a triangle
+//! can close the corner. Graham's scan closes corners until no left turn remains. What is left of the
+//! front, or of a stretch of it, is its upper hull; what is left of a pseudo-polygon is the constrained
+//! edge.
 //!
 //! ```text
-//!    empty region (to the left of the chain)
-//!    0 . . . . . . . . . . . . . . 6          Corners 1 to 4 turn left and stay convex when closed by
-//!     \                           /           the chord 0-5: they are one stretch, closed as a whole,
-//!      1                         /            in random order. The chain then runs 0-5-6. If it
-//!       \                  5 ---              turns left at 5, the scan closes that corner next.
-//!        2 --- 3 --- 4 ---/
+//!    0 . . .       empty region             6    The chain runs from 0 to 6. At 1 to 4 it turns left,
+//!     \      . . . . . .                 _-'     and with the chord 0-5 (dotted) these corners make
+//!      \           chord . . . . .    _-'        a convex polygon: a *stretch*, which is closed as a
+//!       1                        . 5-'           whole. At 5 the chain turns right, so the stretch
+//!        `-_                    _-'              ends there. Now the chain runs 0-5-6 and turns left
+//!           2-_              _-4                 at 5, so that corner is closed next.
+//!              `--_      _--'
+//!                  `-3--'
 //! ```
 //!
-//! Why it is right: the chains of the front are x-monotone; a pseudo-polygon is weakly visible from its
-//! constrained edge. In both every corner that turns left strictly is an ear, and stays so when others
-//! are cut off (Toussaint and Avis 1982). A hanging edge turns back by 180 degrees, which is no left
-//! turn, so its two sides are covered from either side; a vertex visited twice is two corners.
+//! Why it is right: chains of the front are x-monotone, and a pseudo-polygon is weakly visible from its
+//! constrained edge. In both, every corner that turns strictly left is an ear, and it stays one when other
+//! corners are cut off (Toussaint and Avis 1982). At the free end of a hanging edge the chain turns back by
+//! 180 degrees. That is no left turn, so triangles come to both sides of the edge. A vertex that the chain
+//! visits twice is two corners.
 //!
-//! Long convex stretches are where Lawson's flips would be quadratic: corners closed from left to right
-//! along a parabola make a fan that is flipped anew with each. So a maximal convex stretch is closed as
-//! a whole, by inserting its vertices in random order into the polygon of those before (Chew 1990).
+//! Corners of a long convex stretch must not be closed one after the other: along a parabola that makes
+//! a fan, which each new corner flips anew, a quadratic number of flips. So a maximal convex stretch is
+//! closed as a whole. Its vertices are inserted in random order, each into the polygon of those before it
+//! (Chew 1990).
 //!
 //! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex stretches.
 //!
-//! Differs from the paper: it closes corner by corner in order along the hull, and picks the apex of
-//! each pseudo-polygon by the empty circle, recursively (after Anglada 1997), which costs O(k^2).
+//! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right.
+//! In a pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada
+//! 1997), which costs O(k^2).
 
 use std::cmp::Ordering::Greater;
 
@@ -40,11 +45,11 @@ use crate::scalar::Scalar;
 use crate::trace::Why;
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
-    /// Fills `chain` to its left, which leaves its hull. Returns how many triangles that took. Joined
-    /// sides become suspects.
+    /// Fills the region to the left of `chain` and leaves its hull in `chain`. Returns how many triangles
+    /// that took. Sides between a new triangle and an old one become suspects.
     pub(super) fn fill(&mut self, chain: &mut Vec<Corner>, why: Why) -> u64 {
         let before = chain.len();
-        // `chain[..done]` turns left nowhere; `chain[ahead..]` is not yet seen.
+        // `chain[..done]` nowhere turns left; `chain[ahead..]` is still to be scanned.
         let (mut done, mut ahead) = (1, 1);
         while ahead < before {
             if done < 2 || !self.turns_left(chain[done - 2], chain[done - 1], chain[ahead]) {
@@ -53,7 +58,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 ahead += 1;
                 continue;
             }
-            // A left turn: the convex stretch that begins here, as far as it goes.
+            // A left turn: a convex stretch begins here. Extend it as far as it goes.
             self.stretch.corners.clear();
             let first = [chain[done - 2], chain[done - 1], chain[ahead]];
             self.stretch.corners.extend(first);
@@ -61,7 +66,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 ahead += 1;
                 self.stretch.corners.push(chain[ahead]);
             }
-            // The chain now runs from the first to the last of the stretch, which is seen again.
+            // The stretch becomes one side, from its first to its last corner; the last is scanned again.
             done -= 1;
             chain[done - 1].open = if self.stretch.corners.len() == 3 {
                 self.fill_ear(first, why)
@@ -77,7 +82,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         self.orient2d([a.vertex, b.vertex, c.vertex]) == Greater
     }
 
-    /// Whether the stretch, strictly convex and closed by its chord, remains so with one more corner.
+    /// Whether the stretch with its chord, a strictly convex polygon, stays one with one more corner.
     fn stays_convex(&mut self, corner: Corner) -> bool {
         // In a stretch of three, `second` and `a` are the same corner.
         let corners = &self.stretch.corners;
@@ -91,7 +96,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Closes one corner; returns the open side that replaces its two.
     fn fill_ear(&mut self, [a, b, c]: [Corner; 3], why: Why) -> OpenId {
         let joined = [a, b].map(|corner| self.mesh.has_below(corner.open));
-        // The number of the first side becomes free for the chord where a triangle is joined there.
+        // If a triangle is joined at the first side, the chord takes over the number of that side.
         let chord = if joined[0] {
             a.open
         } else {
@@ -108,7 +113,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         chord
     }
 
-    /// What a triangle above the side from `corner` borders on.
+    /// What lies across the side from `corner` for a triangle above it.
     fn below_or_open(&self, corner: Corner) -> Side {
         if self.mesh.has_below(corner.open) {
             self.mesh.below(corner.open)

@@ -2,11 +2,11 @@
 
 use crate::ids::{OpenId, VertexId};
 
-/// A vertex of a chain and the open side from it to the next one (of the last one it means nothing).
+/// A vertex of a chain and the open side from it to the next one (meaningless for the last one).
 ///
-/// Where a triangle borders on the open side from outside, closing a corner joins that triangle and the
-/// new one, and their common side becomes a suspect. Where none does, the new triangle is what borders
-/// on it.
+/// If a triangle borders on the open side from outside, closing the corner joins it to the new triangle,
+/// and their common side becomes a suspect. If none does, the open side stays, and the new triangle
+/// borders on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) vertex: VertexId,

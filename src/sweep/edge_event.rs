@@ -1,28 +1,30 @@
 //! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted.
 //!
 //! Each edge is first surveyed from its upper to its lower end. Where it runs above the front, the
-//! pocket under it is filled (figures 13 and 14), after which the edge lies inside the triangulation.
-//! A part of it that is a side already is marked as fixed; for any other part the pierced triangles
-//! give way to two pseudo-polygons (figure 12). A vertex on the edge ends a part and starts the next,
-//! and overlapping edges share their parts.
+//! *pocket* between them is filled (figures 13 and 14). Then the edge lies inside the triangulation, and
+//! it is inserted part by part: each vertex on it ends one *part* and starts the next. A part that is a
+//! side already is marked as fixed. For any other part the pierced triangles are replaced by two
+//! pseudo-polygons (figure 12). Overlapping edges share their parts.
 //!
 //! ```text
-//!          upper                       A pocket under an edge (figure 13): the front falls away
-//!         /    ` .                     below the edge and comes back to it. Filled to its upper
-//!        /  pocket ` .                 hull, the pocket has the edge for a side, or triangles
-//!       /    ____      ` lower         that the edge pierces.
-//!      a ---b    c ----- d
+//!    upper                               A pocket (figure 13): the front runs below the edge, here at
+//!     \  ` . .                           a, b and c, and comes back to it. Filled to its upper hull,
+//!      \       ` . . edge                the pocket has the edge for a side. (Where the front comes
+//!       \ pocket     ` . .               back above the edge, as in figure 14, the edge pierces
+//!        a ----- b         ` . lower     triangles of the filled pocket.)
+//!                 `-.      .-'
+//!                    `-c-'
 //! ```
 //!
-//! Why it is right: a pocket lies between the front and a chord with both ends on or above the edge, so
-//! it is empty and filling it is a matter of the front alone. Inserting an edge takes visibility away,
-//! never adds any, so all sides that are not pierced remain locally Delaunay.
+//! Why it is right: a pocket lies above the front, so it is empty. It ends at nodes on or above the edge, so
+//! when it is filled, the edge lies inside the triangulation. A new edge blocks views and opens none, so all
+//! sides that it does not pierce remain locally Delaunay.
 //!
-//! Cost: the nodes and triangles that the edge meets, twice.
+//! Cost: the edge visits the nodes and triangles on its way twice, once to survey and once to insert.
 //!
-//! Differs from the paper: pockets are filled before triangles are removed, where the paper collects
-//! both into one lower pseudo-polygon; several edges at one vertex are inserted counter-clockwise, each
-//! starting its turn around the vertex where the one before left off.
+//! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in
+//! one lower pseudo-polygon.) Several edges at one vertex are inserted in an order that lets one turn
+//! around the vertex find them all. (The paper takes any order.)
 
 use std::cmp::Ordering::Equal;
 
@@ -40,7 +42,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
         let mut list = self.edges.at(upper).to_vec();
-        // Edges of no length are there already.
+        // An edge of no length needs nothing.
         list.retain(|&(lower, _)| lower != upper);
         if list.len() > 1 {
             list.sort_by(|&(a, _), &(b, _)| {
@@ -48,8 +50,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 // On one line: the nearer end first, which is the higher one.
                 turn.reverse().then_with(|| b.cmp(&a))
             });
-            // The leftmost edge goes first. Once it and the rightmost are in, the pockets beside the
-            // upper end are filled, and one turn around it finds all others.
+            // Counter-clockwise, but the last one, the rightmost, goes first. Once it and the leftmost
+            // are in, no pocket is left beside the upper end, and one turn around it finds all others.
             list.rotate_right(1);
         }
         let mut around = self.leftmost(upper);
@@ -65,10 +67,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         Ok(())
     }
 
-    /// Inserts one edge. `around` is a side opposite the upper end, and will be one near the edge.
+    /// Inserts one edge. `around` is a side opposite the upper end; afterwards it is one beside the edge.
     ///
-    /// An edge that it crosses is met by the survey, which follows it to its end: afterwards pockets are
-    /// filled and free sides are flipped, and the only new fixed sides are parts of this edge.
+    /// The survey follows the whole edge, so it finds any edge that crosses. What comes later fills pockets
+    /// and flips free sides; it fixes no other sides than the parts of this edge.
     fn insert_edge(
         &mut self,
         upper: VertexId,
@@ -98,8 +100,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         Ok(())
     }
 
-    /// Follows the whole edge and fills the pockets under it. Returns its only part if nothing of what
-    /// was found has changed since.
+    /// Follows the whole edge and fills the pockets under it. Returns the part if there is only one and
+    /// no pocket was filled, for then the obstacles found are still true.
     fn survey(
         &mut self,
         upper: VertexId,
@@ -127,8 +129,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         Ok(is_unchanged.then_some(first))
     }
 
-    /// Reports what is in the way of a part that has just been surveyed, when `pockets` of the edge were
-    /// known before. Returns how many are now.
+    /// Reports the position of a part that has just been surveyed. `pockets` of the edge were known before
+    /// it; returns how many are known now.
     fn report_part(&mut self, from: VertexId, part: Part, pockets: usize) -> usize {
         let now = self.obstacles.pockets.len();
         let has_pocket = now > pockets;
@@ -146,8 +148,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         now
     }
 
-    /// Makes a part of an edge a fixed side, after [`Sweep::traverse`] found what is in its way.
-    /// Returns a side opposite either end.
+    /// Makes a part of an edge a fixed side. [`Sweep::traverse`] has just found what is in its way.
+    /// Returns two sides, one opposite each end.
     fn insert_part(&mut self, from: VertexId, part: Part) -> [Side; 2] {
         if let Some(side) = part.present {
             self.fabric.mesh.fix(side);
@@ -162,8 +164,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
     }
 
-    /// Names the input edges that cross: the one being inserted and, of those that contain the fixed
-    /// side, the first.
+    /// Names the two input edges that cross: the one being inserted, and the first one of those that
+    /// contain the fixed side.
     fn crossing(&mut self, edge: u32, [r, s]: Crossed) -> Error {
         let mut crossed = u32::MAX;
         let (low, high) = (r.min(s), r.max(s));

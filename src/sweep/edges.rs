@@ -2,7 +2,7 @@
 //!
 //! An edge is listed at its end of higher rank, where the sweep line has passed all of it.
 //!
-//! Cost: O(n) for n points and edges: they are counted into place.
+//! Cost: O(n) for n points and edges, by a counting sort.
 //!
 //! Differs from the paper: the upper end of a horizontal edge is the one with larger x, since it is
 //! swept last. (The paper says the one with smaller x, against its own sort.)
@@ -14,7 +14,7 @@ use crate::ids::{VertexId, narrow};
 /// The input edges at their upper ends.
 #[derive(Debug, Default)]
 pub(super) struct Edges {
-    /// The edges whose upper end is `v` are `list[first[v]..first[v + 1]]`; empty without edges.
+    /// The edges whose upper end is `v` are `list[first[v]..first[v + 1]]`. Empty if there are no edges.
     first: Vec<u32>,
     /// The lower end and the input index.
     list: Vec<(VertexId, u32)>,
@@ -44,7 +44,8 @@ impl Edges {
             ends.push([upper, a.min(b)]);
             first[upper.index()] += 1;
         }
-        // Counts become the ends of the ranges, and each edge put in moves its range's end to its start.
+        // Counts become the ends of the ranges. Each edge is put in before the end of its range, which
+        // moves down, so that at last it is the start.
         let mut sum = 0;
         for count in &mut first {
             sum += *count;

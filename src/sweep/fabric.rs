@@ -1,8 +1,7 @@
-//! The triangles and what decides about them: the part of the sweep that knows neither the front nor
-//! the edges.
+//! The triangles and the exact signs: the part of the state that knows neither the front nor the edges.
 //!
 //! Legalization ([`super::legalization`]) and the filling of chains ([`super::chain`]) need no more than
-//! this; the rest of the sweep ([`super::state`]) has it and adds front and edges.
+//! this. The state of the whole sweep ([`super::state`]) contains it and adds the front and the edges.
 
 use std::cmp::Ordering;
 

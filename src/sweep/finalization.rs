@@ -1,17 +1,22 @@
-//! Finalization (section 3.5, figure 15): the hull is completed and the artificial triangles go.
+//! Finalization (section 3.5, figure 15): the hull is completed and the artificial triangles are removed.
 //!
-//! The upper hull is one Graham pass over the front from its first to its last real node
-//! ([`super::chain`]); those are the leftmost and the rightmost vertex, the upper ones of several. The
-//! lower hull is there already: the artificial triangles around P-1 and then P-2 border on it, one side
-//! each, and following them from P-1 to P-2 names its vertices. Then every triangle with an artificial
-//! vertex is taken out, and ranks become input indices.
+//! The upper hull: one Graham scan fills the front from its first to its last real node
+//! ([`super::chain`]). These two are the leftmost and the rightmost vertex, the upper ones of several.
+//!
+//! The lower hull needs no filling: its sides are those between real and artificial triangles. Following
+//! the artificial triangles around P-1 and then around P-2 lists its vertices. Then every triangle with an
+//! artificial vertex is removed, and ranks become input indices.
 //!
 //! ```text
-//!       first ___ ... ___ last       upper hull: the front, filled
-//!       / \                / \
-//!      /    lower hull ...    \      artificial triangles: around P-1 from `first` to the vertex
-//!    P-1 <-----------------> P-2     that has both P-1 and P-2, then around P-2 up to `last`
+//!            .-'-.     .-'-.           The front from `first` to `last` is filled to the upper hull.
+//!       first     `-.-'     `-last
+//!       /   `-.             .-'  \      The lower hull is first, a, b, last. The artificial triangles
+//!      /       a --------- b      \     follow it: first a P-1, a b P-1, then b P-2 P-1 at the turn,
+//!     /  .--'   ___...---'  `--.   \    then b last P-2.
+//!    P-1 <-----------------------> P-2
 //! ```
+//!
+//! Why it is right: for the upper hull see [`super::chain`], for the lower one [`super::artificial`].
 //!
 //! Cost: O(h) orientation tests for h nodes of the front, O(n) to number the vertices.
 //!
@@ -29,7 +34,7 @@ use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// Completes the triangulation and hands it over, with the search structure and the probe.
+    /// Completes the triangulation and returns it with the search structure and the probe.
     pub(super) fn finalize(mut self) -> (Triangulation, F, P) {
         self.fabric.probe.begin(Phase::Finalization);
         self.fabric.report(|_| Event::Finalization);
@@ -95,7 +100,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         hull
     }
 
-    /// Takes out the artificial triangles and turns ranks into input indices.
+    /// Removes the artificial triangles and turns ranks into input indices.
     fn remove_artificial(&mut self, triangles: &mut Vec<Triangle>) {
         let mut t = 0;
         while t < triangles.len() {
@@ -120,7 +125,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             for i in 0..3 {
                 relink(triangles, record.across(i), Side::HULL);
             }
-            // The last one takes its place; it was not looked at yet.
+            // The last triangle takes its place and is looked at next.
             triangles.swap_remove(t);
             if let Some(&moved) = triangles.get(t) {
                 for i in 0..3 {
@@ -131,7 +136,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 }
 
-/// Says what lies across `side`, if that is a triangle's.
+/// Sets what lies across `side`, if that is the side of a triangle.
 fn relink(triangles: &mut [Triangle], side: Side, across: Side) {
     if !side.is_open() {
         triangles[side.triangle().index()].set_across(side.corner(), across.fixed_as(side));

@@ -1,7 +1,7 @@
 //! Initialization (section 3.3): the vertices in sweep order, the edges at their upper ends, the
 //! artificial points and the first triangle.
 //!
-//! Cost: that of the order ([`super::order`]) and O(n) for n points and edges.
+//! Cost: that of the sort ([`super::order`]), and O(n) for n points and edges.
 //!
 //! Differs from the paper: see [`super::vertices`], [`super::edges`] and [`super::artificial`].
 
@@ -64,9 +64,9 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
     Ok(sweep)
 }
 
-/// Whether so many points or edges can be numbered.
+/// Refuses more points or edges than can be numbered.
 fn check_count(given: usize, too_many: impl Fn(usize, usize) -> Error) -> Result<(), Error> {
-    // Twice as many triangles as points, and some for the artificial ones.
+    // There are twice as many triangles as points, and a few artificial ones.
     let limit = Side::LIMIT / 2 - 4;
     if given > limit {
         Err(too_many(given, limit))

@@ -1,28 +1,32 @@
 //! Legalization (section 2, figures 2 and 3): sides that violate the empty circle property are swapped,
 //! and their neighbours tested in turn, until none violates it.
 //!
-//! Why it is right: a side is left alone if it is open, fixed, or passes the exact test of
-//! [`Signs::must_flip`](super::signs::Signs::must_flip); a flipped one puts its four neighbours under
-//! suspicion. When no suspect is left, every side is locally Delaunay, hence the whole constrained
-//! Delaunay (Lee and Lin 1986; Chew 1989). It ends, since each flip lowers the lifted surface, ties
-//! included (canonical rule).
+//! Why it is right: a side stays if it is open or fixed, or if it passes the exact test of
+//! [`Signs::must_flip`](super::signs::Signs::must_flip). A flip makes suspects of the four sides around
+//! the flipped one. When no suspect is left, every free side is locally Delaunay, and then the whole
+//! triangulation is constrained Delaunay (Lee and Lin 1986; Chew 1989). The flips end, because each one
+//! lowers the lifted surface, ties included (canonical rule).
 //!
-//! Two forms of the same. Around a *new* vertex `p` only the side opposite `p` of each triangle of its
-//! fan can be illegal, and a flip hands the fan another triangle: the fan is walked once.
+//! There are two forms. Around a *new* vertex `p` only the *outer* sides of its triangles, those opposite
+//! `p`, can be illegal. A flip gives `p` one more triangle, so one walk around `p` is enough:
 //!
 //! ```text
-//!               p                      The walk goes from triangle to triangle around p,
-//!             / | \                    from the left end of the fan to `last`. An illegal
-//!           /  |   \                   outer side a-b is flipped to p-q; then a-q and q-b
-//!         /  t |  ...\                 are outer sides, and the walk stays at a-q until it
-//!        a --- b ----- last            is legal.
-//!         \   /
-//!           q
+//!            p                            p               The walk goes through the fan of triangles
+//!          / | \                        /|\ \             around p, from left to right. The outer
+//!        /   |   \                     / | \  \           side a-b is illegal: it is flipped to p-q.
+//!      /     |     \         ->       /  |  \   \         Now a-q and q-b are outer sides. The walk
+//!     a ---- b --- last              a   |   b - last     stays at a-q until that is legal, and then
+//!      \    /                         \  |  /             goes on to q-b. It ends with the triangle
+//!        \/                            \ | /              whose right end is `last`.
+//!         q                              q
 //! ```
 //!
-//! Everywhere else a list of suspects is worked off.
+//! Everywhere else a stack of suspects is tested until it is empty.
 //!
-//! Differs from the paper: iterative, where the paper recurses.
+//! Cost: a test for each triangle of the fan and two for each flip; up to four for a flip elsewhere. A
+//! new vertex needs a constant number of flips on average (section 2).
+//!
+//! Differs from the paper: loops, where the paper recurses.
 
 use super::fabric::Fabric;
 use crate::ids::{TriangleId, VertexId};
@@ -32,8 +36,8 @@ use crate::scalar::Scalar;
 use crate::trace::{Event, Outcome};
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
-    /// Legalizes the outer sides of the fan of corner 0 of triangle `t`, from there on to the triangle
-    /// whose right end is `last`. Returns the outer side of that triangle.
+    /// Legalizes the outer sides of the fan around corner 0 of triangle `t`, from `t` to the triangle
+    /// whose right end is `last`. Returns the outer side of the last triangle.
     #[inline(always)]
     pub(super) fn legalize_fan(&mut self, t: TriangleId, last: VertexId) -> Side {
         let mut outer = Side::new(t, 0);
@@ -45,12 +49,13 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             if record.vertex(prev(i)) == last {
                 return outer;
             }
-            // Across the spoke to the right; there the corner after the one opposite is that of p.
+            // Cross the spoke on the right. In the triangle there, p is the corner after the one opposite
+            // the spoke.
             outer = record.across(next(i)).next();
         }
     }
 
-    /// Legalizes one side, and whatever that entails.
+    /// Legalizes one side, and then the sides that its flip makes suspect.
     #[inline(always)]
     pub(super) fn legalize_side(&mut self, side: Side) {
         if self.is_illegal(side) {
@@ -59,7 +64,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
     }
 
-    /// Works off the suspects.
+    /// Tests the suspects until none is left.
     pub(super) fn legalize(&mut self) {
         while let Some(suspect) = self.suspects.pop() {
             if self.is_illegal(suspect) {
@@ -68,7 +73,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
     }
 
-    /// Swaps a side, and suspects the four sides around it.
+    /// Swaps a side and makes the four sides around it suspects.
     fn flip_and_suspect(&mut self, side: Side) {
         let across = self.flip(side);
         let around = [side, side.prev(), across, across.prev()];

@@ -23,10 +23,10 @@
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
 //! settings of the heuristics [`crate::Heuristics`].
 //!
-//! Cost: O(n log n) expected on the inputs that one meets; O(n^2) at worst, since Lawson's flips can be
-//! that many for any algorithm that keeps a Delaunay triangulation of the points swept so far.
+//! Cost: about O(n log n) on ordinary inputs. O(n^2) at worst: on some inputs every algorithm that keeps a
+//! Delaunay triangulation of the points swept so far must make that many flips.
 //!
-//! Differs from the paper: see the parts.
+//! Differs from the paper: each file names its differences.
 
 mod artificial;
 mod basins;
@@ -58,7 +58,7 @@ use crate::scalar::Scalar;
 use crate::stats::Phase;
 use crate::triangulation::Triangulation;
 
-/// Called as `progress(swept, vertices)` now and then.
+/// Called as `progress(swept, vertices)` at intervals.
 pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;
 
 /// How many point events pass between two reports of progress.

@@ -2,18 +2,19 @@
 //! new vertex are closed by further triangles.
 //!
 //! ```text
-//!       p                        p            The angle at `corner` between p and `far` is below
-//!        \     far                \ ` far     pi/2 and turns left: triangle p, corner, far covers
-//!         \   /          ->        \   /      `corner`, which leaves the front. Then the angle at
-//!          \ /                      \ /       `far` is looked at.
-//!         corner                   corner
+//!      p                         p             To the right of p: the angle at `corner` between p
+//!       \                         \` .         and `far` is below pi/2, and p, corner, far turn left.
+//!        \     far       ->        \   far     Their triangle covers `corner`, which leaves the front.
+//!         \   /                     \  /       The next corner to test is `far`. To the left of p all
+//!         corner                   corner      is mirrored.
 //! ```
 //!
-//! Why it is right: angles steer, in plain floating point; a triangle is made only where the corner
-//! turns left by exact sign, and it lies above the front, where nothing is. Its outer side is legalized
-//! in the fan of the new vertex as if the spoke beside it were fixed, then the spoke.
+//! Why it is right: angles, in plain floating point, only choose which corners to try. A triangle is made
+//! only where an exact sign says that the corner turns inward, and it lies above the front, where nothing
+//! is. First the outer sides of the new triangle's fan are legalized, then the spoke from `p` to `corner`.
 //!
-//! Cost: a test of the angle and one of the turn for each corner closed, and one more a side.
+//! Cost: a test of the angle and one of the turn for each corner closed, and one more of each on either
+//! side of `p`.
 //!
 //! Differs from the paper: angles are compared by dot products; [`Corners::Wide`] goes a little beyond
 //! pi/2.
@@ -32,7 +33,7 @@ use crate::trace::Why;
 /// Square of the cosine of 110 degrees.
 const WIDE: f64 = 0.117;
 
-/// An angle at a corner, by plain floating point: its two arms, and their dot product.
+/// An angle at a corner, in plain floating point: its two arms and their dot product.
 struct Angle {
     arms: [[f64; 2]; 2],
     dot: f64,
@@ -45,7 +46,7 @@ impl Angle {
         self.dot > 0.0
     }
 
-    /// Whether it is below 110 degrees, if it is not acute.
+    /// Whether it is below 110 degrees. Only for an angle that is not acute.
     #[inline(always)]
     fn is_below_110_degrees(&self) -> bool {
         let [[ax, ay], [bx, by]] = self.arms;
@@ -63,13 +64,13 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     #[inline(always)]
     fn close_narrow(&mut self, p: VertexId, way: Way) {
-        // One obtuse corner a side: beside a long straight stretch each new vertex would else close
-        // many corners that the next one opens again.
+        // One obtuse corner on either side. Otherwise each new vertex beside a long straight stretch
+        // would close many corners that the next one opens again.
         let mut may_be_obtuse = self.heuristics.corners == Corners::Wide;
         loop {
             let corner = self.front.beside(p, way);
             let far = self.front.beside(corner, way);
-            // Beside an artificial end there is no node; what stands for it is above all numbers.
+            // An artificial end has no corner; the number beyond an end counts as artificial too.
             if self.fabric.signs.is_artificial(far) {
                 break;
             }
@@ -123,7 +124,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 }
 
-/// The turn at a corner beside the new vertex that leaves room for a triangle.
+/// The turn at a corner that leaves room for a triangle above it.
 #[inline(always)]
 fn inward(way: Way) -> Ordering {
     match way {

@@ -1,10 +1,10 @@
-//! What an edge runs into (section 3.4.2): found by the traversal ([`super::traversal`]), filled and
-//! removed by the edge event.
+//! What is in the way of an edge (section 3.4.2): pierced triangles and pockets of the front. The traversal
+//! ([`super::traversal`]) finds them, and the edge event removes the triangles and fills the pockets.
 
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::Side;
 
-/// What one part of an edge, down to the next vertex on it, runs into.
+/// One part of an edge: down to the next vertex on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
     /// The vertex where it ends.
@@ -13,14 +13,14 @@ pub(super) struct Part {
     pub(super) start: Side,
     /// A side opposite the vertex where it ends.
     pub(super) onward: Side,
-    /// The side that the part is, if it is there already; else triangles are pierced.
+    /// The side that the part is, if it is a side already; otherwise it pierces triangles or pockets.
     pub(super) present: Option<Side>,
 }
 
 /// Both vertices of a fixed side that the edge would cross.
 pub(super) type Crossed = [VertexId; 2];
 
-/// What the last part met, and the pockets under all parts.
+/// What is in the way of the last part, and the pockets under all parts of the edge.
 #[derive(Debug, Default)]
 pub(super) struct Obstacles {
     /// The pierced triangles, from the upper end down.
@@ -30,12 +30,12 @@ pub(super) struct Obstacles {
     pub(super) left: Vec<Side>,
     /// Those on the border of the one right of it.
     pub(super) right: Vec<Side>,
-    /// The nodes between which the front runs below the edge, left one first; of all parts.
+    /// For each pocket under the edge, of all parts, the two nodes where it begins and ends, left one first.
     pub(super) pockets: Vec<[VertexId; 2]>,
 }
 
 impl Obstacles {
-    /// Forgets what the part before met.
+    /// Forgets what was in the way of the part before.
     pub(super) fn begin_part(&mut self) {
         self.pierced.clear();
         self.left.clear();

@@ -1,11 +1,12 @@
 //! The sweep order of section 3.3: by y, then x, exactly.
 //!
-//! A coarse key, monotone in y, is sorted by counting; then every run of equal keys is sorted by exact
-//! comparison. Since the key never decreases where y grows, that is the exact order.
+//! The points are sorted by a coarse key of y, by counting. Then every run of equal keys is sorted by exact
+//! comparison.
 //!
-//! Cost: O(n) where the points spread over y, O(n log n) at worst, when all share one key; 16 bytes a
-//! point for a moment, 24 more if all share one key. The paper's initialization took up to two thirds
-//! of its time (table 2).
+//! Why it is right: the key never decreases where y grows, so points of different keys are in order.
+//!
+//! Cost: O(n) where the points spread over y, O(n log n) at worst, when all share one key. For a moment
+//! 16 bytes a point, and 24 more if all share one key.
 //!
 //! Differs from the paper: it sorts by comparison.
 
@@ -34,13 +35,14 @@ struct Keyed {
     input: u32,
 }
 
-/// Sorts the points; `approx` gives the approximated coordinates of the one with an input index.
+/// Sorts the points; `approx` gives the approximated coordinates of a point by its input index.
 pub(super) fn sort<S: Scalar>(
     points: &[[S; 2]],
     approx: impl Fn(u32) -> [f64; 2],
     scale: Scale,
 ) -> Order {
     let keyed = sort_by_key(points.len(), &approx);
+
     // Gather in a loop of its own: independent cache misses overlap.
     let mut sorted = Vec::with_capacity(points.len() + 2);
     sorted.extend(keyed.iter().map(|item| approx(item.input)));
@@ -49,6 +51,7 @@ pub(super) fn sort<S: Scalar>(
         input: keyed.iter().map(|item| item.input).collect(),
     };
 
+    // Runs of equal keys, sorted exactly.
     let mut sites: Vec<Site> = Vec::new();
     let mut from = 0;
     for run in keyed.chunk_by(|a, b| a.key == b.key) {
@@ -79,8 +82,8 @@ pub(super) fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &
 
 /// The points by a coarse key that never decreases with y.
 ///
-/// There are two to eight keys a point, so that runs of equal keys are short where y is spread; two
-/// counting passes of half the key's bits each.
+/// There are four to sixteen keys for each point, so runs of equal keys are short where y is spread. The
+/// keys are sorted in two counting passes, each by half of their bits.
 fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
     let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
     let keys = 1_usize << (2 * half);
@@ -98,6 +101,8 @@ fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
             input,
         })
         .collect();
+
+    // The lower half of the bits first; each pass keeps the order of equal digits.
     let mut sorted = vec![Keyed::default(); points];
     for shift in [0, half] {
         let digit = |item: &Keyed| (item.key >> shift) as usize & ((1 << half) - 1);
@@ -105,6 +110,7 @@ fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
         for item in &keyed {
             places[digit(item)] += 1;
         }
+        // Counts become the places where the digits begin.
         let mut sum = 0;
         for place in &mut places {
             sum += *place;

@@ -1,15 +1,16 @@
 //! The point event (section 3.4.1): the new vertex joins the front.
 //!
-//! Its vertical projection falls on a segment of the front, strictly inside (middle case, figure 7) or
-//! on the left end of it (left case, figure 8). The segment and the vertex make a triangle. The left
-//! case makes a second one, since two vertices above one another cannot both stay on the front. Then
-//! the heuristics add triangles: [`super::narrow_corners`] (figure 9) and [`super::basins`] (figure 10).
+//! Its vertical projection P_Q falls on a segment of the front: strictly inside (middle case, figure 7)
+//! or on the left end (left case, figure 8). The segment and the vertex make a triangle. The left case
+//! makes a second one, since two vertices one above the other cannot both stay on the front. Then the
+//! heuristics add triangles: [`super::narrow_corners`] (figure 9) and [`super::basins`] (figure 10).
 //!
 //! ```text
-//!   middle case:     p                left case:    p            The left case is the middle case,
-//!                  / : \                          / | \          and then the corner left of p is
-//!      ... --- left -+- right ---      ... - far  |   right -    closed: triangle p, far, left.
-//!                  P_Q                          \ | /
+//!   middle case:     p                left case:     p           In both cases: triangle p, left, right.
+//!                  / : \                          / | \
+//!                /   :   \                      /   |   \       In the left case the corner left of p
+//!   ... --- left ---P_Q--- right ---   ... - far    |    right   is then closed: triangle p, far, left.
+//!                                               \   |   /
 //!                                                left = P_Q
 //! ```
 //!
@@ -18,7 +19,7 @@
 //!
 //! Cost: a search, a few walk steps, and a constant number of triangles and flips on average.
 //!
-//! Differs from the paper: the left case is the middle case and one more corner.
+//! Differs from the paper: the left case is the middle case, and then one corner closed.
 
 use std::cmp::Ordering::{Equal, Greater};
 

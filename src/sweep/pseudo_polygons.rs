@@ -2,18 +2,20 @@
 //! two polygons left and right of it are triangulated.
 //!
 //! ```text
-//!           from                     The border of each pseudo-polygon is a chain of open sides with
-//!          / :  \                    its inside to the left: right of the edge from a down to b,
-//!        l1  :   r1                  left of it from b up to a. [`super::chain`] fills either to the
-//!       /    :    \                  edge, and the new triangles are joined to what lies outside.
-//!     l2     :     r2 -- h
-//!       \    :    /                  A hanging edge r2-h, both of whose triangles were pierced, is on
-//!        ` . :  /                    the chain twice, once from either side; its two open sides are
-//!           to                       joined to each other.
+//!            from                 The edge runs from `from` down to `to` (dotted). Seen along it, the
+//!          /  :  \                chain of r1 and r2 is on the right, that of l1, l2 and h on the left.
+//!        r1   :   l2              A chain has its inside to its left: the right one runs down, from,
+//!         |   :    |              r1, r2, to; the left one runs up, to, l1, h, l1, l2, from.
+//!         | R : L  |              [`super::chain`] fills R and L up to the edge. Then the new triangles
+//!         |   : h  |              are joined to those outside.
+//!         |   :  \ |
+//!        r2   :   l1              l1-h is a *hanging edge*: the triangles on both sides of it were
+//!          \  :  /                pierced. The left chain passes it twice, once on each side, and the
+//!            to                   two open sides are joined to each other.
 //! ```
 //!
-//! Why it is right: the new triangles are legalized among themselves; the border was legal and remains
-//! so, because the edge only takes visibility away.
+//! Why it is right: the new triangles are legalized among themselves. The sides on the border were legal
+//! and remain so, because the edge blocks views and opens none.
 //!
 //! Cost: O(k log k) for k pierced triangles, beyond the legalization.
 //!
@@ -33,21 +35,22 @@ use crate::trace::{Event, PseudoPolygon, Why};
 /// The open sides on the border of both pseudo-polygons.
 #[derive(Debug, Default)]
 struct Seams {
-    /// With what lies across.
+    /// Each with what lies across it.
     outer: Vec<(OpenId, Side)>,
     /// Hanging edges: the pierced triangle's side, what lies across, and the open side in its place.
     hanging: Vec<(Side, Side, OpenId)>,
 }
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
-    /// Makes the part from `from` to `to`, for which the traversal has just found the obstacles, a fixed
-    /// side. Returns a side opposite either end, of the triangle to the right of the part.
+    /// Makes the part from `from` to `to` a fixed side; the traversal has just found its `obstacles`.
+    /// Returns two sides of the triangle to the right of the part: one opposite each end.
     pub(super) fn replace_pierced(
         &mut self,
         from: VertexId,
         to: VertexId,
         obstacles: &Obstacles,
     ) -> [Side; 2] {
+        // The pierced triangles go, and leave two chains of open sides.
         self.remove_pierced(obstacles);
         let kept = self.mesh.count_open();
         let mut seams = Seams::default();
@@ -56,7 +59,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         let mut left = self.border(obstacles.left.iter().rev(), from, &mut seams);
         self.mesh.remove(&obstacles.pierced);
 
-        // An edge that goes down to the left has the upper pseudo-polygon to its right.
+        // An edge that runs down to the left has the upper pseudo-polygon on its right.
         let (left_polygon, right_polygon) = match self.signs.compare_x(from, to) {
             Ordering::Greater => (PseudoPolygon::Lower, PseudoPolygon::Upper),
             _ => (PseudoPolygon::Upper, PseudoPolygon::Lower),
@@ -75,7 +78,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         [right.prev(), right.next()]
     }
 
-    /// Marks the pierced triangles, whose places are used again once their borders are known.
+    /// Marks the pierced triangles. They are needed until the borders are known; then their places are
+    /// used again.
     fn remove_pierced(&mut self, obstacles: &Obstacles) {
         self.probe
             .count(|c| c.pierced += obstacles.pierced.len() as u64);
@@ -88,7 +92,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
     }
 
-    /// The chain of open sides in place of these sides of pierced triangles; it ends at `last`.
+    /// Replaces these sides of pierced triangles by a chain of open sides, which ends at `last`.
     fn border<'s>(
         &mut self,
         sides: impl Iterator<Item = &'s Side>,
@@ -108,7 +112,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         chain
     }
 
-    /// Fills a pseudo-polygon; its chain becomes the part of the edge alone.
+    /// Fills a pseudo-polygon. Of its chain only the part of the edge is left.
     fn fill_polygon(&mut self, chain: &mut Vec<Corner>, polygon: PseudoPolygon) {
         for corner in chain.iter() {
             self.report(|name| Event::Border {
@@ -124,7 +128,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         );
     }
 
-    /// Opens the side of a pierced triangle that borders on a pseudo-polygon.
+    /// Makes an open side for a side of a pierced triangle that borders on a pseudo-polygon.
     fn open_seam(&mut self, inner: Side, seams: &mut Seams) -> OpenId {
         let open = self.mesh.add_open();
         let outer = self.mesh.across(inner);

@@ -1,14 +1,15 @@
-//! Every decision of the sweep: exact signs on ranks, with a floating-point filter in front of the
-//! scalar and the canonical rule behind it. Tests with an artificial point are decided by the rules of
-//! [`super::artificial`].
+//! The decisions of the sweep as exact signs, with vertices named by rank; the empty circle test of section
+//! 2 (figures 2 and 3) is [`Signs::must_flip`].
 //!
-//! **Canonical rule.** Of four points on one circle the side stays that has the leftmost of them (the
-//! upper one of two) for an end. That is the sign of the in-circle test after the points lifted to the
-//! paraboloid are lowered symbolically, the leftmost most of all (a pulling triangulation). So no two
-//! triangulations tie, and Lawson's flips still end.
+//! **Stages.** The floating-point [`filter`] decides most signs from doubles. The scalar decides the others
+//! exactly. Rules decide the tests with an artificial point ([`super::artificial`]).
 //!
-//! **Stages.** The doubles of the vertices go through the floating-point [`filter`]; what it leaves open
-//! the scalar decides exactly.
+//! **Canonical rule.** Where four points lie on one circle, the side stays that ends at the leftmost of
+//! them (the upper one of two). This is the sign of the in-circle test after each point, lifted to the
+//! paraboloid, is lowered by a symbolic amount, the leftmost one most of all (a pulling triangulation). So
+//! there is one Delaunay triangulation, and Lawson's flips still end.
+//!
+//! Differs from the paper: it does not say how signs are computed, nor what happens in a tie.
 
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
@@ -18,7 +19,7 @@ use crate::ids::VertexId;
 use crate::probe::Probe;
 use crate::scalar::{Scalar, filter};
 
-/// The exact signs, by rank; what decided them is counted by a probe that the caller passes.
+/// The exact signs, by rank. A probe that the caller passes counts how they were decided.
 #[derive(Debug)]
 pub(super) struct Signs<'a, S> {
     points: &'a [[S; 2]],
@@ -99,7 +100,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
         sign
     }
 
-    /// Which side of the ray from `from` towards `to` the vertex `v` is on: `Greater` for the left.
+    /// On which side of the ray from `from` towards `to` the vertex `v` is: `Greater` for the left.
     /// `to` is real and of lower rank than `from`; `v` may be artificial.
     pub(super) fn side(
         &self,

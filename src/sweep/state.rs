@@ -2,10 +2,9 @@
 //! structure, and the edges still to come.
 //!
 //! Invariants between two events, for the vertices swept so far:
-//! - the region under the front and above the lower hull is triangulated, and so is, by artificial
-//!   triangles, all below;
-//! - that triangulation is the canonical constrained Delaunay one of its region, with the edges
-//!   inserted so far;
+//! - triangles fill the region under the front: real ones above the lower hull, artificial ones below it;
+//! - they are the canonical constrained Delaunay triangulation of that region with the edges inserted so
+//!   far;
 //! - the front runs from P-1 to P-2 and is strictly x-monotone.
 
 use super::corner::Corner;
@@ -78,7 +77,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.fabric.legalize();
         self.fabric.mesh.forget_open(kept);
 
-        // What the hull of the chain passes over is covered.
+        // The nodes between two neighbours on the hull are covered now.
         for k in 1..self.chain.len() {
             let [left, right] = [self.chain[k - 1].vertex, self.chain[k].vertex];
             while self.front.next(left) != right {

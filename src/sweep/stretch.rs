@@ -1,9 +1,11 @@
 //! A convex stretch of a chain while it is closed: its corners, and the random order in which they are
 //! inserted (Chew 1990).
 //!
-//! The polygon of the stretch is triangulated backwards: taken out in reverse order of insertion, each
-//! corner notes its two neighbours among those left. Inserted again in order, a corner makes one
-//! triangle with these two neighbours.
+//! Which triangle does a corner make when it is inserted? To find out, the corners are first taken out of
+//! the polygon in reverse order, and each one keeps its two neighbours among those left. Inserted in
+//! order, each corner makes a triangle with these two.
+//!
+//! Cost: O(k) for k corners.
 
 use super::corner::Corner;
 use crate::ids::OpenId;
@@ -22,7 +24,7 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// Draws an order of insertion for the inner positions, always the same one for one length.
+    /// Draws a random order of insertion for the inner positions; it depends on their number alone.
     pub(super) fn draw(&mut self) {
         let len = crate::ids::narrow(self.corners.len());
         self.order.clear();
@@ -38,7 +40,7 @@ impl Stretch {
         self.prev.extend((0..len).map(|i| i.saturating_sub(1)));
         self.next.clear();
         self.next.extend(1..=len);
-        // Taken out in reverse, each keeps the neighbours that it had last.
+        // Taken out in reverse order, each corner keeps the neighbours that it had last.
         for &u in self.order.iter().rev() {
             let [v, w] = [self.prev[u as usize], self.next[u as usize]];
             self.next[v as usize] = w;

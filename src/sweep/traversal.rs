@@ -1,29 +1,32 @@
-//! Traversal along an edge (section 3.4.2, figures 11 to 14): which triangles it pierces, and where it
-//! runs above the front.
+//! Traversal along an edge (section 3.4.2, figures 11 to 14): finds the triangles that the edge pierces,
+//! and where it runs above the front.
 //!
-//! From a vertex the edge leaves into one of the triangles around it (figure 11) or, where the vertex
-//! is on the front, into the gap above. Then it passes from triangle to triangle, out through a front
-//! segment, along the front, and back in, until it meets a vertex: its lower end or one that lies on
-//! it. That is one *part* of the edge; the next one starts at that vertex.
+//! From a vertex the edge leaves into one of the triangles around it (figure 11) or, if the vertex is on
+//! the front, into the gap above the front. It passes from triangle to triangle; it may leave through a
+//! front segment, run above the front, and enter the triangles again. A *part* of the edge ends at the
+//! first vertex that it meets: its lower end, or a vertex on it. There the next part starts.
 //!
 //! ```text
-//!              upper end                 A mixed edge event (figure 14): the edge pierces triangles
-//!             /|\                        down to a, leaves them across the front segment a-b,
-//!            / | \      b . . . pocket   follows the front below it from b to c, and pierces
-//!           /__|__\    /  ` . . . . d    triangles again from the segment c-d on. The front
-//!          a . . . `. /        ` . /     between a and d is a pocket, to be filled first.
-//!                    b           c
+//!    upper --.__                            A mixed edge event (figure 14). The dots are the edge, the
+//!      ` .      `-- a                       lines are the front; triangles lie below the front. The
+//!          ` .       \                      edge pierces triangles below the front from upper to a.
+//!              ` .    \           d         It leaves them across the segment a-b. The traversal then
+//!                  ` . \  gap    / \        follows the front, which runs below the edge from b to c.
+//!                      `\.      /   \       The segment c-d rises above the edge: the edge enters the
+//!                        \ ` . /     \      triangles again and ends at lower. The front from a to d
+//!                         b   /` .    \     is a pocket, which is filled before the edge is inserted.
+//!                          `-c     ` . lower
 //! ```
 //!
 //! Why it is right: every step is decided by the exact side of one vertex. The front is x-monotone and
-//! the lower end lies on it or under it, so a walk below the edge comes to a vertex on or above it.
-//! Artificial triangles lie outside the convex hull and are never pierced. A fixed edge in the way
-//! means that the input edges cross.
+//! the lower end lies on it or under it, so a walk below the edge comes to a vertex on or above the edge.
+//! Artificial triangles lie outside the convex hull and are never pierced. If a fixed side is in the way,
+//! two input edges cross.
 //!
-//! Cost: the degree of the first vertex, and one test a pierced triangle or node passed.
+//! Cost: the degree of the first vertex, and one test for each triangle pierced or node passed.
 //!
-//! Differs from the paper: it only looks. The pockets that it finds under the edge are filled first,
-//! so that then the edge runs through triangles alone.
+//! Differs from the paper: the traversal changes nothing. The edge event fills the pockets that it finds
+//! and traverses the edge again, now through triangles alone.
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
@@ -38,7 +41,7 @@ use crate::trace::Event;
 
 /// How an edge leaves a vertex.
 enum Departure {
-    /// Along a side that is there already.
+    /// Along a side of the triangulation.
     Along(Part),
     /// Into a triangle, across this side of it, opposite the vertex.
     Into(Side),
@@ -46,13 +49,14 @@ enum Departure {
     Above,
 }
 
-/// Where a part is on its way.
+/// How far a part has come.
 enum Place {
     /// Entering a triangle across this side of it.
     Side(Side),
-    /// Above the front, out across the segment between these nodes or away from the one twice named.
+    /// Above the front. It left the triangles across the segment between these nodes; both are the start
+    /// of the part if that begins above the front.
     Front([VertexId; 2]),
-    /// At the vertex that ends it; a side opposite to that.
+    /// At the vertex that ends it, with a side opposite that vertex.
     End(VertexId, Side),
 }
 
@@ -96,19 +100,19 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Turns counter-clockwise around `from` to where the edge leaves (figure 11).
     fn depart(&mut self, from: VertexId, to: VertexId, around: Side) -> Departure {
         let mut at = around;
-        // On which side of the edge the first vertex of the triangle is, known from the one before.
+        // The side of the edge that `a` is on, where the triangle before has already tested it.
         let mut known = None;
         loop {
             let [_, a, b] = self.fabric.mesh.around(at);
             let mut sides = [Equal; 2];
-            // Sides from `from` to `a` and to `b`, and those opposite `a` and `b`.
+            // For `a` and for `b`: the side between `from` and it, and the side opposite it.
             let spokes = [(a, at.prev(), at.next()), (b, at.next(), at.prev())];
             for (i, (v, spoke, onward)) in spokes.into_iter().enumerate() {
                 sides[i] = match known.take() {
                     Some(side) => side,
                     None => self.fabric.side([from, to], v),
                 };
-                // A vertex on the line is ahead if it is lower, as the edge's end is.
+                // A vertex on the line lies on the edge if it is lower than `from`, and behind otherwise.
                 if sides[i] == Equal && v < from {
                     return Departure::Along(Part {
                         end: v,
@@ -121,6 +125,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             if sides == [Less, Greater] {
                 return Departure::Into(at);
             }
+            // On to the next triangle; at the right end of the front, on from the left.
             let across = self.fabric.mesh.across(at.next());
             (at, known) = if across.is_open() {
                 (self.leftmost(from), None)
@@ -159,8 +164,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     fn pass_triangle(&mut self, part: [VertexId; 2], entry: Side) -> Result<Place, Crossed> {
         let v = self.fabric.mesh.opposite(entry);
         let side = self.fabric.side(part, v);
-        // The side beyond `v` is a border of the left or right pseudo-polygon; at the end of the part
-        // there is one on either side.
+        // The edge leaves across one of the other two sides; the remaining one borders on the left or the
+        // right pseudo-polygon. At the end of the part both do.
         self.obstacles.pierced.push(entry.triangle());
         if side != Less {
             self.obstacles.left.push(entry.prev());
@@ -185,7 +190,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             to_front: true,
             segment: segment.map(name),
         });
-        // Of a segment's ends the first one on the way lies above the edge, the other one below.
+        // Of the ends of a crossed segment the first one on the way is above the edge, the other below.
         let [left, right] = segment;
         let (way, node, below) = match self.fabric.signs.compare_x(part[0], part[1]) {
             Less => (Way::Right, left, Less),
@@ -214,7 +219,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             return Ok(Place::End(at, self.leftmost(at)));
         }
 
-        // The front rises above the edge: back into the triangles across this segment.
+        // The front rises above the edge: the edge enters the triangles across this segment.
         let crossed = in_order(last, at);
         self.fabric.report(|name| Event::Switch {
             to_front: false,

@@ -1,12 +1,13 @@
 //! The vertices (section 3.3): the distinct points in sweep order.
 //!
-//! Every distinct point gets its *rank* in that order, and everything after works on ranks: neighbours
-//! in the sweep are neighbours in memory. Equal points merge into the one with the lowest input index.
+//! Every distinct point gets its *rank* in that order. All that follows works on ranks, so that points
+//! swept one after the other are near each other in memory. Equal points merge into the one with the
+//! lowest input index.
 //!
 //! Why it is right: the order is exact ([`super::order`]), so equal points are neighbours in it, and
 //! the lowest index comes first.
 //!
-//! Cost: that of the order, and O(n) for n points.
+//! Cost: that of the sort, and O(n) for n points.
 //!
 //! Differs from the paper: it does not say what becomes of equal points.
 
@@ -37,7 +38,7 @@ impl Vertices {
             return Err(Error::NonFiniteCoordinate { vertex });
         }
         let approximate = |p: &[S; 2]| [p[0].approx(), p[1].approx()];
-        // Approximations that are the values are cheap: computed again instead of stored.
+        // Exact approximations are cheap: they are computed again instead of stored.
         let stored: Vec<[f64; 2]> = if S::APPROX_IS_EXACT {
             Vec::new()
         } else {

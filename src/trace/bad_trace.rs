@@ -1,4 +1,4 @@
-//! Why a text is no trace, or a trace none of a run.
+//! Why a text is not a trace, or a trace is not that of a run.
 
 use std::fmt;
 

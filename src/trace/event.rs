@@ -1,4 +1,4 @@
-//! What the sweep does, in the paper's words: one value a step, indices only.
+//! What the sweep does, in the paper's words: one value for each step, made of indices only.
 //!
 //! The same input gives the same events for every scalar that holds it and for every search structure
 //! (whose own steps [`crate::Counters`] counts). Heuristics change the events, since
@@ -218,11 +218,11 @@ pub enum Why {
     serde(rename_all = "kebab-case")
 )]
 pub enum Outcome {
-    /// The edge is locally Delaunay, and the canonical one where that is a tie.
+    /// The side is locally Delaunay, and in a tie it is the canonical one.
     Legal,
     /// It is not, and is flipped next.
     Illegal,
-    /// It is constrained and stays.
+    /// It is constrained, so it stays.
     Fixed,
 }
 

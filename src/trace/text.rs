@@ -1,8 +1,8 @@
 //! Traces as text: one line a step, in the paper's words, to be read beside the paper.
 //!
 //! The format is that of [`fmt::Display`] for [`Event`]; see [`crate::trace`]. A line is read by its
-//! words, and refused unless what was read is written as the same line: so reading cannot be more
-//! tolerant than it should be.
+//! words. Then the event is written again, and the line is refused unless it is the same. So nothing is
+//! read that could not have been written.
 
 use std::fmt;
 use std::io::{self, Write};

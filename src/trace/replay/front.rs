@@ -1,8 +1,8 @@
 //! The advancing front of a replay: a doubly linked list by vertex.
 //!
-//! Every segment is a side of the triangle below it, and has none above, but for the time in which
-//! triangles are added above it and before the vertices that they cover are taken off. Segments that
-//! change are noted, and checked when the step is over.
+//! Every segment has a triangle below it and none above. That is not so for a moment, when triangles above
+//! the front have been added and the vertices that they cover have not yet left it. So segments that
+//! change are listed, and checked when the step is complete.
 
 use std::collections::HashMap;
 
