@@ -5,8 +5,16 @@ use std::{fs, io};
 
 use crate::{Fault, plant, root};
 
-/// What of the crate's folder is needed to build a target.
-const NEEDED: [&str; 5] = ["Cargo.toml", "README.md", "benches", "src", "testing"];
+/// What of the crate's folder is needed to build a target: all that its manifest names.
+const NEEDED: [&str; 7] = [
+    "Cargo.toml",
+    "README.md",
+    "benches",
+    "examples",
+    "src",
+    "testing",
+    "tests/targets",
+];
 /// What of the fuzz workspace.
 const NEEDED_OF_FUZZ: [&str; 5] = [
     "Cargo.toml",

@@ -23,7 +23,7 @@ pub const CHOICE: &str = "SWEEP_CDT_FAULT";
 
 const TABLES: [&str; 11] = [
     include_str!("../faults/order.toml"),
-    include_str!("../faults/predicates.toml"),
+    include_str!("../faults/signs.toml"),
     include_str!("../faults/point.toml"),
     include_str!("../faults/fill.toml"),
     include_str!("../faults/edge.toml"),
