@@ -1,5 +1,6 @@
-//! How the time grows with the number of points where a sweep might suffer: all on a line, a circle, a
-//! parabola, in one column or row, a lattice, an edge through the whole front, a star of edges.
+//! How the time grows with the number of points on inputs that are hard for a sweep: points on a line, a
+//! circle or a parabola, in one column or row, on a lattice; an edge through the whole front; a star of
+//! edges.
 //!
 //! `cargo bench --bench growth [-- MOST [FRONT]]` goes up to `MOST` points (a million unless named) and
 //! uses the front `hash` (unless named), `skip-list` or `linear`. Printed are nanoseconds a point and,

@@ -20,7 +20,7 @@ pub(super) fn rules() -> String {
     )
 }
 
-/// Writes a caption below and to the right of a corner, so many units wide.
+/// Writes a caption with its upper left corner at a place, `width` units wide.
 pub(super) fn write(
     out: &mut impl Write,
     [x, y]: [i64; 2],
@@ -44,7 +44,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// The words of a text in lines of at most so many letters; a longer word has a line of its own.
+/// The words of a text in lines of at most `letters` letters; a longer word has a line of its own.
 fn wrapped(text: &str, letters: usize) -> Vec<String> {
     let length = |text: &str| text.chars().count();
     let mut lines: Vec<String> = Vec::new();

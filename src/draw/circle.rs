@@ -4,10 +4,10 @@ use std::io::{self, Write};
 
 use super::window::{PIXEL, Window};
 
-/// Circles with a larger radius than this are left out: they are all but straight.
+/// Circles with a larger radius are not drawn: they would look straight.
 const LARGEST: i64 = 100_000 * PIXEL;
 
-/// A circle by its middle and radius.
+/// A circle by its centre and radius.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Circle {
     middle: [f64; 2],
@@ -15,7 +15,7 @@ pub(super) struct Circle {
 }
 
 impl Circle {
-    /// The circle through three points, as well as doubles can tell; none if they are on one line.
+    /// The circle through three points, computed in doubles; `None` if they are on one line.
     pub(super) fn through([a, b, c]: [[f64; 2]; 3]) -> Option<Circle> {
         let [[bx, by], [cx, cy]] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1]]);
         // Scaled, so that squares of tiny distances do not vanish.

@@ -1,6 +1,6 @@
 //! How the parts of a triangulation look: hull, inner sides, input edges and vertices.
 //!
-//! Lines are the thinner the nearer the vertices, so that ten points make as clear a picture as a million.
+//! The closer the vertices, the thinner the lines, so that a million points make as clear a picture as ten.
 
 use super::palette::{BLUE, GREY, INK, ORANGE, SAND};
 use super::window::{PIXEL, units};

@@ -21,7 +21,7 @@ pub(super) struct Panels {
 }
 
 impl Panels {
-    /// The layout of so many square panels.
+    /// The layout of `count` square panels.
     pub(super) fn new(count: usize) -> Panels {
         let columns = match count {
             0 | 1 => 1,

@@ -2,8 +2,8 @@
 //!
 //! From back to front: the hull's area (pale) and border (a broad orange band, so that an edge on the
 //! border shows inside it), sides of triangles (thin, grey), input edges (blue), vertices (dark dots)
-//! and their numbers in the file; dots and numbers only where there is room for them. Each line is drawn
-//! once, as part of a stroke as long as possible, in relative whole units: about 10 bytes a side.
+//! and their numbers in the file. Dots and numbers are drawn only if there is room for them. Each line is
+//! drawn once, as part of a long stroke, in relative whole units: about 10 bytes a side.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -17,9 +17,9 @@ use crate::formats::Graph;
 use crate::formats::pairs::sorted_pairs;
 use crate::scalar::Scalar;
 
-/// Up to how many vertices numbers are written.
+/// Up to this many vertices get numbers.
 const MOST_NUMBERS: usize = 60;
-/// From which spacing on, in pixels, vertices are drawn.
+/// Vertices are drawn if they are about this many pixels apart, or more.
 const LEAST_SPACING: f64 = 8.0;
 /// The longer side of the points' bounding box.
 const LONG_SIDE: i64 = 1000 * PIXEL;

@@ -8,7 +8,7 @@ use std::io::{self, Write};
 use super::palette::{INK, PAPER};
 use super::window::PIXEL;
 
-/// A path ends when its text is that long: some programs refuse much longer attributes.
+/// A path is ended when its text is this long: some programs refuse much longer attributes.
 const LONGEST_PATH: usize = 100_000;
 
 /// Begins a picture with the style rules of its classes.

@@ -1,6 +1,6 @@
 //! Lines of a drawing joined to long strokes, which are shorter to write than their pieces.
 
-/// Walks that use each edge once, greedily long: from vertices with an odd number of edges first,
+/// Long walks that together use each edge once. They start at vertices with an odd number of edges first,
 /// since a walk must begin or end there.
 ///
 /// Cost: linear.

@@ -18,7 +18,7 @@ pub(super) struct Window {
 }
 
 impl Window {
-    /// A window on a part of the plane, the longer side of which becomes so many units long.
+    /// A window on a part of the plane, whose longer side becomes this many units long.
     pub(super) fn new(part: Bounds, longer: i64) -> Window {
         let longer = longer as f64;
         let size = part.size.map(|side| units(side / part.unit() * longer));
@@ -34,7 +34,7 @@ impl Window {
 
     /// A distance in the picture.
     pub(super) fn length(&self, distance: f64) -> i64 {
-        // Divided first: the quotient is what cannot overflow where a window is tiny.
+        // Divide first: the quotient does not overflow, even where a window is tiny.
         units(distance / self.part.unit() * self.longer)
     }
 

@@ -37,7 +37,7 @@ impl Domain {
             }
         }
         for (i, &side) in declared.iter().enumerate() {
-            // One side cannot be the boundary twice.
+            // A side is on the boundary once at most.
             let again = i > 0 && declared[i - 1] == side;
             if again || found.binary_search_by_key(&side, |found| found.0).is_err() {
                 let side = soup.names(side);
@@ -48,7 +48,7 @@ impl Domain {
 
     /// Whether a vertex lies in the domain or on its boundary: whether the declared sides wind round it.
     ///
-    /// Sides count that pass below the vertex, those to the right once, those to the left minus once.
+    /// Each side that passes below the vertex counts: +1 if it runs to the right, -1 if to the left.
     /// *Below* and *right* are meant in the order (x, y), so that no side ends exactly below it.
     ///
     /// ```text

@@ -46,7 +46,7 @@ pub(super) fn representatives<S: Scalar>(
     found
 }
 
-/// Mixes two doubles; zeros of both signs alike.
+/// Mixes two doubles. Zeros of both signs give the same hash.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "folds both halves into one"

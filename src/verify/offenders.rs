@@ -1,4 +1,4 @@
-//! The numbers in a violation: collected, or replaced by those of another numbering.
+//! The indices in a violation: collected, or replaced by the numbers of a file.
 
 use std::slice::from_mut;
 

@@ -13,7 +13,7 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// Nothing checked yet; of the violations up to `limit` will be listed.
+    /// Nothing is checked yet. At most `limit` violations will be listed.
     pub(super) fn new(limit: usize) -> Record {
         Record {
             report: Report::default(),

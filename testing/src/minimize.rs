@@ -31,7 +31,7 @@ pub fn minimize(test: &dyn Fn(&Input), input: &Input) -> Input {
     least
 }
 
-/// Drops runs of so many things, one after the other, where `test` panics without them too.
+/// Drops runs of things of a given length, one after the other, where `test` panics without them too.
 fn drop_runs(
     test: &dyn Fn(&Input),
     mut least: Input,

@@ -1,12 +1,12 @@
 //! Other crates behind one signature.
 //!
-//! They may panic, recurse without end or never come back: who calls them must take that into account.
+//! They may panic, recurse without end or never return: callers must be prepared for that.
 
 use std::collections::HashMap;
 
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
-/// Triangles, or in which words the input is refused.
+/// Triangles, or the message with which the input is refused.
 pub type Answer = Result<Vec<[usize; 3]>, String>;
 
 /// A crate's function.

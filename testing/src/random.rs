@@ -34,7 +34,7 @@ impl Random {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// So many points of the unit square.
+    /// Random points in the unit square.
     pub fn points(&mut self, count: usize) -> Vec<[f64; 2]> {
         (0..count).map(|_| [self.unit(), self.unit()]).collect()
     }
@@ -61,7 +61,7 @@ impl Random {
         self.bits().to_le_bytes()[0]
     }
 
-    /// So many random bytes.
+    /// Random bytes.
     pub fn bytes(&mut self, n: usize) -> Vec<u8> {
         (0..n).map(|_| self.byte()).collect()
     }

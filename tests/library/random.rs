@@ -32,7 +32,7 @@ fn number(variable: &str, default: u64) -> u64 {
     std::env::var(variable).map_or(default, |text| text.parse().expect(variable))
 }
 
-/// Tests the inputs of so many seeds; ends the program if one of them does not end.
+/// Tests the inputs of many seeds; ends the program if one of them does not end.
 fn for_seeds(count: u64, test: impl Fn(u64)) {
     let first = number("SWEEP_CDT_SEED", 0);
     let current = AtomicU64::new(first);

@@ -1,11 +1,11 @@
 //! Plants the faults, builds the targets, and reports how many executions each target needs for each fault.
 //!
-//! In `fuzz`, `cargo run --release -p sweep-cdt-planted-faults > ../docs/planted-faults.md` writes the page of
-//! all faults; with words after it, the command prints the rows of those whose names contain one of them.
+//! In `fuzz`, `cargo run --release -p sweep-cdt-planted-faults > ../docs/planted-faults.md` writes the page
+//! of all faults. With words as arguments, the command prints the faults whose names contain one of them.
 //!
-//! Each target gets [`FEW`] executions for each fault. For a fault that none has found then, one target after
-//! the other gets [`MANY`], until one finds it. For the page, each target also gets [`MANY`] executions of the
-//! crate without a fault and must not fail. The command fails if one does, or if no target finds a fault.
+//! Each target gets [`FEW`] executions for each fault. If none has found it by then, one target after the
+//! other gets [`MANY`] until one finds it. For the page, each target also gets [`MANY`] executions of the
+//! crate without a fault and must not fail. The command fails if a target does, or if a fault is not found.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -53,7 +53,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Makes a row for each fault or none, as many at a time as the machine has cores.
+/// Makes a row for each fault, and one for none, as many at a time as the machine has cores.
 fn in_parallel(numbers: &[Option<usize>], make: impl Fn(Option<usize>) -> Row + Sync) -> Vec<Row> {
     let left = Mutex::new(numbers.iter().enumerate());
     let done = Mutex::new(vec![Row::new(); numbers.len()]);

@@ -5,8 +5,8 @@
 //! the answer is the same. Mirrored or turned by 90 degrees, the rule for four vertices on a circle draws
 //! other diagonals, but all other sides are the same. Where edges cross, every one of these says so.
 //!
-//! The judge is the crate itself on an input that takes it other ways: doubles at which other filters
-//! fail, other flips, another side of every asymmetry. The oracle, which shares no code with the crate, says
+//! The judge is the crate itself, which takes other ways on the other input: filters fail elsewhere, other
+//! sides are flipped, left and right change places. The oracle, which shares no code with the crate, says
 //! what mirrors may change, and whether edges cross.
 
 use sweep_cdt::{Corners, Error, Heuristics, Triangulator};

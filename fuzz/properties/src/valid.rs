@@ -1,8 +1,9 @@
-//! Any structured input ends in what it must: a triangulation that is right, or the error that is right.
+//! Every structured input gives the right triangulation or the right error.
 //!
-//! Three judges: the exact verifier of the crate, which shares no code with the sweep but the scalar's
-//! predicates; [`check`], which shares nothing and tests sides one by one in integers; and for small inputs
-//! [`verdict`], which builds the answer from its definition.
+//! Three judges: the verifier of the crate, which shares the signs of `src/scalar` (filter and exact
+//! predicates) with the sweep and nothing else; [`check`], which shares no code with the crate and tests
+//! sides one by one in integers; and for small inputs [`verdict`], which builds the answer from its
+//! definition.
 
 use sweep_cdt::{Error, triangulate};
 
@@ -10,7 +11,7 @@ use crate::reached;
 use sweep_cdt_testing::oracle::{check, crosses, verdict};
 use sweep_cdt_testing::{Input, generators};
 
-/// Up to so many points the answer is built from its definition.
+/// Up to this many points the answer is built from its definition.
 const BY_DEFINITION: usize = 6;
 
 /// The property for the input that the bytes stand for.

@@ -86,8 +86,8 @@ enum TraceFormat {
 }
 
 impl TraceFormat {
-    /// Whether all steps are needed: a picture shows what the steps before it made, a page says how many
-    /// steps there are.
+    /// Whether all steps are needed: a picture shows the result of the steps before it, and a page says
+    /// how many steps there are.
     fn needs_all(self) -> bool {
         matches!(self, TraceFormat::Page | TraceFormat::Sheet)
     }

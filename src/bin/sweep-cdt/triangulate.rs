@@ -37,8 +37,8 @@ pub(crate) struct Triangulate {
 
     /// Verify the result before anything is written
     ///
-    /// The verifier shares the exact predicates with the sweep and no other code; see `sweep-cdt
-    /// verify`.
+    /// The verifier shares the signs (filter and exact predicates) with the sweep and nothing else; see
+    /// `sweep-cdt verify`.
     #[arg(long)]
     verify: bool,
 

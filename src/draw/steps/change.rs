@@ -4,7 +4,7 @@ use serde::ser::{Serialize, SerializeSeq, Serializer};
 
 use crate::trace::{Event, Outcome, PseudoPolygon, Vertex, Why};
 
-/// A change of the picture. The last four only point at something, while their step is shown.
+/// A change of the picture. The last four only highlight something while their step is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Change {
     /// The sweep line comes to a vertex; the edge event before it is over.
@@ -65,7 +65,7 @@ impl Change {
         }
     }
 
-    /// The vertices that one should see to follow it.
+    /// The vertices that the picture must show.
     pub(super) fn vertices(&self) -> Vec<usize> {
         let (_, codes) = self.code();
         let real = |code: &i64| usize::try_from(*code).ok();

@@ -1,7 +1,7 @@
 //! The page: one file that needs nothing else, with the steps in it.
 //!
-//! The script keeps copies of the scene at regular intervals, so that any step is a jump to one of them and
-//! a few changes away.
+//! The script keeps copies of the scene at regular intervals. To show a step, it takes the copy before it and
+//! applies a few changes.
 
 use std::io::{self, Write};
 use std::ops::RangeInclusive;

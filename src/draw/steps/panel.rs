@@ -11,9 +11,9 @@ use crate::draw::svg;
 use crate::draw::window::{PIXEL, Window};
 use crate::trace::{Outcome, Vertex};
 
-/// Up to how many points the whole is drawn; of more only the surroundings of the step.
+/// Up to this many points the whole input is drawn; with more, only the surroundings of the step.
 const MOST_POINTS: usize = 300;
-/// Vertices get numbers where they are so far apart, in pixels.
+/// Vertices get numbers if they are at least this many pixels apart.
 const ROOM_FOR_NUMBERS: f64 = 24.0;
 
 /// A part of the plane, and all points and edges.
@@ -25,7 +25,7 @@ pub(super) struct Panel<'a> {
 }
 
 impl<'a> Panel<'a> {
-    /// A panel that shows the last step of `scene`, at most so many units wide and high.
+    /// A panel that shows the last step of `scene`, at most `side` units wide and high.
     pub(super) fn new(
         points: &'a [[f64; 2]],
         edges: &'a [[usize; 2]],
@@ -105,7 +105,7 @@ impl<'a> Panel<'a> {
         self.vertices(scene, out)
     }
 
-    /// Points at what a change is about; lines have this class.
+    /// Highlights what a change is about, with lines of the class `line`.
     fn highlight(&self, change: &Change, line: &str, out: &mut impl Write) -> io::Result<()> {
         match change {
             Change::Line(ends) => self.shapes(line, svg::line, [ends], out),
@@ -179,7 +179,7 @@ impl<'a> Panel<'a> {
         Ok(())
     }
 
-    /// Draws a circle of so many pixels around a place.
+    /// Draws a circle around a place, with its radius in pixels.
     fn circle(
         &self,
         class: &str,
@@ -214,7 +214,7 @@ impl<'a> Panel<'a> {
         self.point(vertex).map(|point| self.window.place(point))
     }
 
-    /// Where a vertex is; nowhere if it is artificial.
+    /// Where a vertex is; `None` if it is artificial.
     fn point(&self, vertex: Vertex) -> Option<[f64; 2]> {
         match vertex {
             Vertex::Input(index) => self.points.get(index as usize).copied(),

@@ -18,7 +18,7 @@ pub(super) struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// The steps with these numbers, as far as there are any, and at most so many.
+    /// The steps with these numbers, as far as they exist, and at most `most` of them.
     pub(super) fn new(all: &'a [Event], steps: &RangeInclusive<usize>, most: usize) -> Part<'a> {
         let start = steps.start().saturating_sub(1).min(all.len());
         let end = (*steps.end()).min(all.len()).max(start);

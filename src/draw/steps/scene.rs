@@ -8,9 +8,9 @@ use crate::trace::{Event, PseudoPolygon, Vertex};
 /// The state of the sweep, without any coordinate.
 #[derive(Debug)]
 pub(super) struct Scene {
-    /// Triangles from their least vertex on.
+    /// Triangles, each with its least vertex first.
     pub(super) triangles: BTreeSet<[Vertex; 3]>,
-    /// From P-1 to P-2.
+    /// The front, from P-1 to P-2.
     pub(super) front: Vec<Vertex>,
     pub(super) fixed: BTreeSet<[Vertex; 2]>,
     pub(super) sweep: Option<Vertex>,
@@ -40,7 +40,7 @@ impl Scene {
         }
     }
 
-    /// Takes a step.
+    /// Applies the changes of an event.
     pub(super) fn advance(&mut self, event: &Event) {
         self.step = changes(event);
         for at in 0..self.step.len() {

@@ -15,7 +15,7 @@ use crate::verify::Violation;
 /// Up to how many vertices in a panel are drawn, and numbered.
 const MOST_DOTS: usize = 400;
 const MOST_NUMBERS: usize = 60;
-/// A violation at a single point is shown with so many of the points nearest to it.
+/// A violation at a single point is shown with this many of the points nearest to it.
 const NEAREST: usize = 4;
 
 /// A close-up.
@@ -29,8 +29,8 @@ pub(super) struct CloseUp<'a, S> {
 }
 
 impl<S> CloseUp<'_, S> {
-    /// Its window, so many units wide and high: around the vertices, or if they are one point, around
-    /// those nearest to it too.
+    /// Its window, `size` units wide and high, around the vertices. If these are one point, the window
+    /// shows the points nearest to it too.
     pub(super) fn window(&self, size: i64) -> Window {
         let points = &self.background.points;
         let focus = Bounds::of(self.vertices.iter().map(|&v| points[v]));
@@ -121,8 +121,8 @@ impl<S> CloseUp<'_, S> {
         Ok(())
     }
 
-    /// The smaller one of the circles through a side and a vertex opposite to it: if one of them holds
-    /// the other vertex, both do, and the smaller one is easier to see.
+    /// A side has two opposite vertices, and there is a circle through the side and each of them. If one
+    /// circle contains the other vertex, so does the other circle. The smaller one is easier to see.
     fn smaller_circle(&self, [a, b]: [usize; 2], opposite: [usize; 2]) -> Option<Circle> {
         let points = |c: usize| [a, b, c].map(|v| self.background.points[v]);
         let circles = opposite.into_iter().map(points);

@@ -1,4 +1,4 @@
-//! What a file holds, with coordinates still as text.
+//! The contents of a file, with coordinates still as text.
 //!
 //! Whether a file holds doubles or fractions is known only when all of it is read: in a file with a
 //! fraction, `0.1` is one tenth. So the readers only find where each coordinate stands, and

@@ -102,7 +102,7 @@ pub fn read(
     }
 }
 
-/// Edges that would be added count from where the vertices do.
+/// No edges. They are numbered from 0 or 1 as the vertices are.
 fn without_edges(vertices: Vertices<'_>) -> Edges<'_> {
     Edges {
         first: vertices.first,

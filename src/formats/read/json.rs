@@ -2,7 +2,7 @@
 //! a result only `triangles` is read: triples of positions in the input's points, or all of them in one
 //! list.
 //!
-//! A coordinate is a number, or a string with what JSON has no numbers for: `"2/3"`, `"nan"`, `"inf"`,
+//! A coordinate is a number, or a string for what a JSON number cannot be: `"2/3"`, `"nan"`, `"inf"`,
 //! `"-inf"`. Other members are ignored.
 
 use serde::Deserialize;
@@ -70,7 +70,7 @@ fn flat(source: &Source) -> Option<Vec<[usize; 3]>> {
     rest.is_empty().then(|| triangles.to_vec())
 }
 
-/// What serde says, with its position where messages have it.
+/// The error that serde reports, with its line and column.
 fn unreadable(source: &Source, error: &serde_json::Error) -> ReadError {
     let (line, column) = (error.line(), error.column());
     let message = error.to_string();

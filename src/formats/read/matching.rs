@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::scalar::Scalar;
 
-/// For each of `points` the lowest position in `among` of an equal one.
+/// For each of `points` the lowest position in `among` of an equal point.
 ///
 /// Cost: one sort of `among`, and a binary search for each point.
 pub(super) fn places<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Option<usize>> {

@@ -10,8 +10,8 @@
 //!          holes and regions                          not read
 //! ```
 //!
-//! Attributes and markers are ignored. Numbers must be consecutive, since messages name vertices and
-//! edges by them; Triangle itself ignores them.
+//! Attributes and markers are ignored. The numbers of vertices and edges must be consecutive, since messages
+//! use them. (Triangle itself ignores these numbers.)
 
 use crate::formats::read::content::{Edges, Syntax, Vertices};
 use crate::formats::read::source::{ReadError, Source};
@@ -91,7 +91,7 @@ fn read_vertices<'a>(
     })
 }
 
-/// Reads the number of record `at`. The number of the first one is where the file's numbers begin.
+/// Reads the number of record `at`, counted from 0. The number of the first record must be 0 or 1.
 pub(super) fn numbered(
     line: &mut Line<'_>,
     at: usize,

@@ -87,8 +87,8 @@ pub(super) fn read(
 
 /// Drops the later edge of each two that cross outside of the points.
 ///
-/// By adaptive predicates, right but for products that underflow or overflow: an edge more or less does
-/// no harm here.
+/// The adaptive predicates are wrong only where products underflow or overflow. That may drop an edge too
+/// many or too few, which does no harm here.
 pub fn drop_crossings(points: &[[f64; 2]], edges: &mut Vec<[usize; 2]>) {
     let turn = |a: usize, b: usize, c: usize| {
         let [a, b, c] = [a, b, c].map(|v| Coord {

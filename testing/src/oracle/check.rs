@@ -17,7 +17,7 @@ use super::links::ends;
 use super::numbers::{Number, Point, in_circle, lowering, orient, sweep};
 use crate::with_integers;
 
-/// Panics, saying what is wrong, unless `result` is what it must be. Gives the answer back.
+/// Panics, saying what is wrong, unless `result` is what it must be. Returns the answer.
 pub fn check(points: &[[f64; 2]], edges: &[[usize; 2]], result: &Triangulation) -> Answer {
     let answer = found(result, points.len(), edges.len());
     check_found(points, edges, &answer);

@@ -24,7 +24,7 @@ pub struct Graph<'a, N> {
     turns: Vec<Cell<Option<Ordering>>>,
 }
 
-/// Turns are kept for up to so many points.
+/// Turns are kept for up to this many points.
 const FEW: usize = 12;
 
 impl<'a, N: Number> Graph<'a, N> {

@@ -35,8 +35,8 @@ macro_rules! with_integers {
     };
 }
 
-/// Coordinates of so many bits leave room in an `i128` for products of four differences, two of them
-/// of twice the length, and a few sums.
+/// With coordinates of this many bits, products of four differences (two of them of twice the length) and
+/// a few sums fit in an `i128`.
 const SMALL_BITS: u32 = 28;
 /// The same for an `I256`.
 const MEDIUM_BITS: u32 = 60;

@@ -1,7 +1,7 @@
 //! Runs one fuzz target on bytes from a fixed seed until it fails: `executions TARGET LIMIT SEEDS`.
 //!
-//! Prints `found N MESSAGE` if execution `N` failed, or had no end within [`PATIENCE`]; else `none`. The bytes
-//! are random, or, every second time, a seed of the file `SEEDS` with some changes.
+//! Prints `found N MESSAGE` if execution `N` failed, or did not end within [`PATIENCE`]; otherwise `none`.
+//! The bytes are random, or, every second time, a seed of the file `SEEDS` with some changes.
 
 use std::panic;
 use std::path::Path;

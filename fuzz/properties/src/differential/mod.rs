@@ -1,13 +1,13 @@
 //! Other programs on the same input: where one differs from the exact oracle, it is wrong.
 //!
 //! The oracle's [`check`] passes our result first, or the property fails. Then the sides that no choice
-//! among cocircular triangles can change must be those of the other program too. Where they are not, and
-//! where it panics or refuses, its fault is counted. The verifier of the crate must judge its triangles in the
-//! same way: this also tests the verifier on foreign results.
+//! among cocircular triangles can change must be those of the other program too. Otherwise, or if it panics
+//! or refuses the input, a fault of that program is counted. The verifier of the crate must come to the same
+//! verdict: this also tests the verifier on the results of others.
 //!
-//! Programs get only inputs that they may be expected to accept: numbers of moderate size, no points too close to
-//! each other, edges that have a length and do not cross. They run in this process, so one that overflows the
-//! stack or does not return ends the campaign, which keeps the input.
+//! Programs get only inputs that they may be expected to accept: numbers of moderate size, no points too
+//! close to each other, edges that have a length and do not cross. They run in this process, so one that
+//! overflows the stack or does not return ends the campaign, which keeps the input.
 
 mod faults;
 mod quiet;

@@ -7,8 +7,8 @@ use sweep_cdt::{Heuristics, Triangulation, Triangulator};
 
 use sweep_cdt_testing::Input;
 
-/// Panics unless a run that counts, and reports its progress, has the same result as this one, and its counters
-/// are those of this trace.
+/// Panics unless a run that counts and reports its progress has the same result as this one, with the
+/// counters of this trace.
 pub(super) fn judge(
     Input { points, edges }: &Input,
     heuristics: Heuristics,

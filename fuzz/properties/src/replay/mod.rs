@@ -2,8 +2,9 @@
 //!
 //! The replay knows no coordinates, so it cannot agree with the sweep by computing the same. In the text
 //! (`damage`) a line is removed, doubled, changed or moved, the end is cut off, or two vertices change their
-//! names. The replay must refuse this, at that line or a later one; or be a change that [`Trace::replay`] says it
-//! cannot notice, and then the triangles are the same. The counters of a run agree with its trace (`counts`).
+//! names. The replay must refuse this, at that line or a later one. The exceptions are changes that
+//! [`Trace::replay`] says it cannot notice; they leave the triangles the same. The counters of a run agree
+//! with its trace (`counts`).
 
 mod counts;
 mod damage;

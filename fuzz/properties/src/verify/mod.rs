@@ -1,12 +1,12 @@
 //! The verifier accepts what is right and nothing else, and no input makes it panic.
 //!
-//! A right answer is broken by up to three changes, or triangles are garbage from the start, or go round
-//! a hub more than once. For few points the judge is [`is_right`](sweep_cdt_testing::oracle::is_right), which
-//! compares everything with everything in exact integers. For more points it is uniqueness: a constrained
-//! Delaunay triangulation is unique up to cocircular vertices, so that a result which the oracle's
-//! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares code
-//! with the verifier. What it calls canonical must be the sweep's answer. Its options are then compared with its
-//! own plain verdict, and a hole is declared in what is right.
+//! The triangles are a right answer with up to three changes, or garbage, or they go round a hub more than
+//! once. For few points the judge is [`is_right`](sweep_cdt_testing::oracle::is_right), which compares
+//! everything with everything in exact integers. For more points it is uniqueness: a constrained Delaunay
+//! triangulation is unique up to cocircular vertices, so a result that the oracle's
+//! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares
+//! code with the verifier. What the verifier calls canonical must be the sweep's answer. Its options must
+//! not change its verdict, and a hole is declared in a right answer.
 
 mod case;
 mod changes;

@@ -5,9 +5,9 @@ use std::path::Path;
 
 use sweep_cdt::formats::ReadError;
 
-/// What the process says and how it exits.
+/// What the process prints and how it exits.
 pub(crate) enum Failure {
-    /// The arguments do not go together.
+    /// The arguments contradict each other.
     Usage(String),
     /// The input is wrong, or a file cannot be read or written.
     Error(String),
@@ -28,7 +28,7 @@ impl From<ReadError> for Failure {
     }
 }
 
-/// The system's words without its number for them.
+/// The system's message without its error number.
 pub(crate) fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" (os error")

@@ -1,10 +1,10 @@
-//! The progress bar: on a terminal, for work that takes longer than a moment.
+//! The progress bar: on a terminal, for work that takes some time.
 
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Work that takes less shows no bar.
+/// Work that takes less time shows no bar.
 const MOMENT: Duration = Duration::from_millis(500);
 
 /// A bar that appears late and leaves nothing behind. Where standard error is no terminal it stays
@@ -16,7 +16,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// `work` is what the bar says is done.
+    /// `work` names the work in front of the bar.
     pub(crate) fn new(work: &'static str) -> Progress {
         Progress {
             work,

@@ -18,7 +18,7 @@ pub(crate) struct Settings {
     #[arg(long, value_enum, default_value_t = Front::Hash)]
     front: Front,
 
-    /// Angles up to which the heuristics make triangles
+    /// Angles up to which the heuristics add triangles
     #[arg(long, value_enum, default_value_t = Preset::Fast)]
     heuristics: Preset,
 
@@ -37,7 +37,7 @@ enum Front {
     Hash,
     /// Skip list
     SkipList,
-    /// Walk from the last place found; slow for many points
+    /// Walk from the node inserted last; slow for many points
     Linear,
 }
 

@@ -19,7 +19,7 @@ pub(crate) fn verify<T: Scalar + Sync>(
 ) -> Answer {
     let progress = Mutex::new(Progress::new("verifying"));
     let show = |done, all| {
-        // Whoever is late has nothing newer to show.
+        // If another thread is drawing the bar, this report is not needed.
         if let Ok(mut progress) = progress.try_lock() {
             progress.show(done, all);
         }
