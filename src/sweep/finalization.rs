@@ -107,6 +107,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             let record = triangles[t];
             let vertices = record.vertices();
             let signs = &self.fabric.signs;
+            // A real triangle stays, with input indices and with the hull across its open sides.
             if vertices.iter().all(|&v| !signs.is_artificial(v)) {
                 for i in 0..3 {
                     let input = signs.vertices.input_index(record.vertex(i));
@@ -122,6 +123,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.fabric.report(|name| Event::Removed {
                 vertices: vertices.map(name),
             });
+            // An artificial one goes; its neighbours have the hull in its place.
             for i in 0..3 {
                 relink(triangles, record.across(i), Side::HULL);
             }

@@ -31,6 +31,7 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
     mut probe: P,
 ) -> Result<Sweep<'a, S, F, P>, Error> {
     probe.begin(Phase::Initialization);
+    // Vertices and edges; too many or wrong ones are refused.
     check_count(points.len(), |given, limit| Error::TooManyPoints {
         given,
         limit,
@@ -43,6 +44,7 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
     let (edges, ends) = Edges::new(&vertices, points.len(), edges)?;
     search.begin(Domain::new(&vertices.approx));
 
+    // The state without triangles, and then the first one.
     let n = vertices.len();
     let mut sweep = Sweep {
         fabric: Fabric::new(Signs::new(points, vertices), probe),

@@ -59,6 +59,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.put_on_front(p, left);
         self.fabric.legalize_fan(t, right);
 
+        // The second triangle of the left case, and those of the heuristics.
         if is_above {
             self.fabric.probe.count(|c| c.left_cases += 1);
             self.close_corner(p, Way::Left, Why::Point);

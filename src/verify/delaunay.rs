@@ -28,6 +28,7 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
     progress: &Progress<'_>,
     record: &mut Record,
 ) {
+    // The chunks, in any order or at the same time.
     let limit = record.findings.limit();
     let parts = C::run(soup, progress, |soup, chunk| {
         let mut part = Part {
@@ -46,6 +47,7 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
         }
         part
     });
+    // Their findings, in order.
     for part in parts {
         record.tally += part.tally;
         record.findings.append(part.findings);

@@ -40,9 +40,11 @@ pub(super) fn read<'a, S: Scalar>(
         return None;
     }
 
+    // The triangles come first: ranks follow the order in which they name the points.
     let mut ranks = Ranks::new(points, record);
     let triangles = ranks.read_triangles(triangles, record);
     let used = ranks.given_out();
+    // Then the points that are in no triangle.
     for v in 0..points.len() {
         ranks.of([v]);
     }

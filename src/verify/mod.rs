@@ -1,8 +1,8 @@
 //! The verifier: is this a constrained Delaunay triangulation?
 //!
 //! It reads points, edges and triangles as bare arrays, made by any program, and decides everything by
-//! exact signs. It shares the exact predicates of the scalar, and the filter before them, with the sweep,
-//! and nothing else. The checks, in this order, each in its own file:
+//! exact signs. It shares the signs of [`scalar`](crate::scalar) (filter and exact predicates) with the
+//! sweep, and nothing else. The checks, in this order, each in its own file:
 //!
 //! | | check | file |
 //! |---|---|---|

@@ -29,6 +29,7 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
     progress: &Progress<'_>,
     record: &mut Record,
 ) {
+    // The chunks, in any order or at the same time.
     let parts = C::run(soup, progress, |soup, chunk| {
         let mut tally = Tally::default();
         let mut wrong = Vec::new();
@@ -44,6 +45,7 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
         }
         (tally, wrong)
     });
+    // Their findings, in order.
     for (tally, wrong) in parts {
         record.tally += tally;
         for (triangle, turn) in wrong {

@@ -52,6 +52,7 @@ impl<S> CloseUp<'_, S> {
         self.background.draw(window, out)?;
         let place = |v: usize| window.place(self.background.points[v]);
         let offenders = self.violation.offenders();
+        // Which sides are wrong or missing, and which vertices to blame.
         let (mut wrong, mut absent) = (vec![], vec![]);
         let mut culprits = offenders.vertices;
         match self.violation {
@@ -72,6 +73,7 @@ impl<S> CloseUp<'_, S> {
             }
             _ => {}
         }
+        // What the violation names may not exist; then it is not drawn.
         let bad = offenders.triangles.into_iter();
         let bad = bad.map(|t| self.triangles.list[t]);
         let bad = bad.filter(|corners| self.exist(corners));

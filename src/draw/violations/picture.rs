@@ -87,6 +87,7 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
         let (graph, triangles) = (self.graph, self.triangles);
         let background = Background::new(graph, triangles);
         let vertices_of = |&violation: &Violation| triangles.vertices_of(graph, violation);
+        // The violations that are at vertices, and the vertices of each.
         let (shown, foci): (Vec<Violation>, Vec<Vec<usize>>) = self
             .violations
             .iter()
@@ -106,6 +107,7 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
             1 => "1 violation".to_owned(),
             found => format!("{found} violations"),
         };
+        // The overview, the close-ups, the legend.
         let window = overview::window(&background, panels.side);
         panels.write(out, 0, square, "overview", [&title, ""], |out| {
             overview::draw(&background, &window, &foci, close_ups, out)

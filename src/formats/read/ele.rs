@@ -18,12 +18,15 @@ pub(super) fn read<'a>(
     source: &'a Source,
     node: Option<&'a Source>,
 ) -> Result<Corners<'a>, ReadError> {
+    // The line of counts.
     let mut lines = Lines::new(source);
     let mut line = lines.expect_line(|| "the number of triangles".to_owned())?;
     let count = line.index("a number of triangles")?;
     if !matches!(line.token(), None | Some(b"3")) {
         return Err(line.error("only triangles of 3 vertices are read"));
     }
+
+    // The triangles.
     let mut triangles = Vec::with_capacity(lines.capacity(count));
     let mut first_triangle = 0;
     for triangle in 0..count {
@@ -41,6 +44,8 @@ pub(super) fn read<'a>(
         let message = format!("the first line announces only {count} triangles");
         return Err(line.error(message));
     }
+
+    // The vertices, whose numbers begin where the `.node` says, or where those of the triangles do.
     let vertices = node.map(read_node).transpose()?;
     Ok(Corners {
         triangles,

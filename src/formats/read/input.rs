@@ -85,6 +85,7 @@ pub fn read(
         InputFormat::Json => json::read(source)?,
     };
     let (first_vertex, first_edge) = (vertices.first, first);
+    // First as doubles; if a coordinate is a fraction, all once more as rationals.
     match vertices.points() {
         Ok(points) => Ok(Input::Doubles(Graph {
             points,

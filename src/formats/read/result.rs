@@ -103,10 +103,13 @@ fn by_input_vertices<S: Coordinate>(
     input: &Graph<S>,
 ) -> Triangles {
     let count = input.points.len();
+    // The places in the input of the file's vertices, if they are to be matched by coordinates.
     let places = points
         .filter(|points| *points != input.points)
         .map(|points| matching::places(&points, &input.points))
         .filter(|places| places.len() != count || places.iter().all(Option::is_some));
+
+    // A corner becomes a position in the input; one that has none becomes a stranger.
     let mut strangers = Vec::new();
     let mut vertex = |number: usize| {
         let listed = number.checked_sub(corners.first_vertex);

@@ -33,6 +33,7 @@ pub(super) fn read_poly<'a>(
     source: &'a Source,
     node: Option<&'a Source>,
 ) -> Result<Edges<'a>, ReadError> {
+    // The vertices, here or in the `.node`.
     let mut lines = Lines::new(source);
     let vertices = match (vertex_count(&mut lines)?, node) {
         (0, Some(node)) => read_node(node)?,
@@ -44,6 +45,8 @@ pub(super) fn read_poly<'a>(
         }
         (count, _) => read_vertices(source, &mut lines, count)?,
     };
+
+    // The edges. Holes and regions after them are not read.
     let count = lines
         .expect_line(|| "the number of edges".to_owned())?
         .index("a number of edges")?;

@@ -86,6 +86,7 @@ impl Mesh {
         if self.opposite.is_empty() {
             return Ok(());
         }
+        // The sides on the border, by start: each vertex starts one at most.
         let on_border = self
             .opposite
             .keys()
@@ -96,12 +97,16 @@ impl Mesh {
                 return Err(format!("the border passes vertex {a} twice"));
             }
         }
+
+        // The length of the cycle through one of them.
         let start = *border.keys().min().ok_or("there is no border")?;
         let (mut length, mut at) = (1, border[&start]);
         while at != start {
             at = *border.get(&at).ok_or("the border is not closed")?;
             length += 1;
         }
+
+        // All vertices are corners, the cycle is the whole border, and Euler's formula holds.
         let corners: HashSet<Vertex> = self.opposite.keys().map(|side| side[0]).collect();
         if let Some(v) = vertices.iter().find(|v| !corners.contains(v)) {
             return Err(format!("vertex {v} is no corner of a triangle"));
