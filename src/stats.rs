@@ -120,7 +120,7 @@ impl Recorder {
         self.current = now.map(|now| (next, now));
     }
 
-    /// All statistics of a run on so many points and edges.
+    /// All statistics of a run, with the sizes of its input and result.
     pub(crate) fn finish(self, points: usize, edges: usize, result: &Triangulation) -> Stats {
         Stats {
             points,

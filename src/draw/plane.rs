@@ -79,7 +79,7 @@ impl Bounds {
         }
     }
 
-    /// About the distance of neighbours among so many points in the box, as a share of its unit.
+    /// About the distance of neighbours among `count` points in the box, as a share of its unit.
     pub(super) fn spacing(&self, count: usize) -> f64 {
         let [width, height] = self.size.map(|side| side / self.unit());
         let count = count.max(1) as f64;

@@ -52,8 +52,8 @@ pub use unbounded::Unbounded;
 /// assert_eq!(Scalar::in_circle(&a, &b, &c, &[1.0, 1.0]), Ordering::Equal);
 /// ```
 ///
-/// A type of one's own. Signs do not change where all coordinates are multiplied by the same positive number,
-/// so a fixed-point number can leave the work to `i64`:
+/// Your own type: signs do not change if all coordinates are multiplied by the same positive number, so a
+/// fixed-point number can leave the work to `i64`:
 ///
 /// ```
 /// use std::cmp::Ordering;

@@ -76,7 +76,7 @@ pub(super) struct Progress<'a> {
 }
 
 impl<'a> Progress<'a> {
-    /// Nothing done of two passes over so many triangles.
+    /// No progress yet, in two passes over all triangles.
     pub(super) fn new(
         report: Option<&'a (dyn Fn(usize, usize) + Sync)>,
         triangles: usize,

@@ -89,7 +89,7 @@ impl Steps {
     }
 }
 
-/// Whether two results with so many edges say the same everywhere, numbers of triangles included.
+/// Whether two results of an input with this many edges are equal in everything, numbers of triangles too.
 fn are_equal(here: &Triangulation, there: &Triangulation, edges: usize) -> bool {
     here.triangles().eq(there.triangles())
         && (0..here.len()).all(|t| here.neighbors(t) == there.neighbors(t))

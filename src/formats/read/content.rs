@@ -50,7 +50,7 @@ pub(super) struct Corners<'a> {
 }
 
 impl Vertices<'_> {
-    /// The coordinates as values of a type; or the first one that is none, and why.
+    /// The coordinates as values of a type; or the error of the first one that is not such a value.
     pub(super) fn points<S: Coordinate>(
         &self,
     ) -> Result<Vec<[S; 2]>, (CoordinateError, ReadError)> {

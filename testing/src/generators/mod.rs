@@ -70,8 +70,8 @@ pub fn read_shape(shape: Shape, bytes: &mut Unstructured<'_>) -> Result<Input> {
 /// So far below 1 that products of four differences, but not of two, underflow.
 const TINY: i32 = -266;
 
-/// Mirrors, turns by 90 degrees, or moves up and down by powers of two, all exactly; or shrinks all points
-/// to a speck far from one more point, so that nothing can make them large again.
+/// Mirrors, turns by 90 degrees, or multiplies by a power of two, all exactly; or makes all points tiny and
+/// adds one far away, so that no common factor makes them large again.
 fn disguise(kind: u8, points: &mut Vec<[f64; 2]>) {
     let change = |[x, y]: [f64; 2]| match kind {
         1 => [-x, y],
