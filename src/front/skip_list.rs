@@ -122,7 +122,22 @@ fn height(node: FrontNode) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{FrontNode, height};
+    use super::{FrontNode, FrontSearch, SkipList, height};
+
+    /// The memory depends on the longest front, not on how many vertices are ever on it.
+    #[test]
+    fn the_place_of_a_node_that_has_left_is_used_again() {
+        const LONGEST: usize = 10;
+        let mut list = SkipList::default();
+        for rank in 0..1000 {
+            if rank >= LONGEST {
+                let gone = rank - LONGEST;
+                list.removed(FrontNode::from_rank(gone), gone as f64);
+            }
+            list.inserted(FrontNode::from_rank(rank), rank as f64);
+        }
+        assert_eq!(list.towers.len(), LONGEST + 1);
+    }
 
     #[test]
     fn every_fourth_node_of_a_level_is_on_the_next() {
