@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::refuted::WRONG;
 use crate::verify::{RIGHT, refuted, verify, with_square};
-use crate::{names, printed};
+use crate::{FORMATS, folder, names, printed, run};
 
 const CERTIFICATE: &str = r#"{
   "program": "sweep-cdt",
@@ -135,4 +135,18 @@ fn pictures_show_the_first_violations_from_near() {
     assert_eq!(picture().matches("<svg").count(), 1 + 1);
     assert!(picture().ends_with("</svg>\n"));
     assert_eq!(names(folder.path()), ["a.ele", "a.poly", "a.svg", "b.json"]);
+}
+
+#[test]
+fn certificates_name_every_file_and_setting() {
+    let folder = folder(&[]);
+    let input = format!("{FORMATS}/split.poly");
+    printed(&run(&folder, &format!("{input} -o r.json")));
+    let output = verify(&folder, &format!("{input} r.json --json --clockwise"));
+    let certificate: serde_json::Value = serde_json::from_str(printed(&output)).expect("JSON");
+    let files = certificate["input"].as_array().expect("files");
+    let files: Vec<_> = files.iter().map(|file| file["file"].as_str()).collect();
+    assert_eq!(files, [Some("split.poly"), Some("split.node")]);
+    assert_eq!(certificate["clockwise_accepted"], true);
+    assert_eq!(certificate["clockwise"], false);
 }

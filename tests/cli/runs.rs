@@ -69,3 +69,29 @@ fn settings_change_no_byte() {
         }
     }
 }
+
+/// The number in a row of `--stats`.
+fn row(settings: &str, name: &str) -> u64 {
+    let output = run(FORMATS, &format!("{CONTOURS} --stats --heuristics paper {settings}"));
+    let number = |line: &str| {
+        line.strip_prefix(name)?
+            .trim()
+            .replace(',', "")
+            .parse()
+            .ok()
+    };
+    let found = printed(&output).lines().find_map(number);
+    found.expect("a row of that name")
+}
+
+#[test]
+fn each_setting_is_heeded() {
+    for (setting, name) in [
+        ("--no-narrow-corners", "triangles: narrow corners"),
+        ("--no-basins", "triangles: basins"),
+        ("--front skip-list", "front steps"),
+    ] {
+        assert!(row("", name) > 0, "{name}");
+        assert_eq!(row(setting, name), 0, "{setting}");
+    }
+}

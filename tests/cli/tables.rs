@@ -33,7 +33,8 @@ fn shares_of_time_are_those_of_the_times() {
     let phases = ["initialization", "sweeping", "finalization", "total"];
     assert_eq!(names, phases);
     let (_, total, whole) = rows[3];
-    assert!(total > 0.0 && whole == 100.0, "{total} ms, {whole} %");
+    let is_whole = (whole - 100.0).abs() < 0.05;
+    assert!(total > 0.0 && is_whole, "{total} ms, {whole} %");
     let sum: f64 = rows[..3].iter().map(|(_, time, _)| time).sum();
     // Times are printed to a thousandth, shares to a tenth.
     assert!((sum - total).abs() < 0.0025, "{sum} of {total} ms");

@@ -8,6 +8,7 @@
 //!   and front, and a replay returns the result.
 //! * `draw`: the sentences of the drawn steps, and one picture of each kind, as snapshots.
 //! * `work`: how much work larger inputs take, as snapshots. `statistics`: what a run reports of itself.
+//! * `fronts`: what a run returns of its front, progress and statistics. `files`: odd files.
 //! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
 //! * `scalars` and `verify`: the exact predicates, and the verifier.
 //!
@@ -17,6 +18,8 @@
 
 mod cases;
 mod draw;
+mod files;
+mod fronts;
 mod generators;
 mod hard;
 mod limits;

@@ -1,4 +1,5 @@
-//! Drawings, compared with snapshots.
+//! Drawings: compared with snapshots, and details of larger ones.
 
+mod details;
 pub(crate) mod pictures;
 pub(crate) mod story;

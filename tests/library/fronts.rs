@@ -1,0 +1,129 @@
+//! What a [`Run`](sweep_cdt::Run) returns of its settings: the front that was used, progress, statistics.
+
+use std::cell::Cell;
+use std::fmt::Debug;
+
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::{Counters, Heuristics, Stats, Triangulator};
+
+/// So many points squared, scattered in a square.
+fn square(side: usize) -> Vec<[f64; 2]> {
+    let at = |i: usize| [i * 7919 % 1009, i * 6007 % 1013].map(|x| x as f64);
+    (0..side * side).map(at).collect()
+}
+
+/// A structure that an earlier run has filled works as a new one does.
+fn assert_forgets<F: FrontSearch + Clone + Debug + Default>() {
+    let [large, small] = [70, 10].map(square);
+    let count = |front: F, points: &[[f64; 2]]| {
+        let triangulator = Triangulator::new().front(front);
+        let run = triangulator.triangulate_with_stats(points, &[]);
+        run.map(|run| (run.stats.counters, run.front))
+            .expect("no edges")
+    };
+    for [first, second] in [[&large, &small], [&small, &large]] {
+        let (_, used) = count(F::default(), first);
+        let (expected, new) = count(F::default(), second);
+        let (found, used) = count(used, second);
+        assert_eq!(found, expected);
+        assert_eq!(format!("{used:?}"), format!("{new:?}"));
+    }
+}
+
+#[test]
+fn every_front_forgets_an_earlier_run() {
+    assert_forgets::<HashTable>();
+    assert_forgets::<SkipList>();
+    assert_forgets::<Linear>();
+}
+
+/// Counts what it is asked.
+#[derive(Clone, Default)]
+struct Counting {
+    begun: usize,
+    searches: usize,
+}
+
+impl FrontSearch for Counting {
+    fn begin(&mut self, _: Domain<'_>) {
+        self.begun += 1;
+    }
+
+    fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
+        self.searches += 1;
+        front.left_end()
+    }
+}
+
+#[test]
+fn the_front_that_was_used_comes_back() {
+    let points = square(5);
+    let triangulator = Triangulator::new().front(Counting::default());
+    let counted = triangulator.triangulate_with_stats(&points, &[]);
+    let observed = triangulator.triangulate_observed(&points, &[], |_| ());
+    for run in [counted, observed] {
+        let front = run.expect("no edges").front;
+        assert_eq!((front.begun, front.searches), (1, points.len() - 1));
+    }
+}
+
+#[test]
+fn settings_hold_in_any_order_and_for_every_kind_of_run() {
+    let points = square(10);
+    let calls = Cell::new(0);
+    let progress = |_, _| calls.set(calls.get() + 1);
+    let first = Triangulator::new().progress(&progress);
+    let first = first.heuristics(Heuristics::OFF).front(Linear::default());
+    let last = Triangulator::new().front(Linear::default());
+    let last = last.heuristics(Heuristics::OFF).progress(&progress);
+    for triangulator in [first, last] {
+        let kinds = [
+            triangulator.triangulate_with_stats(&points, &[]),
+            triangulator.triangulate_observed(&points, &[], |_| ()),
+        ];
+        for run in kinds {
+            let Counters {
+                narrow_corners,
+                basin_triangles,
+                ..
+            } = run.expect("no edges").stats.counters;
+            assert_eq!((narrow_corners, basin_triangles), (0, 0));
+        }
+        triangulator.triangulate(&points, &[]).expect("no edges");
+        assert_eq!(calls.replace(0), 3);
+    }
+}
+
+#[test]
+fn an_observed_run_has_the_statistics_of_any_other() {
+    let (points, edges) = (square(20), [[0, 399], [3, 7]]);
+    let timeless = |stats: Stats| {
+        let times = [stats.initialization, stats.sweeping, stats.finalization];
+        assert!(times.iter().all(|time| !time.is_zero()), "{times:?}");
+        (stats.points, stats.triangles, stats.memory, stats.counters)
+    };
+    let triangulator = Triangulator::new();
+    let counted = triangulator.triangulate_with_stats(&points, &edges);
+    let observed = triangulator.triangulate_observed(&points, &edges, |_| ());
+    let [counted, observed] = [counted, observed].map(|run| run.expect("no edges cross").stats);
+    assert_eq!(timeless(observed), timeless(counted));
+}
+
+/// Sizes that differ so much that only big integers decide, and points on one line and one circle.
+#[test]
+fn signs_from_big_integers_are_counted_as_such() {
+    let points = [
+        [0.0, 0.0],
+        [1e-300, 0.0],
+        [1e200, 0.0],
+        [2e200, 0.0],
+        [0.0, 1e200],
+        [1e200, 1e200],
+    ];
+    let run = Triangulator::new().triangulate_with_stats(&points, &[]);
+    let counters = run.expect("no edges").stats.counters;
+    let big = [counters.orient2d_big, counters.in_circle_big];
+    assert!(big.iter().all(|&count| count > 0), "{counters:?}");
+    let others = counters.orient2d_integers + counters.orient2d_expansions;
+    assert_eq!(counters.orient2d_exact(), others + counters.orient2d_big);
+}
