@@ -72,7 +72,10 @@ fn settings_change_no_byte() {
 
 /// The number in a row of `--stats`.
 fn row(settings: &str, name: &str) -> u64 {
-    let output = run(FORMATS, &format!("{CONTOURS} --stats --heuristics paper {settings}"));
+    let output = run(
+        FORMATS,
+        &format!("{CONTOURS} --stats --heuristics paper {settings}"),
+    );
     let number = |line: &str| {
         line.strip_prefix(name)?
             .trim()
