@@ -1,6 +1,6 @@
 //! The point event (section 3.4.1): the new vertex joins the front.
 //!
-//! Its vertical projection P_Q falls on a segment of the front: strictly inside (middle case, figure 7)
+//! Its vertical projection `P_Q` falls on a segment of the front: strictly inside (middle case, figure 7)
 //! or on the left end (left case, figure 8). The segment and the vertex make a triangle. The left case
 //! makes a second one, since two vertices one above the other cannot both stay on the front. Then the
 //! heuristics add triangles: [`super::narrow_corners`] (figure 9) and [`super::basins`] (figure 10).
