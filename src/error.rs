@@ -54,4 +54,11 @@ pub enum Error {
         /// How many there may be.
         limit: usize,
     },
+    /// The edges pass through more vertices than can be held, each edge counted with each vertex inside it.
+    /// Equal edges count once.
+    #[error("the edges pass through more than {limit} vertices, all together")]
+    TooManyVerticesOnEdges {
+        /// How many there may be.
+        limit: usize,
+    },
 }

@@ -1,7 +1,9 @@
 #![doc = include_str!("crate.md")]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+mod algorithm;
 mod bucket;
+mod chains;
 #[cfg(feature = "formats")]
 pub mod draw;
 mod error;
@@ -20,6 +22,7 @@ mod triangulation;
 mod triangulator;
 pub mod verify;
 
+pub use algorithm::Algorithm;
 pub use error::Error;
 pub use heuristics::{Corners, Heuristics};
 pub use stats::{Counters, Stats};

@@ -30,6 +30,9 @@ pub struct Stats {
     pub sweeping: Duration,
     /// Time of the finalization (section 3.5; table 2).
     pub finalization: Duration,
+    /// Whether divide and conquer made the result, because it was asked for or because the sweep was
+    /// abandoned. Then times and counters hold the work of both.
+    pub is_divided: bool,
     /// Bytes of the largest arrays held at one time, beyond the input.
     pub memory: usize,
     /// The work done.
@@ -111,9 +114,9 @@ impl Recorder {
         if let (Some((phase, start)), Some(now)) = (self.current, now) {
             let time = now - start;
             match phase {
-                Phase::Initialization => self.stats.initialization = time,
-                Phase::Sweeping => self.stats.sweeping = time,
-                Phase::Finalization => self.stats.finalization = time,
+                Phase::Initialization => self.stats.initialization += time,
+                Phase::Sweeping => self.stats.sweeping += time,
+                Phase::Finalization => self.stats.finalization += time,
                 Phase::Finished => {}
             }
         }

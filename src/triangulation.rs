@@ -1,6 +1,7 @@
 //! The result: triangles, their neighbours, constrained sides, hull, duplicates, and the vertices along each
 //! edge. Everything is an index into the caller's input.
 
+use crate::chains::Chains;
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, Side, Triangle};
 use crate::scalar::Scalar;
@@ -31,17 +32,6 @@ pub struct Triangulation {
     /// `(vertex, representative)` of each duplicate, by vertex.
     pub(crate) duplicates: Vec<(u32, u32)>,
     pub(crate) chains: Chains,
-}
-
-/// For each input edge the vertices along it.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Chains {
-    /// The ends of each edge (representatives), upper end first.
-    pub(crate) ends: Vec<[u32; 2]>,
-    /// `(edge, from, to)`: the vertices inside the edge are `inside[from..to]`; by edge, only edges
-    /// that have some.
-    pub(crate) split: Vec<(u32, u32, u32)>,
-    pub(crate) inside: Vec<u32>,
 }
 
 impl Triangulation {
@@ -144,15 +134,8 @@ impl Triangulation {
     /// # Panics
     /// If there is no edge `e`.
     pub fn edge_chain(&self, e: usize) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
-        let chains = &self.chains;
-        let [upper, lower] = chains.ends[e];
-        let inside = match chains
-            .split
-            .binary_search_by_key(&e, |&(edge, ..)| edge as usize)
-        {
-            Ok(at) => &chains.inside[chains.split[at].1 as usize..chains.split[at].2 as usize],
-            Err(_) => &[],
-        };
+        let [upper, lower] = self.chains.ends(e);
+        let inside = self.chains.inside(e);
         let length = inside.len() + if upper == lower { 1 } else { 2 };
         (0..length).map(move |at| match at {
             0 => upper as usize,

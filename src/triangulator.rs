@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::algorithm::Algorithm;
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
 use crate::heuristics::Heuristics;
@@ -30,8 +31,7 @@ use crate::triangulation::Triangulation;
 /// ```
 #[derive(Clone)]
 pub struct Triangulator<'p, F = HashTable> {
-    heuristics: Heuristics,
-    progress: sweep::Progress<'p>,
+    settings: sweep::Settings<'p>,
     front: F,
 }
 
@@ -51,8 +51,11 @@ impl Triangulator<'_> {
     /// The defaults: hash table, fastest heuristics, no progress report.
     pub fn new() -> Self {
         Triangulator {
-            heuristics: Heuristics::default(),
-            progress: None,
+            settings: sweep::Settings {
+                algorithm: Algorithm::default(),
+                heuristics: Heuristics::default(),
+                progress: None,
+            },
             front: HashTable::default(),
         }
     }
@@ -67,7 +70,8 @@ impl Default for Triangulator<'_> {
 impl<F: fmt::Debug> fmt::Debug for Triangulator<'_, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Triangulator")
-            .field("heuristics", &self.heuristics)
+            .field("algorithm", &self.settings.algorithm)
+            .field("heuristics", &self.settings.heuristics)
             .field("front", &self.front)
             .finish_non_exhaustive()
     }
@@ -80,25 +84,30 @@ impl<'p, F> Triangulator<'p, F> {
     #[must_use]
     pub fn front<G: FrontSearch + Clone>(self, front: G) -> Triangulator<'p, G> {
         Triangulator {
-            heuristics: self.heuristics,
-            progress: self.progress,
+            settings: self.settings,
             front,
         }
     }
 
+    /// Uses this algorithm. [`Triangulator::triangulate_observed`] always sweeps.
+    #[must_use]
+    pub fn algorithm(mut self, algorithm: Algorithm) -> Self {
+        self.settings.algorithm = algorithm;
+        self
+    }
+
     /// Uses these heuristics.
     #[must_use]
-    pub fn heuristics(self, heuristics: Heuristics) -> Self {
-        Triangulator { heuristics, ..self }
+    pub fn heuristics(mut self, heuristics: Heuristics) -> Self {
+        self.settings.heuristics = heuristics;
+        self
     }
 
     /// Calls `progress(swept, vertices)` every few thousand point events.
     #[must_use]
-    pub fn progress(self, progress: &'p dyn Fn(usize, usize)) -> Self {
-        Triangulator {
-            progress: Some(progress),
-            ..self
-        }
+    pub fn progress(mut self, progress: &'p dyn Fn(usize, usize)) -> Self {
+        self.settings.progress = Some(progress);
+        self
     }
 }
 
@@ -163,7 +172,11 @@ impl<F: FrontSearch + Clone> Triangulator<'_, F> {
         edges: &[[usize; 2]],
         probe: P,
     ) -> Result<(Triangulation, F, P), Error> {
-        let front = self.front.clone();
-        sweep::run(points, edges, self.heuristics, front, self.progress, probe)
+        let mut settings = self.settings;
+        if P::EVENTS {
+            // Only the sweep has steps.
+            settings.algorithm = Algorithm::Sweep;
+        }
+        sweep::run(points, edges, settings, self.front.clone(), probe)
     }
 }

@@ -39,7 +39,9 @@ impl<S> Graph<S> {
             Error::CrossingEdges { edges } => Error::CrossingEdges {
                 edges: edges.map(edge_number),
             },
-            Error::TooManyPoints { .. } | Error::TooManyEdges { .. } => error,
+            Error::TooManyPoints { .. }
+            | Error::TooManyEdges { .. }
+            | Error::TooManyVerticesOnEdges { .. } => error,
         }
     }
 }

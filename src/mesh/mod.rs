@@ -40,6 +40,19 @@ impl Mesh {
         }
     }
 
+    /// Removes all triangles and leaves `open` open sides.
+    pub(crate) fn clear(&mut self, open: usize) {
+        self.triangles.clear();
+        self.removed.clear();
+        self.open.clear();
+        self.open.resize(open, Side::NO_TRIANGLE);
+    }
+
+    /// How many places of triangles there are, removed ones included.
+    pub(crate) fn len(&self) -> usize {
+        self.triangles.len()
+    }
+
     #[inline(always)]
     pub(crate) fn get(&self, t: TriangleId) -> &Triangle {
         &self.triangles[t.index()]
@@ -63,6 +76,16 @@ impl Mesh {
         let record = self.get(side.triangle());
         let i = side.corner();
         [i, next(i), prev(i)].map(|corner| record.vertex(corner))
+    }
+
+    /// Replaces the vertex opposite a side.
+    pub(crate) fn set_opposite(&mut self, side: Side, v: VertexId) {
+        self.triangles[side.triangle().index()].set_vertex(side.corner(), v);
+    }
+
+    /// Puts nothing across a side of a triangle.
+    pub(crate) fn detach(&mut self, side: Side) {
+        self.triangles[side.triangle().index()].set_across(side.corner(), Side::NOTHING);
     }
 
     /// The side of the triangle below an open side.
@@ -117,6 +140,11 @@ impl Mesh {
         self.relink(across[1], Side::new(t, 1));
         self.relink(across[2], Side::new(t, 2));
         t
+    }
+
+    /// Makes `t` a triangle that borders on nothing and has no other vertex than `v`.
+    pub(crate) fn retire(&mut self, t: TriangleId, v: VertexId) {
+        self.triangles[t.index()] = Triangle::new([v; 3], [Side::NOTHING; 3]);
     }
 
     /// Marks triangle `t` as one that is about to be removed.

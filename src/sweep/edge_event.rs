@@ -1,10 +1,10 @@
 //! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted.
 //!
-//! Each edge is first surveyed from its upper to its lower end. Where it runs above the front, the
-//! *pocket* between them is filled (figures 13 and 14). Then the edge lies inside the triangulation, and
-//! it is inserted part by part: each vertex on it ends one *part* and starts the next. A part that is a
-//! side already is marked as fixed. For any other part the pierced triangles are replaced by two
-//! pseudo-polygons (figure 12). Overlapping edges share their parts.
+//! A vertex on an edge ends one *part* of it and starts the next. The edge event inserts the first part;
+//! the rest of the edge waits until the hull is complete ([`super::rests`]). Where the part runs above
+//! the front, the *pocket* between them is filled (figures 13 and 14). Then the part lies inside the
+//! triangulation. If it is a side already, that is marked as fixed. Otherwise the pierced triangles are
+//! replaced by two pseudo-polygons (figure 12). Overlapping edges share their parts.
 //!
 //! ```text
 //!    upper                               A pocket (figure 13): the front runs below the edge, here at
@@ -20,19 +20,21 @@
 //! when it is filled, the edge lies inside the triangulation. A new edge blocks views and opens none, so all
 //! sides that it does not pierce remain locally Delaunay.
 //!
-//! Cost: the edge visits the nodes and triangles on its way twice, once to survey and once to insert.
+//! Cost: one turn around the upper end for all edges there, and one test for each node passed and each
+//! triangle pierced, or two where a pocket is filled.
 //!
 //! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in
-//! one lower pseudo-polygon.) Several edges at one vertex are inserted in an order that lets one turn
+//! one lower pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are inserted in an order that lets one turn
 //! around the vertex find them all. (The paper takes any order.)
 
 use std::cmp::Ordering::Equal;
 
 use super::obstacles::{Crossed, Part};
+use super::rests::Rest;
 use super::state::Sweep;
 use crate::error::Error;
 use crate::front::FrontSearch;
-use crate::ids::{VertexId, narrow};
+use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
@@ -41,7 +43,18 @@ use crate::trace::{EdgePosition, Event, Why};
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
-        let mut list = self.edges.at(upper).to_vec();
+        let list = self.edges.at(upper).to_vec();
+        self.insert_edges(upper, list, self.leftmost(upper))
+    }
+
+    /// Inserts edges that run down from `upper`, each to the first vertex on it. `around` is a side
+    /// opposite `upper`.
+    pub(super) fn insert_edges(
+        &mut self,
+        upper: VertexId,
+        mut list: Vec<(VertexId, u32)>,
+        mut around: Side,
+    ) -> Result<(), Error> {
         // An edge of no length needs nothing.
         list.retain(|&(lower, _)| lower != upper);
         if list.len() > 1 {
@@ -50,93 +63,77 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 // On one line: the nearer end first, which is the higher one.
                 turn.reverse().then_with(|| b.cmp(&a))
             });
-            // Counter-clockwise, but the last one, the rightmost, goes first. Once it and the leftmost
-            // are in, no pocket is left beside the upper end, and one turn around it finds all others.
-            list.rotate_right(1);
+            // Counter-clockwise, but the last one, the rightmost, goes first (with those equal to it). Once
+            // it and the leftmost are in, no pocket is left beside the upper end, and one turn around it
+            // finds all others.
+            let &(last, _) = list.last().expect("there are two");
+            let is_equal = |&&(lower, _): &&(VertexId, u32)| lower == last;
+            let equal = list.iter().rev().take_while(is_equal).count();
+            list.rotate_right(equal);
         }
-        let mut around = self.leftmost(upper);
+        let mut before = None;
         for (lower, edge) in list {
             self.fabric.report(|name| Event::Edge {
                 edge,
                 upper: name(upper),
                 lower: name(lower),
             });
-            self.insert_edge(upper, lower, edge, &mut around)
+            let end = self
+                .insert_edge(upper, lower, &mut around)
                 .map_err(|crossed| self.crossing(edge, crossed))?;
+            match before {
+                // Equal edges are neighbours in the list.
+                Some(of) if self.chains.are_equal(edge, of) => self.chains.share(edge, of),
+                _ => {
+                    before = Some(edge);
+                    if end != lower {
+                        let vertex = self.fabric.signs.vertices.input_index(end);
+                        self.chains.pass(edge, vertex)?;
+                        self.rests.push(Rest::new(end, lower, edge));
+                    }
+                }
+            }
         }
         Ok(())
     }
 
-    /// Inserts one edge. `around` is a side opposite the upper end; afterwards it is one beside the edge.
-    ///
-    /// The survey follows the whole edge, so it finds any edge that crosses. What comes later fills pockets
-    /// and flips free sides; it fixes no other sides than the parts of this edge.
+    /// Inserts the part of an edge from its upper end to the first vertex on it, which is returned.
+    /// `around` is a side opposite the upper end; afterwards it is one beside the edge.
     fn insert_edge(
         &mut self,
         upper: VertexId,
         lower: VertexId,
-        edge: u32,
         around: &mut Side,
-    ) -> Result<(), Crossed> {
-        let mut part = match self.survey(upper, lower, around)? {
-            Some(part) => part,
-            None => self.traverse(upper, lower, *around)?,
-        };
-        let first_inside = narrow(self.chains.inside.len());
-        let mut onward;
-        [*around, onward] = self.insert_part(upper, part);
-        // A part that ends before the edge does ends at a vertex on it, where the next one starts.
-        while part.end != lower {
-            let at = part.end;
-            let vertices = &self.fabric.signs.vertices;
-            self.chains.inside.push(vertices.input_index(at));
-            part = self.traverse(at, lower, onward)?;
-            [_, onward] = self.insert_part(at, part);
+    ) -> Result<VertexId, Crossed> {
+        self.obstacles.pockets.clear();
+        let mut part = self.traverse(upper, lower, *around)?;
+        self.report_part(upper, part);
+        if self.fill_pockets() {
+            // Filling may have flipped the triangle that `around` was a side of.
+            if self.fabric.mesh.opposite(*around) != upper {
+                *around = self.leftmost(upper);
+            }
+            part = self.traverse(upper, lower, *around)?;
         }
-        let inside = narrow(self.chains.inside.len());
-        if inside > first_inside {
-            self.chains.split.push((edge, first_inside, inside));
-        }
-        Ok(())
+        *around = self.insert_part(upper, part);
+        Ok(part.end)
     }
 
-    /// Follows the whole edge and fills the pockets under it. Returns the part if there is only one and
-    /// no pocket was filled, for then the obstacles found are still true.
-    fn survey(
-        &mut self,
-        upper: VertexId,
-        lower: VertexId,
-        around: &mut Side,
-    ) -> Result<Option<Part>, Crossed> {
-        self.obstacles.pockets.clear();
-        let first = self.traverse(upper, lower, *around)?;
-        let mut part = first;
-        let mut pockets = self.report_part(upper, first, 0);
-        while part.end != lower {
-            let from = part.end;
-            part = self.traverse(from, lower, part.onward)?;
-            pockets = self.report_part(from, part, pockets);
-        }
-        let is_unchanged = first.end == lower && self.obstacles.pockets.is_empty();
+    /// Fills the pockets under the part; returns whether there were any.
+    fn fill_pockets(&mut self) -> bool {
+        let has_pockets = !self.obstacles.pockets.is_empty();
         while let Some([from, to]) = self.obstacles.pockets.pop() {
             let added = self.fill_front(from, to, Why::Pocket);
             self.fabric.probe.count(|c| c.pocket_triangles += added);
         }
-        // Filling may have flipped the triangle that `around` was a side of.
-        if self.fabric.mesh.opposite(*around) != upper {
-            *around = self.leftmost(upper);
-        }
-        Ok(is_unchanged.then_some(first))
+        has_pockets
     }
 
-    /// Reports the position of a part that has just been surveyed. `pockets` of the edge were known before
-    /// it; returns how many are known now.
-    fn report_part(&mut self, from: VertexId, part: Part, pockets: usize) -> usize {
-        let now = self.obstacles.pockets.len();
-        let has_pocket = now > pockets;
+    /// Reports the position of the part that has just been traversed.
+    fn report_part(&mut self, from: VertexId, part: Part) {
         let position = match part.present {
             Some(_) => EdgePosition::Present,
-            None if !has_pocket => EdgePosition::BelowFront,
+            None if self.obstacles.pockets.is_empty() => EdgePosition::BelowFront,
             None if self.obstacles.pierced.is_empty() => EdgePosition::FrontOnly,
             None => EdgePosition::Mixed,
         };
@@ -145,22 +142,24 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             to: name(part.end),
             position,
         });
-        now
     }
 
     /// Makes a part of an edge a fixed side. [`Sweep::traverse`] has just found what is in its way.
-    /// Returns two sides, one opposite each end.
-    fn insert_part(&mut self, from: VertexId, part: Part) -> [Side; 2] {
+    /// Returns a side opposite its upper end.
+    fn insert_part(&mut self, from: VertexId, part: Part) -> Side {
         if let Some(side) = part.present {
             self.fabric.mesh.fix(side);
             self.fabric.probe.count(|c| c.edges_present += 1);
             self.fabric.report(|name| Event::Fixed {
                 side: [from, part.end].map(name),
             });
-            [part.start, part.onward]
+            part.start
         } else {
             self.fabric.probe.count(|c| c.edges_inserted += 1);
-            self.fabric.replace_pierced(from, part.end, &self.obstacles)
+            let start = self.fabric.replace_pierced(from, part.end, &self.obstacles);
+            self.incidence
+                .renew(&self.fabric.mesh, &self.obstacles.pierced);
+            start
         }
     }
 

@@ -72,6 +72,11 @@ impl Edges {
         }
     }
 
+    /// Whether there are no edges.
+    pub(super) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
     /// All edges: upper end, lower end, input index.
     pub(super) fn iter(&self) -> impl Iterator<Item = (VertexId, VertexId, u32)> + '_ {
         let uppers = (0..self.first.len().saturating_sub(1)).map(VertexId::at);

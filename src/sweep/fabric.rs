@@ -5,6 +5,7 @@
 
 use std::cmp::Ordering;
 
+use super::flip_limit::FlipLimit;
 use super::signs::Signs;
 use super::stretch::Stretch;
 use crate::ids::{TriangleId, VertexId};
@@ -19,6 +20,7 @@ pub(super) struct Fabric<'a, S, P> {
     pub(super) signs: Signs<'a, S>,
     /// Sides that may be illegal.
     pub(super) suspects: Vec<Side>,
+    pub(super) flip_limit: FlipLimit,
     /// Working memory of the chains, kept from one to the next.
     pub(super) stretch: Stretch,
     pub(super) probe: P,
@@ -26,13 +28,14 @@ pub(super) struct Fabric<'a, S, P> {
 
 impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
     /// No triangle yet, and room for those of all vertices. There is an open side for each vertex, the
-    /// segment of the front that starts there.
-    pub(super) fn new(signs: Signs<'a, S>, probe: P) -> Self {
+    /// segment of the front that starts there. `has_budget` if the sweep may be abandoned.
+    pub(super) fn new(signs: Signs<'a, S>, has_budget: bool, probe: P) -> Self {
         let n = signs.vertices.len();
         Fabric {
             mesh: Mesh::new(2 * n + 2, n + 2),
             signs,
             suspects: Vec::new(),
+            flip_limit: FlipLimit::new(n, has_budget),
             stretch: Stretch::default(),
             probe,
         }

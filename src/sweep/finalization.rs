@@ -34,11 +34,24 @@ use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// Completes the triangulation and returns it with the search structure and the probe.
-    pub(super) fn finalize(mut self) -> (Triangulation, F, P) {
+    /// Fills the front up to the upper hull.
+    pub(super) fn complete_hull(&mut self) {
         self.fabric.probe.begin(Phase::Finalization);
         self.fabric.report(|_| Event::Finalization);
-        let hull = self.complete_hull();
+        let artificial = self.fabric.signs.artificial;
+        let first = self.front.next(artificial.left);
+        if first != artificial.right {
+            let last = self.front.prev(artificial.right);
+            let added = self.fill_front(first, last, Why::Hull);
+            self.fabric.probe.count(|c| c.hull_triangles += added);
+        }
+    }
+
+    /// Returns the triangulation, whose hull is complete, with the search structure and the probe.
+    pub(super) fn finalize(mut self) -> (Triangulation, F, P) {
+        let memory = self.memory();
+        self.fabric.probe.note(|stats| stats.memory = memory);
+        let hull = self.hull();
         let mesh = std::mem::replace(&mut self.fabric.mesh, Mesh::new(0, 0));
         let mut triangles = mesh.into_triangles();
         self.remove_artificial(&mut triangles);
@@ -46,8 +59,6 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             triangles: narrow(triangles.len()),
         });
 
-        let mut chains = self.chains;
-        chains.split.sort_unstable();
         let result = Triangulation {
             hull: if triangles.is_empty() {
                 Vec::new()
@@ -56,25 +67,21 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             },
             triangles,
             duplicates: self.fabric.signs.vertices.duplicates,
-            chains,
+            chains: self.chains.finish(),
         };
         let mut probe = self.fabric.probe;
         probe.begin(Phase::Finished);
         (result, self.search, probe)
     }
 
-    /// Fills the front up to the upper hull. Returns all vertices on the hull, counter-clockwise from
-    /// the leftmost, as input indices.
-    fn complete_hull(&mut self) -> Vec<u32> {
+    /// All vertices on the hull, counter-clockwise from the leftmost, as input indices.
+    fn hull(&self) -> Vec<u32> {
         let artificial = self.fabric.signs.artificial;
         let (left, right) = (artificial.left, artificial.right);
         let (first, last) = (self.front.next(left), self.front.prev(right));
         if first == right {
             return Vec::new();
         }
-        let added = self.fill_front(first, last, Why::Hull);
-        self.fabric.probe.count(|c| c.hull_triangles += added);
-
         let (mesh, vertices) = (&self.fabric.mesh, &self.fabric.signs.vertices);
         let mut hull = vec![vertices.input_index(first)];
         // The lower hull: around P-1 from the front down to P-2, then around P-2 up to the front.

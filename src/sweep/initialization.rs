@@ -5,28 +5,31 @@
 //!
 //! Differs from the paper: see [`super::vertices`], [`super::edges`] and [`super::artificial`].
 
+use super::Settings;
 use super::edges::Edges;
 use super::fabric::Fabric;
+use super::incidence::Incidence;
 use super::obstacles::Obstacles;
+use super::rests::Rests;
 use super::signs::Signs;
 use super::state::Sweep;
 use super::vertices::Vertices;
+use crate::algorithm::Algorithm;
+use crate::chains::ChainNotes;
 use crate::error::Error;
 use crate::front::{Domain, Front, FrontSearch};
-use crate::heuristics::Heuristics;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::stats::Phase;
 use crate::trace::{Event, Why};
-use crate::triangulation::Chains;
 
 /// Sorts and merges the points, lists the edges and makes the first triangle.
 pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
     points: &'a [[S; 2]],
     edges: &[[usize; 2]],
-    heuristics: Heuristics,
+    settings: Settings<'_>,
     mut search: F,
     mut probe: P,
 ) -> Result<Sweep<'a, S, F, P>, Error> {
@@ -47,15 +50,18 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
     // The state without triangles, and then the first one.
     let n = vertices.len();
     let mut sweep = Sweep {
-        fabric: Fabric::new(Signs::new(points, vertices), probe),
+        fabric: Fabric::new(
+            Signs::new(points, vertices),
+            settings.algorithm == Algorithm::Auto,
+            probe,
+        ),
         front: Front::new(n),
         search,
-        heuristics,
+        heuristics: settings.heuristics,
         edges,
-        chains: Chains {
-            ends,
-            ..Chains::default()
-        },
+        chains: ChainNotes::new(ends),
+        rests: Rests::new(),
+        incidence: Incidence::default(),
         obstacles: Obstacles::default(),
         chain: Vec::new(),
     };
@@ -88,7 +94,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 
     /// The triangle of the first vertex and the artificial points (figure 6).
-    fn first_triangle(&mut self) {
+    pub(super) fn first_triangle(&mut self) {
         let first = VertexId::new(0);
         let artificial = self.fabric.signs.artificial;
         let (left, right) = (artificial.left, artificial.right);

@@ -21,7 +21,8 @@
 //!         q                              q
 //! ```
 //!
-//! Everywhere else a stack of suspects is tested until it is empty.
+//! Everywhere else a stack of suspects is tested until it is empty. (When the sweep is about to be
+//! abandoned, the suspects are forgotten; see [`super::flip_limit`].)
 //!
 //! Cost: a test for each triangle of the fan and two for each flip; up to four for a flip elsewhere. A
 //! new vertex needs a constant number of flips on average (section 2).
@@ -64,9 +65,13 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
     }
 
-    /// Tests the suspects until none is left.
+    /// Tests the suspects until none is left, or until the budget of flips is spent.
     pub(super) fn legalize(&mut self) {
         while let Some(suspect) = self.suspects.pop() {
+            if self.flip_limit.is_spent() {
+                self.suspects.clear();
+                break;
+            }
             if self.is_illegal(suspect) {
                 self.flip_and_suspect(suspect);
             }
@@ -91,6 +96,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             });
         }
         self.probe.count(|c| c.flips += 1);
+        self.flip_limit.count();
         self.mesh.flip(side)
     }
 

@@ -20,11 +20,20 @@
 //! | 2 | 2, 3 | empty circle test and its ties, legalization | [`signs`], [`legalization`] |
 //! | 3.5 | 15 | finalization | [`finalization`] |
 //!
+//! What the paper does not have:
+//!
+//! | what | file |
+//! |---|---|
+//! | edges through vertices | [`rests`], [`incidence`] |
+//! | when the sweep is abandoned | [`flip_limit`] |
+//! | the net under it: divide and conquer | [`divide_and_conquer`] |
+//!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
 //! settings of the heuristics [`crate::Heuristics`].
 //!
 //! Cost: about O(n log n) on ordinary inputs. O(n^2) at worst: on some inputs every algorithm that keeps a
-//! Delaunay triangulation of the points swept so far must make that many flips.
+//! Delaunay triangulation of the points swept so far must make that many flips. Then the sweep is abandoned,
+//! unless the caller forbids it.
 //!
 //! Differs from the paper: each file names its differences.
 
@@ -32,10 +41,13 @@ mod artificial;
 mod basins;
 mod chain;
 mod corner;
+mod divide_and_conquer;
 mod edge_event;
 mod edges;
 mod fabric;
 mod finalization;
+mod flip_limit;
+mod incidence;
 mod initialization;
 mod legalization;
 mod narrow_corners;
@@ -43,12 +55,14 @@ mod obstacles;
 mod order;
 mod point_event;
 mod pseudo_polygons;
+mod rests;
 mod signs;
 mod state;
 mod stretch;
 mod traversal;
 mod vertices;
 
+use crate::algorithm::Algorithm;
 use crate::error::Error;
 use crate::front::FrontSearch;
 use crate::heuristics::Heuristics;
@@ -64,22 +78,40 @@ pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;
 /// How many point events pass between two reports of progress.
 const REPORT: u32 = 4096;
 
-/// Runs the three parts of section 3.2. The search structure and the probe come back with the result.
+/// What the caller chooses, beside the search structure.
+#[derive(Clone, Copy)]
+pub(crate) struct Settings<'p> {
+    pub(crate) algorithm: Algorithm,
+    pub(crate) heuristics: Heuristics,
+    pub(crate) progress: Progress<'p>,
+}
+
+/// Runs the three parts of section 3.2, or divide and conquer in place of the first two. The search
+/// structure and the probe come back with the result.
 pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-    heuristics: Heuristics,
+    settings: Settings<'_>,
     search: F,
-    progress: Progress<'_>,
     probe: P,
 ) -> Result<(Triangulation, F, P), Error> {
-    let mut sweep = initialization::initialize(points, edges, heuristics, search, probe)?;
-    sweep.sweep(progress)?;
+    let mut sweep = initialization::initialize(points, edges, settings, search, probe)?;
+    let is_swept = settings.algorithm != Algorithm::DivideAndConquer && {
+        sweep.sweep(settings.progress)?;
+        sweep.complete_hull();
+        !sweep.fabric.flip_limit.is_spent()
+    };
+    if !is_swept {
+        sweep.divide_and_conquer()?;
+    }
+    sweep.fabric.probe.begin(Phase::Finalization);
+    sweep.insert_rests()?;
     Ok(sweep.finalize())
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
-    /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there.
+    /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Ends
+    /// early when the budget of flips is spent.
     fn sweep(&mut self, progress: Progress<'_>) -> Result<(), Error> {
         self.fabric.probe.begin(Phase::Sweeping);
         let n = self.fabric.signs.vertices.len();
@@ -87,6 +119,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
             // The first vertex is in the first triangle.
             if v != VertexId::new(0) {
                 self.point_event(v);
+            }
+            if self.fabric.flip_limit.is_spent() {
+                return Ok(());
             }
             if !self.edges.at(v).is_empty() {
                 self.edge_event(v)?;
@@ -97,8 +132,6 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
                 progress(v.index(), n);
             }
         }
-        let memory = self.memory();
-        self.fabric.probe.note(|stats| stats.memory = memory);
         Ok(())
     }
 }

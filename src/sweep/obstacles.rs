@@ -4,15 +4,13 @@
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::Side;
 
-/// One part of an edge: down to the next vertex on it.
+/// One part of an edge: down to the first vertex on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
     /// The vertex where it ends.
     pub(super) end: VertexId,
     /// A side opposite the vertex where it starts.
     pub(super) start: Side,
-    /// A side opposite the vertex where it ends.
-    pub(super) onward: Side,
     /// The side that the part is, if it is a side already; otherwise it pierces triangles or pockets.
     pub(super) present: Option<Side>,
 }
@@ -20,7 +18,7 @@ pub(super) struct Part {
 /// Both vertices of a fixed side that the edge would cross.
 pub(super) type Crossed = [VertexId; 2];
 
-/// What is in the way of the last part, and the pockets under all parts of the edge.
+/// What is in the way of a part.
 #[derive(Debug, Default)]
 pub(super) struct Obstacles {
     /// The pierced triangles, from the upper end down.
@@ -30,7 +28,7 @@ pub(super) struct Obstacles {
     pub(super) left: Vec<Side>,
     /// Those on the border of the one right of it.
     pub(super) right: Vec<Side>,
-    /// For each pocket under the edge, of all parts, the two nodes where it begins and ends, left one first.
+    /// For each pocket under the part the two nodes where it begins and ends, left one first.
     pub(super) pockets: Vec<[VertexId; 2]>,
 }
 

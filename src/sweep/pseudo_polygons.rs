@@ -43,13 +43,13 @@ struct Seams {
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Makes the part from `from` to `to` a fixed side; the traversal has just found its `obstacles`.
-    /// Returns two sides of the triangle to the right of the part: one opposite each end.
+    /// Returns the side opposite `from` of the triangle to the right of the part.
     pub(super) fn replace_pierced(
         &mut self,
         from: VertexId,
         to: VertexId,
         obstacles: &Obstacles,
-    ) -> [Side; 2] {
+    ) -> Side {
         // The pierced triangles go, and leave two chains of open sides.
         self.remove_pierced(obstacles);
         let kept = self.mesh.count_open();
@@ -75,7 +75,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             side: [from, to].map(name),
         });
         self.mesh.forget_open(kept);
-        [right.prev(), right.next()]
+        self.flip_limit.renew();
+        right.prev()
     }
 
     /// Marks the pierced triangles. They are needed until the borders are known; then their places are

@@ -10,14 +10,16 @@
 use super::corner::Corner;
 use super::edges::Edges;
 use super::fabric::Fabric;
+use super::incidence::Incidence;
 use super::obstacles::Obstacles;
+use super::rests::Rests;
+use crate::chains::ChainNotes;
 use crate::front::{Front, FrontNode, FrontSearch};
 use crate::heuristics::Heuristics;
 use crate::ids::{OpenId, VertexId};
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{Event, Why};
-use crate::triangulation::Chains;
 
 /// The state between two events.
 #[derive(Debug)]
@@ -28,7 +30,11 @@ pub(super) struct Sweep<'a, S, F, P> {
     pub(super) heuristics: Heuristics,
     pub(super) edges: Edges,
     /// For the result: the vertices along each edge inserted so far.
-    pub(super) chains: Chains,
+    pub(super) chains: ChainNotes,
+    /// What is left of edges that pass through vertices.
+    pub(super) rests: Rests,
+    /// A triangle of each vertex, once the hull is complete.
+    pub(super) incidence: Incidence,
     /// What the edge being inserted runs into.
     pub(super) obstacles: Obstacles,
     /// Working memory: the stretch of the front being filled.
@@ -93,6 +99,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             + self.fabric.signs.vertices.memory()
             + self.front.memory()
             + self.edges.memory()
-            + self.chains.ends.capacity() * size_of::<[u32; 2]>()
+            + self.chains.memory()
+            + self.incidence.memory()
     }
 }

@@ -56,8 +56,8 @@ enum Place {
     /// Above the front. It left the triangles across the segment between these nodes; both are the start
     /// of the part if that begins above the front.
     Front([VertexId; 2]),
-    /// At the vertex that ends it, with a side opposite that vertex.
-    End(VertexId, Side),
+    /// At the vertex that ends it.
+    End(VertexId),
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
@@ -79,11 +79,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             place = match place {
                 Place::Side(side) => self.pass_triangle([from, to], side)?,
                 Place::Front(ends) => self.pass_front([from, to], ends)?,
-                Place::End(end, onward) => {
+                Place::End(end) => {
                     return Ok(Part {
                         end,
                         start,
-                        onward,
                         present: None,
                     });
                 }
@@ -105,9 +104,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         loop {
             let [_, a, b] = self.fabric.mesh.around(at);
             let mut sides = [Equal; 2];
-            // For `a` and for `b`: the side between `from` and it, and the side opposite it.
-            let spokes = [(a, at.prev(), at.next()), (b, at.next(), at.prev())];
-            for (i, (v, spoke, onward)) in spokes.into_iter().enumerate() {
+            // For `a` and for `b`: the side between `from` and it.
+            let spokes = [(a, at.prev()), (b, at.next())];
+            for (i, (v, spoke)) in spokes.into_iter().enumerate() {
                 sides[i] = match known.take() {
                     Some(side) => side,
                     None => self.fabric.side([from, to], v),
@@ -117,7 +116,6 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                     return Departure::Along(Part {
                         end: v,
                         start: at,
-                        onward,
                         present: Some(spoke),
                     });
                 }
@@ -174,7 +172,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.obstacles.right.push(entry.next());
         }
         match side {
-            Equal => Ok(Place::End(v, entry)),
+            Equal => Ok(Place::End(v)),
             Greater => self.leave(entry.next()),
             Less => self.leave(entry.prev()),
         }
@@ -216,7 +214,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         };
         self.obstacles.pockets.push(in_order(node, at));
         if side == Equal {
-            return Ok(Place::End(at, self.leftmost(at)));
+            return Ok(Place::End(at));
         }
 
         // The front rises above the edge: the edge enters the triangles across this segment.

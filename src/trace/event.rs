@@ -114,7 +114,7 @@ pub enum Event {
     Edge {
         /// The index of the input edge.
         edge: u32,
-        /// Its upper end.
+        /// Its upper end, or the vertex on it where a rest begins.
         upper: Vertex,
         /// Its lower end.
         lower: Vertex,
@@ -127,7 +127,8 @@ pub enum Event {
         /// begins above the front.
         segment: [Vertex; 2],
     },
-    /// A part of the edge has been traversed, down to the next vertex on it.
+    /// A part of the edge has been traversed, down to the first vertex on it. The rest of an edge that
+    /// passes through a vertex begins there, as an edge event of its own, when the hull is complete.
     Part {
         /// Its upper end.
         from: Vertex,

@@ -58,7 +58,7 @@ pub(super) fn read(text: &str) -> Result<(usize, Vec<Event>), BadTrace> {
             from: from @ 1..,
         }) if format == FORMAT => from - 1,
         _ => {
-            let message = "is not the header of a trace of version 2".to_owned();
+            let message = "is not the header of a trace of version 3".to_owned();
             return Err(BadTrace { line: 1, message });
         }
     };

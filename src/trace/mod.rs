@@ -4,7 +4,7 @@
 //! A trace is written in one of two formats, both with a header line that gives the version and then
 //! one line a step: as text, made to be read beside the paper, or as JSON Lines for programs.
 //!
-//! Text (`sweep-cdt trace 2`):
+//! Text (`sweep-cdt trace 3`):
 //!
 //! ```text
 //! sorted 4                                            the sweep order, one vertex a line
@@ -26,7 +26,7 @@
 //! finished: 12 triangles
 //! ```
 //!
-//! JSON Lines: the header is `{"format":"sweep-cdt trace","version":2}`; each step is an object whose
+//! JSON Lines: the header is `{"format":"sweep-cdt trace","version":3}`; each step is an object whose
 //! `event` is the name of the variant of [`Event`] in lower case with hyphens, and whose other members
 //! are its fields; words are written the same way. Vertices are numbers, or `"P-1"` and `"P-2"`. A part
 //! of a trace says at which step it begins: `from step 120` in the header, or `"from":120`.
@@ -44,4 +44,4 @@ pub use event::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, 
 pub use whole::Trace;
 
 /// The version of both formats.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;

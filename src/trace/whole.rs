@@ -22,7 +22,7 @@ use super::{replay, text};
 /// let mut text = Vec::new();
 /// trace.write_text(&mut text)?;
 /// let text = String::from_utf8(text)?;
-/// assert!(text.starts_with("sweep-cdt trace 2\nsorted 0\nsorted 1\nsorted 3\nsorted 2\n"));
+/// assert!(text.starts_with("sweep-cdt trace 3\nsorted 0\nsorted 1\nsorted 3\nsorted 2\n"));
 ///
 /// let read = Trace::parse(&text)?;
 /// assert_eq!(read, trace);
@@ -81,7 +81,8 @@ impl Trace {
     ///   covers of the front leaves it;
     /// - a test names a side with the vertices opposite; a flip follows every illegal side and no other,
     ///   and a fixed side is never flipped;
-    /// - an edge begins at the vertex swept last, its parts lead down to its lower end and each is fixed;
+    /// - an edge begins at the vertex swept last, the rest of an edge at the vertex where its last part ended,
+    ///   when the hull is complete; the parts lead down to its lower end and each is fixed;
     ///   pierced triangles are a strip from end to end, the borders are those of the strip, and the
     ///   pseudo-polygons are filled;
     /// - in the end all artificial triangles are gone, the others are as many as the last step says, they

@@ -189,7 +189,7 @@ fn a_stretch_of_the_steps_is_written_on_demand() {
     let lines: Vec<&str> = printed(&whole).lines().collect();
     let part = run("trace ten.poly --from 4 --to 6");
     let expected = [
-        "sweep-cdt trace 2 from step 4",
+        "sweep-cdt trace 3 from step 4",
         lines[4],
         lines[5],
         lines[6],
@@ -204,12 +204,12 @@ fn a_stretch_of_the_steps_is_written_on_demand() {
 #[test]
 fn what_is_no_trace_is_refused_by_line() {
     assert_fails(
-        &replay(b"sweep-cdt trace 2\nsorted 0\nhello\n"),
+        &replay(b"sweep-cdt trace 3\nsorted 0\nhello\n"),
         "standard input:3: is no step: \"hello\"",
     );
     assert_fails(
         &replay(b"\xff"),
-        "standard input:1: is not the header `sweep-cdt trace 2`",
+        "standard input:1: is not the header `sweep-cdt trace 3`",
     );
     assert_fails(
         &run("replay nowhere.txt"),

@@ -1,5 +1,5 @@
-//! An edge event in a replay: first its parts come, from the upper to the lower end, then each of
-//! them is inserted: as the side that is there already, or in place of the triangles that it pierces.
+//! An edge event in a replay: first its part comes, from the upper end to the first vertex on the edge,
+//! then it is inserted: as the side that is there already, or in place of the triangles that it pierces.
 
 use std::collections::HashSet;
 
@@ -9,14 +9,13 @@ use super::mesh::{self, Mesh, Side, across};
 /// The edge being inserted.
 #[derive(Debug)]
 pub(super) struct Edge {
-    lower: Vertex,
-    /// Where the next part starts.
-    at: Vertex,
-    /// Switches since then: whether to the front, and whether at a vertex.
+    pub(super) number: u32,
+    pub(super) upper: Vertex,
+    pub(super) lower: Vertex,
+    /// Switches so far: whether to the front, and whether at a vertex.
     switches: Vec<(bool, bool)>,
-    parts: Vec<[Vertex; 2]>,
-    /// How many parts are fixed.
-    fixed: usize,
+    part: Option<[Vertex; 2]>,
+    is_complete: bool,
     hole: Hole,
 }
 
@@ -35,25 +34,21 @@ struct Hole {
 }
 
 impl Edge {
-    pub(super) fn new(upper: Vertex, lower: Vertex) -> Edge {
+    pub(super) fn new(number: u32, upper: Vertex, lower: Vertex) -> Edge {
         Edge {
+            number,
+            upper,
             lower,
-            at: upper,
             switches: Vec::new(),
-            parts: Vec::new(),
-            fixed: 0,
+            part: None,
+            is_complete: false,
             hole: Hole::default(),
         }
     }
 
-    /// Whether all parts have come.
-    pub(super) fn is_surveyed(&self) -> bool {
-        self.at == self.lower
-    }
-
-    /// Whether pockets may be filled: after the parts have come, before the first is inserted.
+    /// Whether pockets may be filled: after the part has come, before it is inserted.
     pub(super) fn may_fill_pockets(&self) -> bool {
-        self.is_surveyed() && self.fixed == 0 && self.hole.last.is_none()
+        self.part.is_some() && !self.is_complete && self.hole.last.is_none()
     }
 
     /// Whether a pseudo-polygon may be filled.
@@ -62,21 +57,21 @@ impl Edge {
     }
 
     pub(super) fn is_complete(&self) -> bool {
-        self.is_surveyed() && self.fixed == self.parts.len()
+        self.is_complete
     }
 
     pub(super) fn switch(&mut self, to_front: bool, segment: [Vertex; 2]) -> Result<(), String> {
         let is_on_front = self.switches.last().is_some_and(|&(to_front, _)| to_front);
-        if self.is_surveyed() || is_on_front == to_front {
+        if self.part.is_some() || is_on_front == to_front {
             return Err("no switch can be here".to_owned());
         }
         let [left, right] = segment;
         let is_at_vertex = left == right;
         // Only the first switch is at a vertex, where the part begins; no crossed segment ends there.
         let is_right = if is_at_vertex {
-            left == self.at && self.switches.is_empty()
+            left == self.upper && self.switches.is_empty()
         } else {
-            !segment.contains(&self.at)
+            !segment.contains(&self.upper)
         };
         if !is_right {
             return Err(format!("the edge cannot be at {left} {right} now"));
@@ -91,7 +86,7 @@ impl Edge {
         position: EdgePosition,
         mesh: &Mesh,
     ) -> Result<(), String> {
-        if self.is_surveyed() || from != self.at {
+        if self.part.is_some() || from != self.upper {
             return Err(format!("no part of the edge begins at {from} now"));
         }
         let is_there = mesh.has([from, to]) || mesh.has([to, from]);
@@ -104,17 +99,14 @@ impl Edge {
         if position != met {
             return Err("the steps before make it another position".to_owned());
         }
-        self.switches.clear();
-        self.parts.push([from, to]);
-        self.at = to;
+        self.part = Some([from, to]);
         Ok(())
     }
 
     /// The part to be inserted.
     fn current(&self) -> Result<[Vertex; 2], String> {
-        let part = self.parts.get(self.fixed).filter(|_| self.is_surveyed());
-        part.copied()
-            .ok_or_else(|| "no part of an edge is inserted now".to_owned())
+        let part = self.part.filter(|_| !self.is_complete);
+        part.ok_or_else(|| "no part of an edge is inserted now".to_owned())
     }
 
     pub(super) fn pierce(&mut self, vertices: [Vertex; 3], mesh: &Mesh) -> Result<(), String> {
@@ -180,7 +172,7 @@ impl Edge {
         if self.current()? != part || !is_there {
             return Err("this part of the edge cannot be fixed now".to_owned());
         }
-        self.fixed += 1;
+        self.is_complete = true;
         Ok(())
     }
 }

@@ -41,7 +41,8 @@ impl Replay {
                 ensure(self.is_below(to, from), || {
                     format!("vertex {to} is not below vertex {from}")
                 })?;
-                inserted(&mut self.edge)?.part([from, to], position, &self.mesh)
+                inserted(&mut self.edge)?.part([from, to], position, &self.mesh)?;
+                self.note_rest(to)
             }
             Event::Pierced { vertices } => {
                 inserted(&mut self.edge)?.pierce(vertices, &self.mesh)?;
@@ -126,7 +127,7 @@ impl Replay {
             Why::Basin => is_sweeping && self.edge.is_none() && self.below.is_none(),
             Why::Pocket => self.edge.as_ref().is_some_and(Edge::may_fill_pockets),
             Why::PseudoPolygon => self.edge.as_ref().is_some_and(Edge::may_fill_polygon),
-            Why::Hull => self.phase == Phase::Finalizing,
+            Why::Hull => self.phase == Phase::Finalizing && self.edge.is_none(),
         };
         let [a, b, c] = vertices;
         ensure(may_be_here, || {
@@ -218,6 +219,18 @@ impl Replay {
 
     fn begin_edge(&mut self, edge: u32, upper: Vertex, lower: Vertex) -> Result<(), String> {
         self.complete()?;
+        if self.phase == Phase::Finalizing {
+            ensure(self.rests.remove(&(upper, lower, edge)), || {
+                format!("edge {edge} has no rest from {upper} to {lower}")
+            })?;
+        } else {
+            self.begin_whole_edge(edge, upper, lower)?;
+        }
+        self.edge = Some(Edge::new(edge, upper, lower));
+        Ok(())
+    }
+
+    fn begin_whole_edge(&mut self, edge: u32, upper: Vertex, lower: Vertex) -> Result<(), String> {
         let is_sweeping = self.phase == Phase::Sweeping;
         ensure(is_sweeping && self.current() == Some(upper), || {
             format!("vertex {upper} is not the one swept last")
@@ -228,7 +241,31 @@ impl Replay {
         ensure(self.edges.insert(edge), || {
             format!("edge {edge} comes twice")
         })?;
-        self.edge = Some(Edge::new(upper, lower));
+        Ok(())
+    }
+
+    /// Notes what is left of the edge behind its part, which ends at `end`.
+    fn note_rest(&mut self, end: Vertex) -> Result<(), String> {
+        let &mut Edge {
+            number,
+            upper,
+            lower,
+            ..
+        } = inserted(&mut self.edge)?;
+        if self.phase == Phase::Sweeping {
+            // An edge that equals an earlier one has the same parts, and the rest comes only once.
+            if let Some(first) = self.first_parts.insert([upper, lower], end) {
+                return ensure(first == end, || {
+                    format!("an equal edge met vertex {first} first")
+                });
+            }
+        }
+        ensure(end == lower || self.is_below(lower, end), || {
+            format!("vertex {lower} is not below vertex {end}")
+        })?;
+        if end != lower {
+            self.rests.insert((end, lower, number));
+        }
         Ok(())
     }
 
@@ -243,6 +280,10 @@ impl Replay {
     }
 
     fn remove(&mut self, vertices: [Vertex; 3]) -> Result<(), String> {
+        self.complete()?;
+        ensure(self.rests.is_empty(), || {
+            "the rest of an edge is not inserted".to_owned()
+        })?;
         let is_time = matches!(self.phase, Phase::Finalizing | Phase::Removing);
         ensure(is_time && vertices.into_iter().any(is_artificial), || {
             "this triangle is not removed now".to_owned()

@@ -44,6 +44,10 @@ struct Replay {
     below: Option<Vertex>,
     edge: Option<Edge>,
     edges: HashSet<u32>,
+    /// For the ends of each edge that was begun, upper end first, the end of its first part.
+    first_parts: HashMap<[Vertex; 2], Vertex>,
+    /// What is left of edges behind a vertex on them: where the rest begins, its lower end, the edge.
+    rests: HashSet<(Vertex, Vertex, u32)>,
 }
 
 /// Rebuilds the result.
@@ -84,6 +88,8 @@ impl Replay {
             below: None,
             edge: None,
             edges: HashSet::new(),
+            first_parts: HashMap::new(),
+            rests: HashSet::new(),
         }
     }
 

@@ -19,7 +19,7 @@ fn a_part_of_a_trace_is_read_but_not_replayed() {
     };
     let text = text(&part);
     assert!(
-        text.starts_with("sweep-cdt trace 2 from step 4\n"),
+        text.starts_with("sweep-cdt trace 3 from step 4\n"),
         "{text}"
     );
     assert_eq!(Trace::parse(&text).as_ref(), Ok(&part));
@@ -33,36 +33,36 @@ fn a_part_of_a_trace_is_read_but_not_replayed() {
 #[test]
 fn what_is_no_trace_is_refused() {
     let cases = [
-        ("", "line 1: is not the header `sweep-cdt trace 2`"),
+        ("", "line 1: is not the header `sweep-cdt trace 3`"),
         (
             "sweep-cdt trace 1\n",
-            "line 1: is not the header `sweep-cdt trace 2`",
+            "line 1: is not the header `sweep-cdt trace 3`",
         ),
-        ("sweep-cdt trace 2\n", "line 2: the trace ends too early"),
+        ("sweep-cdt trace 3\n", "line 2: the trace ends too early"),
         (
-            "sweep-cdt trace 2\nsorted  3\n",
+            "sweep-cdt trace 3\nsorted  3\n",
             "line 2: is no step: \"sorted  3\"",
         ),
         (
-            "sweep-cdt trace 2\nsorted 0\nsorted 0\n",
+            "sweep-cdt trace 3\nsorted 0\nsorted 0\n",
             "line 3: vertex 0 is sorted twice",
         ),
         (
-            "sweep-cdt trace 2\nsorted -1\n",
+            "sweep-cdt trace 3\nsorted -1\n",
             "line 2: is no step: \"sorted -1\"",
         ),
         (
-            "sweep-cdt trace 2\nfinalization\nfinished: 0 triangles\nsorted 0\n",
+            "sweep-cdt trace 3\nfinalization\nfinished: 0 triangles\nsorted 0\n",
             "line 4: the trace is over",
         ),
-        ("{}\n", "line 1: is not the header of a trace of version 2"),
+        ("{}\n", "line 1: is not the header of a trace of version 3"),
         (
             "{\"format\":\"other\",\"version\":2}\n",
-            "line 1: is not the header of a trace of version 2",
+            "line 1: is not the header of a trace of version 3",
         ),
         (
             "{\"format\":\"sweep-cdt trace\",\"version\":2,\"from\":0}\n",
-            "line 1: is not the header of a trace of version 2",
+            "line 1: is not the header of a trace of version 3",
         ),
         (
             "{\"format\":\"sweep-cdt trace\",\"version\":2}\n{\"event\":\"sorted\",\"vertex\":1,\"x\":0}\n",
@@ -80,7 +80,7 @@ fn json_lines_are_as_documented() {
     let input = Input::parse("0 0, 2 0, 1 1", "");
     let lines = lines(&steps(&input, Heuristics::FAST).trace);
     let some = [
-        r#"{"format":"sweep-cdt trace","version":2}"#,
+        r#"{"format":"sweep-cdt trace","version":3}"#,
         r#"{"event":"sorted","vertex":0}"#,
         r#"{"event":"triangle","vertices":[0,"P-1","P-2"],"why":"first"}"#,
         r#"{"event":"front-insert","vertex":0,"after":"P-1"}"#,

@@ -1,0 +1,117 @@
+//! The vertices along each input edge: noted while the edges are inserted, looked up in the result.
+
+use crate::error::Error;
+use crate::ids::narrow;
+
+/// How many vertices the edges may pass through, all together.
+const LIMIT: usize = 1 << 28;
+
+/// What the insertion of the edges notes. Vertices are input indices.
+#[derive(Debug, Default)]
+pub(crate) struct ChainNotes {
+    /// The ends of each edge, upper end first.
+    ends: Vec<[u32; 2]>,
+    /// `(edge, vertex)` for each vertex inside an edge; those of one edge from its upper to its lower end.
+    passed: Vec<(u32, u32)>,
+    /// `(edge, of)` for each edge equal to one that was inserted before.
+    equal: Vec<(u32, u32)>,
+}
+
+/// For each input edge the vertices along it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Chains {
+    /// The ends of each edge (representatives), upper end first.
+    ends: Vec<[u32; 2]>,
+    /// `(edge, from, to)`: the vertices inside the edge are `inside[from..to]`; by edge, only edges
+    /// that have some. Equal edges have the same range.
+    split: Vec<(u32, u32, u32)>,
+    inside: Vec<u32>,
+}
+
+impl ChainNotes {
+    /// No vertex inside any edge yet.
+    pub(crate) fn new(ends: Vec<[u32; 2]>) -> ChainNotes {
+        ChainNotes {
+            ends,
+            ..ChainNotes::default()
+        }
+    }
+
+    /// Forgets all but the ends.
+    pub(crate) fn clear(&mut self) {
+        self.passed.clear();
+        self.equal.clear();
+    }
+
+    /// Whether two edges have the same ends.
+    pub(crate) fn are_equal(&self, a: u32, b: u32) -> bool {
+        self.ends[a as usize] == self.ends[b as usize]
+    }
+
+    /// Edge `edge` equals edge `of`, which has been inserted.
+    pub(crate) fn share(&mut self, edge: u32, of: u32) {
+        self.equal.push((edge, of));
+    }
+
+    /// Edge `edge` passes through `vertex`, after those noted before.
+    pub(crate) fn pass(&mut self, edge: u32, vertex: u32) -> Result<(), Error> {
+        if self.passed.len() == LIMIT {
+            return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
+        }
+        self.passed.push((edge, vertex));
+        Ok(())
+    }
+
+    /// The chains, when all edges are inserted.
+    pub(crate) fn finish(mut self) -> Chains {
+        // A stable sort: the vertices of each edge stay in order.
+        self.passed.sort_by_key(|&(edge, _)| edge);
+        let mut split = Vec::new();
+        let mut from = 0;
+        for run in self.passed.chunk_by(|a, b| a.0 == b.0) {
+            let to = from + narrow(run.len());
+            split.push((run[0].0, from, to));
+            from = to;
+        }
+        let own = split.len();
+        for &(edge, of) in &self.equal {
+            if let Ok(at) = split[..own].binary_search_by_key(&of, |&(edge, ..)| edge) {
+                let (_, from, to) = split[at];
+                split.push((edge, from, to));
+            }
+        }
+        split.sort_unstable();
+        Chains {
+            ends: self.ends,
+            split,
+            inside: self.passed.into_iter().map(|(_, vertex)| vertex).collect(),
+        }
+    }
+
+    /// Bytes held.
+    pub(crate) fn memory(&self) -> usize {
+        self.ends.capacity() * size_of::<[u32; 2]>()
+            + (self.passed.capacity() + self.equal.capacity()) * size_of::<(u32, u32)>()
+    }
+}
+
+impl Chains {
+    /// The ends of edge `e`, upper end first.
+    ///
+    /// # Panics
+    /// If there is no edge `e`.
+    pub(crate) fn ends(&self, e: usize) -> [u32; 2] {
+        self.ends[e]
+    }
+
+    /// The vertices inside edge `e`, from its upper to its lower end.
+    pub(crate) fn inside(&self, e: usize) -> &[u32] {
+        match self
+            .split
+            .binary_search_by_key(&e, |&(edge, ..)| edge as usize)
+        {
+            Ok(at) => &self.inside[self.split[at].1 as usize..self.split[at].2 as usize],
+            Err(_) => &[],
+        }
+    }
+}

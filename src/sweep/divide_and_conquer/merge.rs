@@ -1,0 +1,193 @@
+//! The merge of two parts (Guibas and Stolfi 1985, section 5).
+//!
+//! All vertices of the upper part come after those of the lower one in sweep order, so a line separates
+//! them. The figure turns it upright: the lower part is on the left, the upper one on the right.
+//!
+//! ```text
+//!      l2 . . . . . r2      The *base* l-r starts as the side of the common hull below both parts. It
+//!      |\   right  /|       climbs: the next triangle is l, r, l2 or l, r, r2, where l2 and r2 are the
+//!      | \   gap  / |       neighbours of l and r on the hulls that face the gap. The one is made whose
+//!      |  \      /  |       circle does not contain the other vertex. Before that, sides l-l2 whose
+//!   L  |   l----r   |  R    triangle in L contains r in its circle are removed; likewise in R.
+//!      |  /      \  |       When neither l2 nor r2 lies above the base, it is the side of the common hull
+//!                           above both parts.
+//! ```
+//!
+//! Why it is right: both tests ask whether a side of a quadrilateral must be flipped
+//! ([`Signs::must_flip`](super::super::signs::Signs::must_flip)): l-l2 between r and the vertex behind it, and
+//! r-l2 between l and r2. So the canonical rule decides ties here as in the sweep. That is the sign for points
+//! which are lifted and lowered by symbolic amounts, where no four lie on one circle, and for these Guibas
+//! and Stolfi's proof holds.
+//!
+//! In triangles: to remove a hull side is to flip it, between its triangle and its ghost; two ghosts come of
+//! it. To make a triangle is to replace the third vertex of a ghost by the other end of the base. So a merge
+//! adds two triangles to the mesh, the ghosts of the first and the last base.
+//!
+//! Cost: O(k) for k vertices in both parts. Each step removes a triangle of a part or moves the base, and a
+//! base that climbs never comes back.
+
+use std::cmp::Ordering::{Greater, Less};
+
+use super::super::fabric::Fabric;
+use super::super::flip_limit::contradiction;
+use super::Part;
+use crate::ids::VertexId;
+use crate::mesh::Side;
+use crate::probe::Probe;
+use crate::scalar::Scalar;
+
+/// The gap between two parts, and what it has come to.
+struct Gap {
+    /// The base, from the left to the right part.
+    l: VertexId,
+    r: VertexId,
+    /// The base as a side of the triangle below it.
+    base: Side,
+    /// The ghosts at the gap: of the hull side that starts at `l`, and of the one that ends at `r`. Their
+    /// sides at `l` and at `r` border on nothing.
+    left: Side,
+    right: Side,
+    /// Steps that a merge may still take.
+    steps: usize,
+}
+
+impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+    /// Merges two parts; those in `upper` come after those in `lower` in sweep order.
+    pub(super) fn merge(&mut self, lower: Part, upper: Part) -> Part {
+        let [first, _] = self.ends(lower.first);
+        let [last, _] = self.ends(upper.last);
+        let [before, after] = self.tangent(lower, upper);
+        let ([_, l], [r, _]) = (self.ends(before), self.ends(after));
+        let (left, right) = (self.after(before), self.before(after));
+
+        let bottom = self.add_ghost(l, r);
+        self.join_ghosts(before, bottom);
+        self.join_ghosts(bottom, after);
+        let mut gap = Gap {
+            l,
+            r,
+            base: bottom,
+            left,
+            right,
+            // No merge takes as many steps as there are triangles, ghosts included.
+            steps: 2 * self.mesh.len(),
+        };
+        self.mesh.detach(left.next());
+        self.mesh.detach(right.prev());
+        while self.climb(&mut gap) {}
+        let top = self.add_ghost(gap.r, gap.l);
+        self.join_ghosts(gap.right, top);
+        self.join_ghosts(top, gap.left);
+        self.mesh.connect(top, gap.base);
+
+        Part {
+            first: if l == first { bottom } else { lower.first },
+            last: if gap.r == last { top } else { upper.last },
+        }
+    }
+
+    /// The ghosts beside the first base: of the hull side that ends at its left end, and of the one that
+    /// starts at its right end.
+    fn tangent(&mut self, lower: Part, upper: Part) -> [Side; 2] {
+        // The last vertex on the left and the first on the right see each other. From there both ends go
+        // down while the neighbour lies below the base.
+        let (mut before, mut after) = (self.before(lower.last), upper.first);
+        for _ in 0..2 * self.mesh.len() {
+            let ([l2, l], [r, r2]) = (self.ends(before), self.ends(after));
+            if self.orient2d([l, r, r2]) == Less {
+                after = self.after(after);
+            } else if self.orient2d([l, r, l2]) == Less {
+                before = self.before(before);
+            } else {
+                return [before, after];
+            }
+        }
+        contradiction()
+    }
+
+    /// Makes the triangle above the base, which becomes its other side to the other part. Returns whether
+    /// there was one to make.
+    fn climb(&mut self, gap: &mut Gap) -> bool {
+        let l2 = self.left_candidate(gap);
+        let r2 = self.right_candidate(gap);
+        let is_right = match (l2, r2) {
+            (None, None) => return false,
+            (Some(_), None) => false,
+            (None, Some(_)) => true,
+            (Some(l2), Some(r2)) => self.must_flip([gap.l, gap.r, l2], r2),
+        };
+        if is_right {
+            let next = self.before(gap.right);
+            self.mesh.set_opposite(gap.right, gap.l);
+            self.mesh.connect(gap.right.prev(), gap.base);
+            gap.base = gap.right.next();
+            gap.r = self.mesh.around(gap.right)[2];
+            gap.right = next;
+            self.mesh.detach(next.prev());
+        } else {
+            let next = self.after(gap.left);
+            self.mesh.set_opposite(gap.left, gap.r);
+            self.mesh.connect(gap.left.next(), gap.base);
+            gap.base = gap.left.prev();
+            gap.l = self.mesh.around(gap.left)[1];
+            gap.left = next;
+            self.mesh.detach(next.next());
+        }
+        gap.step();
+        true
+    }
+
+    /// The neighbour of `l` above the base, once the sides that must go are gone.
+    fn left_candidate(&mut self, gap: &mut Gap) -> Option<VertexId> {
+        let [_, mut l2] = self.ends(gap.left);
+        if self.orient2d([gap.l, gap.r, l2]) != Greater {
+            return None;
+        }
+        while let Some(behind) = self.behind(gap.left)
+            && self.must_flip([gap.r, l2, gap.l], behind)
+        {
+            // The ghost of l-l2 becomes that of behind-l2; the other triangle becomes the ghost of l-behind.
+            gap.left = self.mesh.flip(gap.left).prev();
+            l2 = behind;
+            gap.step();
+        }
+        Some(l2)
+    }
+
+    /// The same on the right.
+    fn right_candidate(&mut self, gap: &mut Gap) -> Option<VertexId> {
+        let [mut r2, _] = self.ends(gap.right);
+        if self.orient2d([gap.l, gap.r, r2]) != Greater {
+            return None;
+        }
+        while let Some(behind) = self.behind(gap.right)
+            && self.must_flip([gap.l, gap.r, r2], behind)
+        {
+            // Here the ghost keeps the end at r.
+            self.mesh.flip(gap.right);
+            r2 = behind;
+            gap.step();
+        }
+        Some(r2)
+    }
+
+    /// The vertex behind a hull side, if a triangle is there and no ghost.
+    fn behind(&self, ghost: Side) -> Option<VertexId> {
+        let v = self.mesh.opposite(self.mesh.across(ghost));
+        (!self.signs.is_artificial(v)).then_some(v)
+    }
+
+    fn must_flip(&mut self, triangle: [VertexId; 3], q: VertexId) -> bool {
+        self.signs.must_flip(triangle, q, &mut self.probe)
+    }
+}
+
+impl Gap {
+    /// Counts a step.
+    fn step(&mut self) {
+        if self.steps == 0 {
+            contradiction();
+        }
+        self.steps -= 1;
+    }
+}

@@ -1,0 +1,102 @@
+//! Divide and conquer: the Delaunay triangulation of the points in O(n log n) whatever they are (Lee and
+//! Schachter 1980; Guibas and Stolfi 1985), and then the edges one by one (Anglada 1997). The paper compares
+//! its sweep with both (section 4). Here they are the net under the sweep, and an oracle of its results.
+//!
+//! The vertices in sweep order are cut into leaves of two or three. Neighbouring parts are merged
+//! ([`merge`]) until one is left. Mesh, signs and rules are those of the sweep, so the result is the same.
+//! Outside the hull of a part lie *ghosts* ([`ghosts`]), and in the end the artificial triangles and the
+//! front take their place ([`hand_over`]): then the state is that of a sweep whose hull is complete. The
+//! edges are inserted in the order of the sweep by the code of the edge event, so that of several crossings
+//! the same one is found.
+//!
+//! Cost: O(n log n) for n points; for the edges see [`super::edge_event`] and [`super::rests`].
+//!
+//! Differs from Guibas and Stolfi: triangles with ghosts in place of a quad-edge structure (after Shewchuk
+//! 1996); a loop with a stack in place of the recursion; ties follow the canonical rule; halves are divided
+//! by y, because the vertices are sorted so.
+
+mod ghosts;
+mod hand_over;
+mod merge;
+
+use super::fabric::Fabric;
+use super::incidence::Incidence;
+use super::state::Sweep;
+use crate::error::Error;
+use crate::front::{Front, FrontSearch};
+use crate::ids::VertexId;
+use crate::mesh::Side;
+use crate::probe::Probe;
+use crate::scalar::Scalar;
+use crate::stats::Phase;
+
+/// A triangulated part: vertices that follow each other in sweep order, with ghosts around them.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    /// The ghost of the hull side that starts at its first vertex in sweep order.
+    first: Side,
+    /// The ghost of the hull side that starts at its last vertex.
+    last: Side,
+}
+
+impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+    /// Begins anew without sweeping; afterwards the hull is complete, and of each edge the part down to
+    /// the first vertex on it is inserted.
+    pub(super) fn divide_and_conquer(&mut self) -> Result<(), Error> {
+        self.fabric.probe.begin(Phase::Sweeping);
+        let n = self.fabric.signs.vertices.len();
+        self.fabric.probe.note(|stats| stats.is_divided = true);
+        self.fabric.mesh.clear(n + 2);
+        self.front = Front::new(n);
+        self.chains.clear();
+        self.rests.clear();
+        match n {
+            0 => return Ok(()),
+            1 => self.first_triangle(),
+            _ => {
+                let whole = self.fabric.triangulate();
+                self.hand_over(whole.first);
+            }
+        }
+        if self.edges.is_empty() {
+            return Ok(());
+        }
+        self.incidence = Incidence::new(&self.fabric.mesh, n);
+        for v in (0..n).map(VertexId::at) {
+            if !self.edges.at(v).is_empty() {
+                let list = self.edges.at(v).to_vec();
+                self.insert_edges(v, list, self.incidence.at(v))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+    /// Triangulates all vertices, of which there are at least two.
+    fn triangulate(&mut self) -> Part {
+        let n = self.signs.vertices.len();
+        let mut parts: Vec<(u32, Part)> = Vec::new();
+        for leaf in 0..n / 2 {
+            let from = 2 * leaf;
+            // The last leaf has three vertices if their number is odd.
+            let to = if from + 3 == n { n } else { from + 2 };
+            let mut part = self.leaf(from, to);
+            // Parts of equal height are merged, as in the addition of binary numbers.
+            let mut height = 0;
+            while let Some(&(other, before)) = parts.last()
+                && other == height
+            {
+                parts.pop();
+                part = self.merge(before, part);
+                height += 1;
+            }
+            parts.push((height, part));
+        }
+        let mut whole = parts.pop().expect("there is a leaf").1;
+        while let Some((_, before)) = parts.pop() {
+            whole = self.merge(before, whole);
+        }
+        whole
+    }
+}

@@ -1,0 +1,83 @@
+//! How many sides may be flipped before the sweep is abandoned, or the scalar is wrong.
+//!
+//! The *budget* is linear in the number of vertices, and ordinary inputs need a small part of it. When it
+//! is spent, divide and conquer takes over ([`crate::Algorithm::Auto`]).
+//!
+//! The *limit* is quadratic, and no exact scalar can reach it: a flip lowers the lifted surface, so a side that
+//! was flipped away does not come back before the next edge is inserted. With n vertices and two artificial
+//! ones there are fewer than (n + 2)^2 / 2 sides. A scalar that reaches the limit contradicts itself: each
+//! of its signs may look right, but together they belong to no points. Without a limit its flips might
+//! never end.
+//!
+//! Cost: one subtraction a flip.
+//!
+//! Differs from the paper: it sets no limits.
+
+/// Flips that the budget grants for each vertex, and in addition.
+const BUDGET: [u64; 2] = [8, 1000];
+
+/// What is left of the budget and of the limit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FlipLimit {
+    left: u64,
+    most: u64,
+    /// The budget is spent; the limit is what is left now.
+    is_spent: bool,
+    has_budget: bool,
+}
+
+impl FlipLimit {
+    /// The limit for this many vertices; `has_budget` if there is a budget as well.
+    pub(super) fn new(vertices: usize, has_budget: bool) -> FlipLimit {
+        let n = vertices as u64;
+        let most = (n + 2).saturating_mul(n + 2);
+        FlipLimit {
+            left: if has_budget {
+                BUDGET[0] * n + BUDGET[1]
+            } else {
+                most
+            },
+            most,
+            is_spent: false,
+            has_budget,
+        }
+    }
+
+    /// Whether the sweep should be abandoned.
+    #[inline(always)]
+    pub(super) fn is_spent(&self) -> bool {
+        self.is_spent
+    }
+
+    /// Counts a flip.
+    #[inline(always)]
+    pub(super) fn count(&mut self) {
+        self.left -= 1;
+        if self.left == 0 {
+            self.reached();
+        }
+    }
+
+    /// An edge has been inserted: sides may come back once more.
+    pub(super) fn renew(&mut self) {
+        if !self.has_budget || self.is_spent {
+            self.left = self.most;
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn reached(&mut self) {
+        if !self.has_budget || self.is_spent {
+            contradiction();
+        }
+        (self.is_spent, self.left) = (true, self.most);
+    }
+}
+
+/// What only signs that contradict each other can lead to.
+#[cold]
+#[inline(never)]
+pub(super) fn contradiction() -> ! {
+    panic!("the scalar is not exact: its signs contradict each other");
+}

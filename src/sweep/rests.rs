@@ -1,0 +1,72 @@
+//! The rests of edges that pass through vertices, inserted when the hull is complete.
+//!
+//! The edge event (section 3.4.2) inserts an edge down to the first vertex on it. The rest of the edge is an
+//! edge that begins at this vertex. All rests that begin at one vertex are inserted together, vertex by
+//! vertex from the last in sweep order to the first, because a rest may leave another one, further down.
+//!
+//! ```text
+//!    a   b   c        Three edges through one vertex (a-a', b-b', c-c'). Each edge event inserts its
+//!     \  |  /         upper half. The lower halves leave the hub in all directions; sorted by angle
+//!      \ | /          they are found by one turn around the hub. Inserted one by one, each would need
+//!       hub           a turn of its own, and m edges through the hub would take O(m^2).
+//!      / | \
+//!     /  |  \
+//!    c'  b'  a'
+//! ```
+//!
+//! Why it is right: the insertion of an edge in parts gives the same triangulation in whichever order the
+//! parts come, because there is only one (the canonical rule).
+//!
+//! Cost: O(d + k log k) to find the ways of k rests that begin at a vertex with d triangles.
+//!
+//! Differs from the paper: it does not speak of vertices on edges.
+
+use std::collections::BinaryHeap;
+
+use super::incidence::Incidence;
+use super::state::Sweep;
+use crate::error::Error;
+use crate::front::FrontSearch;
+use crate::ids::VertexId;
+use crate::probe::Probe;
+use crate::scalar::Scalar;
+
+/// What is left of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Rest {
+    /// The vertex on the edge where the rest begins.
+    from: VertexId,
+    edge: u32,
+    lower: VertexId,
+}
+
+impl Rest {
+    pub(super) fn new(from: VertexId, lower: VertexId, edge: u32) -> Rest {
+        Rest { from, edge, lower }
+    }
+}
+
+/// The rests still to be inserted; the one that begins last in sweep order comes first.
+pub(super) type Rests = BinaryHeap<Rest>;
+
+impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+    /// Inserts all rests; the hull is complete.
+    pub(super) fn insert_rests(&mut self) -> Result<(), Error> {
+        if !self.rests.is_empty() && !self.incidence.is_made() {
+            let vertices = self.fabric.signs.vertices.len();
+            self.incidence = Incidence::new(&self.fabric.mesh, vertices);
+        }
+        while let Some(&Rest { from, .. }) = self.rests.peek() {
+            let mut list = Vec::new();
+            while let Some(rest) = self.rests.peek().copied()
+                && rest.from == from
+            {
+                list.push((rest.lower, rest.edge));
+                self.rests.pop();
+            }
+            list.reverse();
+            self.insert_edges(from, list, self.incidence.at(from))?;
+        }
+        Ok(())
+    }
+}
