@@ -23,6 +23,7 @@
 //! Differs from the paper: the lower hull (figures 15b and c) needs no pass, since sides with an
 //! artificial end are legalized all along (see [`super::artificial`]).
 
+use super::flip_limit::contradiction;
 use super::state::Sweep;
 use crate::front::FrontSearch;
 use crate::ids::{OpenId, TriangleId, VertexId, narrow};
@@ -88,6 +89,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let mut side = mesh.below(OpenId::segment(left));
         let mut pivot = left;
         while !side.is_open() {
+            // The hull has no more sides than there are triangles.
+            if hull.len() > mesh.len() {
+                contradiction();
+            }
             let v = mesh.opposite(side);
             side = if v == right {
                 pivot = right;

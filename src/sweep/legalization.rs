@@ -30,6 +30,7 @@
 //! Differs from the paper: loops, where the paper recurses.
 
 use super::fabric::Fabric;
+use super::flip_limit::contradiction;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{Side, next, prev};
 use crate::probe::Probe;
@@ -42,7 +43,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     #[inline(always)]
     pub(super) fn legalize_fan(&mut self, t: TriangleId, last: VertexId) -> Side {
         let mut outer = Side::new(t, 0);
-        loop {
+        // No fan has more triangles than there are.
+        for _ in 0..=self.mesh.len() {
             while self.is_illegal(outer) {
                 self.flip(outer);
             }
@@ -54,6 +56,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             // the spoke.
             outer = record.across(next(i)).next();
         }
+        contradiction()
     }
 
     /// Legalizes one side, and then the sides that its flip makes suspect.

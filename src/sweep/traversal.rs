@@ -30,6 +30,7 @@
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
+use super::flip_limit::contradiction;
 use super::obstacles::{Crossed, Part};
 use super::state::Sweep;
 use crate::front::{FrontSearch, Way};
@@ -101,7 +102,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let mut at = around;
         // The side of the edge that `a` is on, where the triangle before has already tested it.
         let mut known = None;
-        loop {
+        // No vertex has more triangles around it than there are.
+        for _ in 0..=self.fabric.mesh.len() {
             let [_, a, b] = self.fabric.mesh.around(at);
             let mut sides = [Equal; 2];
             // For `a` and for `b`: the side between `from` and it.
@@ -134,6 +136,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 return Departure::Above;
             }
         }
+        contradiction()
     }
 
     /// Pierces the first triangle; `side` is the one opposite the vertex where the part starts.
@@ -162,6 +165,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     fn pass_triangle(&mut self, part: [VertexId; 2], entry: Side) -> Result<Place, Crossed> {
         let v = self.fabric.mesh.opposite(entry);
         let side = self.fabric.side(part, v);
+        if self.obstacles.pierced.len() > self.fabric.mesh.len() {
+            contradiction();
+        }
         // The edge leaves across one of the other two sides; the remaining one borders on the left or the
         // right pseudo-polygon. At the end of the part both do.
         self.obstacles.pierced.push(entry.triangle());

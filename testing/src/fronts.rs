@@ -6,7 +6,7 @@
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
 
 /// One of the crate's search structures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl FrontSearch for AnyFront {
     }
 }
 
-/// Triangulates with this front.
+/// Triangulates with this front and algorithm.
 ///
 /// # Errors
 /// As [`Triangulator::triangulate`].
@@ -89,10 +89,12 @@ pub fn triangulate<S: Scalar>(
     edges: &[[usize; 2]],
     front: FrontKind,
     heuristics: Heuristics,
+    algorithm: Algorithm,
 ) -> Result<Triangulation, Error> {
     Triangulator::new()
         .front(AnyFront::from(front))
         .heuristics(heuristics)
+        .algorithm(algorithm)
         .triangulate(points, edges)
 }
 

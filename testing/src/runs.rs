@@ -1,4 +1,5 @@
-//! The table of runs: every scalar with every front and every setting of the heuristics.
+//! The table of runs: every scalar with every front and every setting of the heuristics, and every scalar
+//! with divide and conquer.
 //!
 //! A new front is a variant of [`FrontKind`], a new scalar one line in [`all`] and a [`Sample`] that says how
 //! it is made of a double.
@@ -9,7 +10,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, ToPrimitive};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Error, Heuristics};
+use sweep_cdt::{Algorithm, Error, Heuristics};
 
 use crate::Input;
 use crate::fronts::{FrontKind, triangulate};
@@ -17,22 +18,23 @@ use crate::oracle::{Answer, Verdict, found};
 
 /// What a run returns.
 pub type Outcome = Result<Answer, Error>;
-type Call = fn(&Input, FrontKind, Heuristics) -> Option<Outcome>;
+type Call = fn(&Input, FrontKind, Heuristics, Algorithm) -> Option<Outcome>;
 
 /// One way to triangulate.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Scalar, front and heuristics.
+    /// Scalar, front and heuristics, or scalar and algorithm.
     pub name: String,
     front: FrontKind,
     heuristics: Heuristics,
+    algorithm: Algorithm,
     call: Call,
 }
 
 impl Run {
     /// What comes out, or `None` if the scalar cannot hold a coordinate.
     pub fn outcome(&self, input: &Input) -> Option<Outcome> {
-        (self.call)(input, self.front, self.heuristics)
+        (self.call)(input, self.front, self.heuristics, self.algorithm)
     }
 }
 
@@ -63,16 +65,29 @@ pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
                 name: format!("{scalar}, {name}, {setting}"),
                 front,
                 heuristics,
+                algorithm: Algorithm::Sweep,
                 call: call::<S>,
             });
         }
     }
+    runs.push(Run {
+        name: format!("{scalar}, divide and conquer"),
+        front: FrontKind::HashTable,
+        heuristics: Heuristics::FAST,
+        algorithm: Algorithm::DivideAndConquer,
+        call: call::<S>,
+    });
     runs
 }
 
-fn call<S: Sample>(input: &Input, front: FrontKind, heuristics: Heuristics) -> Option<Outcome> {
+fn call<S: Sample>(
+    input: &Input,
+    front: FrontKind,
+    heuristics: Heuristics,
+    algorithm: Algorithm,
+) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
-    let result = triangulate(&points, &input.edges, front, heuristics);
+    let result = triangulate(&points, &input.edges, front, heuristics, algorithm);
     Some(result.map(|result| found(&result, points.len(), input.edges.len())))
 }
 

@@ -8,6 +8,8 @@
 //!   and front, and a replay returns the result.
 //! * `draw`: the sentences of the drawn steps, and one picture of each kind, as snapshots.
 //! * `work`: how much work larger inputs take, as snapshots. `statistics`: what a run reports of itself.
+//! * `growth`: no family of inputs takes more than its share of work, and none that is abandoned by the
+//!   sweep has another result. `contradictions`: scalars that are not exact end in a panic that says so.
 //! * `fronts`: what a run returns of its front, progress and statistics. `files`: odd files.
 //! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
 //! * `scalars` and `verify`: the exact predicates, and the verifier.
@@ -17,10 +19,12 @@
 #![cfg(feature = "cli")]
 
 mod cases;
+mod contradictions;
 mod draw;
 mod files;
 mod fronts;
 mod generators;
+mod growth;
 mod hard;
 mod limits;
 mod oracle;

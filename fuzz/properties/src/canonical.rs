@@ -1,6 +1,6 @@
 //! An input has one triangulation, and what must not change it does not.
 //!
-//! The input is triangulated again with other heuristics; scaled by a power of two, and moved, both
+//! The input is triangulated again by divide and conquer; with other heuristics; scaled by a power of two, and moved, both
 //! exactly; in another order of points, edges and ends; and with sides of the result as further edges:
 //! the answer is the same. Mirrored or turned by 90 degrees, the rule for four vertices on a circle draws
 //! other diagonals, but all other sides are the same. Where edges cross, every one of these says so.
@@ -9,7 +9,7 @@
 //! sides are flipped, left and right change places. The oracle, which shares no code with the crate, says
 //! what mirrors may change, and whether edges cross.
 
-use sweep_cdt::{Corners, Error, Heuristics, Triangulator};
+use sweep_cdt::{Algorithm, Corners, Error, Heuristics, Triangulator};
 
 use crate::reached;
 use sweep_cdt_testing::Random;
@@ -30,6 +30,7 @@ pub fn judge(input: &Input, choices: u64) {
     let here = answer(input);
     let heuristics = heuristics(random);
     assert_eq!(answer_by(input, heuristics), here, "{heuristics:?}");
+    judge_algorithms(input, here.as_ref());
     let limit = random.pick(&[60, 900]);
     let scale = random.integer(limit).exp2();
     // What overflows or loses digits does not come back.
@@ -64,6 +65,21 @@ fn answer_by(input: &Input, heuristics: Heuristics) -> Option<Answer> {
             None
         }
         Err(error) => panic!("no reason for: {error}"),
+    }
+}
+
+/// Divide and conquer gives the same answer, and of several crossings it names the same one as the sweep.
+fn judge_algorithms(input: &Input, here: Option<&Answer>) {
+    let Input { points, edges } = input;
+    let by = |algorithm| {
+        let run = Triangulator::new().algorithm(algorithm);
+        let result = run.triangulate(points, edges);
+        result.map(|result| found(&result, points.len(), edges.len()))
+    };
+    let there = by(Algorithm::DivideAndConquer);
+    assert_eq!(there.as_ref().ok(), here, "divide and conquer");
+    if let Err(error) = there {
+        assert_eq!(by(Algorithm::Sweep), Err(error), "the sweep names others");
     }
 }
 

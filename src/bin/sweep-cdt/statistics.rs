@@ -22,6 +22,13 @@ pub(crate) fn write(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
         ],
     )?;
 
+    let algorithm = if stats.is_divided {
+        "divide and conquer"
+    } else {
+        "sweep"
+    };
+    writeln!(out, "\n{:NAME$}{algorithm}", "algorithm")?;
+
     // The times of the phases, each with its share of their sum.
     let phases = [
         ("initialization", stats.initialization),

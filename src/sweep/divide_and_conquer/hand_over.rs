@@ -8,6 +8,7 @@
 
 use std::cmp::Ordering::Greater;
 
+use super::super::flip_limit::contradiction;
 use super::super::state::Sweep;
 use crate::front::FrontSearch;
 use crate::ids::{OpenId, VertexId};
@@ -50,7 +51,14 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             let next = self.fabric.after(ghost);
             (next != start).then_some(next)
         };
-        std::iter::successors(Some(start), after).collect()
+        let most = self.fabric.mesh.len();
+        let ghosts: Vec<Side> = std::iter::successors(Some(start), after)
+            .take(most + 1)
+            .collect();
+        if ghosts.len() > most {
+            contradiction();
+        }
+        ghosts
     }
 
     /// The front takes the place of these ghosts, which run from right to left, from `last` on.

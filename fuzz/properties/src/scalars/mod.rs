@@ -11,7 +11,7 @@ mod wholes;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Error, Heuristics, Triangulation};
+use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation};
 
 use crate::reached;
 use sweep_cdt_testing::Steps;
@@ -116,7 +116,13 @@ fn assert_same<S: Scalar>(
     name: &str,
 ) {
     let answer = |result: &Triangulation| found(result, points.len(), edges.len());
-    let here = fronts::triangulate(points, edges, FrontKind::HashTable, Heuristics::default());
+    let here = fronts::triangulate(
+        points,
+        edges,
+        FrontKind::HashTable,
+        Heuristics::default(),
+        Algorithm::DivideAndConquer,
+    );
     match (here, expected) {
         (Ok(here), Ok(there)) => assert_eq!(answer(&here), answer(there), "{name} (left)"),
         (Err(Error::CrossingEdges { .. }), Err(Error::CrossingEdges { .. })) => {}

@@ -1,4 +1,4 @@
-//! Settings of the sweep: they change the time and never the result.
+//! Algorithm and settings: they change the time and never the result.
 
 use std::cell::RefCell;
 
@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Error, Heuristics, Stats, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Error, Heuristics, Stats, Triangulation, Triangulator};
 
 use super::progress::Progress;
 
@@ -14,6 +14,10 @@ use super::progress::Progress;
 #[derive(clap::Args)]
 #[command(next_help_heading = "Settings (they change the time, never the result)")]
 pub(crate) struct Settings {
+    /// Algorithm
+    #[arg(long, value_enum, default_value_t = Method::Auto)]
+    algorithm: Method,
+
     /// Search structure of the advancing front
     #[arg(long, value_enum, default_value_t = Front::Hash)]
     front: Front,
@@ -29,6 +33,16 @@ pub(crate) struct Settings {
     /// Switch off the basin heuristic
     #[arg(long)]
     no_basins: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Method {
+    /// The sweep; divide and conquer where the sweep would take too long
+    Auto,
+    /// The sweep, to its end; traces always show the sweep
+    Sweep,
+    /// Divide and conquer, then the edges one by one
+    DivideAndConquer,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -100,6 +114,7 @@ impl Settings {
         let show = |swept, points| progress.borrow_mut().show(swept, points);
         let triangulator = Triangulator::new()
             .front(F::default())
+            .algorithm(self.algorithm())
             .heuristics(self.heuristics())
             .progress(&show);
         if stats {
@@ -107,6 +122,14 @@ impl Settings {
             return Ok((run.triangulation, Some(run.stats)));
         }
         Ok((triangulator.triangulate(points, edges)?, None))
+    }
+
+    fn algorithm(&self) -> Algorithm {
+        match self.algorithm {
+            Method::Auto => Algorithm::Auto,
+            Method::Sweep => Algorithm::Sweep,
+            Method::DivideAndConquer => Algorithm::DivideAndConquer,
+        }
     }
 
     fn heuristics(&self) -> Heuristics {

@@ -1,0 +1,134 @@
+//! The promises about time, by counted work: no test passes or fails by the clock.
+
+use sweep_cdt::{Algorithm, Counters, Error, Stats, Triangulation, Triangulator};
+use sweep_cdt_testing::families::{self, Family};
+use sweep_cdt_testing::oracle::{check, found};
+use sweep_cdt_testing::{Input, Random};
+
+/// Families that need more than their share with the sweep alone; the default abandons it there.
+const ABANDONED: &[&str] = &["square", "rectangle", "hexagon", "toothed parabola, flat"];
+
+fn run(input: &Input, algorithm: Algorithm) -> (Triangulation, Stats) {
+    let triangulator = Triangulator::new().algorithm(algorithm);
+    let run = triangulator.triangulate_with_stats(&input.points, &input.edges);
+    let run = run.expect("a valid input");
+    (run.triangulation, run.stats)
+}
+
+fn member(family: Family, n: usize) -> Input {
+    families::scattered(&(family.member)(n))
+}
+
+/// Steps and tests, each of which takes about the same time.
+fn work(c: &Counters) -> u64 {
+    c.orient2d_filtered
+        + c.orient2d_exact()
+        + c.in_circle_filtered
+        + c.in_circle_exact()
+        + c.symbolic
+        + c.flips
+        + c.front_steps
+}
+
+/// What an input asks for: points, triangles that its edges pierce, vertices that they pass.
+fn size(input: &Input, result: &Triangulation, counters: &Counters) -> u64 {
+    let passed: usize = (0..input.edges.len())
+        .map(|e| result.edge_chain(e).len())
+        .sum();
+    (input.points.len() + passed) as u64 + counters.pierced
+}
+
+#[test]
+fn small_members_are_right() {
+    for family in families::all() {
+        println!("{}", family.name);
+        let input = member(family, 100);
+        for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
+            let (result, _) = run(&input, algorithm);
+            check(&input.points, &input.edges, &result);
+        }
+    }
+}
+
+#[test]
+fn both_algorithms_agree_on_every_family() {
+    for family in families::all() {
+        println!("{}", family.name);
+        let input = member(family, 3000);
+        let [here, there] = [Algorithm::Sweep, Algorithm::DivideAndConquer].map(|algorithm| {
+            let (result, stats) = run(&input, algorithm);
+            assert_eq!(stats.is_divided, algorithm == Algorithm::DivideAndConquer);
+            found(&result, input.points.len(), input.edges.len())
+        });
+        assert_eq!(here, there);
+    }
+}
+
+#[test]
+fn an_abandoned_sweep_has_the_same_result() {
+    for family in families::all().filter(|family| ABANDONED.contains(&family.name)) {
+        println!("{}", family.name);
+        let input = member(family, 5000);
+        let (here, stats) = run(&input, Algorithm::Auto);
+        assert!(stats.is_divided, "the sweep was not abandoned");
+        let (there, stats) = run(&input, Algorithm::DivideAndConquer);
+        assert!(stats.is_divided && stats.counters.flips == 0);
+        assert!(here.triangles().eq(there.triangles()));
+        assert!(here.hull().eq(there.hull()));
+    }
+}
+
+#[test]
+fn work_grows_with_the_input() {
+    for family in families::all() {
+        println!("{}", family.name);
+        for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
+            let [small, large] = [5_000, 40_000].map(|n| {
+                let input = member(family, n);
+                let (result, stats) = run(&input, algorithm);
+                let work = work(&stats.counters);
+                work as f64 / size(&input, &result, &stats.counters) as f64
+            });
+            // log n grows by 1.25; an abandoned sweep adds its budget.
+            assert!(
+                large < 2.0 * small + 20.0 && large < 120.0,
+                "{algorithm:?}: {small} and {large} a point"
+            );
+        }
+    }
+}
+
+#[test]
+fn equal_edges_share_their_chain() {
+    let n = 2000;
+    let points: Vec<[f64; 2]> = (0..n).map(|i| [f64::from(i), 0.0]).collect();
+    let edges = vec![[0, points.len() - 1]; points.len()];
+    let input = Input { points, edges };
+    let (result, stats) = run(&input, Algorithm::Auto);
+    for e in 0..input.edges.len() {
+        assert!(result.edge_chain(e).eq((0..input.points.len()).rev()));
+    }
+    assert!(stats.memory < 200 * input.points.len(), "{}", stats.memory);
+}
+
+#[test]
+fn both_algorithms_name_the_same_crossing() {
+    let mut crossings = 0;
+    for seed in 0..2000 {
+        let random = &mut Random::new(seed);
+        // Few places, so that edges pass through vertices, and many edges, so that several cross.
+        let points: Vec<_> = (0..12)
+            .map(|_| [random.below(5) as f64, random.below(5) as f64])
+            .collect();
+        let edges: Vec<_> = (0..6)
+            .map(|_| [random.below(12), random.below(12)])
+            .collect();
+        let [here, there] = [Algorithm::Sweep, Algorithm::DivideAndConquer].map(|algorithm| {
+            let triangulator = Triangulator::new().algorithm(algorithm);
+            triangulator.triangulate(&points, &edges).err()
+        });
+        assert_eq!(here, there, "seed {seed}");
+        crossings += usize::from(matches!(here, Some(Error::CrossingEdges { .. })));
+    }
+    assert!(crossings > 500, "{crossings} crossings");
+}
