@@ -43,18 +43,20 @@ use crate::trace::{EdgePosition, Event, Why};
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
-        let list = self.edges.at(upper).to_vec();
-        self.insert_edges(upper, list, self.leftmost(upper))
+        self.list_edges(upper);
+        self.insert_edges(upper, self.leftmost(upper))
     }
 
-    /// Inserts edges that run down from `upper`, each to the first vertex on it. `around` is a side
-    /// opposite `upper`.
-    pub(super) fn insert_edges(
-        &mut self,
-        upper: VertexId,
-        mut list: Vec<(VertexId, u32)>,
-        mut around: Side,
-    ) -> Result<(), Error> {
+    /// Lists the edges whose upper end is `upper`, to be inserted.
+    pub(super) fn list_edges(&mut self, upper: VertexId) {
+        self.list.clear();
+        self.list.extend_from_slice(self.edges.at(upper));
+    }
+
+    /// Inserts the edges listed, which run down from `upper`, each to the first vertex on it. `around` is a
+    /// side opposite `upper`.
+    pub(super) fn insert_edges(&mut self, upper: VertexId, mut around: Side) -> Result<(), Error> {
+        let mut list = std::mem::take(&mut self.list);
         // An edge of no length needs nothing.
         list.retain(|&(lower, _)| lower != upper);
         if list.len() > 1 {
@@ -72,7 +74,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             list.rotate_right(equal);
         }
         let mut before = None;
-        for (lower, edge) in list {
+        for &(lower, edge) in &list {
             self.fabric.report(|name| Event::Edge {
                 edge,
                 upper: name(upper),
@@ -94,6 +96,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 }
             }
         }
+        self.list = list;
         Ok(())
     }
 

@@ -65,6 +65,7 @@ impl Edges {
     }
 
     /// The edges with upper end `v`, as lower ends and input indices.
+    #[inline(always)]
     pub(super) fn at(&self, v: VertexId) -> &[(VertexId, u32)] {
         match self.first.get(v.index()..v.index() + 2) {
             Some(&[from, to]) => &self.list[from as usize..to as usize],

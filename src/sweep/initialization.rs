@@ -62,6 +62,7 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
         chains: ChainNotes::new(ends),
         rests: Rests::new(),
         incidence: Incidence::default(),
+        list: Vec::new(),
         obstacles: Obstacles::default(),
         chain: Vec::new(),
     };

@@ -43,8 +43,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     #[inline(always)]
     pub(super) fn legalize_fan(&mut self, t: TriangleId, last: VertexId) -> Side {
         let mut outer = Side::new(t, 0);
-        // No fan has more triangles than there are.
-        for _ in 0..=self.mesh.len() {
+        loop {
             while self.is_illegal(outer) {
                 self.flip(outer);
             }
@@ -55,8 +54,11 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             // Cross the spoke on the right. In the triangle there, p is the corner after the one opposite
             // the spoke.
             outer = record.across(next(i)).next();
+            if outer.triangle() == t {
+                // The walk has come round: the fan is closed, and `last` is not in it.
+                contradiction();
+            }
         }
-        contradiction()
     }
 
     /// Legalizes one side, and then the sides that its flip makes suspect.

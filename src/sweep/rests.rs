@@ -57,15 +57,15 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.incidence = Incidence::new(&self.fabric.mesh, vertices);
         }
         while let Some(&Rest { from, .. }) = self.rests.peek() {
-            let mut list = Vec::new();
+            self.list.clear();
             while let Some(rest) = self.rests.peek().copied()
                 && rest.from == from
             {
-                list.push((rest.lower, rest.edge));
+                self.list.push((rest.lower, rest.edge));
                 self.rests.pop();
             }
-            list.reverse();
-            self.insert_edges(from, list, self.incidence.at(from))?;
+            self.list.reverse();
+            self.insert_edges(from, self.incidence.at(from))?;
         }
         Ok(())
     }

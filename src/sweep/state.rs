@@ -35,6 +35,8 @@ pub(super) struct Sweep<'a, S, F, P> {
     pub(super) rests: Rests,
     /// A triangle of each vertex, once the hull is complete.
     pub(super) incidence: Incidence,
+    /// Working memory: lower ends and input indices of the edges being inserted.
+    pub(super) list: Vec<(VertexId, u32)>,
     /// What the edge being inserted runs into.
     pub(super) obstacles: Obstacles,
     /// Working memory: the stretch of the front being filled.

@@ -103,7 +103,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         // The side of the edge that `a` is on, where the triangle before has already tested it.
         let mut known = None;
         // No vertex has more triangles around it than there are.
-        for _ in 0..=self.fabric.mesh.len() {
+        for _ in 0..self.fabric.mesh.len() {
             let [_, a, b] = self.fabric.mesh.around(at);
             let mut sides = [Equal; 2];
             // For `a` and for `b`: the side between `from` and it.

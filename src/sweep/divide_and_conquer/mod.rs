@@ -64,8 +64,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.incidence = Incidence::new(&self.fabric.mesh, n);
         for v in (0..n).map(VertexId::at) {
             if !self.edges.at(v).is_empty() {
-                let list = self.edges.at(v).to_vec();
-                self.insert_edges(v, list, self.incidence.at(v))?;
+                self.list_edges(v);
+                self.insert_edges(v, self.incidence.at(v))?;
             }
         }
         Ok(())
