@@ -119,6 +119,10 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         let vertices = [i, next(i), prev(i)].map(|corner| record.vertex(corner));
         let q = self.mesh.opposite(across);
         let is_illegal = self.signs.must_flip(vertices, q, &mut self.probe);
+        if is_illegal && q == vertices[0] {
+            // In a plane the two triangles of a side have different vertices opposite.
+            contradiction();
+        }
         let outcome = if is_illegal {
             Outcome::Illegal
         } else {

@@ -75,7 +75,8 @@ use crate::triangulation::Triangulation;
 /// Called as `progress(swept, vertices)` at intervals.
 pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;
 
-/// How many point events pass between two reports of progress.
+/// How many point events pass between two looks at the budget of flips, and between two reports of progress.
+const CHECK: u32 = 16;
 const REPORT: u32 = 4096;
 
 /// What the caller chooses, beside the search structure.
@@ -120,16 +121,18 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
             if v != VertexId::new(0) {
                 self.point_event(v);
             }
-            if self.fabric.flip_limit.is_spent() {
-                return Ok(());
-            }
             if !self.edges.at(v).is_empty() {
                 self.edge_event(v)?;
             }
-            if v.number() % REPORT == 0
-                && let Some(progress) = progress
-            {
-                progress(v.index(), n);
+            if v.number() % CHECK == 0 {
+                if self.fabric.flip_limit.is_spent() {
+                    return Ok(());
+                }
+                if v.number() % REPORT == 0
+                    && let Some(progress) = progress
+                {
+                    progress(v.index(), n);
+                }
             }
         }
         Ok(())
