@@ -35,7 +35,7 @@ pub(super) const FAMILIES: &[Family] = &[
             let stride = n.div_ceil(4096).max(1);
             points(n, |i, n| {
                 let [x, _] = scattered[i as usize];
-                let is_sampled = i as usize % stride == 0;
+                let is_sampled = (i as usize).is_multiple_of(stride);
                 [if is_sampled { x } else { 0.37 + 1e-6 * x }, i / n]
             })
         },

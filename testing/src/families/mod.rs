@@ -58,7 +58,9 @@ fn ring(input: Input) -> Input {
 pub fn scattered(input: &Input) -> Input {
     let n = input.points.len();
     // A prime: coprime to every smaller n and to most larger ones.
-    let stride = [7_368_787, 7_368_791].into_iter().find(|p| n % p != 0);
+    let stride = [7_368_787, 7_368_791]
+        .into_iter()
+        .find(|&p| !n.is_multiple_of(p));
     let stride = stride.expect("no n is a multiple of both");
     let order: Vec<usize> = (0..n).map(|i| i * stride % n).collect();
     input.permuted(&order)

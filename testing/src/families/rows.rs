@@ -65,6 +65,10 @@ pub(super) const FAMILIES: &[Family] = &[
         member: |n| points(n, |i, n| [i, i * i / n]),
     },
     Family {
+        name: "half a parabola, open below",
+        member: |n| points(n, |i, n| [-i, -i * i / n]),
+    },
+    Family {
         name: "branch above scattered points",
         member: |n| {
             let scattered = Random::new(2).points(n);
