@@ -26,6 +26,7 @@ const TABLES: [&str; 11] = [
     include_str!("../faults/signs.toml"),
     include_str!("../faults/point.toml"),
     include_str!("../faults/fill.toml"),
+    include_str!("../faults/divide.toml"),
     include_str!("../faults/edge.toml"),
     include_str!("../faults/mesh.toml"),
     include_str!("../faults/front.toml"),
