@@ -46,17 +46,18 @@ impl Places {
 
     /// The last one that is not after this place.
     pub(super) fn last_up_to(&self, place: usize) -> Option<usize> {
-        // How many bits of the level are not after the place.
-        let mut end = place + 1;
+        let mut at = place;
+        // The bits of the word that count: up to the place, on higher levels those before it.
+        let mut mask = u64::MAX >> (63 - at % 64);
         for (level, words) in self.levels.iter().enumerate() {
-            let before = (1 << (end % 64)) - 1;
-            let word = words.get(end / 64).map_or(0, |word| word & before);
+            let word = words[at / 64] & mask;
             if word != 0 {
-                let at = end / 64 * 64 + highest(word);
+                let found = at / 64 * 64 + highest(word);
                 let below = self.levels[..level].iter().rev();
-                return Some(below.fold(at, |at, words| at * 64 + highest(words[at])));
+                return Some(below.fold(found, |at, words| at * 64 + highest(words[at])));
             }
-            end /= 64;
+            at /= 64;
+            mask = (1 << (at % 64)) - 1;
         }
         None
     }

@@ -52,14 +52,12 @@ fn moved<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> Option<Ax
         .filter(|&v| points[v][i].is_finite())
         .collect();
     let middle = order.len() / 2;
-    let by_coordinate = |&a: &usize, &b: &usize| {
-        let by_value = near[a][i].total_cmp(&near[b][i]);
-        by_value.then_with(|| points[a][i].compare(&points[b][i]))
-    };
     if order.is_empty() {
         return None;
     }
-    let origin = &points[*order.select_nth_unstable_by(middle, by_coordinate).1][i];
+    let (_, &mut middle, _) =
+        order.select_nth_unstable_by(middle, |&a, &b| near[a][i].total_cmp(&near[b][i]));
+    let origin = &points[middle][i];
     let difference = |point: &[S; 2]| {
         if point[i].is_finite() {
             point[i].difference(origin)

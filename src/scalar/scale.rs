@@ -12,8 +12,12 @@
 //! - less than 2^-1022, where scaling alone may lose digits;
 //! - by the contract of [`approx`](super::Scalar::approx) an approximation X of a coordinate x is off by
 //!   at most 2u |x|, that is 2u / (1 - 2u) |X|, or by 2^-1022 where x is below the normal doubles
-//!   (u = 2^-53). `(2 + 16 u) u` |X| covers the first, and the rounding of this bound itself. Scaling
-//!   down may add 2^-1075. Where |X| is the largest double nothing is known of x, so it becomes infinite.
+//!   (u = 2^-53). `(2 + 16 u) u` |X| covers the first, and the rounding of this bound itself. A factor
+//!   above 1 makes the second larger. Where |X| is the largest double nothing is known of x, so it
+//!   becomes infinite;
+//! - by the contract of [`difference`](super::Scalar::difference) one that is near the difference to an
+//!   origin ([`frame`](super::frame)) is off by the first of these, and by at most 2^-1022 where it falls
+//!   below the normal doubles.
 //!
 //! Scaling and becoming infinite keep the order: a larger coordinate never has a smaller double.
 //!
@@ -49,13 +53,13 @@ impl Scale {
     };
 
     /// That of doubles each of which is off by at most 2u / (1 - 2u) of itself, or by 2^-1022 times
-    /// `unit`, and twice more by less than 2^-1022.
+    /// `unit`, and once more by at most 2^-1022.
     pub(super) const fn rounded(unit: f64) -> Scale {
         Scale {
             underflow_if_exact: f64::INFINITY,
             tells_equal: false,
             relative: RELATIVE_ERROR,
-            absolute: power(-1020) * unit.max(1.0),
+            absolute: power(-1019) * unit.max(1.0),
         }
     }
 

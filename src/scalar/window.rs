@@ -3,7 +3,7 @@
 //! The floating-point [`filter`](super::filter) works on sizes from about 2^-120 to 2^200: below, products
 //! underflow; above, they overflow. Sizes that differ by more than that do not fit in together. So the
 //! window of [`WIDTH`] binary orders of magnitude that holds the most numbers is moved to the middle,
-//! unless these numbers are in range as they are. What is far outside, such as a "no data" point at the
+//! unless these numbers are in range as they are. Of equally full ones that comes first, then the upper one. What is far outside, such as a "no data" point at the
 //! largest double, costs the others nothing then.
 //!
 //! Cost: O(n log k) for n numbers of k different exponents.
@@ -28,23 +28,21 @@ pub(super) fn shift(exponents: impl Iterator<Item = i64>) -> i64 {
     let counts: Vec<(i64, usize)> = counts.into_iter().collect();
     // The window that ends with each exponent in turn; `from` is the first in it, `held` how many it holds.
     let (mut from, mut held) = (0, 0);
-    let mut best = (0, [0, 0]);
+    let mut best = (0, true);
+    let mut shift = 0;
     for &(last, count) in &counts {
         held += count;
         while counts[from].0 < last - WIDTH {
             held -= counts[from].1;
             from += 1;
         }
-        if held > best.0 {
-            best = (held, [counts[from].0, last]);
+        let is_in_range = IN_RANGE.contains(&counts[from].0) && IN_RANGE.contains(&last);
+        if (held, is_in_range) >= best {
+            best = (held, is_in_range);
+            shift = if is_in_range { 0 } else { TOP - last };
         }
     }
-    let (_, ends) = best;
-    if ends.iter().all(|end| IN_RANGE.contains(end)) {
-        0
-    } else {
-        TOP - ends[1]
-    }
+    shift
 }
 
 #[cfg(test)]
@@ -58,10 +56,12 @@ mod tests {
             (&[-120, 199], 0),
             (&[0, 0, 1023], 0),
             (&[0, 0, -1000, -1001], 0),
+            (&[0, 0, 1000, 1001], 0),
+            (&[500, 501, 900, 901], 100 - 901),
             (&[0, -1000, -1001], 1100),
             (&[1000, 1001, 900, -700], -901),
             (&[-200, 0, -201], 100),
-            (&[0, 0, 200, 200, 200, 201], -101),
+            (&[0, 0, 200, 200, 200, 201], -100),
             (&[30_000, 29_000, 29_001, -1], 100 - 29_001),
         ] {
             let found = shift(exponents.iter().copied());

@@ -94,8 +94,8 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             }
         }
         let is_finite = |v: u32| rank[v as usize] == NEW;
-        let representative = representatives(points, &approximations, is_finite);
         let scale = frame::fit(points, &mut approximations);
+        let representative = representatives(points, &approximations, is_finite);
         let signs = Signs {
             points,
             scale,
