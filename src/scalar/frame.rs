@@ -17,6 +17,8 @@
 //!
 //! Cost: O(n) to look, and for a suspected axis n differences and two sorts of doubles.
 
+use std::num::FpCategory;
+
 use super::doubles::{exponent, power};
 use super::{Scalar, Scale, window};
 
@@ -102,15 +104,15 @@ fn plain(near: &[[f64; 2]], i: usize) -> impl Iterator<Item = (f64, i64)> {
 
 /// The same number with a double from 1 to 2 in size, if it is neither zero nor infinite.
 fn normal((x, by): (f64, i64)) -> (f64, i64) {
-    if x == 0.0 || x.is_infinite() {
-        return (x, 0);
-    }
-    if !x.is_normal() {
-        return normal((x * power(100), by - 100));
-    }
+    let (x, by) = match x.classify() {
+        FpCategory::Normal => (x, by),
+        FpCategory::Subnormal => (x * power(100), by.saturating_sub(100)),
+        _ => return (x, 0),
+    };
     let e = exponent(x.abs());
     // In two steps, since one factor might be beyond the doubles.
-    (x * power(-e / 2) * power(-e + e / 2), by.saturating_add(e))
+    let one_to_two = x * power(-e / 2) * power(-e + e / 2);
+    (one_to_two, by.saturating_add(e))
 }
 
 /// Brings the axes to one scale. One that is not moved keeps its approximations.
@@ -140,5 +142,36 @@ fn scaled((x, by): (f64, i64), shift: i64) -> f64 {
         ..-1022 => 0.0,
         by @ -1022..200 => x * power(by),
         200.. => x * f64::INFINITY,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+    use num_traits::One;
+
+    use super::fit;
+    use crate::scalar::Scalar;
+
+    /// Most points in a column far from zero, the others close to zero: the column is no origin.
+    #[test]
+    fn a_column_costs_the_others_no_digits() {
+        let unit = BigRational::new(BigInt::one(), BigInt::from(10).pow(40));
+        let x = |i: u32| {
+            if i % 5 == 0 {
+                &unit * BigInt::from(i)
+            } else {
+                BigRational::one()
+            }
+        };
+        let points: Vec<_> = (0..100).map(|i| [x(i), &unit * BigInt::from(i)]).collect();
+        let mut near: Vec<_> = points
+            .iter()
+            .map(|p| p.each_ref().map(Scalar::approx))
+            .collect();
+        fit(&points, &mut near);
+        let others: Vec<[f64; 2]> = near.into_iter().step_by(5).collect();
+        assert!(others.windows(2).all(|pair| pair[0][0] < pair[1][0]));
     }
 }

@@ -4,7 +4,8 @@
 //! which side of a line is a point, and is a point inside a circle. All answers are exact. A fifth
 //! function, [`Scalar::approx`], gives a double near the value. The doubles feed the floating-point filter
 //! (which returns a sign only if it is certain) and choose what only costs time: hash buckets, and the
-//! angles of the heuristics.
+//! angles of the heuristics. A sixth, [`Scalar::difference`], may be left out. It gives a double near a
+//! difference, for points whose own doubles tell too little.
 //!
 //! | type | how it is exact |
 //! |---|---|

@@ -1,23 +1,21 @@
 //! Which power of two the doubles of one input are multiplied by.
 //!
-//! The floating-point [`filter`](super::filter) works on sizes from about 2^-120 to 2^200: below, products
+//! The floating-point [`filter`](super::filter) works on sizes from about 2^-150 to 2^200: below, products
 //! underflow; above, they overflow. Sizes that differ by more than that do not fit in together. So the
-//! window of [`WIDTH`] binary orders of magnitude that holds the most numbers is moved to the middle,
-//! unless these numbers are in range as they are. Of equally full ones that comes first, then the upper one. What is far outside, such as a "no data" point at the
-//! largest double, costs the others nothing then.
+//! numbers that count are those in the fullest window of [`WIDTH`] binary orders of magnitude. Their largest
+//! stays where it is or goes to 1, and what is far outside, such as a "no data" point at the largest
+//! double, costs them nothing. A window above that is at least half as full comes first: x and y may have
+//! units that far apart, and what becomes infinite no longer tells points apart.
 //!
 //! Cost: O(n log k) for n numbers of k different exponents.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-/// The exponents of sizes that are left as they are.
+/// The exponents of a largest number that stays where it is.
 const IN_RANGE: RangeInclusive<i64> = -120..=199;
 /// How many exponents lie between the least and the greatest of a window.
-const WIDTH: i64 = 200;
-/// Where the greatest exponent of a window goes. Differences are smaller than coordinates, so there is
-/// more room below.
-const TOP: i64 = 100;
+const WIDTH: i64 = 100;
 
 /// The power of two by which numbers with these exponents are multiplied.
 pub(super) fn shift(exponents: impl Iterator<Item = i64>) -> i64 {
@@ -26,23 +24,23 @@ pub(super) fn shift(exponents: impl Iterator<Item = i64>) -> i64 {
         *counts.entry(exponent).or_insert(0_usize) += 1;
     }
     let counts: Vec<(i64, usize)> = counts.into_iter().collect();
-    // The window that ends with each exponent in turn; `from` is the first in it, `held` how many it holds.
+    // For the window that ends with each exponent how many numbers it holds.
     let (mut from, mut held) = (0, 0);
-    let mut best = (0, true);
-    let mut shift = 0;
+    let mut windows = Vec::with_capacity(counts.len());
     for &(last, count) in &counts {
         held += count;
         while counts[from].0 < last - WIDTH {
             held -= counts[from].1;
             from += 1;
         }
-        let is_in_range = IN_RANGE.contains(&counts[from].0) && IN_RANGE.contains(&last);
-        if (held, is_in_range) >= best {
-            best = (held, is_in_range);
-            shift = if is_in_range { 0 } else { TOP - last };
-        }
+        windows.push((last, held));
     }
-    shift
+    let fullest = windows.iter().map(|&(_, held)| held).max().unwrap_or(0);
+    let chosen = windows.iter().rev().find(|&&(_, held)| 2 * held >= fullest);
+    match chosen {
+        Some((last, _)) if !IN_RANGE.contains(last) => -last,
+        _ => 0,
+    }
 }
 
 #[cfg(test)]
@@ -54,15 +52,15 @@ mod tests {
         for (exponents, expected) in [
             (&[][..], 0),
             (&[-120, 199], 0),
-            (&[0, 0, 1023], 0),
+            (&[0, -2, 0, 1023], 0),
+            (&[-110, -130, -130, 80, 150], 0),
             (&[0, 0, -1000, -1001], 0),
-            (&[0, 0, 1000, 1001], 0),
-            (&[500, 501, 900, 901], 100 - 901),
-            (&[0, -1000, -1001], 1100),
-            (&[1000, 1001, 900, -700], -901),
-            (&[-200, 0, -201], 100),
-            (&[0, 0, 200, 200, 200, 201], -100),
-            (&[30_000, 29_000, 29_001, -1], 100 - 29_001),
+            (&[0, 0, 1000, 1001], -1001),
+            (&[0, -1000, -1001, -1100], 1000),
+            (&[1000, 1001, 900, -700], -1001),
+            (&[-200, 0, -201, -203], 200),
+            (&[0, 0, 0, 200, 201], -201),
+            (&[30_000, 29_000, 29_001, 29_001, -1], -29_001),
         ] {
             let found = shift(exponents.iter().copied());
             assert_eq!(found, expected, "{exponents:?}");
