@@ -159,7 +159,7 @@ mod tests {
     fn a_column_costs_the_others_no_digits() {
         let unit = BigRational::new(BigInt::one(), BigInt::from(10).pow(40));
         let x = |i: u32| {
-            if i % 5 == 0 {
+            if i.is_multiple_of(5) {
                 &unit * BigInt::from(i)
             } else {
                 BigRational::one()

@@ -165,16 +165,15 @@ fn points_placed_beside_the_sample_make_no_search_long() {
     assert!(steps::<HashTable, _>(&points) < 18);
 }
 
-/// Two clusters in which doubles cannot tell the points apart, from whatever origin.
+/// A row far from most points, where doubles cannot tell its points apart, and points above it.
 #[test]
 fn points_with_equal_doubles_make_no_search_long() {
-    let far = [0, 1].map(|x| BigInt::from(x) << 100);
-    let cluster = |(place, point): (usize, [f64; 2])| {
-        let [x, y] = point.map(|x| BigInt::from((x * 1e9) as i64));
-        [&far[place % 2] + x, y]
-    };
-    let points = Random::new(1).points(6000).into_iter().enumerate();
-    let points: Vec<[BigInt; 2]> = points.map(cluster).collect();
+    let far = BigInt::from(1) << 100;
+    let row = |i: i32| [&far + 1000 * i, BigInt::from(0)];
+    let above = |i: i32| [&far + (i * 7919 % 1000) * 1000 + 500, BigInt::from(1 + i)];
+    let near = |i: i32| [i, 10_000 + i * i % 7].map(BigInt::from);
+    let mut points: Vec<[BigInt; 2]> = (0..1000).flat_map(|i| [row(i), above(i)]).collect();
+    points.extend((0..3000).map(near));
     assert!(steps::<HashTable, _>(&points) < 18);
     assert!(steps::<SkipList, _>(&points) < 18);
 }

@@ -157,7 +157,8 @@ fn differences() {
     for _ in 0..120 {
         let bits = random.below(400) as u32;
         let shift = random.below(300);
-        let whole = BigInt::from(random.bits()) * BigInt::from(random.bits() | 1) << bits >> shift;
+        let product = BigInt::from(random.bits()) * BigInt::from(random.bits() | 1);
+        let whole = (product << bits) >> shift;
         let signed = if random.one_in(2) { whole } else { -whole };
         let denominator = BigInt::from(random.bits() >> random.below(64)) + 1;
         let number = BigRational::new(signed, denominator);
