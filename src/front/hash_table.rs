@@ -98,3 +98,49 @@ impl FrontSearch for HashTable {
         self.last = Some(node);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Domain, Front, FrontNode, FrontSearch, HashTable};
+
+    /// Places that were asked for lead to the very node, and an entry of a node that has left is passed.
+    #[test]
+    fn with_places_no_step_is_left() {
+        const COUNT: usize = 200;
+        let equal = [[7.0, 0.0]; COUNT];
+        let mut table = HashTable::default();
+        table.begin(Domain::new(&equal));
+        assert!(!table.strayed(16 * COUNT), "as many steps are borne");
+        assert!(table.strayed(1));
+
+        // Every other vertex is on the front, at the place of its rank.
+        let places: Vec<[f64; 2]> = (0..COUNT).map(|place| [place as f64, 0.0]).collect();
+        table.begin(Domain::new(&places));
+        let mut front = Front::new(COUNT);
+        let mut left = front.left_end();
+        for node in (0..COUNT).step_by(2).map(FrontNode::from_rank) {
+            front.insert(node, left);
+            table.inserted(node, places[node.rank()][0]);
+            left = node;
+        }
+        for gone in (2..COUNT).filter(|rank| rank % 6 == 2) {
+            front.remove(FrontNode::from_rank(gone));
+        }
+        for place in 0..COUNT {
+            let is_on_front = |rank: &usize| rank.is_multiple_of(2) && rank % 6 != 2;
+            let last = (0..=place)
+                .rev()
+                .find(is_on_front)
+                .map(FrontNode::from_rank);
+            assert_eq!(table.locate(place as f64, &front), last.expect("0 is"));
+        }
+
+        // The next run begins with x again.
+        table.begin(Domain::new(&equal));
+        assert_eq!(format!("{table:?}"), {
+            let mut new = HashTable::default();
+            new.begin(Domain::new(&equal));
+            format!("{new:?}")
+        });
+    }
+}
