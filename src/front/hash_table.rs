@@ -7,77 +7,78 @@
 //! Cost: O(1) expected for a search. There are 2 sqrt(n) intervals, about as many as the front has vertices
 //! where the points are spread evenly. A dense cluster in a wide domain would crowd a few of many equal
 //! intervals. A sample of the points shows this beforehand; then the intervals end at quantiles of the
-//! sample, and finding one takes O(log n).
+//! sample, and finding one takes O(log n). Where walks are long nevertheless, they are told to the table.
+//! When they add up to more than a few steps a vertex, it asks for the places of all vertices from left to
+//! right and searches among these ([`Places`]). So a search costs O(log n) at worst, averaged over a run.
 //!
 //! Differs from the paper: the table is not updated when a node leaves the front; the search notices it.
-//! Intervals may be quantiles.
+//! Intervals may be quantiles or places.
 
+use super::intervals::Intervals;
 use super::list::{Front, FrontNode};
+use super::patience::Patience;
+use super::places::Places;
 use super::search::{Domain, FrontSearch};
-use crate::bucket::bucket;
 
-/// Intervals of x that remember their last insertion: O(1) expected. The default.
+/// Intervals of x that remember their last insertion: O(1) expected, O(log n) at worst. The default.
 #[derive(Clone, Debug, Default)]
 pub struct HashTable {
     intervals: Intervals,
     table: Vec<Option<FrontNode>>,
     last: Option<FrontNode>,
-}
-
-#[derive(Clone, Debug)]
-enum Intervals {
-    /// `x` lies in interval number `(x - low) * factor`.
-    Equal { low: f64, factor: f64 },
-    /// They end at these x, ascending; the last one has no end.
-    Quantiles(Vec<f64>),
-}
-
-impl Default for Intervals {
-    fn default() -> Self {
-        Intervals::Quantiles(Vec::new())
-    }
+    patience: Patience,
+    /// Whether it has asked for places, and they are not given yet.
+    has_asked: bool,
 }
 
 /// How many intervals are searched on either side before the last node inserted is taken.
 const REACH: usize = 16;
-/// How many points a sample has at most, and how many cells judge it.
+/// How many points a sample has at most.
 const SAMPLE: usize = 4096;
-const CELLS: usize = 64;
 
 impl FrontSearch for HashTable {
     fn begin(&mut self, domain: Domain<'_>) {
         let n = domain.len();
-        let size = 2 * n.isqrt() + 1;
-        let (low, high) = (0..n).map(|v| domain.x(v)).fold(
-            (f64::INFINITY, f64::NEG_INFINITY),
-            |(low, high): (f64, f64), x| (low.min(x), high.max(x)),
-        );
-        let mut sample: Vec<f64> = (0..n)
-            .step_by(n.div_ceil(SAMPLE).max(1))
-            .map(|v| domain.x(v))
-            .collect();
-        sample.sort_unstable_by(f64::total_cmp);
-        self.intervals = if is_skewed(&sample, low, high) {
-            let ends = (1..size).map(|i| sample[i * sample.len() / size]);
-            Intervals::Quantiles(ends.collect())
+        let count = if std::mem::take(&mut self.has_asked) {
+            self.intervals = Intervals::Places(Places::new(n));
+            n
         } else {
-            let factor = size as f64 / (high - low);
-            Intervals::Equal {
-                low,
-                factor: if factor.is_finite() { factor } else { 0.0 },
-            }
+            let step = n.div_ceil(SAMPLE).max(1);
+            let mut sample: Vec<f64> = (0..n).step_by(step).map(|v| domain.x(v)).collect();
+            sample.sort_unstable_by(f64::total_cmp);
+            // Only one of equal x is on the front.
+            sample.dedup();
+            let count = 2 * n.isqrt() + 1;
+            self.intervals = Intervals::new(&sample, count);
+            count
         };
         self.table.clear();
-        self.table.resize(size, None);
+        self.table.resize(count, None);
         self.last = None;
+        self.patience = Patience::with(n);
+    }
+
+    fn strayed(&mut self, steps: usize) -> bool {
+        self.has_asked = self.patience.ends(steps);
+        self.has_asked
     }
 
     #[inline]
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         let live = |entry: &Option<FrontNode>| entry.filter(|&node| front.contains(node));
-        let at = self.interval(x);
+        let at = self.intervals.number(x, self.table.len());
         if let Some(node) = live(&self.table[at]) {
             return node;
+        }
+        if let Intervals::Places(places) = &mut self.intervals {
+            // What has left the front is forgotten on the way.
+            while let Some(place) = places.last_up_to(at) {
+                if let Some(node) = live(&self.table[place]) {
+                    return node;
+                }
+                places.remove(place);
+            }
+            return front.left_end();
         }
         let around = (1..=REACH).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
         around
@@ -87,32 +88,59 @@ impl FrontSearch for HashTable {
             .unwrap_or(front.left_end())
     }
 
-    #[inline]
+    #[inline(always)]
     fn inserted(&mut self, node: FrontNode, x: f64) {
-        let at = self.interval(x);
+        let at = self.intervals.number(x, self.table.len());
+        if let Intervals::Places(places) = &mut self.intervals {
+            places.insert(at);
+        }
         self.table[at] = Some(node);
         self.last = Some(node);
     }
 }
 
-impl HashTable {
-    #[inline]
-    fn interval(&self, x: f64) -> usize {
-        match &self.intervals {
-            Intervals::Equal { low, factor } => bucket((x - low) * factor, self.table.len()),
-            Intervals::Quantiles(ends) => ends.partition_point(|&end| end <= x),
-        }
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::{Domain, Front, FrontNode, FrontSearch, HashTable};
 
-/// Whether equal intervals would be crowded. The sample is put into [`CELLS`] equal cells; it is skewed if
-/// an average point shares its cell with four times as many points as if all cells held equally many.
-fn is_skewed(sample: &[f64], low: f64, high: f64) -> bool {
-    let mut cells = [0_usize; CELLS];
-    let factor = CELLS as f64 / (high - low);
-    for &x in sample {
-        cells[bucket((x - low) * factor, CELLS)] += 1;
+    /// Places that were asked for lead to the very node, and an entry of a node that has left is passed.
+    #[test]
+    fn with_places_no_step_is_left() {
+        const COUNT: usize = 200;
+        let equal = [[7.0, 0.0]; COUNT];
+        let mut table = HashTable::default();
+        table.begin(Domain::new(&equal));
+        assert!(!table.strayed(16 * COUNT), "as many steps are borne");
+        assert!(table.strayed(1));
+
+        // Every other vertex is on the front, at the place of its rank.
+        let places: Vec<[f64; 2]> = (0..COUNT).map(|place| [place as f64, 0.0]).collect();
+        table.begin(Domain::new(&places));
+        let mut front = Front::new(COUNT);
+        let mut left = front.left_end();
+        for node in (0..COUNT).step_by(2).map(FrontNode::from_rank) {
+            front.insert(node, left);
+            table.inserted(node, places[node.rank()][0]);
+            left = node;
+        }
+        for gone in (2..COUNT).filter(|rank| rank % 6 == 2) {
+            front.remove(FrontNode::from_rank(gone));
+        }
+        for place in 0..COUNT {
+            let is_on_front = |rank: &usize| rank.is_multiple_of(2) && rank % 6 != 2;
+            let last = (0..=place)
+                .rev()
+                .find(is_on_front)
+                .map(FrontNode::from_rank);
+            assert_eq!(table.locate(place as f64, &front), last.expect("0 is"));
+        }
+
+        // The next run begins with x again.
+        table.begin(Domain::new(&equal));
+        assert_eq!(format!("{table:?}"), {
+            let mut new = HashTable::default();
+            new.begin(Domain::new(&equal));
+            format!("{new:?}")
+        });
     }
-    let pairs: usize = cells.iter().map(|count| count * count).sum();
-    pairs * CELLS > 4 * sample.len() * sample.len().max(CELLS)
 }

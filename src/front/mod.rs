@@ -7,9 +7,13 @@
 //!
 //! | structure | finds a place in | good for |
 //! |---|---|---|
-//! | [`HashTable`] | O(1) expected | everything measured; the default |
-//! | [`SkipList`] | O(log n) expected | fronts of any shape |
+//! | [`HashTable`] | O(1) expected, O(log n) at worst | everything measured; the default |
+//! | [`SkipList`] | O(log n) expected | comparison |
 //! | [`Linear`] | O(n) | showing what a structure must do |
+//!
+//! Structures know x as a double, which may tell too little: crowded, equal or infinite. One whose answers
+//! lead to long walks may ask for *places* instead: the numbers of the vertices from left to right, by exact
+//! comparison ([`FrontSearch::strayed`]). The first two do; the costs above are averages over a run.
 //!
 //! A structure can be tested without a sweep: [`Front`], [`FrontNode`] and [`Domain`] can be made and
 //! changed by hand.
@@ -17,8 +21,11 @@
 //! Differs from the paper: the paper's structure is the hash table; the others are for comparison.
 
 mod hash_table;
+mod intervals;
 mod linear;
 mod list;
+mod patience;
+mod places;
 mod search;
 mod skip_list;
 
@@ -26,5 +33,5 @@ pub use hash_table::HashTable;
 pub use linear::Linear;
 pub(crate) use list::Way;
 pub use list::{Front, FrontNode};
-pub use search::{Domain, FrontSearch};
+pub use search::{Domain, FrontSearch, LONG_WALK};
 pub use skip_list::SkipList;

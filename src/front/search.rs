@@ -34,10 +34,14 @@ impl<'a> Domain<'a> {
     }
 }
 
+/// A walk of more than this many steps from where a structure sent it is reported to the structure.
+pub const LONG_WALK: usize = 32;
+
 /// A structure that finds a place on the advancing front near a given x.
 ///
 /// [`locate`](FrontSearch::locate) does the work. The other functions report what happens to the front,
-/// and may be left out. A structure is a value: it may carry parameters, a seed and counters of its own.
+/// and may be left out; so may [`strayed`](FrontSearch::strayed), by which a structure can ask for better
+/// keys than x. A structure is a value: it may carry parameters, a seed and counters of its own.
 /// Each run of a [`Triangulator`](crate::Triangulator) works on a clone of the value it was given and
 /// returns that clone in [`Run::front`](crate::Run::front).
 ///
@@ -83,6 +87,65 @@ pub trait FrontSearch {
     ///
     /// The sweep panics if the node is not on the front.
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode;
+
+    /// The walk from the node that [`locate`](FrontSearch::locate) named took this many steps, more than
+    /// [`LONG_WALK`]. Returns whether the structure wants *places* for x from now on.
+    ///
+    /// If so, the sweep numbers all vertices from left to right by exact comparison, 0 for the first. It calls
+    /// [`begin`](FrontSearch::begin) with these numbers as x, and `inserted` for each node that is on the
+    /// front, from left to right. Every later `x` is a place too. No two vertices have the same one, and
+    /// they are spread evenly, whatever the coordinates. That takes O(n log n) once. Nothing is asked
+    /// afterwards.
+    ///
+    /// ```
+    /// use sweep_cdt::Triangulator;
+    /// use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, LONG_WALK};
+    ///
+    /// /// The nodes by place. Until places are given, walks start at the left end.
+    /// #[derive(Clone, Default)]
+    /// struct ByPlace {
+    ///     nodes: std::collections::BTreeMap<usize, FrontNode>,
+    ///     has_places: bool,
+    /// }
+    ///
+    /// impl FrontSearch for ByPlace {
+    ///     fn strayed(&mut self, steps: usize) -> bool {
+    ///         assert!(steps > LONG_WALK);
+    ///         self.has_places = true;
+    ///         true
+    ///     }
+    ///
+    ///     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
+    ///         let last = self.nodes.range(..=x as usize).next_back();
+    ///         last.map_or(front.left_end(), |(_, &node)| node)
+    ///     }
+    ///
+    ///     fn inserted(&mut self, node: FrontNode, x: f64) {
+    ///         if self.has_places {
+    ///             self.nodes.insert(x as usize, node);
+    ///         }
+    ///     }
+    ///
+    ///     fn removed(&mut self, _: FrontNode, x: f64) {
+    ///         if self.has_places {
+    ///             self.nodes.remove(&(x as usize));
+    ///         }
+    ///     }
+    /// }
+    ///
+    /// // A row, and points above it from right to left.
+    /// let row = (0..100).map(|i| [f64::from(i), 0.0]);
+    /// let above = (0..100).map(|i| [99.5 - f64::from(i), 1.0 + f64::from(i)]);
+    /// let points: Vec<_> = row.chain(above).collect();
+    /// let triangulator = Triangulator::new().front(ByPlace::default());
+    /// let run = triangulator.triangulate_with_stats(&points, &[])?;
+    /// assert!(run.front.has_places);
+    /// # Ok::<(), sweep_cdt::Error>(())
+    /// ```
+    fn strayed(&mut self, steps: usize) -> bool {
+        let _ = steps;
+        false
+    }
 
     /// `node`, whose x is `x`, has joined the front.
     fn inserted(&mut self, node: FrontNode, x: f64) {

@@ -2,12 +2,14 @@
 //!
 //! All nodes are linked in order of x at level 0. About one in four nodes of a level is linked at the
 //! next level too, so that a search from the top passes O(log n) nodes. A fixed hash of the rank
-//! decides which ones, so the list is the same in every run.
+//! decides which ones, so the list is the same in every run. Where x are equal it names any of their nodes;
+//! if the walks among them are long, it asks for places instead of x.
 //!
 //! Cost: O(log n) expected for search, insertion and removal, whatever the shape of the front; 64 bytes
 //! for each vertex on the front at one time.
 
 use super::list::{Front, FrontNode};
+use super::patience::Patience;
 use super::search::{Domain, FrontSearch};
 use crate::ids::narrow;
 
@@ -17,6 +19,7 @@ pub struct SkipList {
     /// Place 0 is the head; the places in `free` are not in use.
     towers: Vec<Tower>,
     free: Vec<u32>,
+    patience: Patience,
 }
 
 /// Enough for 4^12 nodes on the front.
@@ -45,15 +48,21 @@ impl Default for SkipList {
         SkipList {
             towers: vec![Tower::HEAD],
             free: Vec::new(),
+            patience: Patience::default(),
         }
     }
 }
 
 impl FrontSearch for SkipList {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, domain: Domain<'_>) {
         self.towers.clear();
         self.towers.push(Tower::HEAD);
         self.free.clear();
+        self.patience = Patience::with(domain.len());
+    }
+
+    fn strayed(&mut self, steps: usize) -> bool {
+        self.patience.ends(steps)
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {

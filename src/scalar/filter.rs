@@ -12,8 +12,8 @@
 //! a factor and an underflow of at most 2^-1075. Let d stand for the differences of the doubles before
 //! they are rounded, D for the determinant of these, P for the sum of the absolute values of its
 //! terms, and V for the computed determinant before its last rounding, which changes no sign and makes
-//! it at most 1 + u times as large. No test overflows, since doubles are at most 2^200 in size
-//! ([`Scale`]), so differences are at most 2^201 and fourth powers far below 2^1023.
+//! it at most 1 + u times as large. No test of finite doubles overflows, since they are below 2^200 in size
+//! ([`Scale`]), so differences are below 2^201 and fourth powers far below 2^1023.
 //!
 //! 1. **Orientation, exact doubles.** Each product is off by three factors 1 + e (two differences, one
 //!    product), so |V - D| <= ((1 - u)^-3 - 1) S, where S is the sum of the absolute values of the two
@@ -26,10 +26,10 @@
 //!    |bx cy| + |by cx| <= (B + C) / 2 and so on, hence P <= A (B + C) + B C. That passes eleven factors
 //!    when computed (two lifts, sum, product, sum), and the bound two more. So
 //!    `IN_CIRCLE` (1 - u)^13 must be at least ((1 + u)^10 - 1) (1 + u).
-//! 3. **Approximated doubles.** Differences are off by up to `error`, twice that of a coordinate. Let Q be P
-//!    with every |d| made larger by `error`. Each term is a product of differences, so it changes by no
-//!    more than its absolute value grows, and the true determinant is within Q - P of D. The code
-//!    computes P as `least` and Q as `most`, never smaller. `least` passes 4 factors (orientation) or 11
+//! 3. **Approximated doubles.** Each difference is off by up to its own [`Scale::error`]. Let Q be P with
+//!    every |d| made larger by that. Each term is a product of differences, so it changes by no more
+//!    than its absolute value grows, and the true determinant is within Q - P of D. The code computes
+//!    P as `least` and Q as `most`, never smaller. `least` passes 4 factors (orientation) or 11
 //!    (in circle), `most` 6 or 15, the rest of the bound 3. With K for `ORIENT2D_APPROX` or
 //!    `IN_CIRCLE_APPROX`, k for 3 or 10, l for 4 or 11 and m for 6 or 15
 //!    (1 - u)^3 ((1 - u)^m (1 + K) Q - (1 + u)^l P) must be at least (1 + u) (Q - P + ((1 + u)^k - 1) P)
@@ -37,8 +37,8 @@
 //! 4. **Underflow** of products, multiplied by at most 2^404 in later products, adds less than 2^-663
 //!    to the determinant and to what the bound is computed from. `UNDERFLOW` covers both.
 //!
-//! A coordinate that is infinite or NaN, as those of the artificial points are, makes the determinant NaN
-//! or the bound infinite. Then the filter decides nothing.
+//! A coordinate that is infinite or NaN, as those of the artificial points and of points far outside are,
+//! makes the bound infinite or NaN. Then the filter decides nothing.
 //!
 //! Gappa checks the inequalities for the constants, the factors of each term and the bound on underflow
 //! (`tests/proofs`). Checked by hand only: the number of factors, the inequality of the two means behind
@@ -48,76 +48,77 @@
 
 use std::cmp::Ordering::{self, Greater, Less};
 
-use super::doubles::{U, power};
-use super::scale::Scale;
+use super::doubles::U;
+use super::scale::{Scale, UNDERFLOW};
 
 const ORIENT2D: f64 = (3.0 + 32.0 * U) * U;
 const IN_CIRCLE: f64 = (10.0 + 256.0 * U) * U;
 const ORIENT2D_APPROX: f64 = 14.0 * U;
 const IN_CIRCLE_APPROX: f64 = 37.0 * U;
-const UNDERFLOW: f64 = power(-660);
 
-/// The orientation of `a`, `b`, `c`, if these doubles decide it: `Greater` for a left turn.
+/// The orientation of `a`, `b`, `c`, if these doubles are the coordinates and decide it: `Greater` for a
+/// left turn.
 #[inline(always)]
 pub(crate) fn orient2d([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
     let [ax, ay] = minus(a, c);
     let [bx, by] = minus(b, c);
     let (left, right) = (ax * by, ay * bx);
     let determinant = left - right;
-    let bound = ORIENT2D * (left.abs() + right.abs()) + UNDERFLOW;
-    if determinant.abs() > bound && scale.is_exact() {
+    let bound = ORIENT2D * (left.abs() + right.abs()) + scale.underflow_if_exact();
+    if determinant.abs() > bound {
         return Some(sign(determinant));
     }
-    if scale.is_exact() {
-        return None;
-    }
-    orient2d_approx(determinant, [ax, ay, bx, by], scale)
+    None
 }
 
-/// The side of the circle through `a`, `b`, `c` on which `d` lies, if these doubles decide it:
-/// `Greater` for inside, where the three are counter-clockwise.
+/// The side of the circle through `a`, `b`, `c` on which `d` lies, if these doubles are the coordinates and
+/// decide it: `Greater` for inside, where the three are counter-clockwise.
 #[inline(always)]
 pub(crate) fn in_circle([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
-    let [ax, ay] = minus(a, d);
-    let [bx, by] = minus(b, d);
-    let [cx, cy] = minus(c, d);
-    let (al, bl, cl) = (ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy);
-    let determinant =
-        al * (bx * cy - by * cx) - bl * (ax * cy - ay * cx) + cl * (ax * by - ay * bx);
-    let bound = IN_CIRCLE * (al * (bl + cl) + bl * cl) + UNDERFLOW;
-    if determinant.abs() > bound && scale.is_exact() {
+    let (determinant, [al, bl, cl]) = lifted([minus(a, d), minus(b, d), minus(c, d)]);
+    let bound = IN_CIRCLE * (al * (bl + cl) + bl * cl) + scale.underflow_if_exact();
+    if determinant.abs() > bound {
         return Some(sign(determinant));
     }
-    if scale.is_exact() {
-        return None;
-    }
-    in_circle_approx(determinant, [ax, ay, bx, by, cx, cy], scale)
+    None
 }
 
-/// The orientation test for doubles that may be off.
+/// The same as [`orient2d`] for doubles that may be off. Where they are exact it decides no more.
 #[cold]
 #[inline(never)]
-fn orient2d_approx(determinant: f64, differences: [f64; 4], scale: Scale) -> Option<Ordering> {
-    let size = |[ax, ay, bx, by]: [f64; 4]| ax * by + ay * bx;
-    let (least, most) = widen(differences, scale);
+pub(crate) fn orient2d_approx([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
+    let [[ax, ay], [bx, by]] = [minus(a, c), minus(b, c)];
+    let determinant = ax * by - ay * bx;
+    let size = |[[ax, ay], [bx, by]]: [[f64; 2]; 2]| ax * by + ay * bx;
+    let (least, most) = widen([a, b], c, scale);
     let (least, most) = (size(least), size(most));
     let bound = (most - least) + ORIENT2D_APPROX * most + UNDERFLOW;
     (determinant.abs() > bound).then_some(sign(determinant))
 }
 
-/// The in-circle test for doubles that may be off.
+/// The same as [`in_circle`] for doubles that may be off. Where they are exact it decides no more.
 #[cold]
 #[inline(never)]
-fn in_circle_approx(determinant: f64, differences: [f64; 6], scale: Scale) -> Option<Ordering> {
-    let size = |[ax, ay, bx, by, cx, cy]: [f64; 6]| {
+pub(crate) fn in_circle_approx([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
+    let (determinant, _) = lifted([minus(a, d), minus(b, d), minus(c, d)]);
+    let size = |[[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]| {
         (ax * ax + ay * ay) * (bx * cy + by * cx)
             + (bx * bx + by * by) * (ax * cy + ay * cx)
             + (cx * cx + cy * cy) * (ax * by + ay * bx)
     };
-    let (least, most) = widen(differences, scale);
+    let (least, most) = widen([a, b, c], d, scale);
     let (least, most) = (size(least), size(most));
     let bound = (most - least) + IN_CIRCLE_APPROX * most + UNDERFLOW;
     (determinant.abs() > bound).then_some(sign(determinant))
+}
+
+/// The determinant of three differences and their lifts, and these lifts.
+#[inline(always)]
+fn lifted([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> (f64, [f64; 3]) {
+    let (al, bl, cl) = (ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy);
+    let determinant =
+        al * (bx * cy - by * cx) - bl * (ax * cy - ay * cx) + cl * (ax * by - ay * bx);
+    (determinant, [al, bl, cl])
 }
 
 #[inline(always)]
@@ -125,11 +126,21 @@ fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// The absolute values of differences, and the same made larger by what each may be off by.
-fn widen<const N: usize>(differences: [f64; N], scale: Scale) -> ([f64; N], [f64; N]) {
-    let error = 2.0 * scale.error();
-    let least = differences.map(f64::abs);
-    (least, least.map(|size| size + error))
+/// The absolute values of the differences of points to a last one, and the same made larger by what
+/// each may be off by.
+fn widen<const N: usize>(
+    points: [[f64; 2]; N],
+    last: [f64; 2],
+    scale: Scale,
+) -> ([[f64; 2]; N], [[f64; 2]; N]) {
+    let least = points.map(|p| minus(p, last).map(f64::abs));
+    let mut most = least;
+    for (size, p) in most.iter_mut().zip(points) {
+        for i in 0..2 {
+            size[i] += scale.error(p[i], last[i]);
+        }
+    }
+    (least, most)
 }
 
 /// The sign of a number that is certainly not zero.

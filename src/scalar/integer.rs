@@ -16,6 +16,10 @@ impl Scalar for i64 {
         *self as f64
     }
 
+    fn difference(&self, other: &Self) -> Option<(f64, i64)> {
+        Some(((i128::from(*self) - i128::from(*other)) as f64, 0))
+    }
+
     fn compare(&self, other: &Self) -> Ordering {
         self.cmp(other)
     }

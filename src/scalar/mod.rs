@@ -4,7 +4,8 @@
 //! which side of a line is a point, and is a point inside a circle. All answers are exact. A fifth
 //! function, [`Scalar::approx`], gives a double near the value. The doubles feed the floating-point filter
 //! (which returns a sign only if it is certain) and choose what only costs time: hash buckets, and the
-//! angles of the heuristics.
+//! angles of the heuristics. A sixth, [`Scalar::difference`], may be left out. It gives a double near a
+//! difference, for points whose own doubles tell too little.
 //!
 //! | type | how it is exact |
 //! |---|---|
@@ -20,17 +21,20 @@ mod doubles;
 mod f32;
 mod f64;
 pub(crate) mod filter;
+pub(crate) mod frame;
 mod integer;
+mod quotient;
 mod rational;
 #[cfg(feature = "rug")]
 mod rug;
 mod scale;
 mod unbounded;
 mod wide;
+mod window;
 
 use std::cmp::Ordering;
 
-pub(crate) use scale::Scale;
+pub(crate) use scale::{Scale, is_in_range};
 pub use unbounded::Unbounded;
 
 /// A coordinate type with exact predicates.
@@ -40,6 +44,11 @@ pub use unbounded::Unbounded;
 /// but `approx` must be exact for every value: where the type's own arithmetic rounds or overflows,
 /// compute them in a wider type. The in-circle determinant has about four times the digits of the
 /// differences of coordinates. Numbers whose arithmetic is exact without bounds need [`Unbounded`] only.
+///
+/// Everything relies on that: that the predicates are exact, agree with one another and with `compare`, and
+/// give the same answer each time. With a type that breaks this the sweep returns no correct result: it
+/// may return a wrong one, panic, or take long. The verifier, which asks the same predicates, is no judge
+/// of them.
 ///
 /// A predicate answers with an [`Ordering`]: the sign of the determinant compared with zero.
 ///
@@ -104,6 +113,32 @@ pub trait Scalar: Sized {
     /// relative error of 2^-52 of every value that lies in the range of normal doubles. Larger values
     /// may become infinite, and smaller ones may lose digits as doubles do or become zero.
     fn approx(&self) -> f64;
+
+    /// A double and a power of two, `(x, power)` for x * 2^power, near the difference to another value;
+    /// `None` where the type knows no better one than [`approx`](Scalar::approx) gives.
+    ///
+    /// It is asked for where that loses what tells the points apart: they lie close to each other and
+    /// far from zero, or are all too large or too small for a double. Then the doubles that feed the
+    /// filter and choose what costs time are taken relative to one of the points. Without it such points
+    /// take the time of exact arithmetic.
+    ///
+    /// The difference must be computed exactly and then rounded. With the other value fixed the result must
+    /// be monotone as that of `approx` is, always finite, zero for equal values only, and within a
+    /// relative error of 2^-52.
+    ///
+    /// ```
+    /// use num_bigint::BigInt;
+    /// use sweep_cdt::scalar::Scalar;
+    ///
+    /// let far = BigInt::from(1) << 2000;
+    /// let near = &far + 3;
+    /// assert_eq!(near.difference(&far), Some((3.0, 0)));
+    /// assert_eq!(0.5_f64.difference(&0.25), None);
+    /// ```
+    fn difference(&self, other: &Self) -> Option<(f64, i64)> {
+        let _ = other;
+        None
+    }
 
     /// The exact order of two coordinates.
     fn compare(&self, other: &Self) -> Ordering;

@@ -17,7 +17,7 @@ use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::unbounded::{self, minus};
-use super::{Scalar, Stage, direct, wide};
+use super::{Scalar, Stage, direct, quotient, wide};
 
 impl Scalar for BigRational {
     /// Whether the denominator is not zero, as `new_raw` may make it.
@@ -27,6 +27,15 @@ impl Scalar for BigRational {
 
     fn approx(&self) -> f64 {
         double(self).unwrap_or_else(|| self.to_f64().expect("a finite number has a double near it"))
+    }
+
+    fn difference(&self, other: &Self) -> Option<(f64, i64)> {
+        let ([a, b], [c, d]) = ([self.numer(), self.denom()], [other.numer(), other.denom()]);
+        Some(if b == d {
+            quotient::of(&(a - c), b)
+        } else {
+            quotient::of(&(a * d - c * b), &(b * d))
+        })
     }
 
     fn compare(&self, other: &Self) -> Ordering {

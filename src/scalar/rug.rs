@@ -6,13 +6,29 @@
 
 use std::cmp::Ordering;
 
-use rug::Rational;
+use rug::{Integer, Rational};
 
 use super::{Scalar, Stage, direct};
 
 impl Scalar for Rational {
     fn approx(&self) -> f64 {
         self.to_f64()
+    }
+
+    fn difference(&self, other: &Self) -> Option<(f64, i64)> {
+        let (numerator, denominator) = Rational::from(self - other).into_numer_denom();
+        // As many bits as make a quotient of 64 or 65.
+        let bits = |x: &Integer| i64::from(x.significant_bits());
+        let shift = 65 - bits(&numerator) + bits(&denominator);
+        let size = u32::try_from(shift.unsigned_abs()).ok()?;
+        let quotient = if shift < 0 {
+            numerator / (denominator << size)
+        } else {
+            (numerator << size) / denominator
+        };
+        // Both the quotient and this are rounded towards zero.
+        let (x, power) = quotient.to_f64_exp();
+        Some((x, i64::from(power) - shift))
     }
 
     fn compare(&self, other: &Self) -> Ordering {

@@ -1,77 +1,153 @@
 //! The scale of doubles: what the floating-point [`filter`](super::filter) knows about its input.
 //!
-//! The filter must not overflow, and underflow must do it no harm. So all approximations of one input
-//! are multiplied by one power of two, the *factor*, where the largest of them is below 2^-120 or above
-//! 2^200. No sign changes by that: the orientation determinant is multiplied by the factor's square, the
-//! in-circle determinant by its fourth power. Afterwards the largest is 2^-120 to 2^200 in size, or
-//! all are zero.
+//! The filter must not overflow, and underflow must do it no harm. So all doubles of one input are
+//! multiplied by one power of two, the *factor*, where some are below 2^-120 or not below 2^200; the
+//! [window](super::window) of most of them chooses it. No sign changes by that: the orientation
+//! determinant is multiplied by the factor's square, the in-circle determinant by its fourth power. What
+//! is not below 2^200 afterwards becomes infinite, of which the filter decides nothing.
 //!
-//! The *error* bounds how far each scaled double may be off the scaled coordinate:
-//! - nothing, where the approximations are the coordinates and scaling keeps every digit, which it does
+//! A finite double X is off the scaled coordinate by at most `relative` |X| + `absolute` / 2:
+//! - nothing, where the doubles are the coordinates and scaling keeps every digit, which it does
 //!   unless a product falls below the normal doubles;
 //! - less than 2^-1022, where scaling alone may lose digits;
 //! - by the contract of [`approx`](super::Scalar::approx) an approximation X of a coordinate x is off by
 //!   at most 2u |x|, that is 2u / (1 - 2u) |X|, or by 2^-1022 where x is below the normal doubles
-//!   (u = 2^-53). `(2 + 16 u) u` times the largest |X| covers that, the rounding of this bound itself,
-//!   and the 2^-1075 that scaling down may add. Where the largest |X| is the largest double or
-//!   infinite, nothing is known of x.
+//!   (u = 2^-53). `(2 + 16 u) u` |X| covers the first, and the rounding of this bound itself. A factor
+//!   above 1 makes the second larger. Where |X| is the largest double nothing is known of x, so it
+//!   becomes infinite;
+//! - by the contract of [`difference`](super::Scalar::difference) one that is near the difference to an
+//!   origin ([`frame`](super::frame)) is off by the first of these, and by at most 2^-1022 where it falls
+//!   below the normal doubles.
 //!
-//! Cost: one pass over the approximations.
+//! Scaling and becoming infinite keep the order: a larger coordinate never has a smaller double.
+//!
+//! Cost: one pass over the doubles; a few where some are out of range.
 
 use super::doubles::{U, exponent, power};
+use super::window;
 
-/// More than 2u / (1 - 2u), by enough for the three roundings of [`Scale::of`].
+/// More than 2u / (1 - 2u), by enough for the three roundings of [`Scale::error`].
 const RELATIVE_ERROR: f64 = (2.0 + 16.0 * U) * U;
+
+/// What underflow adds to a determinant and to what its bound is computed from, at most.
+pub(super) const UNDERFLOW: f64 = power(-660);
 
 /// How the doubles that filter and steer relate to the coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
-    factor: f64,
-    error: f64,
+    /// [`UNDERFLOW`] if finite doubles are the coordinates, up to the factor; infinite if not.
+    underflow_if_exact: f64,
+    /// Whether coordinates of equal doubles are equal: all doubles are finite and exact.
+    tells_equal: bool,
+    relative: f64,
+    absolute: f64,
 }
 
 impl Scale {
-    /// The scale for these approximations, which are the coordinates themselves if `exact`.
-    pub(crate) fn of(approximations: impl Iterator<Item = f64>, exact: bool) -> Scale {
-        let (small, large) =
-            approximations
-                .map(f64::abs)
-                .fold((f64::INFINITY, 0.0_f64), |(small, large), size| {
-                    let small = if size > 0.0 { small.min(size) } else { small };
-                    (small, large.max(size))
-                });
-        let factor = if large == 0.0 || (power(-120)..=power(200)).contains(&large) {
-            1.0
-        } else {
-            // Brings the largest near 1, as far as one factor can.
-            power((-exponent(large)).clamp(-1022, 1000))
-        };
-        let error = if exact {
+    /// That of doubles which are the coordinates.
+    pub(crate) const EXACT: Scale = Scale {
+        underflow_if_exact: UNDERFLOW,
+        tells_equal: true,
+        relative: 0.0,
+        absolute: 0.0,
+    };
+
+    /// That of doubles each of which is off by at most 2u / (1 - 2u) of itself, or by 2^-1022 times
+    /// `unit`, and once more by at most 2^-1022.
+    pub(super) const fn rounded(unit: f64) -> Scale {
+        Scale {
+            underflow_if_exact: f64::INFINITY,
+            tells_equal: false,
+            relative: RELATIVE_ERROR,
+            absolute: power(-1019) * unit.max(1.0),
+        }
+    }
+
+    /// Brings approximations, which are the coordinates themselves if `exact`, to one scale.
+    pub(super) fn unify(near: &mut [[f64; 2]], exact: bool) -> Scale {
+        if near.iter().all(|&point| is_in_range(point)) {
+            return if exact {
+                Scale::EXACT
+            } else {
+                Scale::rounded(1.0)
+            };
+        }
+        Scale::move_into_range(near, exact)
+    }
+
+    #[cold]
+    fn move_into_range(near: &mut [[f64; 2]], exact: bool) -> Scale {
+        // Nothing is known of a number whose approximation is the largest double.
+        let limit = if exact { f64::INFINITY } else { f64::MAX };
+        let sizes = near.iter().flatten().map(|x| x.abs());
+        let known = sizes.filter(|&size| size > 0.0 && size < limit);
+        // As far as one factor can.
+        let factor = power(window::shift(known.map(exponent)).clamp(-1022, 1000));
+        let mut keeps_digits = true;
+        for x in near.iter_mut().flatten() {
+            let scaled = *x * factor;
             // Products above 2^-960 keep all digits, and so do those by a factor above 1.
-            let keeps_digits = factor >= 1.0 || small * factor > power(-960);
-            if keeps_digits { 0.0 } else { power(-1022) }
-        } else if large < f64::MAX {
-            (RELATIVE_ERROR * large + power(-1021)) * factor
-        } else {
-            f64::INFINITY
-        };
-        Scale { factor, error }
+            keeps_digits &= factor >= 1.0 || *x == 0.0 || scaled.abs() > power(-960);
+            *x = if x.abs() < limit {
+                bounded(scaled)
+            } else {
+                x.signum() * f64::INFINITY
+            };
+        }
+        let (rounded, tells_equal) = (
+            Scale::rounded(factor),
+            near.iter().flatten().all(|x| x.is_finite()),
+        );
+        match (exact, keeps_digits) {
+            (true, true) => Scale {
+                tells_equal,
+                ..Scale::EXACT
+            },
+            (true, false) => Scale {
+                relative: 0.0,
+                ..rounded
+            },
+            (false, _) => rounded,
+        }
     }
 
-    /// The doubles for a point with these approximations.
-    #[inline(always)]
-    pub(crate) fn apply(self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [x * self.factor, y * self.factor]
-    }
-
-    /// Whether the doubles are the coordinates, up to the factor.
-    #[inline(always)]
+    /// Whether the doubles are the coordinates, up to the factor, wherever they are finite.
     pub(crate) fn is_exact(self) -> bool {
-        self.error == 0.0
+        self.underflow_if_exact == UNDERFLOW
     }
 
-    /// What each double may be off by.
-    pub(crate) fn error(self) -> f64 {
-        self.error
+    /// What underflow adds to a determinant of exact doubles; infinite if they are not, so that such a
+    /// bound decides nothing and costs no test.
+    #[inline(always)]
+    pub(super) fn underflow_if_exact(self) -> f64 {
+        self.underflow_if_exact
+    }
+
+    /// Whether coordinates of equal doubles are equal.
+    #[inline(always)]
+    pub(crate) fn tells_equal(self) -> bool {
+        self.tells_equal
+    }
+
+    /// What the difference of two coordinates with these doubles may be off that of the doubles.
+    #[inline(always)]
+    pub(super) fn error(self, a: f64, b: f64) -> f64 {
+        self.relative * (a.abs() + b.abs()) + self.absolute
+    }
+}
+
+/// Whether the doubles of a point need no factor.
+#[inline(always)]
+pub(crate) fn is_in_range(point: [f64; 2]) -> bool {
+    let is_moderate = |x: f64| x == 0.0 || (power(-120)..power(200)).contains(&x.abs());
+    is_moderate(point[0]) && is_moderate(point[1])
+}
+
+/// The same double, or an infinite one from 2^200 on.
+pub(super) fn bounded(x: f64) -> f64 {
+    if x.abs() < power(200) {
+        x
+    } else {
+        x.signum() * f64::INFINITY
     }
 }

@@ -13,7 +13,8 @@ use std::ops::{Mul, Sub};
 use num_bigint::BigInt;
 use num_traits::{ToPrimitive, Zero};
 
-use super::{Scalar, Stage, direct};
+use super::doubles::power;
+use super::{Scalar, Stage, direct, quotient};
 
 /// Says that a number's `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a
 /// [`Scalar`].
@@ -40,15 +41,35 @@ pub trait Unbounded:
 {
     /// What [`Counters`](crate::Counters) count the number's arithmetic as.
     const STAGE: Stage = Stage::Own;
+
+    /// A double and a power of two, `(x, power)` for x * 2^power, near the number; `None` if there is no
+    /// telling.
+    ///
+    /// It must be monotone, finite, zero for zero only, and within a relative error of 2^-52, as
+    /// [`Scalar::difference`] says. Numbers far larger or smaller than doubles should have their own;
+    /// this one takes what `to_f64` returns, unless that is near an end of the range of doubles.
+    fn near(&self) -> Option<(f64, i64)> {
+        let near = self.to_f64()?;
+        let is_certain = (power(-1000)..f64::MAX).contains(&near.abs()) || self.is_zero();
+        is_certain.then_some((near, 0))
+    }
 }
 
 impl Unbounded for BigInt {
     const STAGE: Stage = Stage::BigIntegers;
+
+    fn near(&self) -> Option<(f64, i64)> {
+        Some(quotient::of_integer(self))
+    }
 }
 
 impl<T: Unbounded> Scalar for T {
     fn approx(&self) -> f64 {
         self.to_f64().expect("a number has a double near it")
+    }
+
+    fn difference(&self, other: &Self) -> Option<(f64, i64)> {
+        (self.clone() - other.clone()).near()
     }
 
     fn compare(&self, other: &Self) -> Ordering {

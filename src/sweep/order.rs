@@ -5,8 +5,8 @@
 //!
 //! Why it is right: the key never decreases where y grows, so points of different keys are in order.
 //!
-//! Cost: O(n) where the points spread over y, O(n log n) at worst, when all share one key. For a moment
-//! 16 bytes a point, and 24 more if all share one key.
+//! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst, when all share
+//! one key. For a moment 16 bytes a point, and 24 more if all share one key.
 //!
 //! Differs from the paper: it sorts by comparison.
 
@@ -15,6 +15,13 @@ use std::cmp::Ordering;
 use crate::bucket::bucket;
 use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
+
+/// So few points are sorted fast by comparison too.
+const FEW: usize = 4096;
+/// How many of more points are looked at to find the middle half of them.
+const SAMPLE: usize = 256;
+/// What is outside the middle half by more than this many times its height is far outside.
+const REACH: f64 = 8.0;
 
 /// The points in sweep order, duplicates included.
 #[derive(Debug)]
@@ -74,7 +81,7 @@ pub(super) fn sort<S: Scalar>(
 /// Exact sweep order of two sites.
 pub(super) fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Ordering {
     let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
-        Some(order) if order.is_ne() || scale.is_exact() => order,
+        Some(order) if order.is_ne() || scale.tells_equal() => order,
         _ => points[a.1 as usize][i].compare(&points[b.1 as usize][i]),
     };
     axis(1).then_with(|| axis(0))
@@ -88,10 +95,7 @@ fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
     let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
     let keys = 1_usize << (2 * half);
     let indices = 0..narrow(points);
-    let (low, high) = indices.clone().map(|input| approx(input)[1]).fold(
-        (f64::INFINITY, f64::NEG_INFINITY),
-        |(low, high): (f64, f64), y| (y.min(low), y.max(high)),
-    );
+    let (low, high) = range(points, |input| approx(input)[1]);
     // Neither differences nor products nor the bucket decrease where y grows.
     let factor = keys as f64 / (high - low);
     let key = |y: f64| narrow(bucket((y - low) * factor, keys));
@@ -124,4 +128,30 @@ fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
         std::mem::swap(&mut keyed, &mut sorted);
     }
     keyed
+}
+
+/// The range over which keys are spread: that of all y, but for those far outside that of the middle half.
+///
+/// A few points far away, such as "no data" points, would leave all others with one key. What is beyond
+/// the range shares the first or last key.
+fn range(points: usize, y: impl Fn(u32) -> f64) -> (f64, f64) {
+    let all = (0..narrow(points)).map(&y);
+    let (low, high) = all.fold(
+        (f64::INFINITY, f64::NEG_INFINITY),
+        |(low, high): (f64, f64), y| (y.min(low), y.max(high)),
+    );
+    if points < FEW {
+        return (low, high);
+    }
+    let mut sample: Vec<f64> = (0..SAMPLE)
+        .map(|i| y(narrow(i * points / SAMPLE)))
+        .collect();
+    sample.sort_unstable_by(f64::total_cmp);
+    let [first, last] = [1, 3].map(|quarter| sample[quarter * SAMPLE / 4]);
+    let margin = REACH * (last - first);
+    if margin > 0.0 {
+        (low.max(first - margin), high.min(last + margin))
+    } else {
+        (low, high)
+    }
 }

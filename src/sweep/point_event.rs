@@ -24,7 +24,7 @@
 use std::cmp::Ordering::{Equal, Greater};
 
 use super::state::Sweep;
-use crate::front::{FrontSearch, Way};
+use crate::front::{Domain, FrontNode, FrontSearch, LONG_WALK, Way};
 use crate::heuristics::Corners;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
@@ -77,23 +77,49 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     #[inline(always)]
     fn segment_under(&mut self, p: VertexId) -> VertexId {
         let signs = &self.fabric.signs;
-        let start = self.search.locate(signs.approx(p)[0], &self.front);
+        let start = self.search.locate(signs.search_x(p), &self.front);
         assert!(
             self.front.contains(start),
             "the search structure named a node off the front"
         );
         let mut at = start.vertex();
-        while self.fabric.signs.compare_x(at, p) == Greater {
+        let mut steps = 0;
+        while signs.compare_x(at, p) == Greater {
             at = self.front.prev(at);
-            self.fabric.probe.count(|c| c.front_steps += 1);
+            steps += 1;
         }
         loop {
             let right = self.front.next(at);
-            if self.fabric.signs.compare_x(right, p) == Greater {
-                return at;
+            if signs.compare_x(right, p) == Greater {
+                break;
             }
             at = right;
-            self.fabric.probe.count(|c| c.front_steps += 1);
+            steps += 1;
+        }
+        self.fabric.probe.count(|c| c.front_steps += steps as u64);
+        if steps > LONG_WALK {
+            self.report_walk(steps);
+        }
+        at
+    }
+
+    /// Tells the search structure of a long walk, and gives it places instead of x if it asks for them.
+    #[cold]
+    fn report_walk(&mut self, steps: usize) {
+        let signs = &mut self.fabric.signs;
+        if signs.has_places() || !self.search.strayed(steps) {
+            return;
+        }
+        signs.number_by_x();
+        let n = signs.vertices.len();
+        let by_rank: Vec<[f64; 2]> = (0..n)
+            .map(|v| [signs.search_x(VertexId::at(v)), 0.0])
+            .collect();
+        self.search.begin(Domain::new(&by_rank));
+        let mut at = self.front.next(signs.artificial.left);
+        while at != signs.artificial.right {
+            self.search.inserted(FrontNode::new(at), signs.search_x(at));
+            at = self.front.next(at);
         }
     }
 }

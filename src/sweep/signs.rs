@@ -15,7 +15,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::artificial::{self, Artificial};
 use super::vertices::Vertices;
-use crate::ids::VertexId;
+use crate::ids::{VertexId, narrow};
 use crate::probe::Probe;
 use crate::scalar::{Scalar, filter};
 
@@ -25,6 +25,8 @@ pub(super) struct Signs<'a, S> {
     points: &'a [[S; 2]],
     pub(super) vertices: Vertices,
     pub(super) artificial: Artificial,
+    /// For each vertex its place from left to right, if the search structure asked for them.
+    places: Vec<u32>,
 }
 
 impl<'a, S: Scalar> Signs<'a, S> {
@@ -36,6 +38,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
             points,
             vertices,
             artificial,
+            places: Vec::new(),
         }
     }
 
@@ -45,6 +48,15 @@ impl<'a, S: Scalar> Signs<'a, S> {
         self.vertices.approx[v.index()]
     }
 
+    /// What a search structure gets for the x of a vertex.
+    #[inline(always)]
+    pub(super) fn search_x(&self, v: VertexId) -> f64 {
+        match self.places.get(v.index()) {
+            Some(&place) => f64::from(place),
+            None => self.approx(v)[0],
+        }
+    }
+
     #[inline(always)]
     pub(super) fn is_artificial(&self, v: VertexId) -> bool {
         self.artificial.contains(v)
@@ -52,6 +64,21 @@ impl<'a, S: Scalar> Signs<'a, S> {
 
     fn exact(&self, v: VertexId) -> &'a [S; 2] {
         &self.points[self.vertices.input[v.index()] as usize]
+    }
+
+    /// Whether a search structure gets places for x.
+    pub(super) fn has_places(&self) -> bool {
+        !self.places.is_empty()
+    }
+
+    /// Numbers the vertices from left to right, of equal x in sweep order.
+    pub(super) fn number_by_x(&mut self) {
+        let mut order: Vec<VertexId> = (0..self.vertices.len()).map(VertexId::at).collect();
+        order.sort_unstable_by(|&a, &b| self.compare_x(a, b).then(a.cmp(&b)));
+        self.places = vec![0; order.len()];
+        for (place, v) in order.into_iter().enumerate() {
+            self.places[v.index()] = narrow(place);
+        }
     }
 
     /// Order by x; P-1 before and P-2 after all.
@@ -69,7 +96,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
 
     /// Order by x of vertices whose approximated x are equal.
     fn compare_equal_x(&self, a: VertexId, b: VertexId) -> Ordering {
-        if self.vertices.scale.is_exact() {
+        if self.vertices.scale.tells_equal() {
             return Equal;
         }
         match self.artificial.compare_x(a, b) {
@@ -91,10 +118,18 @@ impl<'a, S: Scalar> Signs<'a, S> {
         }
     }
 
-    /// The orientation test where the filter does not decide.
+    /// The orientation test where the filter for exact doubles does not decide.
     #[cold]
     #[inline(never)]
     fn orient2d_exact(&self, [a, b, c]: [VertexId; 3], probe: &mut impl Probe) -> Ordering {
+        let scale = self.vertices.scale;
+        if !scale.is_exact()
+            && let doubles = [a, b, c].map(|v| self.approx(v))
+            && let Some(sign) = filter::orient2d_approx(doubles, scale)
+        {
+            probe.count(|c| c.orient2d_filtered += 1);
+            return sign;
+        }
         let (sign, stage) = S::orient2d_exact(self.exact(a), self.exact(b), self.exact(c));
         probe.count(|c| c.count_orient2d(stage));
         sign
@@ -144,7 +179,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
         }
     }
 
-    /// The test of a side where the filter does not decide.
+    /// The test of a side where the filter for exact doubles does not decide.
     #[cold]
     #[inline(never)]
     fn must_flip_exact(
@@ -162,6 +197,14 @@ impl<'a, S: Scalar> Signs<'a, S> {
             } else {
                 self.orient2d([p, a, q], probe) == Greater
             };
+        }
+        let scale = self.vertices.scale;
+        if !scale.is_exact()
+            && let doubles = [a, b, p, q].map(|v| self.approx(v))
+            && let Some(sign) = filter::in_circle_approx(doubles, scale)
+        {
+            probe.count(|c| c.in_circle_filtered += 1);
+            return sign == Greater;
         }
         let (sign, stage) =
             S::in_circle_exact(self.exact(a), self.exact(b), self.exact(p), self.exact(q));

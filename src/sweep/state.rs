@@ -52,7 +52,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             vertex: name(v),
             after: name(left),
         });
-        let x = self.fabric.signs.approx(v)[0];
+        let x = self.fabric.signs.search_x(v);
         self.search.inserted(FrontNode::new(v), x);
     }
 
@@ -62,7 +62,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.front.unlink(v);
         self.fabric
             .report(|name| Event::FrontRemove { vertex: name(v) });
-        let x = self.fabric.signs.approx(v)[0];
+        let x = self.fabric.signs.search_x(v);
         self.search.removed(FrontNode::new(v), x);
     }
 

@@ -13,13 +13,13 @@
 
 use super::order::{self, Order};
 use crate::error::Error;
-use crate::ids::{VertexId, narrow};
-use crate::scalar::{Scalar, Scale};
+use crate::ids::VertexId;
+use crate::scalar::{Scalar, Scale, frame, is_in_range};
 
 /// The distinct points in sweep order.
 #[derive(Debug)]
 pub(super) struct Vertices {
-    /// By rank: doubles that approximate the coordinates, scaled by one power of two.
+    /// By rank: doubles for the coordinates, on one [`Scale`]; infinite for what is far outside.
     pub(super) approx: Vec<[f64; 2]>,
     /// By rank: the input index that stands for the vertex.
     pub(super) input: Vec<u32>,
@@ -31,26 +31,25 @@ pub(super) struct Vertices {
 impl Vertices {
     /// Sorts and merges the points, whose number was checked.
     pub(super) fn new<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> {
-        if let Some(vertex) = points
-            .iter()
-            .position(|p| !(p[0].is_finite() && p[1].is_finite()))
-        {
-            return Err(Error::NonFiniteCoordinate { vertex });
-        }
+        let is_finite = |p: &[S; 2]| p[0].is_finite() && p[1].is_finite();
         let approximate = |p: &[S; 2]| [p[0].approx(), p[1].approx()];
-        // Exact approximations are cheap: they are computed again instead of stored.
-        let stored: Vec<[f64; 2]> = if S::APPROX_IS_EXACT {
-            Vec::new()
+        let is_plain = |p: &[S; 2]| is_finite(p) && is_in_range(approximate(p));
+        // Coordinates that are doubles of moderate size are not stored once more.
+        let mut stored: Vec<[f64; 2]> = Vec::new();
+        let scale = if S::APPROX_IS_EXACT && points.iter().all(is_plain) {
+            Scale::EXACT
         } else {
-            points.iter().map(approximate).collect()
+            if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
+                return Err(Error::NonFiniteCoordinate { vertex });
+            }
+            stored.extend(points.iter().map(approximate));
+            frame::fit(points, &mut stored)
         };
-        let unscaled = |input: u32| match stored.get(input as usize) {
-            Some(approx) => *approx,
+        let near = |input: u32| match stored.get(input as usize) {
+            Some(near) => *near,
             None => approximate(&points[input as usize]),
         };
-        let all = (0..narrow(points.len())).flat_map(unscaled);
-        let scale = Scale::of(all, S::APPROX_IS_EXACT);
-        let order = order::sort(points, |input| scale.apply(unscaled(input)), scale);
+        let order = order::sort(points, near, scale);
         Ok(Vertices::merge(points, order, scale))
     }
 

@@ -9,7 +9,7 @@ use super::record::Record;
 use super::signs::Signs;
 use super::soup::{LIMIT, REJECTED, Soup};
 use super::violation::Violation;
-use crate::scalar::{Scalar, Scale};
+use crate::scalar::{Scalar, frame};
 
 /// What the caller gave, by rank, as far as it is in range.
 #[derive(Debug)]
@@ -69,7 +69,7 @@ struct Ranks<'a, S> {
     rank: Vec<u32>,
     /// For each point the lowest index of a point equal to it, unless all differ.
     representative: Option<Vec<u32>>,
-    /// For each point its approximated coordinates.
+    /// For each point its approximated coordinates, scaled.
     approximations: Vec<[f64; 2]>,
 }
 
@@ -94,11 +94,11 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             }
         }
         let is_finite = |v: u32| rank[v as usize] == NEW;
+        let scale = frame::fit(points, &mut approximations);
         let representative = representatives(points, &approximations, is_finite);
-        let all = approximations.iter().flatten().copied();
         let signs = Signs {
             points,
-            scale: Scale::of(all, S::APPROX_IS_EXACT),
+            scale,
             vertex: Vec::with_capacity(points.len()),
             near: Vec::with_capacity(points.len()),
         };
@@ -176,9 +176,7 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             if self.rank[v] == NEW {
                 self.rank[v] = self.given_out();
                 self.signs.vertex.push(*to);
-                self.signs
-                    .near
-                    .push(self.signs.scale.apply(self.approximations[v]));
+                self.signs.near.push(self.approximations[v]);
             }
             *to = self.rank[v];
         }

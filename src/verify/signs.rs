@@ -62,7 +62,9 @@ impl<S: Scalar> Signs<'_, S> {
     #[inline]
     pub(super) fn orient2d(&self, [a, b, c]: [u32; 3], tally: &mut Tally) -> Ordering {
         let near = |v: u32| self.near[v as usize];
-        let filtered = filter::orient2d([near(a), near(b), near(c)], self.scale);
+        let near = [near(a), near(b), near(c)];
+        let filtered = filter::orient2d(near, self.scale);
+        let filtered = filtered.or_else(|| filter::orient2d_approx(near, self.scale));
         tally.count(filtered, || {
             S::orient2d_exact(self.point(a), self.point(b), self.point(c)).0
         })
@@ -71,7 +73,9 @@ impl<S: Scalar> Signs<'_, S> {
     #[inline]
     pub(super) fn in_circle(&self, [a, b, c, d]: [u32; 4], tally: &mut Tally) -> Ordering {
         let near = |v: u32| self.near[v as usize];
-        let filtered = filter::in_circle([near(a), near(b), near(c), near(d)], self.scale);
+        let near = [near(a), near(b), near(c), near(d)];
+        let filtered = filter::in_circle(near, self.scale);
+        let filtered = filtered.or_else(|| filter::in_circle_approx(near, self.scale));
         tally.count(filtered, || {
             S::in_circle_exact(self.point(a), self.point(b), self.point(c), self.point(d)).0
         })

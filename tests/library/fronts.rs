@@ -3,8 +3,11 @@
 use std::cell::Cell;
 use std::fmt::Debug;
 
+use num_bigint::BigInt;
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Counters, Heuristics, Stats, Triangulator};
+use sweep_cdt_testing::Random;
 
 /// So many points squared, scattered in a square.
 fn square(side: usize) -> Vec<[f64; 2]> {
@@ -126,4 +129,51 @@ fn signs_from_big_integers_are_counted_as_such() {
     assert!(big.iter().all(|&count| count > 0), "{counters:?}");
     let others = counters.orient2d_integers + counters.orient2d_expansions;
     assert_eq!(counters.orient2d_exact(), others + counters.orient2d_big);
+}
+
+/// Steps along the front for each vertex.
+fn steps<F: FrontSearch + Clone + Default, S: Scalar>(points: &[[S; 2]]) -> u64 {
+    let triangulator = Triangulator::new().front(F::default());
+    let run = triangulator.triangulate_with_stats(points, &[]);
+    run.expect("no edges").stats.counters.front_steps / points.len() as u64
+}
+
+/// A fifth of the points in a millionth of the width and height: equal intervals would be crowded.
+#[test]
+fn a_crowded_fifth_makes_no_walk_longer() {
+    let mut points = Random::new(1).points(50_000);
+    for point in points.iter_mut().step_by(5) {
+        *point = point.map(|x| 0.5 + 1e-6 * x);
+    }
+    assert!(steps::<HashTable, _>(&points) < 2);
+}
+
+/// The points that the hash table samples lie all over the width, the others in a tiny part of it.
+#[test]
+fn points_placed_beside_the_sample_make_no_search_long() {
+    const COUNT: usize = 60_000;
+    let sampled = COUNT.div_ceil(4096);
+    let mut points = Random::new(1).points(COUNT);
+    points.sort_by(|a, b| a[1].total_cmp(&b[1]));
+    for (rank, [x, y]) in points.iter_mut().enumerate() {
+        *y *= 1e-9;
+        if rank % sampled != 0 {
+            *x = 0.5 + 1e-9 * *x;
+        }
+    }
+    // First it bears 16 steps a vertex, then it asks for places.
+    assert!(steps::<HashTable, _>(&points) < 18);
+}
+
+/// A row far from most points, where doubles cannot tell its points apart, and points above it.
+#[test]
+fn points_with_equal_doubles_make_no_search_long() {
+    let far = BigInt::from(1) << 100;
+    let row = |i: i32| [&far + 1000 * i, BigInt::from(0)];
+    let above = |i: i32| [&far + (i * 7919 % 1000) * 1000 + 500, BigInt::from(1 + i)];
+    let near = |i: i32| [i, 10_000 + i * i % 7].map(BigInt::from);
+    let mut points: Vec<[BigInt; 2]> = (0..1000).flat_map(|i| [row(i), above(i)]).collect();
+    points.extend((0..3000).map(near));
+    assert!(steps::<HashTable, _>(&points) < 18);
+    assert!(steps::<SkipList, _>(&points) < 18);
 }

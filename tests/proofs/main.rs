@@ -51,7 +51,8 @@ fn value(name: &str) -> String {
     let line = [FILTER, SCALE, DOUBLES]
         .iter()
         .flat_map(|source| source.lines())
-        .find_map(|line| line.trim_start_matches("pub(crate) ").strip_prefix(&start))
+        .map(|line| line.trim_start_matches("pub(crate) "))
+        .find_map(|line| line.trim_start_matches("pub(super) ").strip_prefix(&start))
         .unwrap_or_else(|| panic!("no source has the constant {name}"));
     let value = line.strip_suffix(';').expect("a constant of one line");
     match value

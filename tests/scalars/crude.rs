@@ -11,11 +11,16 @@ use super::reference::rational;
 /// A rational number that becomes a double of 52 bits, so it is off by up to a whole unit in the last
 /// place; zero for what is below the normal doubles, the largest double for what is above.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Crude(pub(crate) BigRational);
+pub(crate) struct Crude<const MOVES: bool>(pub(crate) BigRational);
 
-impl Unbounded for Crude {}
+impl<const MOVES: bool> Unbounded for Crude<MOVES> {
+    fn near(&self) -> Option<(f64, i64)> {
+        let near = self.to_f64()?;
+        (MOVES && (self.is_zero() || (1e-300..f64::MAX).contains(&near.abs()))).then_some((near, 0))
+    }
+}
 
-impl ToPrimitive for Crude {
+impl<const MOVES: bool> ToPrimitive for Crude<MOVES> {
     fn to_f64(&self) -> Option<f64> {
         let size = self.0.abs();
         let nearest = size.to_f64()?.min(f64::MAX);
@@ -45,32 +50,32 @@ impl ToPrimitive for Crude {
     }
 }
 
-impl Add for Crude {
-    type Output = Crude;
+impl<const MOVES: bool> Add for Crude<MOVES> {
+    type Output = Self;
 
-    fn add(self, other: Crude) -> Crude {
+    fn add(self, other: Self) -> Self {
         Crude(self.0 + other.0)
     }
 }
 
-impl Sub for Crude {
-    type Output = Crude;
+impl<const MOVES: bool> Sub for Crude<MOVES> {
+    type Output = Self;
 
-    fn sub(self, other: Crude) -> Crude {
+    fn sub(self, other: Self) -> Self {
         Crude(self.0 - other.0)
     }
 }
 
-impl Mul for Crude {
-    type Output = Crude;
+impl<const MOVES: bool> Mul for Crude<MOVES> {
+    type Output = Self;
 
-    fn mul(self, other: Crude) -> Crude {
+    fn mul(self, other: Self) -> Self {
         Crude(self.0 * other.0)
     }
 }
 
-impl Zero for Crude {
-    fn zero() -> Crude {
+impl<const MOVES: bool> Zero for Crude<MOVES> {
+    fn zero() -> Self {
         Crude(BigRational::zero())
     }
 

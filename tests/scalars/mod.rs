@@ -4,6 +4,7 @@
 
 mod approximation;
 mod crude;
+mod frames;
 mod predicates;
 mod reference;
 mod rounded;

@@ -59,7 +59,8 @@ fn check_integers(points: [[i64; 2]; 4], what: &str) {
 
 fn check_rationals(exact: &Exact, what: &str) {
     check_scalar(exact, exact, what);
-    check_scalar(&exact.clone().map(|p| p.map(Crude)), exact, what);
+    check_scalar(&exact.clone().map(|p| p.map(Crude::<false>)), exact, what);
+    check_scalar(&exact.clone().map(|p| p.map(Crude::<true>)), exact, what);
     #[cfg(feature = "rug")]
     check_scalar(&exact.clone().map(|p| p.map(|x| to_rug(&x))), exact, what);
 }

@@ -1,0 +1,177 @@
+//! The doubles for all points of one input: near the coordinates, or near their differences to an *origin*.
+//!
+//! Doubles near the coordinates themselves lose what tells points apart where these are close to each other
+//! and far from zero, or all too large or too small for doubles: the doubles are equal, or hardly more
+//! exact than the points are far from each other. So where that is suspected of an axis, the origin is
+//! the middle coordinate of that axis, and the doubles are near the differences to it
+//! ([`Scalar::difference`]). Signs are the same for points that are all moved.
+//!
+//! An axis is suspected if some of its doubles are infinite or the largest, if the middle half of them lie
+//! within [`CLOSE`] of their size, or if they are next to nothing. It is moved only if there are then at
+//! least as many different doubles as before: half of the points in one column must not cost the others
+//! their digits.
+//!
+//! Why it is right: any doubles are, as long as they never fall where the coordinate grows, and are off by
+//! no more than their [`Scale`] says. Differences are off by a part of themselves (`difference`). A
+//! power of two makes that neither better nor worse, until it leaves the normal doubles.
+//!
+//! Cost: O(n) to look, and for a suspected axis n differences and two sorts of doubles.
+
+use std::num::FpCategory;
+
+use super::doubles::{exponent, power};
+use super::{Scalar, Scale, window};
+
+/// Doubles that share 20 of their 53 bits are close.
+const CLOSE: f64 = power(-20);
+/// Doubles below are next to nothing, products of them still smaller.
+const TINY: f64 = power(-960);
+
+/// How many points are looked at before an axis is suspected.
+const SAMPLE: usize = 64;
+
+/// For each point a double times a power of two, along one axis.
+type Axis = Vec<(f64, i64)>;
+
+/// Makes the approximations in `near` of these points the doubles that the filter gets, and returns what is
+/// known of them. What stands for points that are not finite means nothing.
+pub(crate) fn fit<S: Scalar>(points: &[[S; 2]], near: &mut [[f64; 2]]) -> Scale {
+    if S::APPROX_IS_EXACT {
+        return Scale::unify(near, true);
+    }
+    match [0, 1].map(|i| moved(points, near, i)) {
+        [None, None] => Scale::unify(near, false),
+        axes => place(near, axes),
+    }
+}
+
+/// The differences to an origin along axis `i`, if they tell more than the approximations.
+fn moved<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> Option<Axis> {
+    if !is_suspected(near, i) {
+        return None;
+    }
+    let mut order: Vec<usize> = (0..points.len())
+        .filter(|&v| points[v][i].is_finite())
+        .collect();
+    let middle = order.len() / 2;
+    if order.is_empty() {
+        return None;
+    }
+    let (_, &mut middle, _) =
+        order.select_nth_unstable_by(middle, |&a, &b| near[a][i].total_cmp(&near[b][i]));
+    let origin = &points[middle][i];
+    let difference = |point: &[S; 2]| {
+        if point[i].is_finite() {
+            point[i].difference(origin)
+        } else {
+            Some((0.0, 0))
+        }
+    };
+    let axis: Axis = points
+        .iter()
+        .map(|point| difference(point).map(normal))
+        .collect::<Option<_>>()?;
+    let before = distinct(plain(near, i));
+    (distinct(axis.iter().copied()) >= before).then_some(axis)
+}
+
+/// Whether the approximations of axis `i` seem to lose what tells points apart.
+fn is_suspected(near: &[[f64; 2]], i: usize) -> bool {
+    let step = near.len().div_ceil(SAMPLE).max(1);
+    let mut sample: Vec<f64> = near.iter().step_by(step).map(|x| x[i]).collect();
+    sample.sort_unstable_by(f64::total_cmp);
+    let quarter = sample.len() / 4;
+    let [Some(low), Some(high)] = [sample.get(quarter), sample.iter().rev().nth(quarter)] else {
+        return false;
+    };
+    let size = low.abs().max(high.abs());
+    size < TINY || high - low < CLOSE * size || near.iter().any(|x| x[i].abs() >= f64::MAX)
+}
+
+/// How many numbers there are; equal ones are written alike.
+fn distinct(numbers: impl Iterator<Item = (f64, i64)>) -> usize {
+    let mut bits: Vec<(u64, i64)> = numbers.map(|(x, power)| (x.to_bits(), power)).collect();
+    bits.sort_unstable();
+    bits.dedup();
+    bits.len()
+}
+
+/// The approximations of axis `i`, infinite where nothing is known.
+fn plain(near: &[[f64; 2]], i: usize) -> impl Iterator<Item = (f64, i64)> {
+    let known = |x: f64| if x.abs() < f64::MAX { x } else { x * 2.0 };
+    near.iter().map(move |x| normal((known(x[i]), 0)))
+}
+
+/// The same number with a double from 1 to 2 in size, if it is neither zero nor infinite.
+fn normal((x, by): (f64, i64)) -> (f64, i64) {
+    let (x, by) = match x.classify() {
+        FpCategory::Normal => (x, by),
+        FpCategory::Subnormal => (x * power(100), by.saturating_sub(100)),
+        _ => return (x, 0),
+    };
+    let e = exponent(x.abs());
+    // In two steps, since one factor might be beyond the doubles.
+    let one_to_two = x * power(-e / 2) * power(-e + e / 2);
+    (one_to_two, by.saturating_add(e))
+}
+
+/// Brings the axes to one scale. One that is not moved keeps its approximations.
+fn place(near: &mut [[f64; 2]], axes: [Option<Axis>; 2]) -> Scale {
+    let is_plain = axes.iter().any(Option::is_none);
+    let [x, y] = axes;
+    let x = x.unwrap_or_else(|| plain(near, 0).collect());
+    let y = y.unwrap_or_else(|| plain(near, 1).collect());
+    let known = x.iter().chain(&y).filter(|(x, _)| x.is_normal());
+    let mut shift = window::shift(known.map(|&(_, by)| by));
+    let mut unit = 1.0;
+    if is_plain {
+        // Approximations below the normal doubles are scaled together with what they are off by.
+        shift = shift.clamp(-1022, 1000);
+        unit = power(shift);
+    }
+    for (near, (x, y)) in near.iter_mut().zip(x.into_iter().zip(y)) {
+        *near = [scaled(x, shift), scaled(y, shift)];
+    }
+    Scale::rounded(unit)
+}
+
+/// The number, which is [`normal`], times 2^`shift`.
+fn scaled((x, by): (f64, i64), shift: i64) -> f64 {
+    match by.saturating_add(shift) {
+        _ if x == 0.0 => 0.0,
+        ..-1022 => 0.0,
+        by @ -1022..200 => x * power(by),
+        200.. => x * f64::INFINITY,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_bigint::BigInt;
+    use num_rational::BigRational;
+    use num_traits::One;
+
+    use super::fit;
+    use crate::scalar::Scalar;
+
+    /// Most points in a column far from zero, the others close to zero: the column is no origin.
+    #[test]
+    fn a_column_costs_the_others_no_digits() {
+        let unit = BigRational::new(BigInt::one(), BigInt::from(10).pow(40));
+        let x = |i: u32| {
+            if i.is_multiple_of(5) {
+                &unit * BigInt::from(i)
+            } else {
+                BigRational::one()
+            }
+        };
+        let points: Vec<_> = (0..100).map(|i| [x(i), &unit * BigInt::from(i)]).collect();
+        let mut near: Vec<_> = points
+            .iter()
+            .map(|p| p.each_ref().map(Scalar::approx))
+            .collect();
+        fit(&points, &mut near);
+        let others: Vec<[f64; 2]> = near.into_iter().step_by(5).collect();
+        assert!(others.windows(2).all(|pair| pair[0][0] < pair[1][0]));
+    }
+}
