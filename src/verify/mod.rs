@@ -62,6 +62,7 @@ mod report;
 mod sides;
 mod signs;
 mod soup;
+mod straight;
 mod turns;
 mod verifier;
 mod violation;

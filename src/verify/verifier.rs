@@ -108,7 +108,8 @@ impl<'a> Verifier<'a> {
         self.check::<S, Serial>(points, edges, triangles)
     }
 
-    /// Verifies on all threads of the current rayon pool. The answer is the same.
+    /// Verifies on all threads of the current rayon pool, or on one where no threads can be started. The
+    /// answer is the same.
     ///
     /// # Errors
     /// [`Violations`], if `triangles` is not a constrained Delaunay triangulation of `points` with `edges`.
