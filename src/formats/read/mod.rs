@@ -7,10 +7,14 @@ mod json;
 mod matching;
 mod obj;
 mod result;
+mod result_error;
+mod rounding;
 mod source;
 mod token_lines;
 mod triangle;
 
 pub use input::{Input, InputFormat, read};
+pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, read_result};
+pub use result_error::ResultError;
 pub use source::{ReadError, Source};
