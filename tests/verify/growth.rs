@@ -30,26 +30,39 @@ fn a_star() {
     assert_soon(&points, &(1..COUNT).map(|i| [i, 0]).collect());
 }
 
-/// Rays of a hub, with a vertex halfway, and edges through the hub from end to end.
+/// Rays of a hub, each with two vertices, and edges through the hub from end to end. The triangles between
+/// the rays are not Delaunay, but have all sides.
 #[test]
 fn edges_through_one_vertex() {
-    const REACH: i32 = 140;
+    const REACH: i32 = 160;
     let divisor = |mut a: i32, mut b: i32| {
         while b != 0 {
             (a, b) = (b, a % b);
         }
         a.abs()
     };
-    let (mut points, mut edges) = (vec![[0.0, 0.0]], Vec::new());
-    for x in -REACH..=REACH {
-        for y in 1..=REACH {
-            if divisor(x, y) == 1 {
-                edges.push([points.len() + 1, points.len() + 3]);
-                points.extend([1, 2, -1, -2].map(|i| [f64::from(i * x), f64::from(i * y)]));
-            }
-        }
-    }
-    assert_soon(&points, &edges);
+    let all = (-REACH..=REACH).flat_map(|x| (1..=REACH).map(move |y| [x, y]));
+    let mut rays: Vec<[i32; 2]> = all.filter(|&[x, y]| divisor(x, y) == 1).collect();
+    rays.sort_by_key(|&[x, y]| (f64::from(-x) / f64::from(y) * 1e12) as i64);
+    let half = rays.len();
+    rays.extend_from_within(..);
+    rays[half..].iter_mut().for_each(|p| *p = p.map(|x| -x));
+
+    // Vertex 0 is the hub; ray i has the vertices 2 i + 1 and 2 i + 2.
+    let mut points = vec![[0, 0]];
+    points.extend(rays.iter().flat_map(|&[x, y]| [[x, y], [2 * x, 2 * y]]));
+    let edges: Vec<[usize; 2]> = (0..half).map(|i| [2 * i + 2, 2 * (i + half) + 2]).collect();
+    let triangles = (0..2 * half).flat_map(|i| {
+        let [a, b] = [i, (i + 1) % (2 * half)].map(|i| 2 * i + 1);
+        [[0, a, b], [a, a + 1, b + 1], [a, b + 1, b]]
+    });
+    let triangles: Vec<[usize; 3]> = triangles.collect();
+    let start = Instant::now();
+    let violations = verify(&points, &edges, &triangles).unwrap_err();
+    let time = start.elapsed();
+    assert_eq!(violations.report.constrained_sides, 4 * half);
+    assert_eq!(violations.report.boundary_sides, 2 * half);
+    assert!(time < SOON, "{half}: {time:?}");
 }
 
 /// A row of vertices below and above which there is one.
