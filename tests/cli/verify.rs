@@ -159,3 +159,42 @@ fn wrong_usage_exits_with_2() {
         assert_eq!(names(folder.path()), ["a.ele", "a.poly"]);
     }
 }
+
+/// A user may have so many threads already that no more can be started. (Root may always start more, and
+/// becomes nobody here.)
+#[test]
+#[cfg(target_os = "linux")]
+fn without_threads_it_verifies_on_one() {
+    use std::process::Command;
+
+    let result = run(FORMATS, "ten.poly -o - --output-format json").stdout;
+    let id = Command::new("id").arg("-u").output();
+    let is_root = id.is_ok_and(|output| output.stdout == b"0\n");
+    let user: &[&str] = if is_root {
+        &[
+            "setpriv",
+            "--reuid=65534",
+            "--regid=65534",
+            "--clear-groups",
+        ]
+    } else {
+        &[]
+    };
+    let command = |limit: &[&str], arguments: &[&str]| {
+        let own = [env!("CARGO_BIN_EXE_sweep-cdt")];
+        let words = [user, limit, &own, arguments].concat();
+        let mut command = Command::new(words[0]);
+        command.args(&words[1..]).current_dir(FORMATS);
+        command
+    };
+    let version = command(&["prlimit"], &["--version"]).output();
+    if !version.is_ok_and(|output| output.status.success()) {
+        println!("skipped: no setpriv, no prlimit, or another user may not run the command");
+        return;
+    }
+    let arguments = ["verify", "ten.poly", "-", "--result-format", "json"];
+    for threads in ["--nproc=0", "--nproc=1"] {
+        let output = feed(&mut command(&["prlimit", threads], &arguments), &result);
+        assert!(printed(&output).starts_with("correct: "));
+    }
+}
