@@ -43,7 +43,7 @@ fn edges_through_one_vertex() {
     };
     let all = (-REACH..=REACH).flat_map(|x| (1..=REACH).map(move |y| [x, y]));
     let mut rays: Vec<[i32; 2]> = all.filter(|&[x, y]| divisor(x, y) == 1).collect();
-    rays.sort_by_key(|&[x, y]| (f64::from(-x) / f64::from(y) * 1e12) as i64);
+    rays.sort_by(|p, q| (p[1] * q[0]).cmp(&(p[0] * q[1])));
     let half = rays.len();
     rays.extend_from_within(..);
     rays[half..].iter_mut().for_each(|p| *p = p.map(|x| -x));

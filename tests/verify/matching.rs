@@ -229,7 +229,7 @@ fn roundings_agree_in_as_many_digits_as_there_are() {
         // A vertex that is no vertex of the input keeps it from being matched by coordinates.
         let input = [[exact, 1.5], [0.0, 0.5], [7.0, 0.0]];
         for format in [ResultFormat::Ele, ResultFormat::Obj] {
-            let number = |x: f64| match x == exact {
+            let number = |x: f64| match x.to_bits() == exact.to_bits() {
                 true => text.to_owned(),
                 false => x.to_string(),
             };

@@ -152,7 +152,7 @@ impl Job for Run<'_> {
         };
         let triangles = matching
             .read(format, &source, node.as_ref(), graph)
-            .map_err(refusal)?;
+            .map_err(|error| refusal(&error))?;
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
             .limit(arguments.limit);
@@ -205,8 +205,8 @@ fn difference(text: &str) -> Result<f64, String> {
 }
 
 /// The failure of a result that is not read, with a way out where there is one.
-fn refusal(error: ResultError) -> Failure {
-    let way_out = match &error {
+fn refusal(error: &ResultError) -> Failure {
+    let way_out = match error {
         ResultError::Stranger { .. } => " (--by-number ignores coordinates)",
         ResultError::Elsewhere { .. } => {
             " (--tolerance allows for more, --by-number ignores coordinates)"

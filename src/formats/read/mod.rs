@@ -4,6 +4,7 @@ mod content;
 mod ele;
 mod input;
 mod json;
+mod matched;
 mod matching;
 mod obj;
 mod result;
@@ -14,7 +15,8 @@ mod token_lines;
 mod triangle;
 
 pub use input::{Input, InputFormat, read};
-pub use matching::{Matched, Matching};
+pub use matched::Matched;
+pub use matching::Matching;
 pub use result::{ResultFormat, Triangles, read_result};
 pub use result_error::ResultError;
 pub use source::{ReadError, Source};

@@ -3,7 +3,8 @@
 use std::collections::HashSet;
 
 use crate::formats::read::content::{Corners, Vertices};
-use crate::formats::read::matching::{Matched, Matching};
+use crate::formats::read::matched::Matched;
+use crate::formats::read::matching::Matching;
 use crate::formats::read::result_error::ResultError;
 use crate::formats::read::source::{ReadError, Source};
 use crate::formats::read::{ele, json, obj};
@@ -112,6 +113,7 @@ impl Matching {
             Some(vertices) => self.places(vertices, &points_of(vertices)?, input)?,
             None => (Matched::Unplaced, None),
         };
+        let places = places.as_deref();
         Ok(by_input_vertices(corners, matched, places, input))
     }
 }
@@ -132,7 +134,7 @@ fn points_of<S: Coordinate>(vertices: &Vertices<'_>) -> Result<Vec<[S; 2]>, Read
 fn by_input_vertices<S>(
     corners: Corners<'_>,
     matched: Matched,
-    places: Option<Vec<usize>>,
+    places: Option<&[usize]>,
     input: &Graph<S>,
 ) -> Triangles {
     let count = input.points.len();
@@ -140,7 +142,7 @@ fn by_input_vertices<S>(
     let mut strangers = Vec::new();
     let mut vertex = |number: usize| {
         let listed = number.checked_sub(corners.first_vertex);
-        let place = listed.and_then(|at| match &places {
+        let place = listed.and_then(|at| match places {
             Some(places) => places.get(at).copied(),
             None => Some(at).filter(|&at| at < count),
         });
