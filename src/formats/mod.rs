@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | `node` | vertices ([Triangle]'s format) | only beside an `ele` |
 //! | `poly` | vertices and edges (Triangle's format) | |
-//! | `json` | an object with `points` and `edges`, or with `triangles` | all of them and more |
+//! | `json` | an object with `points` and `edges`, or with `triangles` and maybe `points` | all of them and more |
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
 //! | `obj` | vertices and triangles | vertices and triangles (Wavefront) |
 //! | `svg` | | a picture |
@@ -24,5 +24,8 @@ mod write;
 
 pub use coordinate::{Coordinate, CoordinateError};
 pub use graph::Graph;
-pub use read::{Input, InputFormat, ReadError, ResultFormat, Source, Triangles, read, read_result};
+pub use read::{
+    Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
+    read, read_result,
+};
 pub use write::{OutputFormat, write, write_node};

@@ -70,16 +70,11 @@ fn check_hull<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Reco
 
     // The chain with the first vertex in the order (x, y) goes round all others, if there are others.
     let mut chains = chains(&sides);
-    let first_of = |chain: &Vec<u32>| {
-        let first = chain
-            .iter()
-            .copied()
-            .min_by(|&a, &b| soup.signs.order(a, b));
-        first.expect("no chain is empty")
-    };
-    let outer = (0..chains.len())
-        .min_by(|&i, &j| soup.signs.order(first_of(&chains[i]), first_of(&chains[j])));
-    let outer = chains.swap_remove(outer.expect("triangles that turn left have a boundary"));
+    let vertices = chains.iter().enumerate();
+    let vertices = vertices.flat_map(|(i, chain)| chain.iter().map(move |&v| (i, v)));
+    let first = vertices.min_by(|&(_, v), &(_, w)| soup.signs.order(v, w));
+    let (outer, _) = first.expect("triangles that turn left have a boundary");
+    let outer = chains.swap_remove(outer);
     for chain in &chains {
         record.findings.add(Violation::ExtraBoundary {
             side: soup.names([chain[0], chain[1 % chain.len()]]),

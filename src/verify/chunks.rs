@@ -43,7 +43,7 @@ impl<S> Schedule<S> for Serial {
     }
 }
 
-/// On all threads of the current rayon pool.
+/// On all threads of the current rayon pool; on this one where the system gives no more.
 #[cfg(feature = "parallel")]
 #[derive(Debug)]
 pub(super) enum Parallel {}
@@ -55,12 +55,37 @@ impl<S: Sync> Schedule<S> for Parallel {
         progress: &Progress<'_>,
         check: impl Fn(&Soup<'_, S>, Range<usize>) -> T + Sync,
     ) -> Vec<T> {
+        if !has_threads() {
+            return Serial::run(soup, progress, check);
+        }
         let count = soup.triangles.len();
         (0..count.div_ceil(CHUNK))
             .into_par_iter()
             .map(|i| progress.after(chunk(i, count), |range| check(soup, range)))
             .collect()
     }
+}
+
+/// Whether there is a pool, or the global one can be made: rayon panics where it cannot start its threads.
+#[cfg(feature = "parallel")]
+fn has_threads() -> bool {
+    use std::error::Error;
+    use std::sync::OnceLock;
+
+    static GLOBAL: OnceLock<bool> = OnceLock::new();
+    let make = || {
+        // The global pool can be tried once only. Where there are no threads at all it is left alone, so
+        // that others get the one that rayon makes without any.
+        let one = std::thread::Builder::new().spawn(|| ());
+        let has_one = one.is_ok_and(|thread| thread.join().is_ok());
+        // An error without a source says that there is a pool already.
+        let has_all = || match rayon::ThreadPoolBuilder::new().build_global() {
+            Ok(()) => true,
+            Err(error) => error.source().is_none(),
+        };
+        has_one && has_all()
+    };
+    rayon::current_thread_index().is_some() || *GLOBAL.get_or_init(make)
 }
 
 fn chunk(i: usize, count: usize) -> Range<usize> {

@@ -1,7 +1,5 @@
 //! A domain that the caller declared by its boundary, in place of the convex hull.
 
-use std::cmp::Ordering;
-
 use super::record::Record;
 use super::soup::Soup;
 use super::violation::Violation;
@@ -44,41 +42,5 @@ impl Domain {
                 record.findings.add(Violation::MissingBoundary { side });
             }
         }
-    }
-
-    /// Whether a vertex lies in the domain or on its boundary: whether the declared sides wind round it.
-    ///
-    /// Each side that passes below the vertex counts: +1 if it runs to the right, -1 if to the left.
-    /// *Below* and *right* are meant in the order (x, y), so that no side ends exactly below it.
-    ///
-    /// ```text
-    ///                 v
-    ///                 :
-    ///      a ---------:--------> b        + 1
-    ///                 :
-    ///      b <--------:--------- a        - 1
-    /// ```
-    pub(super) fn contains<S: Scalar>(
-        &self,
-        soup: &Soup<'_, S>,
-        v: u32,
-        record: &mut Record,
-    ) -> bool {
-        let mut winding = 0;
-        for &[a, b] in &self.sides {
-            let [is_a_left, is_b_left] = [a, b].map(|end| soup.signs.order(end, v).is_lt());
-            if is_a_left == is_b_left {
-                continue;
-            }
-            let turn = soup.signs.orient2d([a, b, v], &mut record.tally);
-            match (turn, is_a_left) {
-                (Ordering::Equal, _) => return true,
-                (Ordering::Greater, true) => winding += 1,
-                (Ordering::Less, false) => winding -= 1,
-                // It passes above.
-                _ => {}
-            }
-        }
-        winding != 0
     }
 }

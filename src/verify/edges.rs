@@ -1,13 +1,11 @@
 //! Check 7: every input edge is a side, or a chain of sides where vertices lie on it.
 //!
-//! Most edges are a side. For the others the walk goes from vertex to vertex along the edge: from each one
-//! to a neighbour that lies on the edge and is closer to its other end.
-
-use std::cmp::Ordering;
+//! Most edges are a side. The others are followed along the [straight chains](super::straight) of sides.
 
 use super::record::Record;
-use super::sides::{Sides, range};
+use super::sides::Sides;
 use super::soup::Soup;
+use super::straight::Chains;
 use super::violation::Violation;
 use crate::scalar::Scalar;
 
@@ -38,24 +36,29 @@ pub(super) fn check<S: Scalar>(
         return;
     }
 
-    // Neighbours are grouped only now: most inputs have no such edge.
-    let (starts, neighbors) = sides.neighbors();
-    for (edge, [a, b]) in split {
-        let forward = soup.signs.order(a, b);
-        let mut at = a;
-        while !fix(sides, at, b) {
-            let next = neighbors[range(&starts, at)].iter().copied().find(|&v| {
-                soup.signs.order(at, v) == forward
-                    && soup.signs.order(v, b) == forward
-                    && soup.signs.orient2d([a, b, v], &mut record.tally) == Ordering::Equal
-            });
-            let Some(next) = next else {
-                let after = soup.signs.name(at);
-                record.findings.add(Violation::MissingEdge { edge, after });
-                break;
-            };
-            fix(sides, at, next);
-            at = next;
+    // The edges that reach farthest in their direction come first, as the chains ask.
+    let forward = |[a, b]: [u32; 2]| soup.signs.order(a, b);
+    split.sort_unstable_by(|&(_, one), &(_, other)| {
+        let direction = forward(one);
+        let farther = soup.signs.order(other[1], one[1]);
+        direction.cmp(&forward(other)).then(if direction.is_lt() {
+            farther
+        } else {
+            farther.reverse()
+        })
+    });
+    let mut chains = Chains::new(sides);
+    let mut missing = Vec::new();
+    for (edge, ends) in split {
+        let reached = chains.follow(soup, ends, |a, b| {
+            fix(sides, a, b);
+        });
+        if reached != ends[1] {
+            missing.push((edge, soup.signs.name(reached)));
         }
+    }
+    missing.sort_unstable();
+    for (edge, after) in missing {
+        record.findings.add(Violation::MissingEdge { edge, after });
     }
 }

@@ -139,12 +139,21 @@ impl<'a, S: Scalar> Ranks<'a, S> {
     fn read_chains(&mut self, chains: &[Vec<usize>], record: &mut Record) -> Domain {
         let mut sides = Vec::new();
         for chain in chains {
+            let first = sides.len();
+            let mut is_closed = true;
             for (i, &from) in chain.iter().enumerate() {
                 let side = [from, chain[(i + 1) % chain.len()]];
                 match self.of(side) {
                     Some(side) => sides.push(side),
-                    None => record.findings.add(Violation::MissingBoundary { side }),
+                    None => {
+                        is_closed = false;
+                        record.findings.add(Violation::MissingBoundary { side });
+                    }
                 }
+            }
+            // Only closed chains bound something.
+            if !is_closed {
+                sides.truncate(first);
             }
         }
         Domain { sides }

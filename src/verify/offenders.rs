@@ -97,7 +97,9 @@ impl Violation {
             V::NoTriangles { vertices } | V::ConcaveBoundary { vertices } => {
                 (vertices, &mut [], &mut [])
             }
-            V::ExtraBoundary { side, .. } | V::MissingBoundary { side } => (side, &mut [], &mut []),
+            V::ExtraBoundary { side, .. }
+            | V::MissingBoundary { side }
+            | V::TangledBoundary { side } => (side, &mut [], &mut []),
             V::UndeclaredBoundary { side, triangle } => (side, &mut [], from_mut(triangle)),
             V::RepeatedSide { side, triangles } => (side, &mut [], triangles),
             V::NotDelaunay {

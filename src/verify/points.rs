@@ -1,7 +1,9 @@
-//! Check 5: every distinct point is a corner, or lies outside the domain that the caller declared.
+//! Check 5: every distinct point is a corner, or lies outside the domain that the caller declared, if that
+//! is one.
 
 use super::domain::Domain;
 use super::record::Record;
+use super::scanline;
 use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::Scalar;
@@ -14,14 +16,24 @@ pub(super) fn check<S: Scalar>(
     domain: Option<&Domain>,
     record: &mut Record,
 ) {
-    for v in used..soup.vertices() {
-        let is_needed = match domain {
-            Some(domain) => domain.contains(soup, v, record),
-            None => !soup.triangles.is_empty(),
-        };
-        if is_needed {
-            let vertex = soup.signs.name(v);
-            record.findings.add(Violation::UnusedPoint { vertex });
-        }
+    let unused = used..soup.vertices();
+    let needed = match domain {
+        Some(domain) => match scanline::inside(&soup.signs, &domain.sides, unused) {
+            Ok(inside) => inside,
+            Err(side) => {
+                // Where something is wrong already, nobody knows what the domain is.
+                if record.findings.is_empty() {
+                    let side = soup.names(side);
+                    record.findings.add(Violation::TangledBoundary { side });
+                }
+                return;
+            }
+        },
+        None if soup.triangles.is_empty() => return,
+        None => unused.collect(),
+    };
+    for v in needed {
+        let vertex = soup.signs.name(v);
+        record.findings.add(Violation::UnusedPoint { vertex });
     }
 }

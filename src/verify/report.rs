@@ -32,7 +32,8 @@ pub struct Report {
     /// Cocircular sides for which this crate chooses the other diagonal (see
     /// [`is_canonical`](Report::is_canonical)).
     pub uncanonical_sides: usize,
-    /// Signs that doubles decided.
+    /// Signs that doubles decided; those of searches (along edges through vertices, and in a declared domain)
+    /// are not counted.
     pub filtered: u64,
     /// Signs that the filter left to exact arithmetic.
     pub exact: u64,

@@ -12,8 +12,8 @@
 //! ```
 //!
 //! Twins are found by sorting: each side goes into the bucket of its end of lower rank, each bucket is
-//! sorted by the other end, and then the two triangles of a side are next to each other. A bucket holds a
-//! few sides. Cost: three passes.
+//! sorted by the other end, and then the two triangles of a side are next to each other. Most buckets hold a
+//! few sides. Cost: three passes, and a binary search for each side that is asked for.
 
 use std::ops::Range;
 
@@ -82,13 +82,18 @@ impl Sides {
     /// fixed before.
     pub(super) fn fix(&mut self, a: u32, b: u32) -> Option<bool> {
         let (low, high) = (a.min(b), a.max(b));
+        let bucket = &self.entries[range(&self.starts, low)];
+        let first = bucket.partition_point(|&entry| other_end(entry) < high);
+        let is_it = |entry: &&u64| other_end(**entry) == high;
         let mut is_new = None;
-        for &entry in &self.entries[range(&self.starts, low)] {
-            if other_end(entry) == high {
-                let twin = &mut self.twin[side(entry) as usize];
-                is_new = Some(*twin != FIXED || is_new == Some(true));
-                *twin = FIXED;
+        for &entry in bucket[first..].iter().take_while(is_it) {
+            let twin = &mut self.twin[side(entry) as usize];
+            // All triangles that have the side were told at once, however many there are.
+            if *twin == FIXED {
+                return Some(false);
             }
+            *twin = FIXED;
+            is_new = Some(true);
         }
         is_new
     }

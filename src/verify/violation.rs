@@ -114,6 +114,13 @@ pub enum Violation {
         /// The two vertices.
         side: [usize; 2],
     },
+    /// The chains of the caller do not bound a domain: two of their sides cross, or they go round some place
+    /// more than once, or the wrong way.
+    #[error("the given boundary crosses or covers itself at side {}-{}", .side[0], .side[1])]
+    TangledBoundary {
+        /// A side of theirs where that is seen.
+        side: [usize; 2],
+    },
     /// No triangle has this point, or one that equals it, for a corner.
     #[error("vertex {vertex} is in no triangle")]
     UnusedPoint {

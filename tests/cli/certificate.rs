@@ -24,7 +24,11 @@ const CERTIFICATE: &str = r#"{
     }
   ],
   "scalar": "f64",
-  "vertices_matched_by": "numbers",
+  "vertices_matched": {
+    "by": "number",
+    "because": "unplaced",
+    "greatest_difference": null
+  },
   "clockwise_accepted": false,
   "clockwise": false,
   "counts": {

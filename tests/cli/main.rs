@@ -5,6 +5,7 @@ mod certificate;
 mod errors;
 mod formats;
 mod garbage;
+mod matching;
 mod refuted;
 mod runs;
 mod tables;

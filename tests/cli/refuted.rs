@@ -31,7 +31,7 @@ pub(crate) const WRONG: &[(&str, &str, &str)] = &[
     ),
     (
         "a.obj",
-        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 2 1 0\nv 2 2 0\n\
+        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 2 1 0\n\
          f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 6\n",
         "triangle-out-of-range: triangle 4 has vertex 6, which does not exist\n  \
          4 (0, 4), 1 (0, 0)\n",

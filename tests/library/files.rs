@@ -3,7 +3,9 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::Error;
-use sweep_cdt::formats::{Coordinate, Graph, ResultFormat, Source, Triangles, read_result};
+use sweep_cdt::formats::{
+    Coordinate, Graph, Matched, ResultFormat, Source, Triangles, read_result,
+};
 
 fn source(text: &str) -> Source {
     Source {
@@ -28,7 +30,7 @@ fn read(format: ResultFormat, text: &str) -> Result<Triangles, String> {
 fn of_equal_vertices_the_first_is_matched() {
     let triangles = read(ResultFormat::Obj, "v 1 0 0\nv 0 1 0\nv 0 0 0\nf 3 1 2\n");
     let triangles = triangles.expect("a result");
-    assert!(triangles.matched_by_coordinates);
+    assert_eq!(triangles.matched, Matched::Equal);
     assert_eq!(triangles.list, [[0, 1, 3]]);
 }
 

@@ -1,6 +1,11 @@
 //! Domains that the caller bounds.
 
+use std::collections::HashSet;
+use std::time::{Duration, Instant};
+
+use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Verifier, Violation};
+use sweep_cdt_testing::Random;
 
 /// A square ring around a hole.
 pub(crate) const POINTS: [[f64; 2]; 8] = [
@@ -54,4 +59,137 @@ fn a_side_is_declared_once() {
     let list = verifier.verify(&POINTS, &[], &RING).unwrap_err().list;
     let missing = [[0, 1], [1, 2], [2, 3], [3, 0]].map(|side| Violation::MissingBoundary { side });
     assert_eq!(list, missing);
+}
+
+/// The closed chains of the sides of triangles that have no triangle on their right.
+fn chains(triangles: &[[usize; 3]]) -> Vec<Vec<usize>> {
+    let sides = |t: &[usize; 3]| [0, 1, 2].map(|i| [t[i], t[(i + 1) % 3]]);
+    let all: HashSet<[usize; 2]> = triangles.iter().flat_map(sides).collect();
+    let is_open = |&[a, b]: &[usize; 2]| !all.contains(&[b, a]);
+    let mut open: Vec<[usize; 2]> = triangles.iter().flat_map(sides).filter(is_open).collect();
+    let mut chains = Vec::new();
+    while let Some([first, mut at]) = open.pop() {
+        let mut chain = vec![first];
+        while at != first {
+            chain.push(at);
+            let next = open.iter().position(|side| side[0] == at);
+            at = open.swap_remove(next.unwrap())[1];
+        }
+        chains.push(chain);
+    }
+    chains
+}
+
+/// Whether a point is in a triangle or on its border.
+fn holds(corners: [[i64; 2]; 3], p: [i64; 2]) -> bool {
+    (0..3).all(|i| {
+        let ([ax, ay], [bx, by]) = (corners[i], corners[(i + 1) % 3]);
+        (bx - ax) * (p[1] - ay) >= (by - ay) * (p[0] - ax)
+    })
+}
+
+#[test]
+fn any_set_of_triangles_is_a_domain() {
+    let mut random = Random::new(12);
+    let mut found = 0;
+    for _ in 0..2000 {
+        let mut at = || [random.below(7) as i64, random.below(7) as i64];
+        let mut points: Vec<[i64; 2]> = (0..12).map(|_| at()).collect();
+        let others: Vec<[i64; 2]> = (0..12).map(|_| at()).collect();
+        let Ok(result) = triangulate(&points, &[]) else {
+            unreachable!("there are no edges")
+        };
+        let triangles: Vec<[usize; 3]> = result.triangles().collect();
+        let chosen = triangles.into_iter().filter(|_| random.below(3) > 0);
+        let chosen: Vec<[usize; 3]> = chosen.collect();
+        points.extend(others);
+        let is_needed = |&v: &usize| {
+            let is_used = |t: &[usize; 3]| t.iter().any(|&w| points[w] == points[v]);
+            let is_first = !points[..v].contains(&points[v]);
+            let holds = |t: &[usize; 3]| holds(t.map(|w| points[w]), points[v]);
+            is_first && chosen.iter().any(holds) && !chosen.iter().any(is_used)
+        };
+        let needed = (0..points.len()).filter(is_needed);
+        let expected: Vec<_> = needed
+            .map(|vertex| Violation::UnusedPoint { vertex })
+            .collect();
+        found += expected.len();
+        let chains = chains(&chosen);
+        let verdict = Verifier::new()
+            .boundary(&chains)
+            .verify(&points, &[], &chosen);
+        let list = verdict.map_or_else(|violations| violations.list, |_| Vec::new());
+        assert_eq!(list, expected, "{points:?} {chosen:?} {chains:?}");
+    }
+    assert!(found > 1000, "{found}");
+}
+
+#[test]
+fn a_seam_is_no_tangle() {
+    let mut points = vec![[0, 0], [4, 0], [2, 0], [2, 3], [2, -3]];
+    let triangles = [[0, 1, 3], [0, 4, 2], [2, 4, 1]];
+    let chains = [vec![0, 4, 1, 3], vec![0, 1, 2]];
+    let verifier = Verifier::new().boundary(&chains);
+    assert!(verifier.verify(&points, &[], &triangles).is_ok());
+    points.extend([[1, 0], [3, 0], [5, 0], [2, 1], [2, -4]]);
+    let list = verifier.verify(&points, &[], &triangles).unwrap_err().list;
+    assert_eq!(
+        list,
+        [5, 6, 8].map(|vertex| Violation::UnusedPoint { vertex })
+    );
+}
+
+#[test]
+fn what_covers_itself_is_no_domain() {
+    // A pentagram about a hub: its triangles cover the middle twice, and its sides cross.
+    let points = [[0, 0], [10, 0], [3, 9], [-8, 6], [-8, -6], [3, -9]];
+    let triangles = [1, 2, 3, 4, 5].map(|v| [0, v, (v + 1) % 5 + 1]);
+    let chains = [vec![1, 3, 5, 2, 4]];
+    let verdict = Verifier::new()
+        .boundary(&chains)
+        .verify(&points, &[], &triangles);
+    let list = verdict.unwrap_err().list;
+    assert_eq!(list.len(), 1);
+    assert_eq!(list[0].name(), "tangled-boundary");
+
+    // One triangle within another.
+    let points = [[0, 0], [9, 0], [0, 9], [1, 1], [3, 1], [1, 3]];
+    let triangles = [[0, 1, 2], [3, 4, 5]];
+    let chains = triangles.map(|t| t.to_vec());
+    let verdict = Verifier::new()
+        .boundary(&chains)
+        .verify(&points, &[], &triangles);
+    let list = verdict.unwrap_err().list;
+    assert_eq!(list.len(), 1);
+    assert_eq!(list[0].name(), "tangled-boundary");
+}
+
+#[test]
+fn many_points_beside_many_sides_take_no_time() {
+    // A comb of teeth, and a point in each gap between them.
+    const TEETH: usize = 30_000;
+    let mut points = vec![[0, 0], [2 * TEETH as i64, 0]];
+    let teeth = (0..TEETH as i64).rev();
+    points.extend(teeth.flat_map(|i| [[2 * i + 1, 100], [2 * i, 1]]));
+    let outline: Vec<usize> = (0..points.len()).collect();
+    let edges: Vec<[usize; 2]> = (0..points.len())
+        .map(|v| [v, (v + 1) % points.len()])
+        .collect();
+    let all = triangulate(&points, &edges).unwrap();
+    let is_below = |t: &[usize; 3]| {
+        // The gaps are triangles above a tooth's foot.
+        let [a, b, c] = t.map(|v| points[v][1]);
+        a.min(b).min(c) == 0 || [a, b, c].iter().filter(|&&y| y == 1).count() > 1
+    };
+    let triangles: Vec<[usize; 3]> = all.triangles().filter(is_below).collect();
+    let unused = (0..TEETH as i64 - 1).map(|i| [2 * i + 2, 50]);
+    points.extend(unused);
+    let chains = [outline];
+    let start = Instant::now();
+    let verdict = Verifier::new()
+        .boundary(&chains)
+        .verify(&points, &edges, &triangles);
+    let time = start.elapsed();
+    assert!(verdict.is_ok(), "{}", verdict.unwrap_err());
+    assert!(time < Duration::from_secs(10), "{time:?}");
 }

@@ -5,6 +5,8 @@ mod chunks;
 mod domains;
 mod equal;
 mod faults;
+mod growth;
+mod matching;
 mod naive;
 mod reports;
 mod violations;

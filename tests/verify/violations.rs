@@ -5,7 +5,7 @@ use sweep_cdt::verify::Violation;
 /// A violation, its name, its sentence, and the vertices, edges and triangles in it.
 type Row = (Violation, &'static str, &'static str, [&'static [usize]; 3]);
 
-const VIOLATIONS: [Row; 18] = [
+const VIOLATIONS: [Row; 19] = [
     (
         Violation::TooLarge { given: 7, limit: 5 },
         "too-large",
@@ -104,6 +104,12 @@ const VIOLATIONS: [Row; 18] = [
         Violation::MissingBoundary { side: [1, 2] },
         "missing-boundary",
         "side 1-2 of a given boundary bounds no triangle",
+        [&[1, 2], &[], &[]],
+    ),
+    (
+        Violation::TangledBoundary { side: [1, 2] },
+        "tangled-boundary",
+        "the given boundary crosses or covers itself at side 1-2",
         [&[1, 2], &[], &[]],
     ),
     (

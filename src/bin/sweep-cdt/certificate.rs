@@ -53,13 +53,22 @@ struct Certificate<'a> {
     input: &'a [Fingerprint],
     result: &'a [Fingerprint],
     scalar: &'static str,
-    vertices_matched_by: &'static str,
+    vertices_matched: MatchedBy,
     clockwise_accepted: bool,
     clockwise: bool,
     counts: Counts,
     signs: Signs,
     violations_found: usize,
     violations: Vec<Item>,
+}
+
+/// How the vertices of the result were matched with those of the input.
+#[derive(Serialize)]
+struct MatchedBy {
+    by: &'static str,
+    because: &'static str,
+    /// None without coordinates.
+    greatest_difference: Option<Box<RawValue>>,
 }
 
 #[derive(Serialize)]
@@ -104,6 +113,7 @@ pub(crate) fn write<S: Coordinate>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let report = report(answer);
+    let matched = subject.triangles.matched;
     let (list, found) = violations(answer);
     // A violation names things as in the files; the places of its vertices are found by position.
     let item = |&violation| {
@@ -133,10 +143,10 @@ pub(crate) fn write<S: Coordinate>(
         input: subject.input,
         result: subject.result,
         scalar: subject.scalar,
-        vertices_matched_by: if subject.triangles.matched_by_coordinates {
-            "coordinates"
-        } else {
-            "numbers"
+        vertices_matched: MatchedBy {
+            by: matched.by(),
+            because: matched.name(),
+            greatest_difference: matched.difference().as_ref().map(coordinate),
         },
         clockwise_accepted: subject.clockwise,
         clockwise: report.clockwise,

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use sweep_cdt::draw::ViolationsPicture;
-use sweep_cdt::formats::{Coordinate, Graph, read_result};
+use sweep_cdt::formats::{Coordinate, Graph, Matching, ResultError};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::Verifier;
 
@@ -39,6 +39,18 @@ pub(crate) struct Verify {
     #[arg(long)]
     clockwise: bool,
 
+    /// By how much a coordinate of the result may differ from the input's [default: by rounding]
+    ///
+    /// Applies where the vertices of the result are not exactly those of the input: they are then matched
+    /// by number, if no coordinate differs by more. By default each must be the coordinate of the input,
+    /// rounded to as many significant digits as the result has for it, 6 or more.
+    #[arg(long, value_name = "DIFFERENCE", value_parser = difference, conflicts_with = "by_number")]
+    tolerance: Option<f64>,
+
+    /// Match vertices by number, whatever their coordinates
+    #[arg(long)]
+    by_number: bool,
+
     /// How many violations to list
     #[arg(long, value_name = "N", default_value_t = 20)]
     limit: usize,
@@ -59,11 +71,13 @@ pub(crate) struct Verify {
 const AFTER_HELP: &str = "\
 Result:
   .ele     Triangle's triangles, numbered from 0 or 1, and the .node beside it, if there is one
-  .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; numbered from 0
+  .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; numbered from 0; with
+           \"points\": [[x, y], ...] or without
   .obj     `v` and `f` lines; z is ignored
-  Vertices of the result are matched with those of the input by their coordinates. If the result
-  has as many vertices and some match none (rounded coordinates), or if it has no coordinates, all
-  are matched by their numbers.
+  If the result has coordinates, its vertices are matched with those of the input by them, exactly
+  and in any order. If it has none, they are matched by number. Rounded ones are matched by number
+  too, and the report says by how much they differ. A result with other vertices is refused; see
+  --tolerance and --by-number.
 
 Violations:
   triangle-out-of-range, edge-out-of-range    a vertex that does not exist
@@ -131,7 +145,14 @@ impl Job for Run<'_> {
         } = self.result;
         let arguments = self.arguments;
         // The result is read in the type of the input, so that equal coordinates match.
-        let triangles = read_result(format, &source, node.as_ref(), graph)?;
+        let matching = Matching::new().by_number(arguments.by_number);
+        let matching = match arguments.tolerance {
+            Some(tolerance) => matching.tolerance(tolerance),
+            None => matching,
+        };
+        let triangles = matching
+            .read(format, &source, node.as_ref(), graph)
+            .map_err(|error| refusal(&error))?;
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
             .limit(arguments.limit);
@@ -165,10 +186,32 @@ impl Job for Run<'_> {
             }
             let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
             report::write_verdict(&answer, &result, &input, out)?;
+            report::write_matching(triangles.matched, out)?;
             writeln!(out)?;
             report::write_counts(verification::report(&answer), out)?;
             report::write_violations(&answer, graph, &triangles, out)
         })?;
         answer.map(|_| ()).map_err(|_| Failure::Wrong)
     }
+}
+
+/// Reads a difference.
+fn difference(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    let is_difference = value.is_finite() && value >= 0.0;
+    is_difference
+        .then_some(value)
+        .ok_or_else(|| "not a finite number from 0 on".to_owned())
+}
+
+/// The failure of a result that is not read, with a way out where there is one.
+fn refusal(error: &ResultError) -> Failure {
+    let way_out = match error {
+        ResultError::Stranger { .. } => " (--by-number ignores coordinates)",
+        ResultError::Elsewhere { .. } => {
+            " (--tolerance allows for more, --by-number ignores coordinates)"
+        }
+        _ => "",
+    };
+    Failure::Error(format!("{error}{way_out}"))
 }

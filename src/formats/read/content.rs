@@ -62,6 +62,17 @@ impl Vertices<'_> {
         self.coordinates.iter().map(point).collect()
     }
 
+    /// A coordinate as it is written.
+    pub(super) fn text(&self, vertex: usize, axis: usize) -> Cow<'_, str> {
+        self.syntax.text(self.coordinates[vertex][axis])
+    }
+
+    /// What messages call a vertex: the file, the line, and its number there.
+    pub(super) fn name(&self, vertex: usize) -> (String, usize, usize) {
+        let (line, _) = self.source.position(self.coordinates[vertex][0]);
+        (self.source.name.clone(), line, self.first + vertex)
+    }
+
     fn error(&self, piece: &[u8], text: &str, error: CoordinateError) -> ReadError {
         let (line, column) = self.source.position(piece);
         let shown = match self.syntax {

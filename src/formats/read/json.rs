@@ -1,6 +1,6 @@
 //! JSON: an object with `points`, pairs of coordinates, and `edges`, pairs of positions in `points`. Of
-//! a result only `triangles` is read: triples of positions in the input's points, or all of them in one
-//! list.
+//! a result `triangles` is read, triples of positions in its points or all of them in one list, and
+//! `points`, if it has any; otherwise they are those of the input.
 //!
 //! A coordinate is a number, or a string for what a JSON number cannot be: `"2/3"`, `"nan"`, `"inf"`,
 //! `"-inf"`. Other members are ignored.
@@ -19,32 +19,21 @@ struct Document<'a> {
     edges: Vec<[usize; 2]>,
 }
 
+/// Triples of corners, or single ones.
 #[derive(Deserialize)]
-struct Triples {
-    triangles: Vec<[usize; 3]>,
-}
-
-#[derive(Deserialize)]
-struct Flat {
-    triangles: Vec<usize>,
+#[serde(bound(deserialize = "T: Deserialize<'de>"))]
+struct Answer<'a, T> {
+    #[serde(borrow, default)]
+    points: Option<Vec<[&'a RawValue; 2]>>,
+    triangles: Vec<T>,
 }
 
 /// Reads a `.json` with a graph.
 pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     let Document { points, edges } =
         serde_json::from_slice(&source.bytes).map_err(|error| unreadable(source, &error))?;
-    let coordinates = points
-        .into_iter()
-        .map(|point| point.map(|raw| raw.get().as_bytes()))
-        .collect();
-    let vertices = Vertices {
-        source,
-        syntax: Syntax::Json,
-        coordinates,
-        first: 0,
-    };
     Ok(Edges {
-        vertices,
+        vertices: vertices(source, points),
         edges,
         first: 0,
     })
@@ -52,22 +41,37 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
 
 /// Reads a `.json` with triangles.
 pub(super) fn read_triangles(source: &Source) -> Result<Corners<'_>, ReadError> {
-    let triangles = serde_json::from_slice(&source.bytes)
-        .map(|Triples { triangles }| triangles)
+    let Answer { points, triangles } = serde_json::from_slice(&source.bytes)
         .or_else(|error| flat(source).ok_or_else(|| unreadable(source, &error)))?;
     Ok(Corners {
         triangles,
         first: 0,
         first_vertex: 0,
-        vertices: None,
+        vertices: points.map(|points| vertices(source, points)),
     })
 }
 
-/// The triangles, where all corners stand in one list, three for each.
-fn flat(source: &Source) -> Option<Vec<[usize; 3]>> {
-    let Flat { triangles: corners } = serde_json::from_slice(&source.bytes).ok()?;
-    let (triangles, rest) = corners.as_chunks();
-    rest.is_empty().then(|| triangles.to_vec())
+/// The result, where all corners stand in one list, three for each triangle.
+fn flat(source: &Source) -> Option<Answer<'_, [usize; 3]>> {
+    let answer: Answer<'_, usize> = serde_json::from_slice(&source.bytes).ok()?;
+    let (triangles, rest) = answer.triangles.as_chunks();
+    rest.is_empty().then(|| Answer {
+        points: answer.points,
+        triangles: triangles.to_vec(),
+    })
+}
+
+/// The vertices of a file that has these points.
+fn vertices<'a>(source: &'a Source, points: Vec<[&'a RawValue; 2]>) -> Vertices<'a> {
+    Vertices {
+        source,
+        syntax: Syntax::Json,
+        coordinates: points
+            .into_iter()
+            .map(|point| point.map(|raw| raw.get().as_bytes()))
+            .collect(),
+        first: 0,
+    }
 }
 
 /// The error that serde reports, with its line and column.

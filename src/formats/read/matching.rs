@@ -1,14 +1,130 @@
-//! The same vertices in two lists, by exact coordinates.
+//! Which vertex of the input each vertex of a result is.
+//!
+//! A result that lists its vertices tells so by their coordinates, in whatever order they stand: all of
+//! them must be vertices of the input, exactly. Where one is not, the file may have rounded coordinates.
+//! Then numbers decide, and coordinates only confirm them: each must be the one of the same number,
+//! [rounded](super::rounding). The nearest vertex is never taken for the right one.
+//!
+//! Cost: one sort of the input's points, and a binary search for each vertex of the file.
 
 use std::cmp::Ordering;
 
+use num_rational::BigRational;
+
+use crate::formats::read::content::Vertices;
+use crate::formats::read::matched::Matched;
+use crate::formats::read::result_error::ResultError;
+use crate::formats::read::rounding::is_rounded;
+use crate::formats::{Coordinate, Graph};
 use crate::scalar::Scalar;
 
-/// For each of `points` the lowest position in `among` of an equal point.
+/// How vertices of a result are matched with those of the input.
 ///
-/// Cost: one sort of `among`, and a binary search for each point.
-pub(super) fn places<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Option<usize>> {
-    let is_finite = |point: &[S; 2]| point.iter().all(S::is_finite);
+/// [`Matching::read`] reads a result so.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Matching {
+    by_number: bool,
+    tolerance: Option<f64>,
+}
+
+impl Matching {
+    /// By coordinates; by number where they are rounded to 6 or more digits, or where there are none.
+    #[must_use]
+    pub fn new() -> Matching {
+        Matching::default()
+    }
+
+    /// Whether vertices are matched by number, whatever their coordinates.
+    #[must_use]
+    pub fn by_number(self, by_number: bool) -> Matching {
+        Matching { by_number, ..self }
+    }
+
+    /// By how much a coordinate may differ from that of the vertex of the same number, in place of
+    /// rounding.
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Matching {
+        Matching {
+            tolerance: Some(tolerance),
+            ..self
+        }
+    }
+
+    /// How the vertices of a file match those of the input, and for each of them the place in the input,
+    /// unless it is that of the same number.
+    pub(super) fn places<S: Coordinate>(
+        self,
+        vertices: &Vertices<'_>,
+        points: &[[S; 2]],
+        input: &Graph<S>,
+    ) -> Result<(Matched, Option<Vec<usize>>), ResultError> {
+        if let Some(at) = points.iter().position(|point| !is_finite(point)) {
+            let (file, line, vertex) = vertices.name(at);
+            return Err(ResultError::NonFinite { file, line, vertex });
+        }
+        let pairs = || points.iter().zip(&input.points).map(|(p, q)| apart(p, q));
+        let greatest = || pairs().fold(0.0, f64::max);
+        if self.by_number {
+            let difference = greatest();
+            return Ok((Matched::Asked { difference }, None));
+        }
+        if points == input.points {
+            return Ok((Matched::Equal, None));
+        }
+        let found = find(points, &input.points);
+        if let Some(places) = found.iter().copied().collect() {
+            return Ok((Matched::Equal, Some(places)));
+        }
+
+        // Some vertex is none of the input's: numbers decide, if there are as many.
+        if points.len() != input.points.len() {
+            let stranger = found.iter().position(Option::is_none);
+            let at = stranger.expect("not all were found");
+            let (file, line, vertex) = vertices.name(at);
+            let at = points[at].each_ref().map(S::approx);
+            return Err(ResultError::Stranger {
+                file,
+                line,
+                vertex,
+                at,
+            });
+        }
+        let is_close = |at: &usize| match self.tolerance {
+            Some(tolerance) => apart(&points[*at], &input.points[*at]) <= tolerance,
+            None => (0..2).all(|axis| {
+                let (own, exact) = (&points[*at][axis], &input.points[*at][axis]);
+                let is_near = !S::APPROX_IS_EXACT;
+                let text = vertices.text(*at, axis);
+                own == exact || is_rounded(exact.approx(), is_near, &text, own.approx())
+            }),
+        };
+        let far: Vec<usize> = (0..points.len()).filter(|at| !is_close(at)).collect();
+        if far.is_empty() {
+            let difference = greatest();
+            let matched = match self.tolerance {
+                None => Matched::Rounded { difference },
+                Some(_) => Matched::Near { difference },
+            };
+            return Ok((matched, None));
+        }
+        // A vertex that is nowhere in the input says more than one that is elsewhere.
+        let stranger = far.iter().copied().find(|&at| found[at].is_none());
+        let at = stranger.unwrap_or(far[0]);
+        let (file, line, vertex) = vertices.name(at);
+        Err(ResultError::Elsewhere {
+            file,
+            line,
+            vertex,
+            at: points[at].each_ref().map(S::approx),
+            of_input: at + input.first_vertex,
+            expected: input.points[at].each_ref().map(S::approx),
+            tolerance: self.tolerance,
+        })
+    }
+}
+
+/// For each of `points` the lowest position in `among` of an equal point. All of `points` are finite.
+fn find<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Option<usize>> {
     let mut sorted: Vec<usize> = (0..among.len()).filter(|&v| is_finite(&among[v])).collect();
     sorted.sort_by(|&v, &w| order(&among[v], &among[w]));
     let place = |point: &[S; 2]| {
@@ -18,12 +134,30 @@ pub(super) fn places<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Opti
             .copied()
             .filter(|&v| order(&among[v], point).is_eq())
     };
-    points
-        .iter()
-        .map(|point| if is_finite(point) { place(point) } else { None })
-        .collect()
+    points.iter().map(place).collect()
 }
 
 fn order<S: Scalar>(p: &[S; 2], q: &[S; 2]) -> Ordering {
     p[0].compare(&q[0]).then_with(|| p[1].compare(&q[1]))
+}
+
+fn is_finite<S: Scalar>(point: &[S; 2]) -> bool {
+    point.iter().all(S::is_finite)
+}
+
+/// The greater of the differences in x and in y.
+fn apart<S: Coordinate>(p: &[S; 2], q: &[S; 2]) -> f64 {
+    let [x, y] = [0, 1].map(|axis| difference(&p[axis], &q[axis]));
+    x.max(y)
+}
+
+/// The difference of two coordinates, as a finite double.
+fn difference<S: Coordinate>(x: &S, y: &S) -> f64 {
+    let exact = |x: &S| BigRational::from_text(&x.text()).ok();
+    let difference = match (S::APPROX_IS_EXACT || x == y, exact) {
+        (true, _) => None,
+        (false, exact) => exact(x).zip(exact(y)).map(|(x, y)| (x - y).approx()),
+    };
+    let difference = difference.unwrap_or_else(|| x.approx() - y.approx());
+    difference.abs().min(f64::MAX)
 }

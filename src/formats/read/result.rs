@@ -3,8 +3,11 @@
 use std::collections::HashSet;
 
 use crate::formats::read::content::{Corners, Vertices};
+use crate::formats::read::matched::Matched;
+use crate::formats::read::matching::Matching;
+use crate::formats::read::result_error::ResultError;
 use crate::formats::read::source::{ReadError, Source};
-use crate::formats::read::{ele, json, matching, obj};
+use crate::formats::read::{ele, json, obj};
 use crate::formats::{Coordinate, CoordinateError, Graph};
 use crate::verify::{Offenders, Violation};
 
@@ -31,7 +34,7 @@ pub enum ResultFormat {
 }
 
 /// Triangles of a file, by vertices of the input.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Triangles {
     /// The corners, as positions in the input's points. Those that are no vertices of the input follow:
@@ -41,20 +44,19 @@ pub struct Triangles {
     pub first: usize,
     /// The file's numbers of corners that are no vertices of the input.
     pub strangers: Vec<usize>,
-    /// Whether vertices were matched with those of the input by their coordinates; otherwise they were
-    /// matched by their numbers.
-    pub matched_by_coordinates: bool,
+    /// How vertices were matched with those of the input.
+    pub matched: Matched,
 }
 
 /// Reads a triangulation of `input`; `node` is the `.node` beside a `.ele`.
 ///
-/// A vertex of the file is matched with the vertex of the input that has the same coordinates, if there
-/// is one for each or the counts of vertices differ. Otherwise (if the file has rounded coordinates or
-/// none) it is matched with the one of the same number. Corners may be out of range: the verifier
-/// reports them.
+/// Vertices are matched as [`Matching::new`] does it: by coordinates, if every vertex of the file is one of
+/// the input, exactly; by number, if the file has no coordinates, or as many vertices as the input, and each
+/// coordinate is that of the input rounded to 6 or more digits. All else is refused. Corners may be
+/// out of range: the verifier reports them.
 ///
 /// ```
-/// use sweep_cdt::formats::{Graph, ResultFormat, Source, read_result};
+/// use sweep_cdt::formats::{Graph, Matched, ResultFormat, Source, read_result};
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// let input = Graph { points, ..Graph::default() };
@@ -62,27 +64,58 @@ pub struct Triangles {
 /// let source = Source { name: "example".to_owned(), bytes };
 /// let triangles = read_result(ResultFormat::Obj, &source, None, &input)?;
 /// assert_eq!(triangles.list, [[2, 0, 1]]);
-/// # Ok::<(), sweep_cdt::formats::ReadError>(())
+/// assert_eq!(triangles.matched, Matched::Equal);
+/// # Ok::<(), sweep_cdt::formats::ResultError>(())
 /// ```
 ///
 /// # Errors
-/// See [`ReadError`].
+/// See [`ResultError`].
 pub fn read_result<S: Coordinate>(
     format: ResultFormat,
     source: &Source,
     node: Option<&Source>,
     input: &Graph<S>,
-) -> Result<Triangles, ReadError> {
-    let corners = match format {
-        ResultFormat::Ele => ele::read(source, node)?,
-        ResultFormat::Json => json::read_triangles(source)?,
-        ResultFormat::Obj => obj::read(source)?,
-    };
-    let points = match &corners.vertices {
-        Some(vertices) => Some(points_of(vertices)?),
-        None => None,
-    };
-    Ok(by_input_vertices(corners, points, input))
+) -> Result<Triangles, ResultError> {
+    Matching::new().read(format, source, node, input)
+}
+
+impl Matching {
+    /// Reads a triangulation of `input`; `node` is the `.node` beside a `.ele`.
+    ///
+    /// ```
+    /// use sweep_cdt::formats::{Graph, Matched, Matching, ResultFormat, Source};
+    ///
+    /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    /// let input = Graph { points, ..Graph::default() };
+    /// let bytes = b"v 0.25 0\nv 1 0\nv 0 1\nf 1 2 3".to_vec();
+    /// let source = Source { name: "example".to_owned(), bytes };
+    /// let matching = Matching::new().tolerance(0.5);
+    /// let triangles = matching.read(ResultFormat::Obj, &source, None, &input)?;
+    /// assert_eq!(triangles.matched, Matched::Near { difference: 0.25 });
+    /// # Ok::<(), sweep_cdt::formats::ResultError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// See [`ResultError`].
+    pub fn read<S: Coordinate>(
+        self,
+        format: ResultFormat,
+        source: &Source,
+        node: Option<&Source>,
+        input: &Graph<S>,
+    ) -> Result<Triangles, ResultError> {
+        let corners = match format {
+            ResultFormat::Ele => ele::read(source, node)?,
+            ResultFormat::Json => json::read_triangles(source)?,
+            ResultFormat::Obj => obj::read(source)?,
+        };
+        let (matched, places) = match &corners.vertices {
+            Some(vertices) => self.places(vertices, &points_of(vertices)?, input)?,
+            None => (Matched::Unplaced, None),
+        };
+        let places = places.as_deref();
+        Ok(by_input_vertices(corners, matched, places, input))
+    }
 }
 
 /// The vertices of a file, in the type of the input's.
@@ -96,25 +129,21 @@ fn points_of<S: Coordinate>(vertices: &Vertices<'_>) -> Result<Vec<[S; 2]>, Read
     })
 }
 
-/// The triangles by vertices of the input; `points` are those of the file.
-fn by_input_vertices<S: Coordinate>(
+/// The triangles by vertices of the input; `places` has those of the file's vertices, unless each stands in
+/// the place of its number.
+fn by_input_vertices<S>(
     corners: Corners<'_>,
-    points: Option<Vec<[S; 2]>>,
+    matched: Matched,
+    places: Option<&[usize]>,
     input: &Graph<S>,
 ) -> Triangles {
     let count = input.points.len();
-    // The places in the input of the file's vertices, if they are to be matched by coordinates.
-    let places = points
-        .filter(|points| *points != input.points)
-        .map(|points| matching::places(&points, &input.points))
-        .filter(|places| places.len() != count || places.iter().all(Option::is_some));
-
     // A corner becomes a position in the input; one that has none becomes a stranger.
     let mut strangers = Vec::new();
     let mut vertex = |number: usize| {
         let listed = number.checked_sub(corners.first_vertex);
-        let place = listed.and_then(|at| match &places {
-            Some(places) => places.get(at).copied().flatten(),
+        let place = listed.and_then(|at| match places {
+            Some(places) => places.get(at).copied(),
             None => Some(at).filter(|&at| at < count),
         });
         place.unwrap_or_else(|| {
@@ -129,7 +158,7 @@ fn by_input_vertices<S: Coordinate>(
             .collect(),
         first: corners.first,
         strangers,
-        matched_by_coordinates: places.is_some(),
+        matched,
     }
 }
 

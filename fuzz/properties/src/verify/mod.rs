@@ -6,11 +6,14 @@
 //! triangulation is unique up to cocircular vertices, so a result that the oracle's
 //! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares
 //! code with the verifier. What the verifier calls canonical must be the sweep's answer. Its options must
-//! not change its verdict, and a hole is declared in a right answer.
+//! not change its verdict, and holes and other domains are declared in a right answer. Some bytes are a
+//! result whose vertices have moved.
 
 mod case;
 mod changes;
+mod domains;
 mod facts;
+mod moved;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::triangulate;
@@ -47,6 +50,7 @@ pub fn test(bytes: &[u8]) {
     let style: u8 = bytes.arbitrary().unwrap_or_default();
     let case = match style & 3 {
         0 if style >> 6 == 0 => wound(&mut bytes),
+        0 if style >> 6 == 1 => return moved::judge(&mut bytes).unwrap_or_default(),
         0 => garbage(&mut bytes),
         count => changed(count, &mut bytes),
     };
@@ -91,11 +95,13 @@ fn wound(bytes: &mut Unstructured<'_>) -> Result<Case> {
     let mut points = vec![[0.0, 0.0]];
     points.extend((0..n).map(|i| RIM[i * RIM.len() / n]));
     let triangles = (0..n).map(|i| [0, 1 + i, 1 + (i + over) % n]);
-    Ok(Case {
+    let case = Case {
         triangles: triangles.collect(),
         points,
         edges: Vec::new(),
-    })
+    };
+    domains::judge_wound(&case);
+    Ok(case)
 }
 
 /// A right answer to an input, changed so many times.
@@ -159,7 +165,11 @@ fn judge(case: &Case, in_parallel: bool) {
             "within the hull (left) of {case:?}"
         );
         if verdict.is_ok() {
-            judge_hole(case, hull);
+            if let Some(verdict) = domains::judge_hole(case, &hull) {
+                check_list(case, &verdict);
+            }
+            domains::judge_part(case);
+            domains::judge_unused(case, &hull);
         }
     }
     let chains: Vec<Vec<usize>> = triangles.iter().map(|t| t.to_vec()).collect();
@@ -183,36 +193,6 @@ fn check_short_list(case: &Case, verdict: &std::result::Result<Report, Violation
         );
     }
     assert_eq!(found, expected, "one listed (left)");
-}
-
-/// Panics unless a triangle of a right answer that has no side on the hull must be there, but for a
-/// declared hole, where it must not be.
-fn judge_hole(case: &Case, hull: Vec<usize>) {
-    let Case {
-        points,
-        edges,
-        triangles,
-    } = case;
-    let next = |list: &[usize], i: usize| list[(i + 1) % list.len()];
-    let is_on_hull = |from: usize, to: usize| {
-        let ends = [points[from], points[to]];
-        (0..hull.len()).any(|i| [points[hull[i]], points[next(&hull, i)]] == ends)
-    };
-    let is_inner = |t: &[usize; 3]| !(0..3).any(|i| is_on_hull(t[i], next(t, i)));
-    let Some(t) = triangles.iter().position(is_inner) else {
-        return;
-    };
-    let mut others = triangles.clone();
-    let [a, b, c] = others.swap_remove(t);
-    let declared = [hull, vec![c, b, a]];
-    let within = Verifier::new().boundary(&declared);
-    let is_right = |triangles| within.verify(points, edges, triangles).is_ok();
-    assert!(is_right(&others), "a hole at {t} in {case:?}");
-    assert!(!is_right(triangles), "no hole at {t} in {case:?}");
-    let unaware = Verifier::new().boundary(&declared[..1]);
-    let verdict = unaware.verify(points, edges, &others);
-    assert!(verdict.is_err(), "a hole not declared at {t} in {case:?}");
-    check_list(case, &verdict);
 }
 
 /// Whether the violations listed name what is there, and have a message.

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use sweep_cdt::formats::{Coordinate, Graph, Triangles};
+use sweep_cdt::formats::{Coordinate, Graph, Matched, Triangles};
 use sweep_cdt::verify::Report;
 
 use super::table::{NAME, NUMBER, rows};
@@ -32,6 +32,22 @@ pub(crate) fn write_verdict(
                 "wrong: {result} is not a {WHAT} of {input}: {found} violation{plural}"
             )
         }
+    }
+}
+
+/// Writes how the vertices of the result were matched with those of the input: one line.
+pub(crate) fn write_matching(matched: Matched, out: &mut impl Write) -> io::Result<()> {
+    let why = match matched {
+        Matched::Unplaced => ": the result has no coordinates",
+        Matched::Rounded { .. } => ", because coordinates are rounded",
+        Matched::Near { .. } => ", within --tolerance",
+        Matched::Asked { .. } => ", because of --by-number",
+        _ => "",
+    };
+    write!(out, "vertices matched by {}{why}", matched.by())?;
+    match matched.difference() {
+        Some(difference) => writeln!(out, ": greatest difference {}", difference.text()),
+        None => writeln!(out),
     }
 }
 

@@ -1,0 +1,137 @@
+//! Inputs that once took the verifier a time that grows with the square of their size.
+
+use std::time::{Duration, Instant};
+
+use sweep_cdt::triangulate;
+use sweep_cdt::verify::{Violation, verify};
+
+type Points = Vec<[f64; 2]>;
+type Edges = Vec<[usize; 2]>;
+
+/// More than each of them takes on a slow machine, less than the square.
+const SOON: Duration = Duration::from_secs(10);
+
+/// Verifies the triangulation of the points and edges.
+fn assert_soon(points: &Points, edges: &Edges) {
+    let triangles: Vec<[usize; 3]> = triangulate(points, edges).unwrap().triangles().collect();
+    let start = Instant::now();
+    let report = verify(points, edges, &triangles).unwrap();
+    assert!(report.is_canonical());
+    let time = start.elapsed();
+    assert!(time < SOON, "{time:?}");
+}
+
+#[test]
+fn a_star() {
+    const COUNT: usize = 150_000;
+    let width = COUNT as f64;
+    let mut points = vec![[width / 2.0, -width]];
+    points.extend((1..COUNT).map(|i| [i as f64, (i * 7 % 11) as f64]));
+    assert_soon(&points, &(1..COUNT).map(|i| [i, 0]).collect());
+}
+
+/// Rays of a hub, each with two vertices, and edges through the hub from end to end. The triangles between
+/// the rays are not Delaunay, but have all sides.
+#[test]
+fn edges_through_one_vertex() {
+    const REACH: i32 = 160;
+    let divisor = |mut a: i32, mut b: i32| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a.abs()
+    };
+    let all = (-REACH..=REACH).flat_map(|x| (1..=REACH).map(move |y| [x, y]));
+    let mut rays: Vec<[i32; 2]> = all.filter(|&[x, y]| divisor(x, y) == 1).collect();
+    rays.sort_by(|p, q| (p[1] * q[0]).cmp(&(p[0] * q[1])));
+    let half = rays.len();
+    rays.extend_from_within(..);
+    rays[half..].iter_mut().for_each(|p| *p = p.map(|x| -x));
+
+    // Vertex 0 is the hub; ray i has the vertices 2 i + 1 and 2 i + 2.
+    let mut points = vec![[0, 0]];
+    points.extend(rays.iter().flat_map(|&[x, y]| [[x, y], [2 * x, 2 * y]]));
+    let edges: Vec<[usize; 2]> = (0..half).map(|i| [2 * i + 2, 2 * (i + half) + 2]).collect();
+    let triangles = (0..2 * half).flat_map(|i| {
+        let [a, b] = [i, (i + 1) % (2 * half)].map(|i| 2 * i + 1);
+        [[0, a, b], [a, a + 1, b + 1], [a, b + 1, b]]
+    });
+    let triangles: Vec<[usize; 3]> = triangles.collect();
+    let start = Instant::now();
+    let violations = verify(&points, &edges, &triangles).unwrap_err();
+    let time = start.elapsed();
+    assert_eq!(violations.report.constrained_sides, 4 * half);
+    assert_eq!(violations.report.boundary_sides, 2 * half);
+    assert!(time < SOON, "{half}: {time:?}");
+}
+
+/// A row of vertices below and above which there is one.
+fn row(count: usize) -> Points {
+    let mut points: Points = (0..count).map(|i| [i as f64, 0.0]).collect();
+    points.extend([[0.5, count as f64], [0.5, -(count as f64)]]);
+    points
+}
+
+#[test]
+fn edges_that_overlap() {
+    const COUNT: usize = 20_000;
+    let points = row(COUNT);
+    let triangles: Vec<[usize; 3]> = triangulate(&points, &[]).unwrap().triangles().collect();
+    let repeated = vec![[0, COUNT - 1]; COUNT];
+    let reversed = (0..COUNT / 2).map(|i| [COUNT - 1 - i, i]).collect();
+    let shifted = (0..COUNT / 2).map(|i| [i, i + COUNT / 2]).collect();
+    for edges in [repeated, reversed, shifted] {
+        let start = Instant::now();
+        let report = verify(&points, &edges, &triangles).unwrap();
+        let time = start.elapsed();
+        assert!(time < SOON, "{time:?}");
+        assert_eq!(report.constrained_sides, COUNT - 1);
+    }
+}
+
+/// A gap in a row, as seen by edges that overlap there.
+#[test]
+fn edges_that_overlap_end_at_the_same_gap() {
+    // Two vertices above and below the gap, from 9 to 10, are joined across it.
+    let row = (0..16).map(|i| [if i < 10 { i } else { i + 4 }, 0]);
+    let mut points: Vec<[i32; 2]> = row.map(|[x, y]| [2 * x, y]).collect();
+    points.extend([[23, 1], [23, -1], [20, 90], [20, -90]]);
+    let triangles: Vec<[usize; 3]> = triangulate(&points, &[]).unwrap().triangles().collect();
+    let edges = [
+        [0, 15],
+        [3, 12],
+        [2, 8],
+        [15, 0],
+        [12, 15],
+        [13, 4],
+        [8, 10],
+        [1, 8],
+        [3, 12],
+    ];
+    let list = verify(&points, &edges, &triangles).unwrap_err().list;
+    let missing = [(0, 9), (1, 9), (3, 10), (5, 10), (6, 9), (8, 9)];
+    let missing = missing.map(|(edge, after)| Violation::MissingEdge { edge, after });
+    assert_eq!(list, missing);
+}
+
+/// A long boundary that begins at the left, and many short ones.
+#[test]
+fn many_boundaries() {
+    const COUNT: usize = 60_000;
+    let width = COUNT as i64;
+    let mut points: Vec<[i64; 2]> = (0..width).map(|x| [x, x * x]).collect();
+    points.push([width / 2, width * width]);
+    let fan = (0..COUNT - 1).map(|v| [v, v + 1, COUNT]);
+    let mut triangles: Vec<[usize; 3]> = fan.collect();
+    for i in 0..width {
+        let (v, x) = (points.len(), 2 * width + 2 * i);
+        points.extend([[x, 0], [x + 1, 0], [x, 1]]);
+        triangles.push([v, v + 1, v + 2]);
+    }
+    let start = Instant::now();
+    let violations = verify(&points, &[], &triangles).unwrap_err();
+    let time = start.elapsed();
+    let is_extra = |violation: &Violation| violation.name() == "extra-boundary";
+    assert!(violations.list.iter().all(is_extra), "{violations}");
+    assert!(time < SOON, "{time:?}");
+}
