@@ -2,7 +2,7 @@
 //!
 //! | name | read | written |
 //! |---|---|---|
-//! | `node` | vertices ([Triangle]'s format) | only beside an `ele` |
+//! | `node` | vertices ([Triangle]'s format) | the same, beside an `ele` |
 //! | `poly` | vertices and edges (Triangle's format) | |
 //! | `json` | an object with `points` and `edges`, or with `triangles` | all of them and more |
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
