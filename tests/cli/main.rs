@@ -5,9 +5,13 @@ mod certificate;
 mod errors;
 mod formats;
 mod garbage;
+mod outputs;
 mod refuted;
 mod runs;
+#[cfg(target_os = "linux")]
+mod stopped;
 mod tables;
+mod texts;
 mod trace;
 mod verify;
 

@@ -33,6 +33,8 @@ impl Replay {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let source = FilesRead::default().load(&self.trace)?;
         let text = String::from_utf8_lossy(source.text()?);
+        // Lines may end with carriage returns alone.
+        let text = text.replace("\r\n", "\n").replace('\r', "\n");
         let trace = Trace::parse(&text);
         let triangles = trace.and_then(|trace| trace.replay()).map_err(|bad| {
             Failure::Error(format!("{}:{}: {}", source.name, bad.line, bad.message))

@@ -11,7 +11,7 @@ use crate::formats::read::source::{ReadError, Source, no_vertex, quoted};
 struct Kind {
     /// The name of the list.
     member: &'static str,
-    /// One item of it, as messages call it.
+    /// What messages call an item of it.
     item: &'static str,
     /// How many parts an item has.
     parts: usize,
@@ -23,7 +23,7 @@ struct Kind {
 
 const POINTS: Kind = Kind {
     member: "points",
-    item: "point",
+    item: "a point",
     parts: 2,
     part: "coordinates",
     advice: ": leave out z",
@@ -31,7 +31,7 @@ const POINTS: Kind = Kind {
 
 const EDGES: Kind = Kind {
     member: "edges",
-    item: "edge",
+    item: "an edge",
     parts: 2,
     part: "ends",
     advice: ": split it into edges",
@@ -39,7 +39,7 @@ const EDGES: Kind = Kind {
 
 const TRIANGLES: Kind = Kind {
     member: "triangles",
-    item: "triangle",
+    item: "a triangle",
     parts: 3,
     part: "corners",
     advice: ": split it into triangles",
@@ -124,9 +124,6 @@ fn found(
     error: &serde_json::Error,
     find: impl FnOnce(&File<'_>) -> Result<(), ReadError>,
 ) -> ReadError {
-    if !error.is_data() {
-        return no_json(source, error);
-    }
     let fault = File::new(source).and_then(|file| find(&file)).err();
     fault.unwrap_or_else(|| no_json(source, error))
 }
@@ -165,14 +162,17 @@ impl<'a> File<'a> {
             let shown = quoted(item.get().as_bytes());
             self.fault(
                 item,
-                format!("{shown} is no {name}, a list of {count} {part}"),
+                format!("{shown} is not {name}, a list of {count} {part}"),
             )
         })?;
         if parts.len() == *count {
             return Ok(parts);
         }
         let advice = if parts.len() == count + 1 { advice } else { "" };
-        let message = format!("the {name} has {} {part}, not {count}{advice}", parts.len());
+        let message = format!(
+            "{name} has {count} {part}, and this one {}{advice}",
+            parts.len()
+        );
         Err(self.fault(item, message))
     }
 

@@ -26,9 +26,14 @@ impl<'a> File<'a> {
             whole,
             members: Vec::new(),
         };
-        let members: Result<Members<'_>, _> = serde_json::from_str(whole.get());
-        let object = "an object such as {\"points\": [[x, y], ...]} should stand here";
-        file.members = members.map_err(|_| file.fault(whole, object))?.0;
+        match serde_json::from_slice::<Members<'_>>(text) {
+            Ok(Members(members)) => file.members = members,
+            Err(error) if error.is_data() => {
+                let object = "an object such as {\"points\": [[x, y], ...]} should stand here";
+                return Err(file.fault(whole, object));
+            }
+            Err(error) => return Err(no_json(source, &error)),
+        }
         Ok(file)
     }
 
@@ -53,23 +58,10 @@ pub(super) fn no_json(source: &Source, error: &serde_json::Error) -> ReadError {
         let (line, _) = source.position(last);
         return source.error_in_line(line, "the file ends where the JSON should go on");
     }
-    let before: usize = text
-        .split_inclusive(|&byte| byte == b'\n')
-        .take(error.line().saturating_sub(1))
-        .map(<[u8]>::len)
-        .sum();
-    let at = (before + error.column().saturating_sub(1)).min(text.len());
-    // The whole word that is wrong.
-    let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
-    let start = text[..at].iter().rposition(|byte| !is_word(byte));
-    let start = if text[at..].first().is_some_and(is_word) {
-        start.map_or(0, |before| before + 1)
-    } else {
-        at
-    };
-    let length = text[start..].iter().position(|byte| !is_word(byte));
-    let length = length.unwrap_or(text.len() - start).max(1);
-    let word = &text[start..(start + length).min(text.len())];
+    let before = text.split_inclusive(|&byte| byte == b'\n');
+    let before = before.take(error.line().saturating_sub(1));
+    let line_start: usize = before.map(<[u8]>::len).sum();
+    let word = word_at(text, line_start + error.column().saturating_sub(1));
     let message = error.to_string();
     let message = message.split(" at line ").next().unwrap_or_default();
     let (line, column) = source.position(word);
@@ -77,6 +69,18 @@ pub(super) fn no_json(source: &Source, error: &serde_json::Error) -> ReadError {
         column: Some(column),
         ..source.error_in_line(line, format!("{} is no JSON here: {message}", quoted(word)))
     }
+}
+
+/// The word or number around a place in the text, or the byte there.
+fn word_at(text: &[u8], at: usize) -> &[u8] {
+    let is_part = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
+    let (before, after) = text.split_at(at.min(text.len()));
+    let length = after.iter().take_while(|byte| is_part(byte)).count();
+    if length == 0 {
+        return &after[..after.len().min(1)];
+    }
+    let begun = before.iter().rev().take_while(|byte| is_part(byte)).count();
+    &text[before.len() - begun..before.len() + length]
 }
 
 /// The members of an object, in their order and with those that are there twice.

@@ -8,6 +8,7 @@ use sweep_cdt::formats::{Coordinate, Graph, Input};
 use sweep_cdt::scalar::Scalar;
 
 use super::failure::Failure;
+use super::memory;
 use super::rationals::{self, exact};
 
 /// Arguments that select the arithmetic.
@@ -68,6 +69,7 @@ impl ScalarArgs {
         match input {
             Input::Doubles(graph) => {
                 refuse_non_finite(name, graph)?;
+                refuse_without_memory(name, graph)?;
                 if rational {
                     let points: Vec<_> = graph.points.iter().map(|p| p.map(exact)).collect();
                     job.run(given(name, graph, &points, "rational"))
@@ -79,11 +81,22 @@ impl ScalarArgs {
                 format!("{name}: has fractions, which --scalar f64 refuses"),
             )),
             Input::Rationals(graph) => {
+                refuse_without_memory(name, graph)?;
                 let points = rationals::points(&graph.points);
                 job.run(given(name, graph, &points, "rational"))
             }
         }
     }
+}
+
+fn refuse_without_memory<S>(name: &str, graph: &Graph<S>) -> Result<(), Failure> {
+    let bytes = memory::of_triangulation(graph);
+    if memory::has_room(bytes) {
+        return Ok(());
+    }
+    let megabytes = bytes.div_ceil(1_000_000);
+    let message = format!("{name}: out of memory: it takes some {megabytes} MB more");
+    Err(Failure::Error(message))
 }
 
 fn given<'a, S, T>(

@@ -9,6 +9,7 @@ use sweep_cdt::formats::{ReadError, Source};
 use super::failure::reason;
 use super::file_argument::FileArgument;
 use super::identity::{Identity, standard_input};
+use super::memory::has_room;
 
 /// Regular files that were read.
 #[derive(Default)]
@@ -28,6 +29,10 @@ impl FilesRead {
             }
         };
         match read {
+            // What is read from text takes about as much memory as the text.
+            Ok((bytes, _)) if !has_room(bytes.len() as u64) => {
+                Err(ReadError::of_file(name, "out of memory"))
+            }
             Ok((bytes, identity)) => {
                 self.0.extend(identity);
                 Ok(Source { name, bytes })

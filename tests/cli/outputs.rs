@@ -1,0 +1,325 @@
+//! Where outputs go, and what must not happen to the files that are there.
+
+use std::fs;
+
+use tempfile::TempDir;
+
+use crate::{assert_fails, folder, names, printed, run, sweep_cdt, text};
+
+const TRIANGLE: &str = r#"{"points": [[0, 0], [1, 0], [0, 1]]}"#;
+const NODE: &str = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n";
+const RIGHT: &str = r#"{"triangles": [[0, 1, 2]]}"#;
+
+fn read(folder: &TempDir, name: &str) -> String {
+    fs::read_to_string(folder.path().join(name)).expect("a file")
+}
+
+/// Asserts that a run is refused as wrong usage with just this message, and changes nothing.
+#[track_caller]
+fn assert_refused(folder: &TempDir, arguments: &str, message: &str) {
+    let contents = |folder: &TempDir| {
+        let names = names(folder.path()).into_iter();
+        let bytes = |name: &String| fs::read(folder.path().join(name)).ok();
+        names.map(|name| (bytes(&name), name)).collect::<Vec<_>>()
+    };
+    let before = contents(folder);
+    let output = sweep_cdt(folder, arguments).output();
+    let output = output.expect("the command starts");
+    let found = text(&output.stderr).lines().next().unwrap_or_default();
+    assert_eq!(found, format!("error: {message}"), "{arguments}");
+    assert_eq!(output.status.code(), Some(2), "{arguments}");
+    assert_eq!(text(&output.stdout), "", "{arguments}");
+    assert_eq!(contents(folder), before, "{arguments}");
+}
+
+#[test]
+fn an_output_that_cannot_be_written_leaves_the_old_ones() {
+    let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old")]);
+    fs::create_dir(folder.path().join("folder.obj")).expect("a folder");
+    let output = run(&folder, "a.json -o old.svg -o folder.obj");
+    assert_fails(&output, "folder.obj: is a directory");
+    assert_eq!(read(&folder, "old.svg"), "old");
+    let output = run(&folder, "a.json -o old.svg -o missing/new.obj");
+    assert_fails(&output, "missing/new.obj: no such file or directory");
+    assert_eq!(read(&folder, "old.svg"), "old");
+    assert_eq!(names(folder.path()), ["a.json", "folder.obj", "old.svg"]);
+}
+
+#[test]
+fn a_node_with_other_vertices_is_not_overwritten_unnamed() {
+    for other in [
+        "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n",
+        "1 2 0 0\n0 7 7\n",
+        "something else",
+    ] {
+        let folder = folder(&[("a.json", TRIANGLE), ("x.node", other)]);
+        let message = "x.node would be overwritten, since the .ele needs its vertices beside it: \
+                       give the .ele another name, or allow it by `-o x.node`";
+        assert_refused(&folder, "triangulate a.json -o a.svg -o x.ele", message);
+        assert_eq!(printed(&run(&folder, "a.json -o x.ele -o x.node")), "");
+        assert_eq!(read(&folder, "x.node"), NODE);
+        assert_eq!(read(&folder, "x.ele"), "1 3 0\n0 0 1 2\n");
+    }
+    let same = "# kept\n3 2 1 0\n0 0 0 .5\n1 1 0 .5\n2 0 1 7\n";
+    let folder = folder(&[("a.json", TRIANGLE), ("x.node", same)]);
+    assert_eq!(printed(&run(&folder, "a.json -o x.ele")), "");
+    assert_eq!(read(&folder, "x.node"), same);
+    assert_eq!(printed(&run(&folder, "a.json -o y.ele")), "");
+    assert_eq!(read(&folder, "y.node"), NODE);
+    assert_eq!(printed(&run(&folder, "a.json -o z.node")), "");
+    assert_eq!(read(&folder, "z.node"), NODE);
+    assert_eq!(
+        names(folder.path()),
+        ["a.json", "x.ele", "x.node", "y.ele", "y.node", "z.node"]
+    );
+}
+
+#[test]
+fn what_was_read_is_not_overwritten() {
+    // The `.node` of the `.poly` and that of the `.ele` are read without being named.
+    let files = [
+        ("p.poly", "0 2\n1\n0 0 1\n"),
+        ("p.node", NODE),
+        ("r.ele", "1 3 0\n0 0 1 2\n"),
+        ("r.node", NODE),
+    ];
+    let folder = folder(&files);
+    fs::hard_link(folder.path().join("p.node"), folder.path().join("hard.svg")).expect("a link");
+    let is_input = |name: &str| format!("{name} is an input and would be overwritten");
+    for (subcommand, name) in [
+        ("triangulate p.poly -o a.svg -o", "p.node"),
+        (
+            "triangulate p.poly --output-format json -o a.svg -o",
+            "p.poly",
+        ),
+        ("triangulate p.poly -o a.svg -o", "hard.svg"),
+        ("trace p.poly --output-format txt -o", "./p.node"),
+        ("verify p.poly r.ele --certificate", "p.poly"),
+        ("verify p.poly r.ele --certificate", "p.node"),
+        ("verify p.poly r.ele --certificate a.json --svg", "hard.svg"),
+        ("verify p.poly r.ele --svg", "r.ele"),
+        ("verify p.poly r.ele --svg", "r.node"),
+    ] {
+        assert_refused(&folder, &format!("{subcommand} {name}"), &is_input(name));
+    }
+}
+
+#[test]
+fn one_file_is_one_output() {
+    let folder = folder(&[("a.json", TRIANGLE), ("r.json", RIGHT), ("old.svg", "old")]);
+    fs::create_dir(folder.path().join("folder")).expect("a folder");
+    for (arguments, first, second) in [
+        ("triangulate a.json -o b.svg -o", "b.svg", "b.svg"),
+        ("triangulate a.json -o b.svg -o", "b.svg", "folder/../b.svg"),
+        ("triangulate a.json -o old.svg -o", "old.svg", "./old.svg"),
+        (
+            "verify a.json r.json --svg b.svg --certificate",
+            "b.svg",
+            "./b.svg",
+        ),
+        (
+            "triangulate a.json --output-format obj -o - -o",
+            "standard output",
+            "-",
+        ),
+    ] {
+        let shown = second.replace("-", "standard output");
+        let message = format!("{first} and {shown} are the same file and would both be written");
+        assert_refused(&folder, &format!("{arguments} {second}"), &message);
+    }
+}
+
+#[cfg(unix)]
+mod unix {
+    use std::fs::{self, File, Permissions};
+    use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink};
+    use std::path::Path;
+    use std::process::{Command, Stdio};
+
+    use super::{NODE, RIGHT, TRIANGLE, assert_refused, read};
+    use crate::{assert_fails, command, folder, names, printed, run, sweep_cdt, text};
+
+    fn mode(path: &Path) -> u32 {
+        fs::metadata(path).expect("a file").mode() & 0o7777
+    }
+
+    #[test]
+    fn symbolic_links_stay_and_lead_to_the_output() {
+        let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old")]);
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("folder")).expect("a folder");
+        for (target, link) in [
+            ("old.svg", "there.svg"),
+            ("folder/new.obj", "absent.obj"),
+            ("../absent.obj", "folder/again.obj"),
+            ("a.json", "input.json"),
+            ("loop.svg", "loop.svg"),
+        ] {
+            symlink(target, path(link)).expect("a link");
+        }
+        assert_eq!(
+            printed(&run(&folder, "a.json -o there.svg -o folder/again.obj")),
+            ""
+        );
+        assert!(read(&folder, "old.svg").starts_with("<svg"));
+        assert!(read(&folder, "folder/new.obj").starts_with("v 0 0 0\n"));
+        for link in ["there.svg", "absent.obj", "folder/again.obj"] {
+            let kind = fs::symlink_metadata(path(link)).expect("a link");
+            assert!(kind.is_symlink(), "{link}");
+        }
+        assert_eq!(names(&path("folder")), ["again.obj", "new.obj"]);
+        assert_refused(
+            &folder,
+            "triangulate a.json -o input.json",
+            "input.json is an input and would be overwritten",
+        );
+        assert_refused(
+            &folder,
+            "triangulate a.json -o there.svg -o old.svg",
+            "there.svg and old.svg are the same file and would both be written",
+        );
+        let output = run(&folder, "a.json -o loop.svg");
+        assert_eq!(output.status.code(), Some(1));
+        assert!(
+            text(&output.stderr).starts_with("error: loop.svg: too many levels of symbolic links")
+        );
+    }
+
+    #[test]
+    fn permissions_are_kept() {
+        let folder = folder(&[("a.json", TRIANGLE)]);
+        for old in [0o600, 0o640, 0o664, 0o666, 0o777, 0o200] {
+            let path = folder.path().join("old.svg");
+            fs::write(&path, "old").expect("a file");
+            fs::set_permissions(&path, Permissions::from_mode(old)).expect("permissions");
+            assert_eq!(printed(&run(&folder, "a.json -o old.svg -o new.svg")), "");
+            assert_eq!(mode(&path), old, "{old:o}");
+            assert!(fs::metadata(&path).expect("a file").len() > 100);
+            // A new file has those of any new file.
+            let other = folder.path().join("other");
+            fs::write(&other, "").expect("a file");
+            assert_eq!(mode(&folder.path().join("new.svg")), mode(&other));
+        }
+    }
+
+    #[test]
+    fn a_read_only_file_is_refused() {
+        let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old"), ("r.json", RIGHT)]);
+        let path = folder.path().join("old.svg");
+        fs::set_permissions(&path, Permissions::from_mode(0o444)).expect("permissions");
+        for arguments in [
+            "triangulate a.json -o new.svg -o old.svg",
+            "trace a.json -o old.svg",
+            "verify a.json r.json --certificate new.json --svg old.svg",
+        ] {
+            let output = sweep_cdt(&folder, arguments).output();
+            assert_fails(
+                &output.expect("the command starts"),
+                "old.svg: is read-only",
+            );
+            assert_eq!(read(&folder, "old.svg"), "old");
+            assert_eq!(names(folder.path()), ["a.json", "old.svg", "r.json"]);
+        }
+    }
+
+    /// The FIFO `f` in a folder.
+    fn fifo(folder: &Path) {
+        let made = Command::new("mkfifo").arg(folder.join("f")).status();
+        assert!(made.expect("mkfifo").success());
+    }
+
+    #[test]
+    fn fifos_are_written_to() {
+        let folder = folder(&[("a.json", TRIANGLE), ("r.json", RIGHT)]);
+        fifo(folder.path());
+        for (arguments, start) in [
+            (
+                "triangulate a.json --output-format node -o f -o a.svg",
+                NODE,
+            ),
+            (
+                "trace a.json --output-format txt -o f",
+                "sweep-cdt trace 2\n",
+            ),
+            ("verify a.json r.json --certificate f", "{\n"),
+        ] {
+            let child = sweep_cdt(&folder, arguments).stdout(Stdio::null()).spawn();
+            let mut child = child.expect("the command starts");
+            assert!(read(&folder, "f").starts_with(start), "{arguments}");
+            assert!(child.wait().expect("the command ends").success());
+        }
+        let kind = fs::metadata(folder.path().join("f")).expect("a FIFO");
+        assert!(kind.file_type().is_fifo());
+        assert_eq!(names(folder.path()), ["a.json", "a.svg", "f", "r.json"]);
+    }
+
+    #[test]
+    fn devices_are_written_to() {
+        let folder = folder(&[("a.json", TRIANGLE)]);
+        let expected = run(&folder, "a.json -o - --output-format obj");
+        let output = run(&folder, "a.json -o /dev/stdout --output-format obj");
+        assert_eq!(printed(&output), printed(&expected));
+        // Standard output is a file here, which the shell has opened.
+        let file = File::create(folder.path().join("out")).expect("a file");
+        let mut redirected = command(&folder, "a.json -o /dev/stdout --output-format obj");
+        let status = redirected
+            .stdout(file)
+            .status()
+            .expect("the command starts");
+        assert!(status.success());
+        assert_eq!(read(&folder, "out"), printed(&expected));
+        let output = run(
+            &folder,
+            "a.json --output-format obj -o /dev/null -o /dev/null",
+        );
+        assert_eq!(printed(&output), "");
+        let kind = fs::metadata("/dev/null").expect("a device");
+        assert!(kind.file_type().is_char_device());
+        assert_eq!(names(folder.path()), ["a.json", "out"]);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_device_leaves_the_files_as_they_were() {
+        let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old"), ("r.json", RIGHT)]);
+        let output = run(
+            &folder,
+            "a.json -o old.svg -o /dev/full --output-format obj",
+        );
+        assert_fails(&output, "/dev/full: no space left on device");
+        for arguments in [
+            "triangulate a.json -o old.svg --stats",
+            "triangulate a.json -o old.svg --verify",
+            "verify a.json r.json --svg old.svg --certificate new.json",
+        ] {
+            let full = File::options().write(true).open("/dev/full");
+            let mut command = sweep_cdt(&folder, arguments);
+            let output = command.stdout(full.expect("a device")).output();
+            let output = output.expect("the command starts");
+            assert_fails(&output, "standard output: no space left on device");
+            assert_eq!(read(&folder, "old.svg"), "old");
+            assert_eq!(names(folder.path()), ["a.json", "old.svg", "r.json"]);
+        }
+    }
+
+    /// While the FIFO has no reader, the other outputs are complete and wait.
+    #[test]
+    fn an_output_that_fails_at_last_names_those_before_it() {
+        let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old")]);
+        fifo(folder.path());
+        let child = command(
+            &folder,
+            "a.json -o old.svg -o b.obj -o c.ele -o f --output-format node",
+        )
+        .stderr(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+        let mut reader = File::open(folder.path().join("f")).expect("a FIFO");
+        fs::create_dir(folder.path().join("b.obj")).expect("a folder");
+        std::io::copy(&mut reader, &mut std::io::sink()).expect("the contents");
+        let output = child.wait_with_output().expect("the command ends");
+        assert_fails(&output, "b.obj: is a directory; written already: old.svg");
+        assert_eq!(names(folder.path()), ["a.json", "b.obj", "f", "old.svg"]);
+    }
+}
