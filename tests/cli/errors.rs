@@ -185,7 +185,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "a.json",
         "{\"points\": [[0, 0]], \"edges\": [[0, 0, 0]]}",
-        "a.json:1:33: an edge has 2 ends, and this one 3: split it into edges",
+        "a.json:1:32: an edge has 2 ends, and this one 3: split it into edges",
     ),
     (
         "a.json",

@@ -67,6 +67,16 @@ fn feed(command: &mut Command, input: &[u8]) -> Output {
     child.wait_with_output().expect("the command ends")
 }
 
+/// Does what would wait for ever if the command were wrong.
+#[cfg(unix)]
+#[track_caller]
+fn in_time<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
+    let (send, receive) = std::sync::mpsc::channel();
+    std::thread::spawn(move || send.send(work()));
+    let done = receive.recv_timeout(std::time::Duration::from_secs(30));
+    done.expect("half a minute is enough")
+}
+
 /// What a successful run prints.
 #[track_caller]
 fn printed(output: &Output) -> &str {

@@ -137,7 +137,9 @@ mod unix {
     use std::process::{Command, Stdio};
 
     use super::{NODE, RIGHT, TRIANGLE, assert_refused, read};
-    use crate::{assert_fails, command, folder, names, printed, run, sweep_cdt, text};
+    use crate::{
+        CONTOURS, assert_fails, command, folder, in_time, names, printed, run, sweep_cdt, text,
+    };
 
     fn mode(path: &Path) -> u32 {
         fs::metadata(path).expect("a file").mode() & 0o7777
@@ -245,7 +247,9 @@ mod unix {
         ] {
             let child = sweep_cdt(&folder, arguments).stdout(Stdio::null()).spawn();
             let mut child = child.expect("the command starts");
-            assert!(read(&folder, "f").starts_with(start), "{arguments}");
+            let path = folder.path().join("f");
+            let contents = in_time(|| fs::read_to_string(path).expect("text"));
+            assert!(contents.starts_with(start), "{arguments}");
             assert!(child.wait().expect("the command ends").success());
         }
         let kind = fs::metadata(folder.path().join("f")).expect("a FIFO");
@@ -302,24 +306,23 @@ mod unix {
         }
     }
 
-    /// While the FIFO has no reader, the other outputs are complete and wait.
+    /// While nobody reads the rest of the FIFO, the other outputs are complete and wait.
     #[test]
     fn an_output_that_fails_at_last_names_those_before_it() {
-        let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old")]);
+        let folder = folder(&[("old.svg", "old")]);
         fifo(folder.path());
-        let child = command(
-            &folder,
-            "a.json -o old.svg -o b.obj -o c.ele -o f --output-format node",
-        )
-        .stderr(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
-        let mut reader = File::open(folder.path().join("f")).expect("a FIFO");
+        let outputs = "-o old.svg -o b.obj -o c.ele -o f --output-format json";
+        let child = command(&folder, &format!("{CONTOURS} {outputs}"))
+            .stderr(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the command starts");
+        let path = folder.path().join("f");
+        let mut reader = in_time(|| File::open(path).expect("a FIFO"));
         fs::create_dir(folder.path().join("b.obj")).expect("a folder");
-        std::io::copy(&mut reader, &mut std::io::sink()).expect("the contents");
+        in_time(move || std::io::copy(&mut reader, &mut std::io::sink()).expect("the contents"));
         let output = child.wait_with_output().expect("the command ends");
         assert_fails(&output, "b.obj: is a directory; written already: old.svg");
-        assert_eq!(names(folder.path()), ["a.json", "b.obj", "f", "old.svg"]);
+        assert_eq!(names(folder.path()), ["b.obj", "f", "old.svg"]);
     }
 }

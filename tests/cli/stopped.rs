@@ -10,7 +10,7 @@ use std::process::{Child, Command, Output, Stdio};
 
 use tempfile::TempDir;
 
-use crate::{CONTOURS, assert_fails, folder, names, text};
+use crate::{CONTOURS, assert_fails, folder, in_time, names, text};
 
 const TRIANGLE: &str = r#"{"points": [[0, 0], [1, 0], [0, 1]]}"#;
 const SIGNALS: [(&str, i32); 4] = [("HUP", 1), ("INT", 2), ("QUIT", 3), ("TERM", 15)];
@@ -43,8 +43,11 @@ fn waiting(folder: &TempDir, signals: &str) -> (Child, File) {
         .stderr(Stdio::piped())
         .spawn()
         .expect("the command starts");
-    let mut reader = File::open(fifo).expect("a FIFO");
-    reader.read_exact(&mut [0]).expect("a byte");
+    let reader = in_time(|| {
+        let mut reader = File::open(fifo).expect("a FIFO");
+        reader.read_exact(&mut [0]).expect("a byte");
+        reader
+    });
     (child, reader)
 }
 
@@ -94,7 +97,7 @@ fn signals_that_are_ignored_stay_so() {
     let (child, mut reader) = waiting(&folder, "--ignore-signal=HUP,INT");
     send("HUP", &child);
     send("INT", &child);
-    std::io::copy(&mut reader, &mut sink()).expect("the rest");
+    in_time(move || std::io::copy(&mut reader, &mut sink()).expect("the rest"));
     let output = child.wait_with_output().expect("the command ends");
     assert_eq!(text(&output.stderr), "");
     assert!(output.status.success());
