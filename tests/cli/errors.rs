@@ -256,19 +256,6 @@ fn errors_name_file_and_line_or_the_offenders() {
 }
 
 #[test]
-fn a_failed_output_takes_the_others_with_it() {
-    let folder = folder(&[("a.json", r#"{"points": [[0, 0], [1, 0], [0, 1]]}"#)]);
-    let output = run(&folder, "a.json -o a.svg -o missing/a.obj");
-    assert_fails(&output, "missing/a.obj: no such file or directory");
-    assert_eq!(names(folder.path()), ["a.json"]);
-
-    fs::create_dir(folder.path().join("a.obj")).expect("a folder");
-    let output = run(&folder, "a.json -o a.svg -o a.obj");
-    assert_fails(&output, "a.obj: is a directory");
-    assert_eq!(names(folder.path()), ["a.json", "a.obj"]);
-}
-
-#[test]
 fn wrong_usage_exits_with_2() {
     let ten = fs::read_to_string(format!("{FORMATS}/ten.json")).expect("a file");
     let folder = folder(&[("ten.json", &ten), ("ten.poly", "0\n0\n")]);

@@ -84,6 +84,8 @@ fn what_was_read_is_not_overwritten() {
         ("r.node", NODE),
     ];
     let folder = folder(&files);
+    // Only Unix tells that a hard link is the same file.
+    let hard = if cfg!(unix) { "hard.svg" } else { "p.node" };
     fs::hard_link(folder.path().join("p.node"), folder.path().join("hard.svg")).expect("a link");
     let is_input = |name: &str| format!("{name} is an input and would be overwritten");
     for (subcommand, name) in [
@@ -92,7 +94,7 @@ fn what_was_read_is_not_overwritten() {
             "triangulate p.poly --output-format json -o a.svg -o",
             "p.poly",
         ),
-        ("triangulate p.poly -o a.svg -o", "hard.svg"),
+        ("triangulate p.poly -o a.svg --output-format svg -o", hard),
         ("trace p.poly --output-format txt -o", "./p.node"),
         ("verify p.poly r.ele --certificate", "p.poly"),
         ("verify p.poly r.ele --certificate", "p.node"),

@@ -1,9 +1,9 @@
 //! The command `sweep-cdt`: one file a subcommand, and what they share.
 //!
-//! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or
-//! written, or with a report where a result is not correct; 2 for wrong usage, which includes outputs
-//! that would overwrite what they must not; or that of a signal. A reader that closes its end of the pipe
-//! early ends the run quietly.
+//! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or written,
+//! or with a report where a result is not correct; 2 for wrong usage, which includes outputs that would
+//! overwrite what they must not. A signal ends the run as it would have done by itself, after one `error:`
+//! line. A reader that closes its end of the pipe early ends it quietly.
 
 mod certificate;
 mod replay;

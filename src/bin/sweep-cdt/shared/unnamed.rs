@@ -4,7 +4,7 @@
 //! name beside its own and is renamed at once, since only renaming replaces a file in one step. Where a
 //! file without a name cannot get one (other systems, some file systems), it is copied to one that has a
 //! temporary name. A file that is replaced passes on its owner and its permissions, and none is ever
-//! readable for more users than it is in the end.
+//! readable for more users than it is in the end. Its other hard links keep the old contents.
 
 use std::fs::{File, Metadata};
 use std::io::{self, BufWriter, Seek, Write};
