@@ -76,7 +76,9 @@ const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// The first line with its end, which is a line feed, a carriage return or both, and all after it.
 pub(super) fn split_line(text: &[u8]) -> (&[u8], &[u8]) {
-    let end = text.iter().position(|&byte| byte == b'\n' || byte == b'\r');
+    // Nearly all bytes are greater than both: one comparison is enough for them.
+    let is_end = |&byte: &u8| byte <= b'\r' && (byte == b'\n' || byte == b'\r');
+    let end = text.iter().position(is_end);
     let length = match end {
         Some(end) if text[end..].starts_with(b"\r\n") => end + 2,
         Some(end) => end + 1,
