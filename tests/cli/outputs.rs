@@ -134,7 +134,8 @@ fn one_file_is_one_output() {
 #[cfg(unix)]
 mod unix {
     use std::fs::{self, File, Permissions};
-    use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink};
+    use std::io::Write;
+    use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, chown, symlink};
     use std::path::Path;
     use std::process::{Command, Stdio};
 
@@ -207,6 +208,33 @@ mod unix {
     }
 
     #[test]
+    fn the_owner_is_kept() {
+        let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old")]);
+        let path = folder.path().join("old.svg");
+        if chown(&path, Some(1234), Some(4321)).is_err() {
+            println!("left out: only root can give a file away");
+            return;
+        }
+        fs::set_permissions(&path, Permissions::from_mode(0o640)).expect("permissions");
+        assert_eq!(printed(&run(&folder, "a.json -o old.svg")), "");
+        let new = fs::metadata(&path).expect("a file");
+        assert!(new.len() > 100);
+        assert_eq!((new.uid(), new.gid(), mode(&path)), (1234, 4321, 0o640));
+    }
+
+    #[test]
+    fn what_standard_input_was_redirected_from_is_not_overwritten() {
+        let folder = folder(&[("a.json", TRIANGLE)]);
+        let input = File::open(folder.path().join("a.json")).expect("a file");
+        let mut command = command(&folder, "- --input-format json -o a.json");
+        let output = command.stdin(input).output().expect("the command starts");
+        assert_eq!(output.status.code(), Some(2));
+        let message = "error: a.json is an input and would be overwritten\n";
+        assert!(text(&output.stderr).starts_with(message));
+        assert_eq!(read(&folder, "a.json"), TRIANGLE);
+    }
+
+    #[test]
     fn a_read_only_file_is_refused() {
         let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old"), ("r.json", RIGHT)]);
         let path = folder.path().join("old.svg");
@@ -265,15 +293,16 @@ mod unix {
         let expected = run(&folder, "a.json -o - --output-format obj");
         let output = run(&folder, "a.json -o /dev/stdout --output-format obj");
         assert_eq!(printed(&output), printed(&expected));
-        // Standard output is a file here, which the shell has opened.
-        let file = File::create(folder.path().join("out")).expect("a file");
+        // Standard output is a file here, which is written on from where it stands.
+        let mut file = File::create(folder.path().join("out")).expect("a file");
+        file.write_all(b"before\n").expect("a line");
         let mut redirected = command(&folder, "a.json -o /dev/stdout --output-format obj");
-        let status = redirected
-            .stdout(file)
-            .status()
-            .expect("the command starts");
-        assert!(status.success());
-        assert_eq!(read(&folder, "out"), printed(&expected));
+        let status = redirected.stdout(file).status();
+        assert!(status.expect("the command starts").success());
+        assert_eq!(
+            read(&folder, "out"),
+            format!("before\n{}", printed(&expected))
+        );
         let output = run(
             &folder,
             "a.json --output-format obj -o /dev/null -o /dev/null",

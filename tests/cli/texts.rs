@@ -4,7 +4,7 @@
 use std::fs;
 use std::process::Output;
 
-use crate::{FORMATS, assert_fails, folder, printed, run, sweep_cdt, text};
+use crate::{FORMATS, assert_fails, folder, printed, run, sweep_cdt};
 
 /// Every format that is read, and the command that reads it.
 const FILES: &[(&str, &str)] = &[
@@ -167,7 +167,7 @@ fn control_characters_in_names_are_escaped() {
         let output = run(wrong);
         assert_eq!(output.status.code(), Some(2));
         let is_obeyed = |c: char| c.is_control() && c != '\n';
-        let message = text(&output.stderr);
+        let message = crate::text(&output.stderr);
         assert!(!message.contains(is_obeyed), "{message:?}");
         assert!(message.starts_with("error: "), "{message:?}");
     }
