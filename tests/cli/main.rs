@@ -6,6 +6,8 @@ mod errors;
 mod formats;
 mod garbage;
 mod outputs;
+#[cfg(unix)]
+mod places;
 mod refuted;
 mod runs;
 #[cfg(target_os = "linux")]
