@@ -31,6 +31,9 @@ pub enum CoordinateError {
     /// It is a fraction, and the type has none.
     #[error("is a fraction")]
     Fraction,
+    /// It is a number beyond the largest double.
+    #[error("is too large for a double")]
+    TooLarge,
     /// It has more digits than are read.
     #[error("has too many digits")]
     TooLong,
@@ -43,19 +46,22 @@ pub enum CoordinateError {
 ///
 /// assert_eq!(f64::from_text("-1e-3"), Ok(-0.001));
 /// assert_eq!(f64::from_text("2/3"), Err(CoordinateError::Fraction));
+/// assert_eq!(f64::from_text("1e400"), Err(CoordinateError::TooLarge));
 /// assert_eq!(0.1.text(), "0.1");
 /// assert_eq!(4e300.text(), "4e300");
 /// assert_eq!(7.0.text(), "7");
 /// ```
 impl Coordinate for f64 {
     fn from_text(token: &str) -> Result<Self, CoordinateError> {
-        token.parse().map_err(|_| {
-            if token.contains('/') {
-                CoordinateError::Fraction
-            } else {
-                CoordinateError::NotANumber
+        match token.parse::<f64>() {
+            // `inf` is not a number too large, but none.
+            Ok(value) if value.is_infinite() && token.contains(|c: char| c.is_ascii_digit()) => {
+                Err(CoordinateError::TooLarge)
             }
-        })
+            Ok(value) => Ok(value),
+            Err(_) if token.contains('/') => Err(CoordinateError::Fraction),
+            Err(_) => Err(CoordinateError::NotANumber),
+        }
     }
 
     fn text(&self) -> String {

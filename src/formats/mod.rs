@@ -2,16 +2,17 @@
 //!
 //! | name | read | written |
 //! |---|---|---|
-//! | `node` | vertices ([Triangle]'s format) | only beside an `ele` |
+//! | `node` | vertices ([Triangle]'s format) | vertices |
 //! | `poly` | vertices and edges (Triangle's format) | |
 //! | `json` | an object with `points` and `edges`, or with `triangles` and maybe `points` | all of them and more |
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
 //! | `obj` | vertices and triangles | vertices and triangles (Wavefront) |
 //! | `svg` | | a picture |
 //!
-//! Readers take bytes, never panic on any of them, and name the line that is wrong. Writers list
-//! triangles in [canonical order](crate::Triangulation::canonical_triangles), so that what they write
-//! depends on nothing but the input.
+//! Readers take bytes, never panic on any of them, and name the line that is wrong. A byte order mark is
+//! skipped; lines end with a line feed, a carriage return or both. Writers list triangles in
+//! [canonical order](crate::Triangulation::canonical_triangles), so that what they write depends on nothing
+//! but the input.
 //!
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 

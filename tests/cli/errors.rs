@@ -24,7 +24,16 @@ const REFUSED: &[(&str, &str, &str)] = &[
         "-1 2",
         "a.node:1: `-1` is not a number of vertices",
     ),
-    ("a.node", "1 3", "a.node:1: only 2 dimensions are read"),
+    (
+        "a.node",
+        "1 3\n1 0 0 0",
+        "a.node:1: 3 coordinates are announced, and only x and y are read: leave out z and announce 2",
+    ),
+    (
+        "a.node",
+        "1 two",
+        "a.node:1: `two` is not 2, the number of coordinates",
+    ),
     (
         "a.node",
         "2 2\n0 0 0\n",
@@ -82,7 +91,12 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ),
     (
         "a.node",
-        "2\n1 0 0\n2 1e999 0",
+        "2\n1 0 0\n2 -1e400 0",
+        "a.node:3: `-1e400` is too large for a double",
+    ),
+    (
+        "a.node",
+        "2\n1 0 0\n2 -inf 0",
         "a.node: vertex 2 has a coordinate that is not finite",
     ),
     ("a.poly", "0\n0\n", "a.node: no such file or directory"),
@@ -94,12 +108,12 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "a.poly",
         "1\n1 0 0\n1\n1 1 0\n",
-        "a.poly:4: vertex 0 does not exist",
+        "a.poly:4: vertex 0 does not exist: the vertices are numbered from 1 to 1",
     ),
     (
         "a.poly",
         "1\n1 0 0\n1\n1 1 2\n",
-        "a.poly:4: vertex 2 does not exist",
+        "a.poly:4: vertex 2 does not exist: the vertices are numbered from 1 to 1",
     ),
     (
         "a.poly",
@@ -111,13 +125,83 @@ const REFUSED: &[(&str, &str, &str)] = &[
         "4\n1 0 0\n2 2 2\n3 0 2\n4 2 0\n3\n1 1 2\n2 1 4\n3 3 4\n",
         "a.poly: edges 1 and 3 cross",
     ),
-    ("a.json", "", "a.json:1: EOF while parsing a value"),
+    ("a.json", "", "a.json:1: the file is empty"),
+    (
+        "a.json",
+        "{\"points\": [\n\n[0, 1]\n",
+        "a.json:3: the file ends where the JSON should go on",
+    ),
     (
         "a.json",
         "{\"points\": [\n[0, ]]}",
-        "a.json:2:5: trailing comma",
+        "a.json:2:5: `]` is no JSON here: expected value",
     ),
-    ("a.json", "{}", "a.json:1:2: missing field `points`"),
+    (
+        "a.json",
+        "{\"points\": [\n[0, NaN]]}",
+        "a.json:2:5: `NaN` is no JSON here: expected value",
+    ),
+    ("a.json", "\n {}", "a.json:2:2: the object has no `points`"),
+    (
+        "a.json",
+        "7",
+        "a.json:1:1: an object such as {\"points\": [[x, y], ...]} should stand here",
+    ),
+    (
+        "a.json",
+        "[[0, 0], [1, 0]]",
+        "a.json: a list stands where an object with named lists should, such as {\"points\": [...]}",
+    ),
+    (
+        "a.json",
+        "{\"points\": 3}",
+        "a.json:1:12: `points` should be a list",
+    ),
+    (
+        "a.json",
+        "{\"points\": [],\n\"points\": []}",
+        "a.json:2:11: `points` is there twice",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0, 0],\n  7]}",
+        "a.json:2:3: `7` is not a point, a list of 2 coordinates",
+    ),
+    (
+        "a.json",
+        "{\"points\": [\n  [0, 0, 7]]}",
+        "a.json:2:3: a point has 2 coordinates, and this one 3: leave out z",
+    ),
+    (
+        "a.json",
+        "{\"points\": [\n  [0]]}",
+        "a.json:2:3: a point has 2 coordinates, and this one 1",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0, 0]], \"edges\": [[0, 0],\n [0, -1]]}",
+        "a.json:2:6: `-1` is not a vertex's number",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0, 0]], \"edges\": [[0, 0, 0]]}",
+        "a.json:1:32: an edge has 2 ends, and this one 3: split it into edges",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0, 0], [1, 0]], \"edges\": [\n[1, 2]]}",
+        "a.json:2:5: vertex 2 does not exist: the vertices are numbered from 0 to 1; subtract 1 from each",
+    ),
+    (
+        "a.json",
+        "{\"points\": [], \"edges\": [[0, 1]]}",
+        "a.json:1:27: vertex 0 does not exist: there are no vertices",
+    ),
+    (
+        "a.json",
+        "{\"points\": [[0, 0],\n[0, 1e400]]}",
+        "a.json:2:5: `1e400` is too large for a double",
+    ),
     (
         "a.json",
         "{\"points\": [\n [1, {}]]}",
@@ -126,7 +210,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "a.json",
         "{\"points\": [[0, 0]], \"edges\": [[0, 1]]}",
-        "a.json: edge 0 ends at vertex 1, which does not exist",
+        "a.json:1:36: vertex 1 does not exist: the vertices are numbered from 0 to 0",
     ),
     (
         "a.json",
@@ -172,34 +256,25 @@ fn errors_name_file_and_line_or_the_offenders() {
 }
 
 #[test]
-fn a_failed_output_takes_the_others_with_it() {
-    let folder = folder(&[("a.json", r#"{"points": [[0, 0], [1, 0], [0, 1]]}"#)]);
-    let output = run(&folder, "a.json -o a.svg -o missing/a.obj");
-    assert_fails(&output, "missing/a.obj: no such file or directory");
-    assert_eq!(names(folder.path()), ["a.json"]);
-
-    fs::create_dir(folder.path().join("a.obj")).expect("a folder");
-    let output = run(&folder, "a.json -o a.svg -o a.obj");
-    assert_fails(&output, "a.obj: is a directory");
-    assert_eq!(names(folder.path()), ["a.json", "a.obj"]);
-}
-
-#[test]
 fn wrong_usage_exits_with_2() {
+    let ten = fs::read_to_string(format!("{FORMATS}/ten.json")).expect("a file");
+    let folder = folder(&[("ten.json", &ten), ("ten.poly", "0\n0\n")]);
+    fs::create_dir(folder.path().join("formats")).expect("a folder");
     let wrong = [
         "",
         "ten.poly --front tree",
         "ten.poly -o ten.png",
         "ten.poly -o -",
         "ten.poly -o - --output-format json --stats",
-        "ten.json -o ../formats/ten.json",
+        "ten.json -o formats/../ten.json",
         "isolines",
         "-",
     ];
     for arguments in wrong {
-        let output = run(FORMATS, arguments);
+        let output = run(&folder, arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments}");
         assert!(text(&output.stderr).starts_with("error: "), "{arguments}");
+        assert_eq!(names(folder.path()), ["formats", "ten.json", "ten.poly"]);
     }
     assert_eq!(run(FORMATS, "--help").status.code(), Some(0));
 }
@@ -217,7 +292,17 @@ fn a_missing_format_is_asked_for_by_its_option() {
         assert_eq!(asked.status.code(), Some(2), "{arguments}");
         let name = option.split(' ').next().expect("a name");
         let message = text(&asked.stderr);
-        assert!(message.contains(&format!("add {name}\n")), "{message}");
+        let known = match name {
+            "--input-format" => "node, poly, json",
+            "--output-format" => "ele, node, json, obj, svg",
+            _ => "ele, json, obj",
+        };
+        let advice = format!("is not known: add {name} with one of {known}\n");
+        assert!(message.contains(&advice), "{message}");
+        // The usage is that of the subcommand.
+        let (subcommand, _) = arguments.split_once(' ').expect("a subcommand");
+        let usage = format!("\nUsage: sweep-cdt {subcommand} [OPTIONS] <INPUT>");
+        assert!(message.contains(&usage), "{message}");
         // Given that option, it does not complain of its usage any more.
         let given = feed(
             &mut sweep_cdt(FORMATS, &format!("{arguments} {option}")),

@@ -57,7 +57,7 @@ fn vertices_keep_their_numbers_in_ele_and_node() {
     assert_eq!(read("corner.ele"), read("other.ele"));
 
     printed(&run(&folder, "corner.node -o corner.json"));
-    printed(&run(&folder, "corner.json -o corner.ele"));
+    printed(&run(&folder, "corner.json -o corner.ele -o corner.node"));
     assert_eq!(read("corner.ele"), "1 3 0\n0 0 1 2\n", "JSON counts from 0");
     assert_eq!(
         read("corner.node"),

@@ -6,9 +6,15 @@ mod errors;
 mod formats;
 mod garbage;
 mod matching;
+mod outputs;
+#[cfg(unix)]
+mod places;
 mod refuted;
 mod runs;
+#[cfg(target_os = "linux")]
+mod stopped;
 mod tables;
+mod texts;
 mod trace;
 mod verify;
 
@@ -62,6 +68,16 @@ fn feed(command: &mut Command, input: &[u8]) -> Output {
         .write_all(input)
         .expect("the command reads its input");
     child.wait_with_output().expect("the command ends")
+}
+
+/// Does what would wait for ever if the command were wrong.
+#[cfg(unix)]
+#[track_caller]
+fn in_time<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
+    let (send, receive) = std::sync::mpsc::channel();
+    std::thread::spawn(move || send.send(work()));
+    let done = receive.recv_timeout(std::time::Duration::from_secs(30));
+    done.expect("half a minute is enough")
 }
 
 /// What a successful run prints.

@@ -106,7 +106,8 @@ const UNREADABLE: &[(&str, &str, &str)] = &[
     (
         "r.ele",
         "1 6\n",
-        "r.ele:1: only triangles of 3 vertices are read",
+        "r.ele:1: the triangles have 6 nodes each, and only those of 3 are read: write them without \
+         Triangle's option -o2",
     ),
     (
         "r.ele",
@@ -133,22 +134,43 @@ const UNREADABLE: &[(&str, &str, &str)] = &[
         "1 3\n1 1 2 3\n2 1 2 3\n",
         "r.ele:3: the first line announces only 1 triangles",
     ),
-    ("r.json", "", "r.json:1: EOF while parsing a value"),
-    ("r.json", "{}", "r.json:1:2: missing field `triangles`"),
+    (
+        "r.ele",
+        "1 4\n1 1 2 3 4\n",
+        "r.ele:1: the cells have 4 corners, and only triangles are read: split them",
+    ),
+    (
+        "r.ele",
+        "1 5\n",
+        "r.ele:1: `5` is not 3, the number of corners",
+    ),
+    ("r.json", "", "r.json:1: the file is empty"),
+    ("r.json", "{}", "r.json:1:1: the object has no `triangles`"),
+    (
+        "r.json",
+        "{\"triangles\": [[0, 1, 2, 3]]}",
+        "r.json:1:16: a triangle has 3 corners, and this one 4: split it into triangles",
+    ),
+    (
+        "r.json",
+        "{\"triangles\": [0, 1,\n2, 3]}",
+        "r.json:2:4: the 4 corners in one list do not make triangles",
+    ),
     (
         "r.json",
         "{\"triangles\":\n [[0, 1]]}",
-        "r.json:2:8: invalid length 2, expected an array of length 3",
+        "r.json:2:3: a triangle has 3 corners, and this one 2",
     ),
     (
         "r.json",
         "{\"triangles\": [[0, 1, -2]]}",
-        "r.json:1:24: invalid value: integer `-2`, expected usize",
+        "r.json:1:23: `-2` is not a vertex's number",
     ),
     (
         "r.obj",
         "v 0 0\nf 1 1 1 1\n",
-        "r.obj:2: the face has more than 3 corners",
+        "r.obj:2: the face has 4 corners, and only triangles are read: split it, for example by the \
+         option `triangulate` of the program that wrote it",
     ),
     (
         "r.obj",

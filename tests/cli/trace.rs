@@ -64,7 +64,16 @@ fn files_are_written_by_their_extension() {
     }
     let refused = run("trace ten.poly -o steps.svgz");
     assert_eq!(refused.status.code(), Some(2));
-    assert!(text(&refused.stderr).contains("only .txt, .jsonl, .html and .svg can be written"));
+    let advice = "is not known: add --output-format with one of txt, jsonl, html, svg\n";
+    assert!(text(&refused.stderr).contains(advice));
+    let path = folder.path().join("steps.svgz");
+    let given = format!("trace ten.poly -o {} --output-format jsonl", path.display());
+    assert_eq!(printed(&run(&given)), "");
+    let lines = fs::read_to_string(folder.path().join("steps.jsonl"));
+    assert_eq!(
+        fs::read_to_string(path).expect("a file"),
+        lines.expect("a file")
+    );
 }
 
 /// What `trace` draws of `ten.poly` in a file with this name.

@@ -1,8 +1,9 @@
 //! The command `sweep-cdt`: one file a subcommand, and what they share.
 //!
-//! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or
-//! written, or with a report where a result is not correct; 2 for wrong usage. A reader that closes
-//! its end of the pipe early ends the run quietly.
+//! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or written,
+//! or with a report where a result is not correct; 2 for wrong usage, which includes outputs that would
+//! overwrite what they must not. A signal ends the run as it would have done by itself, after one `error:`
+//! line. A reader that closes its end of the pipe early ends it quietly.
 
 mod certificate;
 mod replay;
@@ -18,6 +19,8 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use shared::failure::Failure;
+use shared::printable::{printable, printable_lines};
+use shared::signals;
 
 /// Exact constrained Delaunay triangulation by a sweep line.
 ///
@@ -40,26 +43,49 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let outcome = match Cli::parse().command {
-        Command::Triangulate(command) => command.run(),
-        Command::Verify(command) => command.run(),
-        Command::Trace(command) => command.run(),
-        Command::Replay(command) => command.run(),
+    signals::wait();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return refused(&error),
+    };
+    let (name, outcome) = match cli.command {
+        Command::Triangulate(command) => ("triangulate", command.run()),
+        Command::Verify(command) => ("verify", command.run()),
+        Command::Trace(command) => ("trace", command.run()),
+        Command::Replay(command) => ("replay", command.run()),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        Err(Failure::Usage(message)) => Cli::command()
-            .error(clap::error::ErrorKind::ValueValidation, message)
-            .exit(),
+        Err(Failure::Usage(message)) => wrong_usage(name, &message),
         Err(Failure::Error(message)) => {
             // If standard error is closed, the message has no reader.
-            let _ = writeln!(
-                io::stderr(),
-                "error: {}",
-                message.replace(['\n', '\r'], " ")
-            );
+            let _ = writeln!(io::stderr(), "error: {}", printable(&message));
             ExitCode::FAILURE
         }
         Err(Failure::Wrong) => ExitCode::FAILURE,
     }
+}
+
+/// Ends with arguments of a subcommand that do not fit together.
+fn wrong_usage(subcommand: &str, message: &str) -> ExitCode {
+    let mut cli = Cli::command();
+    cli.build();
+    let command = cli
+        .find_subcommand_mut(subcommand)
+        .expect("the subcommand that ran");
+    let message = printable(message);
+    refused(&command.error(clap::error::ErrorKind::ValueValidation, message))
+}
+
+/// Ends with arguments that were not understood, or with the help.
+fn refused(error: &clap::Error) -> ExitCode {
+    let text = error.to_string();
+    let shown = printable_lines(&text);
+    // Without control characters in the arguments, clap prints in colours.
+    let _ = if shown == text {
+        error.print()
+    } else {
+        write!(io::stderr(), "{shown}")
+    };
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }

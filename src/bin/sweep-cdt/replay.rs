@@ -6,7 +6,8 @@ use sweep_cdt::trace::Trace;
 
 use crate::shared::failure::Failure;
 use crate::shared::file_argument::FileArgument;
-use crate::shared::output::print;
+use crate::shared::files_read::FilesRead;
+use crate::shared::outputs::print;
 
 /// Rebuild the triangles from a trace
 ///
@@ -30,8 +31,10 @@ Exit status:
 impl Replay {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let source = self.trace.load()?;
-        let text = String::from_utf8_lossy(&source.bytes);
+        let source = FilesRead::default().load(&self.trace)?;
+        let text = String::from_utf8_lossy(source.text()?);
+        // Lines may end with carriage returns alone.
+        let text = text.replace("\r\n", "\n").replace('\r', "\n");
         let trace = Trace::parse(&text);
         let triangles = trace.and_then(|trace| trace.replay()).map_err(|bad| {
             Failure::Error(format!("{}:{}: {}", source.name, bad.line, bad.message))

@@ -10,13 +10,15 @@ use sweep_cdt::formats::{Coordinate, Graph};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 
-use crate::shared::arithmetic::{Job, ScalarArgs};
-use crate::shared::atomic_files::AtomicFiles;
+use crate::shared::arithmetic::{Given, Job, ScalarArgs};
+use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
 use crate::shared::file_argument::FileArgument;
+use crate::shared::files_read::FilesRead;
 use crate::shared::format;
 use crate::shared::input::InputArgs;
-use crate::shared::output::{print, refuse_overwriting};
+use crate::shared::outputs::Outputs;
+use crate::shared::overwriting;
 use crate::shared::settings::Settings;
 
 /// Record every step of the sweep
@@ -34,9 +36,9 @@ pub(crate) struct Trace {
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
     output: FileArgument,
 
-    /// Format of standard output
-    #[arg(long, value_name = "FORMAT", default_value = "txt", value_parser = format::parser::<TraceFormat>())]
-    output_format: TraceFormat,
+    /// Format of an output whose extension tells none [default for standard output: txt]
+    #[arg(long, value_name = "FORMAT", value_parser = format::parser::<TraceFormat>())]
+    output_format: Option<TraceFormat>,
 
     /// First step to write, counted from 1
     #[arg(long, value_name = "K", default_value_t = NonZeroUsize::MIN)]
@@ -119,36 +121,31 @@ impl Trace {
             let message = format!("--to {last} is before --from {first}");
             return Err(Failure::Usage(message));
         }
-        refuse_overwriting(&[&self.input.input], self.output.path())?;
-        let format = format::of_output(&self.output, Some(self.output_format))?;
-        let input = self.input.read(|_| ())?;
-        let name = self.input.name();
+        let text = self.output.is_standard().then_some(TraceFormat::Text);
+        let format = format::of_output(&self.output, self.output_format.or(text))?;
+        let destination = Destination::of(&self.output)?;
+        let mut read = FilesRead::default();
+        let input = self.input.read(&mut read, |_| ())?;
+        overwriting::refuse(&read, [&destination])?;
         let run = Run {
             arguments: self,
-            name: &name,
+            destination,
             format,
         };
-        self.scalar.apply(&name, &input, run)
+        self.scalar.apply(&self.input.name(), &input, run)
     }
 }
 
 /// A run with an input that is read.
 struct Run<'a> {
     arguments: &'a Trace,
-    name: &'a str,
+    destination: Destination,
     format: TraceFormat,
 }
 
 impl Job for Run<'_> {
-    fn run<S: Coordinate, T: Scalar + Sync>(
-        self,
-        graph: &Graph<S>,
-        points: &[[T; 2]],
-        _scalar: &'static str,
-    ) -> Result<(), Failure> {
-        let Trace {
-            settings, output, ..
-        } = self.arguments;
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+        let Given { graph, points, .. } = given;
         let [first, last] = [self.arguments.from, self.arguments.to].map(NonZeroUsize::get);
         // Only the steps that are written are kept.
         let mut events = Vec::new();
@@ -159,21 +156,17 @@ impl Job for Run<'_> {
                 events.push(event);
             }
         };
+        let settings = &self.arguments.settings;
         let result = settings.observe(points, &graph.edges, observer);
-        result.map_err(|error| {
-            Failure::Error(format!("{}: {}", self.name, graph.as_numbered(error)))
-        })?;
+        result.map_err(|error| given.refused(error))?;
         if first > step {
-            let name = self.name;
-            let message = format!("{name}: there is no step {first}; the last step is {step}");
-            return Err(Failure::Error(message));
+            let message = format!("there is no step {first}; the last step is {step}");
+            return Err(given.failure(message));
         }
-        let write = |out: &mut dyn Write| self.format.write(graph, events, first..=last, out);
-        let Some(path) = output.path() else {
-            return print(|out| write(out));
-        };
-        let mut files = AtomicFiles::default();
-        files.add(path, |out| write(out))?;
-        files.persist()
+        let mut outputs = Outputs::default();
+        outputs.add(self.destination, |out| {
+            self.format.write(graph, events, first..=last, out)
+        })?;
+        outputs.finish()
     }
 }

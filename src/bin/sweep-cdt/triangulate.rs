@@ -1,17 +1,19 @@
 //! `sweep-cdt triangulate`: points and edges in, their triangulation out.
 
-use std::fmt::Display;
 use std::io::{self, Write};
 
 use sweep_cdt::Triangulation;
-use sweep_cdt::formats::{Coordinate, Graph};
+use sweep_cdt::formats::Coordinate;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::Verifier;
 
-use crate::shared::arithmetic::{Job, ScalarArgs};
+use crate::shared::arithmetic::{Given, Job, ScalarArgs};
+use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
+use crate::shared::files_read::FilesRead;
 use crate::shared::input::InputArgs;
-use crate::shared::output::{OutputArgs, Target, print, save};
+use crate::shared::output_args::{OutputArgs, Target, add, completed, has_standard};
+use crate::shared::outputs::Outputs;
 use crate::shared::report;
 use crate::shared::settings::Settings;
 use crate::shared::verification::verify;
@@ -58,11 +60,15 @@ Input:
 
 Output, with the triangles always in the same order:
   .ele     Triangle's triangles, numbered as the input. A .node with the vertices is written beside
-           it, unless there is one with the same vertices
+           it, unless there is one with the same vertices. One with others is not overwritten
+           unless it is an output, too
+  .node    Triangle's vertices, numbered as the input
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0
   .obj     vertices and triangles for 3D programs; z is 0
   .svg     a picture: triangles grey, edges blue, hull orange
+  Outputs appear when all are complete; a run that fails changes no file. No file is overwritten that
+  was read. Symbolic links are followed, FIFOs and devices written to, permissions kept.
 
 Exit status:
   0  done   1  wrong input, nothing written   2  wrong usage
@@ -75,88 +81,78 @@ Examples:
 impl Triangulate {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let targets = self.output.targets(&self.input.input)?;
-        if self.stats && self.output.has_stdout() {
+        let targets = self.output.targets()?;
+        if self.stats && has_standard(&targets) {
             let message = "--stats and `-o -` would both write to standard output";
             return Err(Failure::Usage(message.to_owned()));
         }
-        let input = self.input.read(|_| ())?;
-        let name = self.input.name();
+        let mut read = FilesRead::default();
+        let input = self.input.read(&mut read, |_| ())?;
         let run = Run {
             arguments: self,
-            name: &name,
-            targets: &targets,
+            targets,
+            read: &read,
         };
-        self.scalar.apply(&name, &input, run)
+        self.scalar.apply(&self.input.name(), &input, run)
     }
 }
 
 /// A run with an input that is read.
 struct Run<'a> {
     arguments: &'a Triangulate,
-    name: &'a str,
-    targets: &'a [Target],
+    targets: Vec<Target>,
+    read: &'a FilesRead,
 }
 
 impl Job for Run<'_> {
-    fn run<S: Coordinate, T: Scalar + Sync>(
-        self,
-        graph: &Graph<S>,
-        points: &[[T; 2]],
-        _scalar: &'static str,
-    ) -> Result<(), Failure> {
-        let Triangulate {
-            settings, stats, ..
-        } = self.arguments;
-        let (result, stats) = settings
-            .triangulate(points, &graph.edges, *stats)
-            .map_err(|error| self.error(&graph.as_numbered(error)))?;
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+        let Given { graph, points, .. } = given;
+        let arguments = self.arguments;
+        let targets = completed(self.targets, self.read, graph)?;
+        let (result, stats) = arguments
+            .settings
+            .triangulate(points, &graph.edges, arguments.stats)
+            .map_err(|error| given.refused(error))?;
         // A result that is wrong ends the run here, before anything is written.
-        let verdict = if self.arguments.verify {
+        let verdict = if arguments.verify {
             let triangles: Vec<[usize; 3]> = result.triangles().collect();
             let answer = verify(Verifier::new(), points, &graph.edges, &triangles);
-            Some(answer.map_err(|violations| self.error(&violations))?)
+            Some(answer.map_err(|violations| given.failure(violations))?)
         } else {
             None
         };
-        save(self.targets, graph, &result)?;
+        let summary = targets.is_empty();
         // Standard output holds either a result or a report.
-        if self.arguments.output.has_stdout() {
-            return Ok(());
+        let report = !has_standard(&targets);
+        let mut outputs = Outputs::default();
+        add(&mut outputs, targets, graph, &result)?;
+        if report {
+            outputs.add(Destination::standard(), |out| {
+                match stats {
+                    Some(stats) => statistics::write(&stats, out)?,
+                    None if summary => summarize(&given, &result, out)?,
+                    None => {}
+                }
+                match verdict {
+                    Some(report) => {
+                        report::write_verdict(&Ok(report), "the result", given.name, out)
+                    }
+                    None => Ok(()),
+                }
+            })?;
         }
-        print(|out| {
-            match stats {
-                Some(stats) => statistics::write(&stats, out)?,
-                None if self.targets.is_empty() => self.summarize(graph, &result, out)?,
-                None => {}
-            }
-            match verdict {
-                Some(report) => report::write_verdict(&Ok(report), "the result", self.name, out),
-                None => Ok(()),
-            }
-        })
+        outputs.finish()
     }
 }
 
-impl Run<'_> {
-    fn error(&self, error: &impl Display) -> Failure {
-        Failure::Error(format!("{}: {error}", self.name))
-    }
-
-    fn summarize<S>(
-        &self,
-        graph: &Graph<S>,
-        result: &Triangulation,
-        out: &mut impl Write,
-    ) -> io::Result<()> {
-        let (points, edges) = (graph.points.len(), graph.edges.len());
-        let (triangles, hull) = (result.len(), result.hull().len());
-        let duplicates = result.duplicates().len();
-        write!(
-            out,
-            "{}: points {points}, duplicates {duplicates}, ",
-            self.name
-        )?;
-        writeln!(out, "edges {edges}, triangles {triangles}, hull {hull}")
-    }
+fn summarize<S, T>(
+    Given { name, graph, .. }: &Given<'_, S, T>,
+    result: &Triangulation,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let (points, edges) = (graph.points.len(), graph.edges.len());
+    let (triangles, hull) = (result.len(), result.hull().len());
+    let duplicates = result.duplicates().len();
+    write!(out, "{name}: points {points}, duplicates {duplicates}, ")?;
+    writeln!(out, "edges {edges}, triangles {triangles}, hull {hull}")
 }

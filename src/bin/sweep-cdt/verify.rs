@@ -4,16 +4,18 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use sweep_cdt::draw::ViolationsPicture;
-use sweep_cdt::formats::{Coordinate, Graph, Matching, ResultError};
+use sweep_cdt::formats::{Coordinate, Matching, ResultError};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::Verifier;
 
 use crate::certificate::{self, Fingerprint, Subject};
-use crate::shared::arithmetic::{Job, ScalarArgs};
-use crate::shared::atomic_files::AtomicFiles;
+use crate::shared::arithmetic::{Given, Job, ScalarArgs};
+use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
+use crate::shared::files_read::FilesRead;
 use crate::shared::input::{InputArgs, ResultArgs, ResultFiles};
-use crate::shared::output::{print, refuse_overwriting};
+use crate::shared::outputs::Outputs;
+use crate::shared::overwriting;
 use crate::shared::report;
 use crate::shared::verification::{self, violations};
 
@@ -104,20 +106,27 @@ impl Verify {
             let message = "only one of INPUT and RESULT can be standard input";
             return Err(Failure::Usage(message.to_owned()));
         }
-        let outputs = self.svg.iter().chain(&self.certificate);
-        refuse_overwriting(&files, outputs.map(PathBuf::as_path))?;
+        let svg = self.svg.clone().map(Destination::of_path).transpose()?;
+        let certificate = self.certificate.clone().map(Destination::of_path);
+        let certificate = certificate.transpose()?;
+        let standard = Destination::standard();
+        overwriting::refuse_twice([&standard].into_iter().chain(&svg).chain(&certificate))?;
+        let mut read = FilesRead::default();
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
         let input = self
             .input
-            .read(|source| of_input.push(Fingerprint::of(source)))?;
+            .read(&mut read, |source| of_input.push(Fingerprint::of(source)))?;
         let result = self
             .result
-            .load(|source| of_result.push(Fingerprint::of(source)))?;
+            .load(&mut read, |source| of_result.push(Fingerprint::of(source)))?;
+        overwriting::refuse(&read, svg.iter().chain(&certificate))?;
         let run = Run {
             arguments: self,
             result,
             of_input: &of_input,
             of_result: &of_result,
+            svg,
+            certificate,
         };
         self.scalar.apply(&self.input.name(), &input, run)
     }
@@ -129,15 +138,18 @@ struct Run<'a> {
     result: ResultFiles,
     of_input: &'a [Fingerprint],
     of_result: &'a [Fingerprint],
+    svg: Option<Destination>,
+    certificate: Option<Destination>,
 }
 
 impl Job for Run<'_> {
-    fn run<S: Coordinate, T: Scalar + Sync>(
-        self,
-        graph: &Graph<S>,
-        points: &[[T; 2]],
-        scalar: &'static str,
-    ) -> Result<(), Failure> {
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+        let Given {
+            graph,
+            points,
+            scalar,
+            ..
+        } = given;
         let ResultFiles {
             format,
             source,
@@ -166,21 +178,21 @@ impl Job for Run<'_> {
             graph,
             triangles: &triangles,
         };
-        // The files come first: where one cannot be written, no report is printed.
-        let mut files = AtomicFiles::default();
-        if let Some(path) = &arguments.certificate {
-            files.add(path, |out| certificate::write(&subject, &answer, out))?;
+        let mut outputs = Outputs::default();
+        if let Some(certificate) = self.certificate {
+            outputs.add(certificate, |out| {
+                certificate::write(&subject, &answer, out)
+            })?;
         }
-        if let Some(path) = &arguments.svg {
-            let (list, found) = violations(&answer);
-            files.add(path, |out| {
+        if let Some(svg) = self.svg {
+            outputs.add(svg, |out| {
+                let (list, found) = violations(&answer);
                 ViolationsPicture::new(graph, &triangles, list)
                     .found(found)
                     .write(out)
             })?;
         }
-        files.persist()?;
-        print(|out| {
+        outputs.add(Destination::standard(), |out| {
             if arguments.json {
                 return certificate::write(&subject, &answer, out);
             }
@@ -191,6 +203,7 @@ impl Job for Run<'_> {
             report::write_counts(verification::report(&answer), out)?;
             report::write_violations(&answer, graph, &triangles, out)
         })?;
+        outputs.finish()?;
         answer.map(|_| ()).map_err(|_| Failure::Wrong)
     }
 }

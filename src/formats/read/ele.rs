@@ -9,7 +9,7 @@
 //! Triangle does.
 
 use crate::formats::read::content::Corners;
-use crate::formats::read::source::{ReadError, Source};
+use crate::formats::read::source::{ReadError, Source, quoted};
 use crate::formats::read::token_lines::Lines;
 use crate::formats::read::triangle::{numbered, read_node};
 
@@ -19,11 +19,25 @@ pub(super) fn read<'a>(
     node: Option<&'a Source>,
 ) -> Result<Corners<'a>, ReadError> {
     // The line of counts.
-    let mut lines = Lines::new(source);
+    let mut lines = Lines::new(source)?;
     let mut line = lines.expect_line(|| "the number of triangles".to_owned())?;
     let count = line.index("a number of triangles")?;
-    if !matches!(line.token(), None | Some(b"3")) {
-        return Err(line.error("only triangles of 3 vertices are read"));
+    match line.token() {
+        None | Some(b"3") => {}
+        Some(b"6") => {
+            return Err(line.error(
+                "the triangles have 6 nodes each, and only those of 3 are read: \
+                 write them without Triangle's option -o2",
+            ));
+        }
+        Some(b"4") => {
+            return Err(
+                line.error("the cells have 4 corners, and only triangles are read: split them")
+            );
+        }
+        Some(other) => {
+            return Err(line.error(format!("{} is not 3, the number of corners", quoted(other))));
+        }
     }
 
     // The triangles.

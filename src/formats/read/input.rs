@@ -86,6 +86,12 @@ pub fn read(
     };
     let (first_vertex, first_edge) = (vertices.first, first);
     // First as doubles; if a coordinate is a fraction, all once more as rationals.
+    let is_exact = |error| match error {
+        CoordinateError::Fraction => true,
+        // No double, but perhaps a fraction after it says that there need be none.
+        CoordinateError::TooLarge => has_fraction(&vertices),
+        _ => false,
+    };
     match vertices.points() {
         Ok(points) => Ok(Input::Doubles(Graph {
             points,
@@ -93,7 +99,7 @@ pub fn read(
             first_vertex,
             first_edge,
         })),
-        Err((CoordinateError::Fraction, _)) => Ok(Input::Rationals(Graph {
+        Err((error, _)) if is_exact(error) => Ok(Input::Rationals(Graph {
             points: vertices.points().map_err(|(_, error)| error)?,
             edges,
             first_vertex,
@@ -101,6 +107,12 @@ pub fn read(
         })),
         Err((_, error)) => Err(error),
     }
+}
+
+/// Whether a coordinate looks like a fraction.
+fn has_fraction(vertices: &Vertices<'_>) -> bool {
+    let mut coordinates = vertices.coordinates.as_flattened().iter();
+    coordinates.any(|piece| piece.contains(&b'/'))
 }
 
 /// No edges. They are numbered from 0 or 1 as the vertices are.

@@ -9,6 +9,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::formats::read::content::{Corners, Edges, Syntax, Vertices};
+use crate::formats::read::json_faults;
 use crate::formats::read::source::{ReadError, Source};
 
 #[derive(Deserialize)]
@@ -31,7 +32,11 @@ struct Answer<'a, T> {
 /// Reads a `.json` with a graph.
 pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     let Document { points, edges } =
-        serde_json::from_slice(&source.bytes).map_err(|error| unreadable(source, &error))?;
+        object(source)?.map_err(|error| json_faults::of_graph(source, &error))?;
+    let exists = |edge: &[usize; 2]| edge.iter().all(|&vertex| vertex < points.len());
+    if !edges.iter().all(exists) {
+        return Err(json_faults::of_ends(source, &edges, points.len()));
+    }
     Ok(Edges {
         vertices: vertices(source, points),
         edges,
@@ -41,8 +46,8 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
 
 /// Reads a `.json` with triangles.
 pub(super) fn read_triangles(source: &Source) -> Result<Corners<'_>, ReadError> {
-    let Answer { points, triangles } = serde_json::from_slice(&source.bytes)
-        .or_else(|error| flat(source).ok_or_else(|| unreadable(source, &error)))?;
+    let Answer { points, triangles } = object(source)?
+        .or_else(|error| flat(source).ok_or_else(|| json_faults::of_triangles(source, &error)))?;
     Ok(Corners {
         triangles,
         first: 0,
@@ -53,7 +58,7 @@ pub(super) fn read_triangles(source: &Source) -> Result<Corners<'_>, ReadError> 
 
 /// The result, where all corners stand in one list, three for each triangle.
 fn flat(source: &Source) -> Option<Answer<'_, [usize; 3]>> {
-    let answer: Answer<'_, usize> = serde_json::from_slice(&source.bytes).ok()?;
+    let answer: Answer<'_, usize> = object(source).ok()?.ok()?;
     let (triangles, rest) = answer.triangles.as_chunks();
     rest.is_empty().then(|| Answer {
         points: answer.points,
@@ -74,16 +79,14 @@ fn vertices<'a>(source: &'a Source, points: Vec<[&'a RawValue; 2]>) -> Vertices<
     }
 }
 
-/// The error that serde reports, with its line and column.
-fn unreadable(source: &Source, error: &serde_json::Error) -> ReadError {
-    let (line, column) = (error.line(), error.column());
-    let message = error.to_string();
-    let message = message
-        .strip_suffix(&format!(" at line {line} column {column}"))
-        .unwrap_or(&message);
-    ReadError {
-        line: Some(line).filter(|&line| line > 0),
-        column: Some(column).filter(|&column| column > 0),
-        ..ReadError::of_file(&source.name, message)
+/// Members of the object in a file. The names of structures that they are read to stand in no message.
+fn object<'a, T: Deserialize<'a>>(
+    source: &'a Source,
+) -> Result<Result<T, serde_json::Error>, ReadError> {
+    let text = source.text()?;
+    // Serde would take a list for an object without names.
+    if text.trim_ascii_start().starts_with(b"[") {
+        return Err(json_faults::of_list(source));
     }
+    Ok(serde_json::from_slice(text))
 }

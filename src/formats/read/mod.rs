@@ -4,6 +4,8 @@ mod content;
 mod ele;
 mod input;
 mod json;
+mod json_faults;
+mod json_pieces;
 mod matched;
 mod matching;
 mod obj;

@@ -10,7 +10,7 @@ use crate::formats::read::token_lines::{Line, Lines};
 
 /// Reads a `.obj`.
 pub(super) fn read(source: &Source) -> Result<Corners<'_>, ReadError> {
-    let mut lines = Lines::new(source);
+    let mut lines = Lines::new(source)?;
     let (mut coordinates, mut triangles) = (Vec::new(), Vec::new());
     while let Some(mut line) = lines.next_line() {
         match line.token() {
@@ -19,7 +19,14 @@ pub(super) fn read(source: &Source) -> Result<Corners<'_>, ReadError> {
                 let mut corner = || corner(&mut line, coordinates.len());
                 triangles.push([corner()?, corner()?, corner()?]);
                 if line.token().is_some() {
-                    return Err(line.error("the face has more than 3 corners"));
+                    let mut corners = 4;
+                    while line.token().is_some() {
+                        corners += 1;
+                    }
+                    return Err(line.error(format!(
+                        "the face has {corners} corners, and only triangles are read: split it, \
+                         for example by the option `triangulate` of the program that wrote it"
+                    )));
                 }
             }
             _ => {}

@@ -20,6 +20,33 @@ pub struct Source {
 }
 
 impl Source {
+    /// The contents after the byte order mark, if they begin with one.
+    ///
+    /// ```
+    /// use sweep_cdt::formats::Source;
+    ///
+    /// let file = |bytes: &[u8]| Source { name: "a.node".to_owned(), bytes: bytes.to_vec() };
+    /// assert_eq!(file(b"\xef\xbb\xbf1 2\n").text()?, b"1 2\n");
+    /// let error = file(b"\xff\xfe1\0 \x002\0").text().unwrap_err();
+    /// assert_eq!(error.to_string(), "a.node: the text is UTF-16; save it as UTF-8");
+    /// # Ok::<(), sweep_cdt::formats::ReadError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The text is UTF-16, which is told by its byte order mark, or by zeros as every other byte.
+    pub fn text(&self) -> Result<&[u8], ReadError> {
+        let is_wide = match *self.bytes.as_slice() {
+            [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
+            [0, a, 0, b, ..] | [a, 0, b, 0, ..] => a != 0 && b != 0,
+            _ => false,
+        };
+        if is_wide {
+            let message = "the text is UTF-16; save it as UTF-8";
+            return Err(ReadError::of_file(&self.name, message));
+        }
+        Ok(self.bytes.strip_prefix(MARK).unwrap_or(&self.bytes))
+    }
+
     /// An error in this line, counted from 1.
     pub(super) fn error_in_line(&self, line: usize, message: impl Into<String>) -> ReadError {
         ReadError {
@@ -30,15 +57,34 @@ impl Source {
 
     /// Line and column of a piece of the contents, both counted from 1.
     pub(super) fn position(&self, piece: &[u8]) -> (usize, usize) {
-        let offset = piece.as_ptr().addr() - self.bytes.as_ptr().addr();
-        let before = &self.bytes[..offset];
-        let line_start = before
-            .iter()
-            .rposition(|&byte| byte == b'\n')
-            .map_or(0, |end| end + 1);
-        let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
-        (line, offset - line_start + 1)
+        let text = self.bytes.strip_prefix(MARK).unwrap_or(&self.bytes);
+        let mut rest = text;
+        let mut offset = piece.as_ptr().addr() - text.as_ptr().addr();
+        let mut line = 1;
+        loop {
+            let (first, others) = split_line(rest);
+            if offset < first.len() || others.is_empty() {
+                return (line, offset + 1);
+            }
+            (offset, rest, line) = (offset - first.len(), others, line + 1);
+        }
     }
+}
+
+/// What some editors write before text, to say that it is UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// The first line with its end, which is a line feed, a carriage return or both, and all after it.
+pub(super) fn split_line(text: &[u8]) -> (&[u8], &[u8]) {
+    // Nearly all bytes are greater than both: one comparison is enough for them.
+    let is_end = |&byte: &u8| byte <= b'\r' && (byte == b'\n' || byte == b'\r');
+    let end = text.iter().position(is_end);
+    let length = match end {
+        Some(end) if text[end..].starts_with(b"\r\n") => end + 2,
+        Some(end) => end + 1,
+        None => text.len(),
+    };
+    text.split_at(length)
 }
 
 /// Where a file is wrong, and how: `file:line:column: message`.
@@ -114,4 +160,15 @@ pub(super) fn quoted(piece: &[u8]) -> String {
         ""
     };
     format!("`{short}{dots}`")
+}
+
+/// That an edge names a vertex which is not there, and what numbers there are.
+pub(super) fn no_vertex(number: usize, first: usize, count: usize) -> String {
+    match count {
+        0 => format!("vertex {number} does not exist: there are no vertices"),
+        _ => format!(
+            "vertex {number} does not exist: the vertices are numbered from {first} to {}",
+            first + count - 1
+        ),
+    }
 }

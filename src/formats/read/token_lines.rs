@@ -1,6 +1,7 @@
-//! Text as lines of tokens, as in Triangle's files: `#` begins a comment, blank lines do not count.
+//! Text as lines of tokens, as in Triangle's files: `#` begins a comment, blank lines do not count. A line
+//! ends with a line feed, a carriage return or both.
 
-use crate::formats::read::source::{ReadError, Source, quoted};
+use crate::formats::read::source::{ReadError, Source, quoted, split_line};
 
 /// The lines of a file that hold anything, one after the other.
 pub(super) struct Lines<'a> {
@@ -10,21 +11,18 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(source: &'a Source) -> Lines<'a> {
-        Lines {
+    pub(super) fn new(source: &'a Source) -> Result<Lines<'a>, ReadError> {
+        Ok(Lines {
             source,
-            rest: &source.bytes,
+            rest: source.text()?,
             number: 0,
-        }
+        })
     }
 
     /// The next line, or `None` at the end of the file.
     pub(super) fn next_line(&mut self) -> Option<Line<'a>> {
         while !self.rest.is_empty() {
-            let end = self.rest.iter().position(|&byte| byte == b'\n');
-            let (line, rest) = self
-                .rest
-                .split_at(end.map_or(self.rest.len(), |end| end + 1));
+            let (line, rest) = split_line(self.rest);
             (self.rest, self.number) = (rest, self.number + 1);
             let comment = line.iter().position(|&byte| byte == b'#');
             let text = line[..comment.unwrap_or(line.len())].trim_ascii();

@@ -14,12 +14,12 @@
 //! use them. (Triangle itself ignores these numbers.)
 
 use crate::formats::read::content::{Edges, Syntax, Vertices};
-use crate::formats::read::source::{ReadError, Source};
+use crate::formats::read::source::{ReadError, Source, no_vertex, quoted};
 use crate::formats::read::token_lines::{Line, Lines};
 
 /// Reads a `.node`.
 pub(super) fn read_node(source: &Source) -> Result<Vertices<'_>, ReadError> {
-    let mut lines = Lines::new(source);
+    let mut lines = Lines::new(source)?;
     let count = vertex_count(&mut lines)?;
     let vertices = read_vertices(source, &mut lines, count)?;
     match lines.next_line() {
@@ -34,7 +34,7 @@ pub(super) fn read_poly<'a>(
     node: Option<&'a Source>,
 ) -> Result<Edges<'a>, ReadError> {
     // The vertices, here or in the `.node`.
-    let mut lines = Lines::new(source);
+    let mut lines = Lines::new(source)?;
     let vertices = match (vertex_count(&mut lines)?, node) {
         (0, Some(node)) => read_node(node)?,
         (0, None) => {
@@ -70,7 +70,13 @@ fn vertex_count(lines: &mut Lines<'_>) -> Result<usize, ReadError> {
     let count = line.index("a number of vertices")?;
     match line.token() {
         None | Some(b"2") => Ok(count),
-        Some(_) => Err(line.error("only 2 dimensions are read")),
+        Some(b"3") => Err(line.error(
+            "3 coordinates are announced, and only x and y are read: leave out z and announce 2",
+        )),
+        Some(other) => Err(line.error(format!(
+            "{} is not 2, the number of coordinates",
+            quoted(other)
+        ))),
     }
 }
 
@@ -118,5 +124,8 @@ fn end(line: &mut Line<'_>, vertices: &Vertices<'_>) -> Result<usize, ReadError>
     number
         .checked_sub(vertices.first)
         .filter(|&vertex| vertex < vertices.coordinates.len())
-        .ok_or_else(|| line.error(format!("vertex {number} does not exist")))
+        .ok_or_else(|| {
+            let (first, count) = (vertices.first, vertices.coordinates.len());
+            line.error(no_vertex(number, first, count))
+        })
 }

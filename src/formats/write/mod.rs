@@ -28,6 +28,8 @@ use crate::formats::{Coordinate, Graph};
 pub enum OutputFormat {
     /// Triangle's triangles, numbered as the input.
     Ele,
+    /// Triangle's vertices, numbered as the input.
+    Node,
     /// Vertices, edges and the whole result.
     Json,
     /// Wavefront's vertices and faces.
@@ -59,6 +61,7 @@ pub fn write<S: Coordinate>(
 ) -> io::Result<()> {
     match format {
         OutputFormat::Ele => ele::write(graph, result, out),
+        OutputFormat::Node => write_node(graph, out),
         OutputFormat::Json => json::write(graph, result, out),
         OutputFormat::Obj => obj::write(graph, result, out),
         OutputFormat::Svg => ResultPicture::new(graph, result).write(out),

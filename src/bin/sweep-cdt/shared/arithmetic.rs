@@ -1,11 +1,14 @@
 //! The arithmetic of a run.
 
+use std::fmt::Display;
+
 use clap::ValueEnum;
 use sweep_cdt::Error;
 use sweep_cdt::formats::{Coordinate, Graph, Input};
 use sweep_cdt::scalar::Scalar;
 
 use super::failure::Failure;
+use super::memory;
 use super::rationals::{self, exact};
 
 /// Arguments that select the arithmetic.
@@ -15,7 +18,9 @@ pub(crate) struct ScalarArgs {
     ///
     /// Both are exact and give the same triangles. If the input has a fraction (`p/q`), every number
     /// means what it says: 0.1 is one tenth. Otherwise every number is read as the nearest double. f64
-    /// refuses fractions.
+    /// refuses fractions. Numerators, denominators and decimals have at most 10,000 digits, exponents of
+    /// ten at most 10,000; a number that is no double, such as 1e400, needs a fraction somewhere in the
+    /// file. Time and memory grow with the digits.
     #[arg(long, value_enum)]
     scalar: Option<Kind>,
 }
@@ -24,19 +29,37 @@ pub(crate) struct ScalarArgs {
 enum Kind {
     /// Doubles
     F64,
-    /// Fractions of whole numbers of any size; slower
+    /// Fractions of whole numbers with up to 10,000 digits; slower
     Rational,
 }
 
 /// What a subcommand does with its input, in any arithmetic.
 pub(crate) trait Job {
-    /// Does it. `points` are those of `graph`, in the arithmetic called `scalar`.
-    fn run<S: Coordinate, T: Scalar + Sync>(
-        self,
-        graph: &Graph<S>,
-        points: &[[T; 2]],
-        scalar: &'static str,
-    ) -> Result<(), Failure>;
+    /// Does it.
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure>;
+}
+
+/// An input in the arithmetic of a run.
+pub(crate) struct Given<'a, S, T> {
+    /// What messages call the input.
+    pub(crate) name: &'a str,
+    pub(crate) graph: &'a Graph<S>,
+    /// The points of the graph, in this arithmetic.
+    pub(crate) points: &'a [[T; 2]],
+    /// What the arithmetic is called.
+    pub(crate) scalar: &'static str,
+}
+
+impl<S, T> Given<'_, S, T> {
+    /// What is wrong with the input, vertices and edges numbered as in its file.
+    pub(crate) fn refused(&self, error: Error) -> Failure {
+        self.failure(self.graph.as_numbered(error))
+    }
+
+    /// A failure that has to do with the input.
+    pub(crate) fn failure(&self, error: impl Display) -> Failure {
+        Failure::Error(format!("{}: {error}", self.name))
+    }
 }
 
 impl ScalarArgs {
@@ -46,20 +69,47 @@ impl ScalarArgs {
         match input {
             Input::Doubles(graph) => {
                 refuse_non_finite(name, graph)?;
+                refuse_without_memory(name, graph)?;
                 if rational {
                     let points: Vec<_> = graph.points.iter().map(|p| p.map(exact)).collect();
-                    job.run(graph, &points, "rational")
+                    job.run(given(name, graph, &points, "rational"))
                 } else {
-                    job.run(graph, &graph.points, "f64")
+                    job.run(given(name, graph, &graph.points, "f64"))
                 }
             }
             Input::Rationals(_) if matches!(self.scalar, Some(Kind::F64)) => Err(Failure::Error(
                 format!("{name}: has fractions, which --scalar f64 refuses"),
             )),
             Input::Rationals(graph) => {
-                job.run(graph, &rationals::points(&graph.points), "rational")
+                refuse_without_memory(name, graph)?;
+                let points = rationals::points(&graph.points);
+                job.run(given(name, graph, &points, "rational"))
             }
         }
+    }
+}
+
+fn refuse_without_memory<S>(name: &str, graph: &Graph<S>) -> Result<(), Failure> {
+    let bytes = memory::of_triangulation(graph);
+    if memory::has_room(bytes) {
+        return Ok(());
+    }
+    let megabytes = bytes.div_ceil(1_000_000);
+    let message = format!("{name}: out of memory: it takes some {megabytes} MB more");
+    Err(Failure::Error(message))
+}
+
+fn given<'a, S, T>(
+    name: &'a str,
+    graph: &'a Graph<S>,
+    points: &'a [[T; 2]],
+    scalar: &'static str,
+) -> Given<'a, S, T> {
+    Given {
+        name,
+        graph,
+        points,
+        scalar,
     }
 }
 

@@ -7,7 +7,7 @@ use sweep_cdt::formats::ReadError;
 
 /// What the process prints and how it exits.
 pub(crate) enum Failure {
-    /// The arguments contradict each other.
+    /// The arguments contradict each other, or would have the run overwrite what it must not.
     Usage(String),
     /// The input is wrong, or a file cannot be read or written.
     Error(String),

@@ -37,20 +37,25 @@ pub(crate) fn of_input<F: Format>(
     given: Option<F>,
 ) -> Result<F, Failure> {
     given.or_else(|| by_extension(file)).ok_or_else(|| {
-        let name = file.input_name();
-        Failure::Usage(format!("the format of {name} is unknown: add {option}"))
+        let (name, known) = (file.input_name(), names::<F>().join(", "));
+        Failure::Usage(format!(
+            "the format of {name} is not known: add {option} with one of {known}"
+        ))
     })
 }
 
-/// The format of an output; `given` is that of standard output.
+/// The format of an output; `given` is that of outputs whose extension tells none.
 pub(crate) fn of_output<F: Format>(file: &FileArgument, given: Option<F>) -> Result<F, Failure> {
-    let format = match file {
-        FileArgument::Standard => given
-            .ok_or_else(|| "the format of standard output is unknown: add --output-format".into()),
-        FileArgument::File(path) => by_extension(file)
-            .ok_or_else(|| format!("{}: only {} can be written", path.display(), list::<F>())),
-    };
-    format.map_err(Failure::Usage)
+    by_extension(file).or(given).ok_or_else(|| {
+        let known = names::<F>().join(", ");
+        let name = match file {
+            FileArgument::Standard => "standard output".to_owned(),
+            FileArgument::File(path) => path.display().to_string(),
+        };
+        Failure::Usage(format!(
+            "the format of {name} is not known: add --output-format with one of {known}"
+        ))
+    })
 }
 
 fn by_extension<F: Format>(file: &FileArgument) -> Option<F> {
@@ -59,11 +64,4 @@ fn by_extension<F: Format>(file: &FileArgument) -> Option<F> {
 
 fn names<F: Format>() -> Vec<&'static str> {
     F::VARIANTS.iter().map(|&format| format.into()).collect()
-}
-
-/// The extensions, as a list in a sentence.
-fn list<F: Format>() -> String {
-    let names = names::<F>().join(", .");
-    let (first, last) = names.rsplit_once(", ").expect("two formats or more");
-    format!(".{first} and {last}")
 }

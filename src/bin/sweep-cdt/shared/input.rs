@@ -4,6 +4,7 @@ use sweep_cdt::formats::{Input, InputFormat, ResultFormat, Source, read};
 
 use super::failure::Failure;
 use super::file_argument::FileArgument;
+use super::files_read::FilesRead;
 use super::format;
 
 /// Arguments that name an input.
@@ -25,14 +26,18 @@ impl InputArgs {
     }
 
     /// Reads the input; `show` is called with each file that is read.
-    pub(crate) fn read(&self, mut show: impl FnMut(&Source)) -> Result<Input, Failure> {
+    pub(crate) fn read(
+        &self,
+        files: &mut FilesRead,
+        mut show: impl FnMut(&Source),
+    ) -> Result<Input, Failure> {
         let format = format::of_input(&self.input, "--input-format", self.input_format)?;
-        let source = self.input.load()?;
+        let source = files.load(&self.input)?;
         show(&source);
         // The `.node` beside a `.poly` is loaded only if the `.poly` turns out to need it.
         match (read(format, &source, None), self.input.beside("node")) {
             (Err(error), Some(file)) if error.missing_node => {
-                let node = file.load()?;
+                let node = files.load(&file)?;
                 show(&node);
                 Ok(read(format, &source, Some(&node))?)
             }
@@ -64,15 +69,21 @@ pub(crate) struct ResultFiles {
 
 impl ResultArgs {
     /// Loads the result; `show` is called with each file of it.
-    pub(crate) fn load(&self, mut show: impl FnMut(&Source)) -> Result<ResultFiles, Failure> {
+    pub(crate) fn load(
+        &self,
+        files: &mut FilesRead,
+        mut show: impl FnMut(&Source),
+    ) -> Result<ResultFiles, Failure> {
         let format = format::of_input(&self.result, "--result-format", self.result_format)?;
-        let source = self.result.load()?;
+        let source = files.load(&self.result)?;
         show(&source);
         let node = match format {
             ResultFormat::Ele => self.result.beside("node").filter(FileArgument::exists),
             _ => None,
         };
-        let node = node.map(|file| file.load().inspect(show)).transpose()?;
+        let node = node
+            .map(|file| files.load(&file).inspect(show))
+            .transpose()?;
         Ok(ResultFiles {
             format,
             source,

@@ -1,0 +1,138 @@
+//! What `triangulate` writes, and where to.
+
+use std::fs;
+use std::path::Path;
+
+use sweep_cdt::Triangulation;
+use sweep_cdt::formats::{
+    Coordinate, Graph, Input, InputFormat, OutputFormat, read, write, write_node,
+};
+
+use super::destination::Destination;
+use super::failure::Failure;
+use super::file_argument::FileArgument;
+use super::files_read::FilesRead;
+use super::format;
+use super::identity::Identity;
+use super::outputs::Outputs;
+use super::overwriting;
+
+/// Arguments that name outputs.
+#[derive(clap::Args)]
+pub(crate) struct OutputArgs {
+    /// File to write: .ele, .node, .json, .obj or .svg; may be given several times; `-` for standard
+    /// output
+    #[arg(short, long = "output", value_name = "OUTPUT")]
+    output: Vec<FileArgument>,
+
+    /// Format of standard output, and of outputs whose extension tells none
+    #[arg(long, value_name = "FORMAT", value_parser = format::parser::<OutputFormat>())]
+    output_format: Option<OutputFormat>,
+}
+
+/// A place to write to, and what.
+pub(crate) struct Target {
+    destination: Destination,
+    format: OutputFormat,
+}
+
+impl OutputArgs {
+    /// The outputs, each with its format. No two may be one file.
+    pub(crate) fn targets(&self) -> Result<Vec<Target>, Failure> {
+        let target = |file| {
+            Ok(Target {
+                format: format::of_output(file, self.output_format)?,
+                destination: Destination::of(file)?,
+            })
+        };
+        let targets: Result<Vec<Target>, Failure> = self.output.iter().map(target).collect();
+        let targets = targets?;
+        overwriting::refuse_twice(targets.iter().map(|target| &target.destination))?;
+        Ok(targets)
+    }
+}
+
+/// Whether one of the outputs is standard output.
+pub(crate) fn has_standard(targets: &[Target]) -> bool {
+    targets
+        .iter()
+        .any(|target| target.destination.is_standard())
+}
+
+/// Refuses targets that were read, and adds the `.node` that a `.ele` needs beside it. One that is there
+/// already is overwritten only if it is a target itself.
+pub(crate) fn completed<S: Coordinate>(
+    mut targets: Vec<Target>,
+    read: &FilesRead,
+    graph: &Graph<S>,
+) -> Result<Vec<Target>, Failure> {
+    let paths = targets
+        .iter()
+        .filter(|target| target.format == OutputFormat::Ele && target.destination.is_file())
+        .map(|target| target.destination.name.with_extension("node"));
+    for path in paths.collect::<Vec<_>>() {
+        let is_target = |identity: &Identity| {
+            let mut identities = targets.iter().map(|target| &target.destination.identity);
+            identities.any(|target| target.as_ref() == Some(identity))
+        };
+        if let Ok(metadata) = fs::metadata(&path) {
+            let identity = Identity::there(&path, &metadata).ok();
+            let is_there = metadata.is_file() && holds_vertices(&path, graph);
+            if !is_there && !identity.as_ref().is_some_and(is_target) {
+                let path = path.display();
+                let message = format!(
+                    "{path} would be overwritten, since the .ele needs its vertices beside it: \
+                     give the .ele another name, or allow it by `-o {path}`"
+                );
+                return Err(Failure::Usage(message));
+            }
+            continue;
+        }
+        let destination = Destination::of_path(path)?;
+        if !destination.identity.as_ref().is_some_and(is_target) {
+            let format = OutputFormat::Node;
+            targets.push(Target {
+                destination,
+                format,
+            });
+        }
+    }
+    overwriting::refuse(read, targets.iter().map(|target| &target.destination))?;
+    Ok(targets)
+}
+
+/// Adds all targets to the outputs.
+pub(crate) fn add<'a, S: Coordinate>(
+    outputs: &mut Outputs<'a>,
+    targets: Vec<Target>,
+    graph: &'a Graph<S>,
+    result: &'a Triangulation,
+) -> Result<(), Failure> {
+    targets.into_iter().try_for_each(|target| {
+        let Target {
+            destination,
+            format,
+        } = target;
+        outputs.add(destination, move |out| write(format, graph, result, out))
+    })
+}
+
+/// Whether the `.node` of this path holds the vertices of `graph`.
+fn holds_vertices<S: Coordinate>(path: &Path, graph: &Graph<S>) -> bool {
+    let file = FileArgument::File(path.to_owned());
+    let Ok(source) = FilesRead::default().load(&file) else {
+        return false;
+    };
+    let there = match read(InputFormat::Node, &source, None) {
+        Ok(Input::Doubles(there)) => node_text(&there),
+        Ok(Input::Rationals(there)) => node_text(&there),
+        Err(_) => return false,
+    };
+    there == node_text(graph)
+}
+
+fn node_text<S: Coordinate>(graph: &Graph<S>) -> Vec<u8> {
+    let mut text = Vec::new();
+    write_node(graph, &mut text).expect("memory takes all that is written");
+    text
+}

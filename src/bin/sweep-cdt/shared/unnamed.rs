@@ -1,0 +1,158 @@
+//! A file that has no name until it is complete.
+//!
+//! However a process ends, the system removes a file without a name. On Linux the file gets a temporary
+//! name beside its own and is renamed at once, since only renaming replaces a file in one step. Where a
+//! file without a name cannot get one (other systems, some file systems), it is copied to one that has a
+//! temporary name. A file that is replaced passes on its owner and its permissions, and none is ever
+//! readable for more users than it is in the end. Its other hard links keep the old contents.
+
+use std::fs::{File, Metadata};
+use std::io::{self, BufWriter, Seek, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, TempPath};
+
+/// What contents are written to.
+pub(crate) type Out<'w> = BufWriter<&'w mut dyn Write>;
+
+/// A file without a name, and the path where it will be.
+pub(crate) struct Unnamed {
+    file: File,
+    path: PathBuf,
+    replaced: Option<Metadata>,
+}
+
+/// A complete file under a temporary name, which is removed when this is dropped.
+pub(crate) struct Named {
+    temporary: TempPath,
+    path: PathBuf,
+}
+
+impl Unnamed {
+    /// An empty one. `replaced` is about the file that is at the path now, which is no link.
+    pub(crate) fn new(path: PathBuf, replaced: Option<Metadata>) -> io::Result<Unnamed> {
+        Ok(Unnamed {
+            file: unnamed_in(&folder(&path))?,
+            path,
+            replaced,
+        })
+    }
+
+    /// Writes all of it, to the disk.
+    pub(crate) fn write(
+        &mut self,
+        contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let mut out = BufWriter::new(&mut self.file as &mut dyn Write);
+        contents(&mut out)?;
+        out.flush()?;
+        drop(out);
+        if let Some(replaced) = &self.replaced {
+            pass_on(replaced, &self.file)?;
+        }
+        // Some file systems notice only now that they are full.
+        self.file.sync_all()
+    }
+
+    /// The same file under a temporary name.
+    pub(crate) fn named(self) -> io::Result<Named> {
+        let folder = folder(&self.path);
+        let mut builder = Builder::new();
+        builder.prefix(".sweep-cdt-");
+        let temporary = match builder.make_in(&folder, |path| give_name(&self.file, path)) {
+            Ok(named) => named.into_temp_path(),
+            Err(_) => copied(self.file, self.replaced.as_ref(), &mut builder, &folder)?,
+        };
+        Ok(Named {
+            temporary,
+            path: self.path,
+        })
+    }
+}
+
+impl Named {
+    /// Puts it in its place.
+    pub(crate) fn replace(self) -> io::Result<()> {
+        self.temporary
+            .persist(self.path)
+            .map_err(|error| error.error)
+    }
+}
+
+/// The folder of a path.
+pub(crate) fn folder(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// Such a file, with the permissions that a new file gets.
+fn unnamed_in(folder: &Path) -> io::Result<File> {
+    #[cfg(target_os = "linux")]
+    {
+        use rustix::fs::{Mode, OFlags, open};
+        let flags = OFlags::TMPFILE | OFlags::RDWR | OFlags::CLOEXEC;
+        if let Ok(file) = open(folder, flags, Mode::from_raw_mode(0o666)) {
+            return Ok(file.into());
+        }
+    }
+    tempfile::tempfile_in(folder)
+}
+
+/// Gives it a name, where the system can do that.
+#[cfg(target_os = "linux")]
+fn give_name(file: &File, path: &Path) -> io::Result<()> {
+    use rustix::fs::{AtFlags, CWD, linkat};
+    use std::os::fd::AsRawFd;
+    let unnamed = format!("/proc/self/fd/{}", file.as_raw_fd());
+    Ok(linkat(CWD, unnamed, CWD, path, AtFlags::SYMLINK_FOLLOW)?)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn give_name(_file: &File, _path: &Path) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+/// A copy that has a name.
+fn copied(
+    mut file: File,
+    replaced: Option<&Metadata>,
+    builder: &mut Builder<'_, '_>,
+    folder: &Path,
+) -> io::Result<TempPath> {
+    #[cfg(unix)]
+    if replaced.is_none() {
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    }
+    let mut copy = builder.tempfile_in(folder)?;
+    file.rewind()?;
+    io::copy(&mut file, &mut copy)?;
+    if let Some(replaced) = replaced {
+        pass_on(replaced, copy.as_file())?;
+    }
+    copy.as_file().sync_all()?;
+    Ok(copy.into_temp_path())
+}
+
+/// Passes on owner, group and permissions, as far as this user may.
+#[cfg(unix)]
+fn pass_on(replaced: &Metadata, file: &File) -> io::Result<()> {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
+    let owners = |of: &Metadata| (of.uid(), of.gid());
+    let mut mode = replaced.mode();
+    if owners(&file.metadata()?) != owners(replaced) {
+        let (user, group) = owners(replaced);
+        let passed = fchown(file, Some(user), Some(group));
+        if passed.or_else(|_| fchown(file, None, Some(group))).is_err() {
+            // Another group gets nothing of what that of the old file was allowed.
+            mode &= !0o070;
+        }
+    }
+    file.set_permissions(PermissionsExt::from_mode(mode))
+}
+
+#[cfg(not(unix))]
+fn pass_on(_replaced: &Metadata, _file: &File) -> io::Result<()> {
+    Ok(())
+}
