@@ -131,7 +131,7 @@ pub trait Scalar: Sized {
     /// use sweep_cdt::scalar::Scalar;
     ///
     /// let far = BigInt::from(1) << 2000;
-    /// let near = &far + 3;
+    /// let near: BigInt = &far + 3;
     /// assert_eq!(near.difference(&far), Some((3.0, 0)));
     /// assert_eq!(0.5_f64.difference(&0.25), None);
     /// ```
