@@ -29,8 +29,8 @@
 
 use std::cmp::Ordering::Equal;
 
+use super::edges::Rest;
 use super::obstacles::{Crossed, Part};
-use super::rests::Rest;
 use super::state::Sweep;
 use crate::error::Error;
 use crate::front::FrontSearch;

@@ -1,4 +1,5 @@
-//! The input edges at their upper ends (section 3.3, figure 5).
+//! The input edges at their upper ends (section 3.3, figure 5), and what is left of those that are inserted in
+//! part ([`super::rests`]).
 //!
 //! An edge is listed at its end of higher rank, where the sweep line has passed all of it.
 //!
@@ -6,6 +7,8 @@
 //!
 //! Differs from the paper: the upper end of a horizontal edge is the one with larger x, since it is
 //! swept last. (The paper says the one with smaller x, against its own sort.)
+
+use std::collections::BinaryHeap;
 
 use super::vertices::Vertices;
 use crate::error::Error;
@@ -94,3 +97,21 @@ impl Edges {
             + self.list.capacity() * size_of::<(VertexId, u32)>()
     }
 }
+
+/// What is left of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Rest {
+    /// The vertex on the edge where the rest begins.
+    pub(super) from: VertexId,
+    pub(super) edge: u32,
+    pub(super) lower: VertexId,
+}
+
+impl Rest {
+    pub(super) fn new(from: VertexId, lower: VertexId, edge: u32) -> Rest {
+        Rest { from, edge, lower }
+    }
+}
+
+/// The rests still to be inserted; the one that begins last in sweep order comes first.
+pub(super) type Rests = BinaryHeap<Rest>;

@@ -5,12 +5,11 @@
 //!
 //! Differs from the paper: see [`super::vertices`], [`super::edges`] and [`super::artificial`].
 
-use super::Settings;
-use super::edges::Edges;
+use super::edges::{Edges, Rests};
 use super::fabric::Fabric;
 use super::incidence::Incidence;
 use super::obstacles::Obstacles;
-use super::rests::Rests;
+use super::settings::Settings;
 use super::signs::Signs;
 use super::state::Sweep;
 use super::vertices::Vertices;

@@ -56,6 +56,7 @@ mod order;
 mod point_event;
 mod pseudo_polygons;
 mod rests;
+mod settings;
 mod signs;
 mod state;
 mod stretch;
@@ -65,27 +66,16 @@ mod vertices;
 use crate::algorithm::Algorithm;
 use crate::error::Error;
 use crate::front::FrontSearch;
-use crate::heuristics::Heuristics;
 use crate::ids::VertexId;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::stats::Phase;
 use crate::triangulation::Triangulation;
-
-/// Called as `progress(swept, vertices)` at intervals.
-pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;
+pub(crate) use settings::Settings;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
 const CHECK: u32 = 16;
 const REPORT: u32 = 4096;
-
-/// What the caller chooses, beside the search structure.
-#[derive(Clone, Copy)]
-pub(crate) struct Settings<'p> {
-    pub(crate) algorithm: Algorithm,
-    pub(crate) heuristics: Heuristics,
-    pub(crate) progress: Progress<'p>,
-}
 
 /// Runs the three parts of section 3.2, or divide and conquer in place of the first two. The search
 /// structure and the probe come back with the result.
@@ -113,7 +103,7 @@ pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
 impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
     /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Ends
     /// early when the budget of flips is spent.
-    fn sweep(&mut self, progress: Progress<'_>) -> Result<(), Error> {
+    fn sweep(&mut self, progress: settings::Progress<'_>) -> Result<(), Error> {
         self.fabric.probe.begin(Phase::Sweeping);
         let n = self.fabric.signs.vertices.len();
         for v in (0..n).map(VertexId::at) {

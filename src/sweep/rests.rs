@@ -21,33 +21,13 @@
 //!
 //! Differs from the paper: it does not speak of vertices on edges.
 
-use std::collections::BinaryHeap;
-
+use super::edges::Rest;
 use super::incidence::Incidence;
 use super::state::Sweep;
 use crate::error::Error;
 use crate::front::FrontSearch;
-use crate::ids::VertexId;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
-
-/// What is left of an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Rest {
-    /// The vertex on the edge where the rest begins.
-    from: VertexId,
-    edge: u32,
-    lower: VertexId,
-}
-
-impl Rest {
-    pub(super) fn new(from: VertexId, lower: VertexId, edge: u32) -> Rest {
-        Rest { from, edge, lower }
-    }
-}
-
-/// The rests still to be inserted; the one that begins last in sweep order comes first.
-pub(super) type Rests = BinaryHeap<Rest>;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Inserts all rests; the hull is complete.

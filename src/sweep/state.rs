@@ -8,11 +8,10 @@
 //! - the front runs from P-1 to P-2 and is strictly x-monotone.
 
 use super::corner::Corner;
-use super::edges::Edges;
+use super::edges::{Edges, Rests};
 use super::fabric::Fabric;
 use super::incidence::Incidence;
 use super::obstacles::Obstacles;
-use super::rests::Rests;
 use crate::chains::ChainNotes;
 use crate::front::{Front, FrontNode, FrontSearch};
 use crate::heuristics::Heuristics;

@@ -136,7 +136,7 @@ fn fifos_are_written_to() {
         ),
         (
             "trace a.json --output-format txt -o f",
-            "sweep-cdt trace 2\n",
+            "sweep-cdt trace 3\n",
         ),
         ("verify a.json r.json --certificate f", "{\n"),
     ] {

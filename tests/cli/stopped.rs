@@ -242,7 +242,7 @@ fn a_run_that_cannot_make_threads_ends_well() {
     }
     assert_fails(
         &run("replay a.json"),
-        "a.json:1: is not the header of a trace of version 2",
+        "a.json:1: is not the header of a trace of version 3",
     );
     assert_eq!(
         names(folder.path()),

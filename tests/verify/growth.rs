@@ -1,6 +1,5 @@
-//! Inputs that once took the verifier a time that grows with the square of their size.
-
-use std::time::{Duration, Instant};
+//! Inputs that once took the verifier a time that grows with the square of their size: here seconds or minutes
+//! each. The tests see that they are judged rightly; `cargo bench --bench growth` takes the time.
 
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Violation, verify};
@@ -8,17 +7,11 @@ use sweep_cdt::verify::{Violation, verify};
 type Points = Vec<[f64; 2]>;
 type Edges = Vec<[usize; 2]>;
 
-/// More than each of them takes on a slow machine, less than the square.
-const SOON: Duration = Duration::from_secs(10);
-
 /// Verifies the triangulation of the points and edges.
-fn assert_soon(points: &Points, edges: &Edges) {
+fn assert_right(points: &Points, edges: &Edges) {
     let triangles: Vec<[usize; 3]> = triangulate(points, edges).unwrap().triangles().collect();
-    let start = Instant::now();
     let report = verify(points, edges, &triangles).unwrap();
     assert!(report.is_canonical());
-    let time = start.elapsed();
-    assert!(time < SOON, "{time:?}");
 }
 
 #[test]
@@ -27,7 +20,7 @@ fn a_star() {
     let width = COUNT as f64;
     let mut points = vec![[width / 2.0, -width]];
     points.extend((1..COUNT).map(|i| [i as f64, (i * 7 % 11) as f64]));
-    assert_soon(&points, &(1..COUNT).map(|i| [i, 0]).collect());
+    assert_right(&points, &(1..COUNT).map(|i| [i, 0]).collect());
 }
 
 /// Rays of a hub, each with two vertices, and edges through the hub from end to end. The triangles between
@@ -57,12 +50,9 @@ fn edges_through_one_vertex() {
         [[0, a, b], [a, a + 1, b + 1], [a, b + 1, b]]
     });
     let triangles: Vec<[usize; 3]> = triangles.collect();
-    let start = Instant::now();
     let violations = verify(&points, &edges, &triangles).unwrap_err();
-    let time = start.elapsed();
     assert_eq!(violations.report.constrained_sides, 4 * half);
     assert_eq!(violations.report.boundary_sides, 2 * half);
-    assert!(time < SOON, "{half}: {time:?}");
 }
 
 /// A row of vertices below and above which there is one.
@@ -81,10 +71,7 @@ fn edges_that_overlap() {
     let reversed = (0..COUNT / 2).map(|i| [COUNT - 1 - i, i]).collect();
     let shifted = (0..COUNT / 2).map(|i| [i, i + COUNT / 2]).collect();
     for edges in [repeated, reversed, shifted] {
-        let start = Instant::now();
         let report = verify(&points, &edges, &triangles).unwrap();
-        let time = start.elapsed();
-        assert!(time < SOON, "{time:?}");
         assert_eq!(report.constrained_sides, COUNT - 1);
     }
 }
@@ -128,10 +115,7 @@ fn many_boundaries() {
         points.extend([[x, 0], [x + 1, 0], [x, 1]]);
         triangles.push([v, v + 1, v + 2]);
     }
-    let start = Instant::now();
     let violations = verify(&points, &[], &triangles).unwrap_err();
-    let time = start.elapsed();
     let is_extra = |violation: &Violation| violation.name() == "extra-boundary";
     assert!(violations.list.iter().all(is_extra), "{violations}");
-    assert!(time < SOON, "{time:?}");
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Family, path, points};
+use super::family::{Family, path, points};
 use crate::Input;
 
 pub(super) const FAMILIES: &[Family] = &[

@@ -1,6 +1,6 @@
 //! Points that crowd: a point far away from all others, dense clusters, and clusters that a sample misses.
 
-use super::{Family, points};
+use super::family::{Family, points};
 use crate::{Input, Random};
 
 pub(super) const FAMILIES: &[Family] = &[

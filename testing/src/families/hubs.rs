@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Family, points};
+use super::family::{Family, points};
 use crate::Input;
 
 pub(super) const FAMILIES: &[Family] = &[

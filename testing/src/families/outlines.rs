@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Family, points, ring};
+use super::family::{Family, points, ring};
 use crate::Input;
 
 pub(super) const FAMILIES: &[Family] = &[

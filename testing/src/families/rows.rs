@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Family, points};
+use super::family::{Family, points};
 use crate::Random;
 
 pub(super) const FAMILIES: &[Family] = &[

@@ -57,15 +57,15 @@ fn what_is_no_trace_is_refused() {
         ),
         ("{}\n", "line 1: is not the header of a trace of version 3"),
         (
-            "{\"format\":\"other\",\"version\":2}\n",
+            "{\"format\":\"other\",\"version\":3}\n",
             "line 1: is not the header of a trace of version 3",
         ),
         (
-            "{\"format\":\"sweep-cdt trace\",\"version\":2,\"from\":0}\n",
+            "{\"format\":\"sweep-cdt trace\",\"version\":3,\"from\":0}\n",
             "line 1: is not the header of a trace of version 3",
         ),
         (
-            "{\"format\":\"sweep-cdt trace\",\"version\":2}\n{\"event\":\"sorted\",\"vertex\":1,\"x\":0}\n",
+            "{\"format\":\"sweep-cdt trace\",\"version\":3}\n{\"event\":\"sorted\",\"vertex\":1,\"x\":0}\n",
             "line 2: is no step: \"{\\\"event\\\":\\\"sorted\\\",\\\"vertex\\\":1,\\\"x\\\":0}\"",
         ),
     ];

@@ -147,7 +147,8 @@ fn an_edited_word_is_noticed_or_a_name() {
                     match read_and_replay(&damaged) {
                         Err(bad) => assert!(bad.line > at, "{line} -> {edited}: {bad}"),
                         Ok(found) => {
-                            assert!(line.starts_with("edge") && place == 1, "{line} -> {edited}");
+                            // Another number, or the ends of an edge that begins with the same part.
+                            assert!(line.starts_with("edge"), "{line} -> {edited}");
                             assert_eq!(found, triangles);
                         }
                     }
