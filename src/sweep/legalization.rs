@@ -102,7 +102,13 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
         self.probe.count(|c| c.flips += 1);
         self.flip_limit.count();
-        self.mesh.flip(side)
+        let across = self.mesh.flip(side);
+        let [p, _, q] = self.mesh.around(side);
+        if p == q {
+            // In a plane the two triangles of a side have different vertices opposite.
+            contradiction();
+        }
+        across
     }
 
     /// Whether a side may and must be flipped.
@@ -119,10 +125,6 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         let vertices = [i, next(i), prev(i)].map(|corner| record.vertex(corner));
         let q = self.mesh.opposite(across);
         let is_illegal = self.signs.must_flip(vertices, q, &mut self.probe);
-        if is_illegal && q == vertices[0] {
-            // In a plane the two triangles of a side have different vertices opposite.
-            contradiction();
-        }
         let outcome = if is_illegal {
             Outcome::Illegal
         } else {
