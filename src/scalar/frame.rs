@@ -1,34 +1,27 @@
 //! The doubles for all points of one input: near the coordinates, or near their differences to an *origin*.
 //!
 //! Doubles near the coordinates themselves lose what tells points apart where these are close to each other
-//! and far from zero, or all too large or too small for doubles: the doubles are equal, or hardly more
-//! exact than the points are far from each other. So where that is suspected of an axis, the origin is
-//! the middle coordinate of that axis, and the doubles are near the differences to it
-//! ([`Scalar::difference`]). Signs are the same for points that are all moved.
+//! and far from zero, or all too large or too small for doubles: different coordinates have the same
+//! double. Where a sample shows that, the origin is the middle coordinate of that axis, and the doubles are
+//! near the differences to it ([`Scalar::difference`]). Signs are the same for points that are all moved.
 //!
-//! An axis is suspected if some of its doubles are infinite or the largest, if the middle half of them lie
-//! within [`CLOSE`] of their size, or if they are next to nothing. It is moved only if there are then at
-//! least as many different doubles as before: half of the points in one column must not cost the others
-//! their digits.
+//! An axis is moved only if there are then at least as many different doubles as before: half of the points
+//! in one column must not cost the others their digits. Where all coordinates are doubles, none is moved,
+//! so a run takes the same steps in every scalar.
 //!
 //! Why it is right: any doubles are, as long as they never fall where the coordinate grows, and are off by
 //! no more than their [`Scale`] says. Differences are off by a part of themselves (`difference`). A
 //! power of two makes that neither better nor worse, until it leaves the normal doubles.
 //!
-//! Cost: O(n) to look, and for a suspected axis n differences and two sorts of doubles.
+//! Cost: little to look, and for an axis that is moved n differences and two sorts of doubles.
 
 use std::num::FpCategory;
 
 use super::doubles::{exponent, power};
 use super::{Scalar, Scale, window};
 
-/// Doubles that share 20 of their 53 bits are close.
-const CLOSE: f64 = power(-20);
-/// Doubles below are next to nothing, products of them still smaller.
-const TINY: f64 = power(-960);
-
-/// How many points are looked at before an axis is suspected.
-const SAMPLE: usize = 64;
+/// How many points are looked at before an axis is moved.
+const SAMPLE: usize = 256;
 
 /// For each point a double times a power of two, along one axis.
 type Axis = Vec<(f64, i64)>;
@@ -47,7 +40,7 @@ pub(crate) fn fit<S: Scalar>(points: &[[S; 2]], near: &mut [[f64; 2]]) -> Scale 
 
 /// The differences to an origin along axis `i`, if they tell more than the approximations.
 fn moved<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> Option<Axis> {
-    if !is_suspected(near, i) {
+    if !is_blurred(points, near, i) {
         return None;
     }
     let mut order: Vec<usize> = (0..points.len())
@@ -75,17 +68,19 @@ fn moved<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> Option<Ax
     (distinct(axis.iter().copied()) >= before).then_some(axis)
 }
 
-/// Whether the approximations of axis `i` seem to lose what tells points apart.
-fn is_suspected(near: &[[f64; 2]], i: usize) -> bool {
-    let step = near.len().div_ceil(SAMPLE).max(1);
-    let mut sample: Vec<f64> = near.iter().step_by(step).map(|x| x[i]).collect();
-    sample.sort_unstable_by(f64::total_cmp);
-    let quarter = sample.len() / 4;
-    let [Some(low), Some(high)] = [sample.get(quarter), sample.iter().rev().nth(quarter)] else {
-        return false;
-    };
-    let size = low.abs().max(high.abs());
-    size < TINY || high - low < CLOSE * size || near.iter().any(|x| x[i].abs() >= f64::MAX)
+/// Whether two different coordinates of axis `i`, of a sample, have the same double.
+fn is_blurred<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> bool {
+    let double = |v: usize| near[v][i].clamp(f64::MIN, f64::MAX);
+    let step = points.len().div_ceil(SAMPLE).max(1);
+    let mut order: Vec<usize> = (0..points.len())
+        .step_by(step)
+        .filter(|&v| points[v][i].is_finite())
+        .collect();
+    order.sort_unstable_by(|&a, &b| double(a).total_cmp(&double(b)));
+    order.windows(2).any(|pair| {
+        let [a, b] = [pair[0], pair[1]];
+        double(a).total_cmp(&double(b)).is_eq() && points[a][i].compare(&points[b][i]).is_ne()
+    })
 }
 
 /// How many numbers there are; equal ones are written alike.

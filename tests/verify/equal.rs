@@ -78,7 +78,10 @@ fn distinct_points_are_not_compared() {
         on_line(1.0, 1.0),
         on_line(0.1, -0.1),
     ] {
-        assert_eq!(distinct(&points), (points.len(), 0), "{:?}", &points[..3]);
+        let (found, comparisons) = distinct(&points);
+        assert_eq!(found, points.len());
+        // A sample is looked at for coordinates that share a double.
+        assert!(comparisons < 1000, "{comparisons}: {:?}", &points[..3]);
     }
 }
 
