@@ -20,6 +20,7 @@ mod hand_over;
 mod merge;
 
 use super::fabric::Fabric;
+use super::flip_limit::FlipLimit;
 use super::incidence::Incidence;
 use super::state::Sweep;
 use crate::error::Error;
@@ -46,6 +47,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.fabric.probe.begin(Phase::Sweeping);
         let n = self.fabric.signs.vertices.len();
         self.fabric.probe.note(|stats| stats.is_divided = true);
+        self.fabric.flip_limit = FlipLimit::new(n, false);
         self.fabric.mesh.clear(n + 2);
         self.front = Front::new(n);
         self.chains.clear();
