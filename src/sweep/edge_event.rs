@@ -24,8 +24,8 @@
 //! triangle pierced, or two where a pocket is filled.
 //!
 //! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in
-//! one lower pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are inserted in an order that lets one turn
-//! around the vertex find them all. (The paper takes any order.)
+//! one lower pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are
+//! inserted in an order that lets one turn around the vertex find them all. (The paper takes any order.)
 
 use std::cmp::Ordering::Equal;
 

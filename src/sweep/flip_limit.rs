@@ -3,11 +3,11 @@
 //! The *budget* is linear in the number of vertices, and ordinary inputs need a small part of it. When it
 //! is spent, divide and conquer takes over ([`crate::Algorithm::Auto`]).
 //!
-//! The *limit* is quadratic, and no exact scalar can reach it: a flip lowers the lifted surface, so a side that
-//! was flipped away does not come back before the next edge is inserted. With n vertices and two artificial
-//! ones there are fewer than (n + 2)^2 / 2 sides. A scalar that reaches the limit contradicts itself: each
-//! of its signs may look right, but together they belong to no points. Without a limit its flips might
-//! never end.
+//! The *limit* is quadratic, and no exact scalar can reach it: a flip lowers the lifted surface, so a side
+//! that was flipped away does not come back before the next edge is inserted. With n vertices and two
+//! artificial ones there are fewer than (n + 2)^2 / 2 sides. A scalar that reaches the limit contradicts
+//! itself: each of its signs may look right, but together they belong to no points. Without a limit its
+//! flips might never end.
 //!
 //! Cost: one subtraction a flip.
 //!
@@ -16,37 +16,41 @@
 /// Flips that the budget grants for each vertex, and in addition.
 const BUDGET: [u64; 2] = [8, 1000];
 
-/// What is left of the budget and of the limit.
+/// What is left of the budget or of the limit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FlipLimit {
     left: u64,
     most: u64,
-    /// The budget is spent; the limit is what is left now.
-    is_spent: bool,
-    has_budget: bool,
+    stage: Stage,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Stage {
+    /// The budget is being spent.
+    Budget,
+    /// It is spent, and the limit is what is left.
+    Spent,
+    /// There is no budget, only the limit.
+    Limit,
 }
 
 impl FlipLimit {
-    /// The limit for this many vertices; `has_budget` if there is a budget as well.
+    /// The limit for this many vertices; `has_budget` if there is a budget before it.
     pub(super) fn new(vertices: usize, has_budget: bool) -> FlipLimit {
         let n = vertices as u64;
         let most = (n + 2).saturating_mul(n + 2);
-        FlipLimit {
-            left: if has_budget {
-                BUDGET[0] * n + BUDGET[1]
-            } else {
-                most
-            },
-            most,
-            is_spent: false,
-            has_budget,
-        }
+        let (left, stage) = if has_budget {
+            (BUDGET[0] * n + BUDGET[1], Stage::Budget)
+        } else {
+            (most, Stage::Limit)
+        };
+        FlipLimit { left, most, stage }
     }
 
     /// Whether the sweep should be abandoned.
     #[inline(always)]
     pub(super) fn is_spent(&self) -> bool {
-        self.is_spent
+        self.stage == Stage::Spent
     }
 
     /// Counts a flip.
@@ -60,7 +64,7 @@ impl FlipLimit {
 
     /// An edge has been inserted: sides may come back once more.
     pub(super) fn renew(&mut self) {
-        if !self.has_budget || self.is_spent {
+        if self.stage != Stage::Budget {
             self.left = self.most;
         }
     }
@@ -68,10 +72,10 @@ impl FlipLimit {
     #[cold]
     #[inline(never)]
     fn reached(&mut self) {
-        if !self.has_budget || self.is_spent {
+        if self.stage != Stage::Budget {
             contradiction();
         }
-        (self.is_spent, self.left) = (true, self.most);
+        (self.stage, self.left) = (Stage::Spent, self.most);
     }
 }
 

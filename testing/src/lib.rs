@@ -7,11 +7,13 @@
 //! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
+//! * [`boundary`] finds the closed chains around a set of triangles.
 //! * [`minimize`] makes a failing input small.
 //! * `peers` (with the feature of this name) calls other crates that triangulate.
 //!
 //! docs/testing.md describes the tests that are made of this.
 
+mod boundary;
 pub mod data;
 pub mod families;
 pub mod fronts;
@@ -25,6 +27,7 @@ mod random;
 pub mod runs;
 mod steps;
 
+pub use boundary::boundary;
 pub use input::Input;
 pub use random::Random;
 pub use steps::Steps;

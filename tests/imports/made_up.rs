@@ -83,7 +83,7 @@ src/a/mod.rs:3 uses `child::f` of src/a/child.rs
 
     // What the parent only hands on does not count.
     let parent =
-        "mod child;\nmod shared;\npub use shared::Shared;\npub fn g() { child::f(todo!()) }";
+        "mod child;\nmod shared;\npub use shared::Shared;\npub fn g() { child::f(loop {}) }";
     let shared = ("src/a/shared.rs", "pub struct Shared;");
     let lib = ("src/lib.rs", "mod a;");
     assert_no_circle(&[lib, ("src/a/mod.rs", parent), child, shared]);
@@ -120,7 +120,7 @@ fn a_reexport_that_its_own_file_uses_is_an_arrow() {
         ])
     };
     assert_eq!(with_code(""), [] as [&str; 0]);
-    for code in ["pub fn f() -> A { todo!() }", "fn f() { A::new() }"] {
+    for code in ["pub fn f() -> A { loop {} }", "fn f() { A::new() }"] {
         assert_eq!(with_code(code).len(), 1, "{code}");
     }
 }

@@ -1,10 +1,8 @@
 //! Domains that the caller bounds.
 
-use std::collections::HashSet;
-
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Verifier, Violation};
-use sweep_cdt_testing::Random;
+use sweep_cdt_testing::{Random, boundary};
 
 /// A square ring around a hole.
 pub(crate) const POINTS: [[f64; 2]; 8] = [
@@ -60,25 +58,6 @@ fn a_side_is_declared_once() {
     assert_eq!(list, missing);
 }
 
-/// The closed chains of the sides of triangles that have no triangle on their right.
-fn chains(triangles: &[[usize; 3]]) -> Vec<Vec<usize>> {
-    let sides = |t: &[usize; 3]| [0, 1, 2].map(|i| [t[i], t[(i + 1) % 3]]);
-    let all: HashSet<[usize; 2]> = triangles.iter().flat_map(sides).collect();
-    let is_open = |&[a, b]: &[usize; 2]| !all.contains(&[b, a]);
-    let mut open: Vec<[usize; 2]> = triangles.iter().flat_map(sides).filter(is_open).collect();
-    let mut chains = Vec::new();
-    while let Some([first, mut at]) = open.pop() {
-        let mut chain = vec![first];
-        while at != first {
-            chain.push(at);
-            let next = open.iter().position(|side| side[0] == at);
-            at = open.swap_remove(next.unwrap())[1];
-        }
-        chains.push(chain);
-    }
-    chains
-}
-
 /// Whether a point is in a triangle or on its border.
 fn holds(corners: [[i64; 2]; 3], p: [i64; 2]) -> bool {
     (0..3).all(|i| {
@@ -113,7 +92,7 @@ fn any_set_of_triangles_is_a_domain() {
             .map(|vertex| Violation::UnusedPoint { vertex })
             .collect();
         found += expected.len();
-        let chains = chains(&chosen);
+        let chains = boundary(&chosen);
         let verdict = Verifier::new()
             .boundary(&chains)
             .verify(&points, &[], &chosen);
@@ -143,28 +122,23 @@ fn what_covers_itself_is_no_domain() {
     // A pentagram about a hub: its triangles cover the middle twice, and its sides cross.
     let points = [[0, 0], [10, 0], [3, 9], [-8, 6], [-8, -6], [3, -9]];
     let triangles = [1, 2, 3, 4, 5].map(|v| [0, v, (v + 1) % 5 + 1]);
-    let chains = [vec![1, 3, 5, 2, 4]];
-    let verdict = Verifier::new()
-        .boundary(&chains)
-        .verify(&points, &[], &triangles);
-    let list = verdict.unwrap_err().list;
-    assert_eq!(list.len(), 1);
-    assert_eq!(list[0].name(), "tangled-boundary");
+    assert_tangled(&points, &triangles, &[vec![1, 3, 5, 2, 4]]);
 
     // One triangle within another.
     let points = [[0, 0], [9, 0], [0, 9], [1, 1], [3, 1], [1, 3]];
     let triangles = [[0, 1, 2], [3, 4, 5]];
-    let chains = triangles.map(|t| t.to_vec());
-    let verdict = Verifier::new()
-        .boundary(&chains)
-        .verify(&points, &[], &triangles);
-    let list = verdict.unwrap_err().list;
+    assert_tangled(&points, &triangles, &triangles.map(|t| t.to_vec()));
+}
+
+fn assert_tangled(points: &[[i64; 2]], triangles: &[[usize; 3]], chains: &[Vec<usize>]) {
+    let verifier = Verifier::new().boundary(chains);
+    let list = verifier.verify(points, &[], triangles).unwrap_err().list;
     assert_eq!(list.len(), 1);
     assert_eq!(list[0].name(), "tangled-boundary");
 }
 
 #[test]
-fn many_points_beside_many_sides_take_no_time() {
+fn many_points_beside_many_sides_are_located() {
     // A comb of teeth, and a point in each gap between them.
     const TEETH: usize = 30_000;
     let mut points = vec![[0, 0], [2 * TEETH as i64, 0]];

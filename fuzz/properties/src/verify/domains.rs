@@ -1,9 +1,8 @@
 //! Domains in a right answer: a hole, some of its triangles, and the hull of all points but one.
 
-use std::collections::HashSet;
-
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Report, Verifier, Violation, Violations};
+use sweep_cdt_testing::boundary;
 
 use super::case::Case;
 
@@ -51,7 +50,7 @@ pub(super) fn judge_part(case: &Case) {
         .filter(|(t, _)| t % 3 != 0)
         .map(|(_, t)| t)
         .collect();
-    let mut chains = chains(&part);
+    let mut chains = boundary(&part);
     let is_right = |chains: &[Vec<usize>]| {
         let verifier = Verifier::new().boundary(chains);
         verifier.verify(&case.points, &[], &part).is_ok()
@@ -65,7 +64,7 @@ pub(super) fn judge_part(case: &Case) {
 /// Panics unless triangles that go round a hub are right in the domain that they bound, if they are without
 /// one: if they go round it once.
 pub(super) fn judge_wound(case: &Case) {
-    let chains = chains(&case.triangles);
+    let chains = boundary(&case.triangles);
     let is_right = |verifier: Verifier<'_>| {
         let verdict = verifier.verify(&case.points, &[], &case.triangles);
         verdict.is_ok()
@@ -100,23 +99,4 @@ pub(super) fn judge_unused(case: &Case, hull: &[usize]) {
     let verdict = within.verify(&case.points, &[], &triangles);
     let list = verdict.map_or_else(|violations| violations.list, |_| Vec::new());
     assert_eq!(list, [Violation::UnusedPoint { vertex }], "of {case:?}");
-}
-
-/// The closed chains of the sides of triangles that have no triangle on their right.
-fn chains(triangles: &[[usize; 3]]) -> Vec<Vec<usize>> {
-    let sides = |t: &[usize; 3]| [0, 1, 2].map(|i| [t[i], t[(i + 1) % 3]]);
-    let all: HashSet<[usize; 2]> = triangles.iter().flat_map(sides).collect();
-    let is_open = |&[a, b]: &[usize; 2]| !all.contains(&[b, a]);
-    let mut open: Vec<[usize; 2]> = triangles.iter().flat_map(sides).filter(is_open).collect();
-    let mut chains = Vec::new();
-    while let Some([first, mut at]) = open.pop() {
-        let mut chain = vec![first];
-        while at != first {
-            chain.push(at);
-            let next = open.iter().position(|side| side[0] == at);
-            at = open.swap_remove(next.expect("as many sides end at a vertex as start there"))[1];
-        }
-        chains.push(chain);
-    }
-    chains
 }
