@@ -201,6 +201,11 @@ impl Mesh {
         open
     }
 
+    /// Makes room for so many new open sides.
+    pub(crate) fn reserve_open(&mut self, more: usize) {
+        self.open.reserve(more);
+    }
+
     /// How many open sides there are.
     pub(crate) fn count_open(&self) -> usize {
         self.open.len()

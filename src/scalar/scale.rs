@@ -14,7 +14,7 @@
 //!   at most 2u |x|, that is 2u / (1 - 2u) |X|, or by 2^-1022 where x is below the normal doubles
 //!   (u = 2^-53). `(2 + 16 u) u` |X| covers the first, and the rounding of this bound itself. A factor
 //!   above 1 makes the second larger. Where |X| is the largest double nothing is known of x, so it
-//!   becomes infinite;
+//!   becomes infinite (where it is the coordinate too, so that every scalar takes the same steps);
 //! - by the contract of [`difference`](super::Scalar::difference) one that is near the difference to an
 //!   origin ([`frame`](super::frame)) is off by the first of these, and by at most 2^-1022 where it falls
 //!   below the normal doubles.
@@ -77,10 +77,8 @@ impl Scale {
 
     #[cold]
     fn move_into_range(near: &mut [[f64; 2]], exact: bool) -> Scale {
-        // Nothing is known of a number whose approximation is the largest double.
-        let limit = if exact { f64::INFINITY } else { f64::MAX };
         let sizes = near.iter().flatten().map(|x| x.abs());
-        let known = sizes.filter(|&size| size > 0.0 && size < limit);
+        let known = sizes.filter(|&size| size > 0.0 && size < f64::MAX);
         // As far as one factor can.
         let factor = power(window::shift(known.map(exponent)).clamp(-1022, 1000));
         let mut keeps_digits = true;
@@ -88,7 +86,7 @@ impl Scale {
             let scaled = *x * factor;
             // Products above 2^-960 keep all digits, and so do those by a factor above 1.
             keeps_digits &= factor >= 1.0 || *x == 0.0 || scaled.abs() > power(-960);
-            *x = if x.abs() < limit {
+            *x = if x.abs() < f64::MAX {
                 bounded(scaled)
             } else {
                 x.signum() * f64::INFINITY

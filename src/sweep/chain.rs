@@ -44,6 +44,9 @@ use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
 
+/// More suspects than these do not wait for the end of the chain.
+const MANY: usize = 4096;
+
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Fills the region to the left of `chain` and leaves its hull in `chain`. Returns how many triangles
     /// that took. Sides between a new triangle and an old one become suspects.
@@ -58,20 +61,17 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 ahead += 1;
                 continue;
             }
-            // A left turn: a convex stretch begins here. Extend it as far as it goes.
-            self.stretch.corners.clear();
-            let first = [chain[done - 2], chain[done - 1], chain[ahead]];
-            self.stretch.corners.extend(first);
-            while ahead + 1 < before && self.stays_convex(chain[ahead + 1]) {
+            // A left turn: a convex stretch begins here, `chain[start..=ahead]`. Extend it as far as it goes.
+            let start = ahead - 2;
+            [chain[start], chain[start + 1]] = [chain[done - 2], chain[done - 1]];
+            while ahead + 1 < before && self.stays_convex(&chain[start..=ahead], chain[ahead + 1]) {
                 ahead += 1;
-                self.stretch.corners.push(chain[ahead]);
             }
             // The stretch becomes one side, from its first to its last corner; the last is scanned again.
             done -= 1;
-            chain[done - 1].open = if self.stretch.corners.len() == 3 {
-                self.fill_ear(first, why)
-            } else {
-                self.fill_stretch(why)
+            chain[done - 1].open = match chain[start..=ahead] {
+                [a, b, c] => self.fill_ear([a, b, c], why),
+                ref corners => self.fill_stretch(corners, why),
             };
         }
         chain.truncate(done);
@@ -83,9 +83,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// Whether the stretch with its chord, a strictly convex polygon, stays one with one more corner.
-    fn stays_convex(&mut self, corner: Corner) -> bool {
+    fn stays_convex(&mut self, corners: &[Corner], corner: Corner) -> bool {
         // In a stretch of three, `second` and `a` are the same corner.
-        let corners = &self.stretch.corners;
         let [first, second] = [corners[0], corners[1]];
         let [a, b] = [corners[corners.len() - 2], corners[corners.len() - 1]];
         self.turns_left(a, b, corner)
@@ -110,6 +109,9 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 self.suspects.push(Side::new(t, corner));
             }
         }
+        if self.suspects.len() > MANY {
+            self.legalize();
+        }
         chord
     }
 
@@ -123,8 +125,9 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// Triangulates the convex polygon of the stretch; returns the open side that closes it.
-    fn fill_stretch(&mut self, why: Why) -> OpenId {
-        self.stretch.draw();
+    fn fill_stretch(&mut self, corners: &[Corner], why: Why) -> OpenId {
+        self.stretch.draw(corners.len());
+        self.mesh.reserve_open(2 * corners.len());
         let chord = self.mesh.add_open();
 
         // Each corner `u` makes a triangle with its neighbours `v` and `w`, below the side between them.
@@ -136,13 +139,13 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 top = self.mesh.below(self.stretch.open[v as usize]);
             }
             for (from, to) in [(v, u), (u, w)] {
-                let open = self.stretch.corners[from as usize].open;
+                let open = corners[from as usize].open;
                 // A side of the chain on which nothing borders keeps its number.
                 let is_last = to == from + 1 && !self.mesh.has_below(open);
                 self.stretch.open[from as usize] =
                     if is_last { open } else { self.mesh.add_open() };
             }
-            let vertices = [u, w, v].map(|at| self.stretch.corners[at as usize].vertex);
+            let vertices = [u, w, v].map(|at| corners[at as usize].vertex);
             let [left, right] = [v, u].map(|at| Side::open(self.stretch.open[at as usize]));
             let t = self.make(vertices, [top, left, right], why);
             self.suspects.push(Side::new(t, 0));
@@ -150,8 +153,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
 
         // The triangles on the sides of the chain are joined to those outside.
-        for k in 0..self.stretch.corners.len() - 1 {
-            let (open, outer) = (self.stretch.open[k], self.stretch.corners[k].open);
+        for (k, corner) in corners[..corners.len() - 1].iter().enumerate() {
+            let (open, outer) = (self.stretch.open[k], corner.open);
             if open != outer {
                 let above = self.mesh.below(open);
                 self.mesh.connect(above, self.mesh.below(outer));
@@ -159,7 +162,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             }
         }
         // A front segment bears the number of its left end, whatever triangle is below it.
-        let (first, outer) = (self.stretch.open[0], self.stretch.corners[0].open);
+        let (first, outer) = (self.stretch.open[0], corners[0].open);
         if first == outer {
             return chord;
         }

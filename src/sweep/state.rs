@@ -69,7 +69,12 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// triangles that took.
     pub(super) fn fill_front(&mut self, from: VertexId, to: VertexId, why: Why) -> u64 {
         self.chain.clear();
-        let mut at = from;
+        let (mut at, mut corners) = (from, 1);
+        while at != to {
+            (at, corners) = (self.front.next(at), corners + 1);
+        }
+        self.chain.reserve(corners);
+        at = from;
         loop {
             let open = OpenId::segment(at);
             self.chain.push(Corner { vertex: at, open });

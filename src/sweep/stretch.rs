@@ -1,5 +1,5 @@
-//! A convex stretch of a chain while it is closed: its corners, and the random order in which they are
-//! inserted (Chew 1990).
+//! A convex stretch of a chain while it is closed: the random order in which its corners are inserted (Chew
+//! 1990).
 //!
 //! Which triangle does a corner make when it is inserted? To find out, the corners are first taken out of
 //! the polygon in reverse order, and each one keeps its two neighbours among those left. Inserted in
@@ -7,13 +7,11 @@
 //!
 //! Cost: O(k) for k corners.
 
-use super::corner::Corner;
-use crate::ids::OpenId;
+use crate::ids::{OpenId, narrow};
 
 /// Positions are those in the stretch.
 #[derive(Debug, Default)]
 pub(super) struct Stretch {
-    pub(super) corners: Vec<Corner>,
     /// The inner positions in order of insertion.
     pub(super) order: Vec<u32>,
     /// For each position its neighbours among those inserted before it.
@@ -24,9 +22,10 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// Draws a random order of insertion for the inner positions; it depends on their number alone.
-    pub(super) fn draw(&mut self) {
-        let len = crate::ids::narrow(self.corners.len());
+    /// Draws a random order of insertion for the inner ones of so many positions; it depends on their number
+    /// alone.
+    pub(super) fn draw(&mut self, corners: usize) {
+        let len = narrow(corners);
         self.order.clear();
         self.order.extend(1..len - 1);
         let mut random = 0x2545_F491_u32;
