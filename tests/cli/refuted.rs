@@ -158,6 +158,21 @@ const UNREADABLE: &[(&str, &str, &str)] = &[
     ),
     (
         "r.json",
+        "{\"triangles\": [], \"points\": [[1, 2, 3]]}",
+        "r.json:1:30: a point has 2 coordinates, and this one 3: leave out z",
+    ),
+    (
+        "r.json",
+        "{\"triangles\": [0, 1, 2], \"points\": [[1, 2], 3]}",
+        "r.json:1:45: `3` is not a point, a list of 2 coordinates",
+    ),
+    (
+        "r.json",
+        "{\"triangles\": [[0, 1, 2]], \"points\": [[1]]}",
+        "r.json:1:39: a point has 2 coordinates, and this one 1",
+    ),
+    (
+        "r.json",
         "{\"triangles\":\n [[0, 1]]}",
         "r.json:2:3: a triangle has 3 corners, and this one 2",
     ),

@@ -65,20 +65,23 @@ pub(super) fn of_triangles(source: &Source, error: &serde_json::Error) -> ReadEr
         let list = file.list(&TRIANGLES)?;
         let list = list.ok_or_else(|| file.without(&TRIANGLES))?;
         if list.first().is_some_and(|item| item.get().starts_with('[')) {
-            return list
-                .into_iter()
-                .try_for_each(|item| file.numbers(&TRIANGLES, item));
+            for item in list {
+                file.numbers(&TRIANGLES, item)?;
+            }
+        } else {
+            for &corner in &list {
+                file.number(corner)?;
+            }
+            if let (Some(&last), false) = (list.last(), list.len().is_multiple_of(3)) {
+                let count = list.len();
+                let message = format!("the {count} corners in one list do not make triangles");
+                return Err(file.fault(last, message));
+            }
         }
-        for &corner in &list {
-            file.number(corner)?;
+        for point in file.list(&POINTS)?.unwrap_or_default() {
+            file.parts(&POINTS, point)?;
         }
-        Err(file.fault(
-            list[list.len() - 1],
-            format!(
-                "the {} corners in one list do not make triangles",
-                list.len()
-            ),
-        ))
+        Ok(())
     };
     found(source, error, find)
 }

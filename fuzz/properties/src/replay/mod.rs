@@ -10,7 +10,7 @@ mod counts;
 mod damage;
 
 use sweep_cdt::Heuristics;
-use sweep_cdt::trace::{Event, Trace, Why};
+use sweep_cdt::trace::{Event, Trace, Vertex, Why};
 
 use damage::{Damage, Kind};
 
@@ -84,7 +84,8 @@ fn judge_damaged(damage: &Damage, trace: &Trace, triangles: &[[usize; 3]]) {
                 ([Some(a), Some(b)], Kind::Doubled) => is_informal(a) || is_informal(b),
                 ([Some(a), _], Kind::Edited) => {
                     let edited = parsed.map(|trace| trace.events[damage.at[0] - 1]);
-                    edited.is_ok_and(|edited| may_stand_for(edited, a))
+                    let part = trace.events[damage.at[0]..].iter().find_map(end_of_part);
+                    edited.is_ok_and(|edited| may_stand_for(edited, a, part))
                 }
                 _ => false,
             };
@@ -93,8 +94,16 @@ fn judge_damaged(damage: &Damage, trace: &Trace, triangles: &[[usize; 3]]) {
     }
 }
 
-/// Whether the replay may not notice that one event stands for the other.
-fn may_stand_for(a: Event, b: Event) -> bool {
+fn end_of_part(event: &Event) -> Option<Vertex> {
+    match *event {
+        Event::Part { to, .. } => Some(to),
+        _ => None,
+    }
+}
+
+/// Whether the replay may not notice that one event stands for the other, where the next part of an edge
+/// ends at this vertex.
+fn may_stand_for(a: Event, b: Event, part: Option<Vertex>) -> bool {
     use Event::{Edge, Triangle};
     match (a, b) {
         (
@@ -102,7 +111,7 @@ fn may_stand_for(a: Event, b: Event) -> bool {
             Edge {
                 upper: u, lower: l, ..
             },
-        ) => [upper, lower] == [u, l],
+        ) => upper == u && (lower == l || [lower, l].map(Some).contains(&part)),
         (
             Triangle { vertices, why },
             Triangle {
