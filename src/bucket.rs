@@ -1,7 +1,7 @@
 //! Numbers spread over buckets: the sort and the front's hash table use the same few lines.
 
-/// `x`, measured in buckets, as a bucket index in `0..count`; clamps, and NaN goes to 0. It never
-/// decreases where `x` grows.
+/// `x`, measured in buckets, as a bucket index in `0..count`, which is below 2^32; clamps, and NaN goes to 0.
+/// It never decreases where `x` grows.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -9,5 +9,5 @@
 )]
 #[inline(always)]
 pub(crate) fn bucket(x: f64, count: usize) -> usize {
-    (x as usize).min(count - 1)
+    (x as u32 as usize).min(count - 1)
 }

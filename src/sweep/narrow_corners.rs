@@ -81,7 +81,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 }
                 may_be_obtuse = false;
             }
-            if self.fabric.orient2d([p, corner, far]) != inward(way) {
+            // Seen from the corner, as the angle is.
+            if self.fabric.orient2d([far, p, corner]) != inward(way) {
                 break;
             }
             self.close_corner(p, way, Why::NarrowCorner);

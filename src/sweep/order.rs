@@ -1,14 +1,15 @@
 //! The sweep order of section 3.3: by y, then x, exactly.
 //!
 //! The points are sorted by a coarse key of y, by counting. Then every run of equal keys is sorted by exact
-//! comparison.
+//! comparison, and equal points merge into the one with the lowest input index.
 //!
-//! Why it is right: the key never decreases where y grows, so points of different keys are in order.
+//! Why it is right: the key never decreases where y grows, so points of different keys are in order, and equal
+//! points have one key. In a sorted run they are neighbours, and the lowest index comes first.
 //!
 //! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst, when all share
 //! one key. For a moment 16 bytes a point, and 24 more if all share one key.
 //!
-//! Differs from the paper: it sorts by comparison.
+//! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
 
 use std::cmp::Ordering;
 
@@ -23,17 +24,19 @@ const SAMPLE: usize = 256;
 /// What is outside the middle half by more than this many times its height is far outside.
 const REACH: f64 = 8.0;
 
-/// The points in sweep order, duplicates included.
+/// The distinct points in sweep order.
 #[derive(Debug)]
 pub(super) struct Order {
     /// Their approximated coordinates, with room for the two artificial points.
     pub(super) approx: Vec<[f64; 2]>,
-    /// Their input indices; of equal points the lowest comes first.
+    /// Their input indices; the lowest of equal points stands for all.
     pub(super) input: Vec<u32>,
+    /// The others of equal points: `(point, representative)`.
+    pub(super) duplicates: Vec<(u32, u32)>,
 }
 
 /// A point: its approximated coordinates and its input index.
-pub(super) type Site = ([f64; 2], u32);
+type Site = ([f64; 2], u32);
 
 /// A point with its coarse key.
 #[derive(Clone, Copy, Default)]
@@ -42,7 +45,7 @@ struct Keyed {
     input: u32,
 }
 
-/// Sorts the points; `approx` gives the approximated coordinates of a point by its input index.
+/// Sorts and merges the points; `approx` gives the approximated coordinates of a point by its input index.
 pub(super) fn sort<S: Scalar>(
     points: &[[S; 2]],
     approx: impl Fn(u32) -> [f64; 2],
@@ -56,30 +59,38 @@ pub(super) fn sort<S: Scalar>(
     let mut order = Order {
         approx: sorted,
         input: keyed.iter().map(|item| item.input).collect(),
+        duplicates: Vec::new(),
     };
 
-    // Runs of equal keys, sorted exactly.
+    // Runs of equal keys, sorted exactly. What is equal has one key. The others move up to what is kept.
     let mut sites: Vec<Site> = Vec::new();
-    let mut from = 0;
+    let (mut from, mut kept) = (0, 0);
     for run in keyed.chunk_by(|a, b| a.key == b.key) {
         let to = from + run.len();
         if run.len() > 1 {
-            let approx = &mut order.approx[from..to];
-            let input = &mut order.input[from..to];
             sites.clear();
-            sites.extend(approx.iter().copied().zip(input.iter().copied()));
+            sites.extend((from..to).map(|i| (order.approx[i], order.input[i])));
             sites.sort_unstable_by(|a, b| compare(points, scale, a, b).then_with(|| a.1.cmp(&b.1)));
-            for ((approx, input), site) in approx.iter_mut().zip(input).zip(&sites) {
-                (*approx, *input) = *site;
+            for equal in sites.chunk_by(|a, b| compare(points, scale, a, b).is_eq()) {
+                (order.approx[kept], order.input[kept]) = equal[0];
+                kept += 1;
+                let others = equal[1..].iter();
+                order.duplicates.extend(others.map(|site| (site.1, equal[0].1)));
             }
+        } else {
+            (order.approx[kept], order.input[kept]) = (order.approx[from], order.input[from]);
+            kept += 1;
         }
         from = to;
     }
+    order.approx.truncate(kept);
+    order.input.truncate(kept);
+    order.duplicates.sort_unstable();
     order
 }
 
 /// Exact sweep order of two sites.
-pub(super) fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Ordering {
+fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Ordering {
     let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
         Some(order) if order.is_ne() || scale.tells_equal() => order,
         _ => points[a.1 as usize][i].compare(&points[b.1 as usize][i]),
@@ -99,21 +110,22 @@ fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
     // Neither differences nor products nor the bucket decrease where y grows.
     let factor = keys as f64 / (high - low);
     let key = |y: f64| narrow(bucket((y - low) * factor, keys));
+    // Keys, and how often each digit occurs: the lower and the upper half of their bits.
+    let mut counts = [0, half].map(|shift| (shift, vec![0_u32; 1 << half]));
+    let digit = |key: u32, shift| (key >> shift) as usize & ((1 << half) - 1);
     let mut keyed: Vec<Keyed> = indices
-        .map(|input| Keyed {
-            key: key(approx(input)[1]),
-            input,
+        .map(|input| {
+            let key = key(approx(input)[1]);
+            for (shift, counts) in &mut counts {
+                counts[digit(key, *shift)] += 1;
+            }
+            Keyed { key, input }
         })
         .collect();
 
-    // The lower half of the bits first; each pass keeps the order of equal digits.
+    // The lower half first; each pass keeps the order of equal digits.
     let mut sorted = vec![Keyed::default(); points];
-    for shift in [0, half] {
-        let digit = |item: &Keyed| (item.key >> shift) as usize & ((1 << half) - 1);
-        let mut places = vec![0_u32; 1 << half];
-        for item in &keyed {
-            places[digit(item)] += 1;
-        }
+    for (shift, mut places) in counts {
         // Counts become the places where the digits begin.
         let mut sum = 0;
         for place in &mut places {
@@ -121,7 +133,7 @@ fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
             *place = sum - *place;
         }
         for item in &keyed {
-            let place = &mut places[digit(item)];
+            let place = &mut places[digit(item.key, shift)];
             sorted[*place as usize] = *item;
             *place += 1;
         }

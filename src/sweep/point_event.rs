@@ -35,9 +35,8 @@ use crate::trace::{Event, PointCase, Why};
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Adds vertex `p`, the next one in sweep order.
     pub(super) fn point_event(&mut self, p: VertexId) {
-        let left = self.segment_under(p);
+        let (left, is_above) = self.segment_under(p);
         let right = self.front.next(left);
-        let is_above = self.fabric.signs.compare_x(left, p) == Equal;
 
         self.fabric.report(|name| Event::Point {
             vertex: name(p),
@@ -73,9 +72,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 
     /// The left end of the front segment under the projection of `p`: the last node whose x is at most
-    /// that of `p`. The search structure says where to start.
+    /// that of `p`, and whether it is equal. The search structure says where to start.
     #[inline(always)]
-    fn segment_under(&mut self, p: VertexId) -> VertexId {
+    fn segment_under(&mut self, p: VertexId) -> (VertexId, bool) {
         let signs = &self.fabric.signs;
         let start = self.search.locate(signs.search_x(p), &self.front);
         assert!(
@@ -83,24 +82,27 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             "the search structure named a node off the front"
         );
         let mut at = start.vertex();
+        let mut order = signs.compare_x(at, p);
         let mut steps = 0;
-        while signs.compare_x(at, p) == Greater {
+        while order == Greater {
             at = self.front.prev(at);
+            order = signs.compare_x(at, p);
             steps += 1;
         }
         loop {
             let right = self.front.next(at);
-            if signs.compare_x(right, p) == Greater {
+            let beyond = signs.compare_x(right, p);
+            if beyond == Greater {
                 break;
             }
-            at = right;
+            (at, order) = (right, beyond);
             steps += 1;
         }
         self.fabric.probe.count(|c| c.front_steps += steps as u64);
         if steps > LONG_WALK {
             self.report_walk(steps);
         }
-        at
+        (at, order == Equal)
     }
 
     /// Tells the search structure of a long walk, and gives it places instead of x if it asks for them.

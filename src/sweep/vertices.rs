@@ -1,15 +1,11 @@
 //! The vertices (section 3.3): the distinct points in sweep order.
 //!
 //! Every distinct point gets its *rank* in that order. All that follows works on ranks, so that points
-//! swept one after the other are near each other in memory. Equal points merge into the one with the
-//! lowest input index.
+//! swept one after the other are near each other in memory.
 //!
-//! Why it is right: the order is exact ([`super::order`]), so equal points are neighbours in it, and
-//! the lowest index comes first.
+//! Cost: that of the sort ([`super::order`]), and O(n) for n points.
 //!
-//! Cost: that of the sort, and O(n) for n points.
-//!
-//! Differs from the paper: it does not say what becomes of equal points.
+//! Differs from the paper: as the sort does.
 
 use super::order::{self, Order};
 use crate::error::Error;
@@ -33,10 +29,15 @@ impl Vertices {
     pub(super) fn new<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> {
         let is_finite = |p: &[S; 2]| p[0].is_finite() && p[1].is_finite();
         let approximate = |p: &[S; 2]| [p[0].approx(), p[1].approx()];
-        let is_plain = |p: &[S; 2]| is_finite(p) && is_in_range(approximate(p));
+        // What is in range is finite. No early end, so that several points are tested at once.
+        let are_plain = || {
+            points
+                .iter()
+                .fold(true, |are_plain, p| are_plain & is_in_range(approximate(p)))
+        };
         // Coordinates that are doubles of moderate size are not stored once more.
         let mut stored: Vec<[f64; 2]> = Vec::new();
-        let scale = if S::APPROX_IS_EXACT && points.iter().all(is_plain) {
+        let scale = if S::APPROX_IS_EXACT && are_plain() {
             Scale::EXACT
         } else {
             if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
@@ -49,39 +50,17 @@ impl Vertices {
             Some(near) => *near,
             None => approximate(&points[input as usize]),
         };
-        let order = order::sort(points, near, scale);
-        Ok(Vertices::merge(points, order, scale))
-    }
-
-    /// Keeps the first of each run of equal points.
-    fn merge<S: Scalar>(points: &[[S; 2]], order: Order, scale: Scale) -> Vertices {
         let Order {
-            mut approx,
-            mut input,
-        } = order;
-        let mut duplicates = Vec::new();
-        let mut kept = 0;
-        for i in 0..input.len() {
-            let site = (approx[i], input[i]);
-            if kept > 0 {
-                let before = (approx[kept - 1], input[kept - 1]);
-                if order::compare(points, scale, &before, &site).is_eq() {
-                    duplicates.push((site.1, before.1));
-                    continue;
-                }
-            }
-            (approx[kept], input[kept]) = site;
-            kept += 1;
-        }
-        approx.truncate(kept);
-        input.truncate(kept);
-        duplicates.sort_unstable();
-        Vertices {
+            approx,
+            input,
+            duplicates,
+        } = order::sort(points, near, scale);
+        Ok(Vertices {
             approx,
             input,
             duplicates,
             scale,
-        }
+        })
     }
 
     /// How many there are, without the artificial ones.
