@@ -36,6 +36,8 @@
 //!    for 0 <= P <= Q. Both sides are linear, so it is enough that it holds for P = 0 and for P = Q.
 //! 4. **Underflow** of products, multiplied by at most 2^404 in later products, adds less than 2^-663
 //!    to the determinant and to what the bound is computed from. `UNDERFLOW` covers both.
+//! 5. **Lattices.** Where all coordinates lie on a coarse one, the determinants are exact, zero included
+//!    ([`super::lattice`]).
 //!
 //! A coordinate that is infinite or NaN, as those of the artificial points and of points far outside are,
 //! makes the bound infinite or NaN. Then the filter decides nothing.
@@ -49,6 +51,7 @@
 use std::cmp::Ordering::{self, Greater, Less};
 
 use super::doubles::U;
+use super::lattice::Lattice;
 use super::scale::{Scale, UNDERFLOW};
 
 const ORIENT2D: f64 = (3.0 + 32.0 * U) * U;
@@ -81,6 +84,20 @@ pub(crate) fn in_circle([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ord
         return Some(sign(determinant));
     }
     None
+}
+
+/// The orientation of `a`, `b`, `c` where they lie on so coarse a lattice that it is not rounded.
+pub(crate) fn orient2d_on_lattice([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
+    let ([ax, ay], [bx, by]) = (minus(a, c), minus(b, c));
+    let is_exact = scale.lattice() >= Lattice::Coarse;
+    (ax * by).partial_cmp(&(ay * bx)).filter(|_| is_exact)
+}
+
+/// The same for the side of the circle through `a`, `b`, `c` on which `d` lies.
+pub(crate) fn in_circle_on_lattice([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
+    let (determinant, _) = lifted([minus(a, d), minus(b, d), minus(c, d)]);
+    let is_exact = scale.lattice() == Lattice::Coarsest;
+    determinant.partial_cmp(&0.0).filter(|_| is_exact)
 }
 
 /// The same as [`orient2d`] for doubles that may be off. Where they are exact it decides no more.
@@ -147,4 +164,47 @@ fn widen<const N: usize>(
 #[inline(always)]
 fn sign(determinant: f64) -> Ordering {
     if determinant > 0.0 { Greater } else { Less }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Scale, in_circle_on_lattice, orient2d_on_lattice};
+
+    /// Points near the corners of the widest square, many of them on one circle, against integers.
+    #[test]
+    fn determinants_are_exact_on_the_coarsest_lattice() {
+        let widest = 4096;
+        let mut state = 1_u64;
+        let mut random = |below: u64| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            ((state >> 33) % below).cast_signed()
+        };
+        let mut ties = 0;
+        for _ in 0..20_000 {
+            let near = random(3);
+            let mut coordinate = || [near, widest - near][random(2) as usize] + random(8) / 7;
+            let points = [(); 4].map(|()| [coordinate().min(widest), coordinate().min(widest)]);
+            let unit = 2_f64.powi(-3);
+            let doubles = points.map(|p| p.map(|x| 1e9 + x as f64 * unit));
+            let scale = Scale::exact(4, |i| doubles[i]);
+            let [a, b, c, d] = points.map(|p| p.map(i128::from));
+            let [a, b, c] = [a, b, c].map(|p| [p[0] - d[0], p[1] - d[1]]);
+            let minor = |p: [i128; 2], q: [i128; 2]| p[0] * q[1] - p[1] * q[0];
+            let lift = |p: [i128; 2]| p[0] * p[0] + p[1] * p[1];
+            let determinant = lift(a) * minor(b, c) - lift(b) * minor(a, c) + lift(c) * minor(a, b);
+            ties += i32::from(determinant == 0);
+            let [e, f, g, _] = doubles;
+            assert_eq!(
+                in_circle_on_lattice(doubles, scale),
+                Some(determinant.cmp(&0)),
+                "{points:?}"
+            );
+            let turn = minor([a[0] - c[0], a[1] - c[1]], [b[0] - c[0], b[1] - c[1]]);
+            let found = orient2d_on_lattice([e, f, g], scale);
+            assert_eq!(found, Some(turn.cmp(&0)), "{points:?}");
+        }
+        assert!(ties > 1000, "{ties}");
+    }
 }

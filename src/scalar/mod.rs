@@ -23,6 +23,7 @@ mod f64;
 pub(crate) mod filter;
 pub(crate) mod frame;
 mod integer;
+mod lattice;
 mod quotient;
 mod rational;
 #[cfg(feature = "rug")]

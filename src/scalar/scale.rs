@@ -24,6 +24,7 @@
 //! Cost: one pass over the doubles; a few where some are out of range.
 
 use super::doubles::{U, exponent, power};
+use super::lattice::Lattice;
 use super::window;
 
 /// More than 2u / (1 - 2u), by enough for the three roundings of [`Scale::error`].
@@ -39,18 +40,29 @@ pub(crate) struct Scale {
     underflow_if_exact: f64,
     /// Whether coordinates of equal doubles are equal: all doubles are finite and exact.
     tells_equal: bool,
+    /// Which determinants of them are exact.
+    lattice: Lattice,
     relative: f64,
     absolute: f64,
 }
 
 impl Scale {
     /// That of doubles which are the coordinates.
-    pub(crate) const EXACT: Scale = Scale {
+    pub(super) const EXACT: Scale = Scale {
         underflow_if_exact: UNDERFLOW,
         tells_equal: true,
+        lattice: Lattice::Fine,
         relative: 0.0,
         absolute: 0.0,
     };
+
+    /// That of doubles in range which are the coordinates, with what their lattice promises.
+    pub(crate) fn exact(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Scale {
+        Scale {
+            lattice: Lattice::of(points, point),
+            ..Scale::EXACT
+        }
+    }
 
     /// That of doubles each of which is off by at most 2u / (1 - 2u) of itself, or by 2^-1022 times
     /// `unit`, and once more by at most 2^-1022.
@@ -58,6 +70,7 @@ impl Scale {
         Scale {
             underflow_if_exact: f64::INFINITY,
             tells_equal: false,
+            lattice: Lattice::Fine,
             relative: RELATIVE_ERROR,
             absolute: power(-1019) * unit.max(1.0),
         }
@@ -112,6 +125,11 @@ impl Scale {
     /// Whether the doubles are the coordinates, up to the factor, wherever they are finite.
     pub(crate) fn is_exact(self) -> bool {
         self.underflow_if_exact == UNDERFLOW
+    }
+
+    /// Which determinants of the doubles are exact.
+    pub(super) fn lattice(self) -> Lattice {
+        self.lattice
     }
 
     /// What underflow adds to a determinant of exact doubles; infinite if they are not, so that such a

@@ -52,6 +52,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// that took. Sides between a new triangle and an old one become suspects.
     pub(super) fn fill(&mut self, chain: &mut Vec<Corner>, why: Why) -> u64 {
         let before = chain.len();
+        self.flip_limit.corners(before);
         // `chain[..done]` nowhere turns left; `chain[ahead..]` is still to be scanned.
         let (mut done, mut ahead) = (1, 1);
         while ahead < before {

@@ -1,7 +1,10 @@
 //! How many sides may be flipped before the sweep is abandoned, or the scalar is wrong.
 //!
-//! The *budget* is linear in the number of vertices, and ordinary inputs need a small part of it. When it
-//! is spent, divide and conquer takes over ([`crate::Algorithm::Auto`]).
+//! The *budget* grows with the work: by some flips for each vertex swept and each corner of a chain that is
+//! filled. What the sweep does not need at once it may keep, but no more than a *reserve*. So the budget is
+//! linear in the size of the input and what its edges pierce, and a stretch of the sweep that needs far more
+//! flips is noticed soon. Ordinary inputs need a small part of it. When it is spent, divide and conquer takes
+//! over ([`crate::Algorithm::Auto`]).
 //!
 //! The *limit* is quadratic, and no exact scalar can reach it: a flip lowers the lifted surface, so a side
 //! that was flipped away does not come back before the next edge is inserted. With n vertices and two
@@ -13,13 +16,18 @@
 //!
 //! Differs from the paper: it sets no limits.
 
-/// Flips that the budget grants for each vertex, and in addition.
-const BUDGET: [u64; 2] = [8, 1000];
+/// Flips that the budget grants for each vertex swept.
+const FOR_VERTEX: u64 = 8;
+/// Flips that it grants for each corner of a chain.
+const FOR_CORNER: u64 = 4;
+/// The reserve: half a flip for each vertex, and these.
+const RESERVE: u64 = 1000;
 
 /// What is left of the budget or of the limit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FlipLimit {
     left: u64,
+    reserve: u64,
     most: u64,
     stage: Stage,
 }
@@ -39,12 +47,34 @@ impl FlipLimit {
     pub(super) fn new(vertices: usize, has_budget: bool) -> FlipLimit {
         let n = vertices as u64;
         let most = (n + 2).saturating_mul(n + 2);
+        let reserve = n / 2 + RESERVE;
         let (left, stage) = if has_budget {
-            (BUDGET[0] * n + BUDGET[1], Stage::Budget)
+            (reserve, Stage::Budget)
         } else {
             (most, Stage::Limit)
         };
-        FlipLimit { left, most, stage }
+        FlipLimit {
+            left,
+            reserve,
+            most,
+            stage,
+        }
+    }
+
+    /// So many vertices have been swept: the budget grows up to the reserve.
+    #[inline(always)]
+    pub(super) fn vertices(&mut self, swept: u32) {
+        if self.stage == Stage::Budget {
+            let left = self.left + FOR_VERTEX * u64::from(swept);
+            self.left = left.min(self.reserve);
+        }
+    }
+
+    /// A chain of so many corners will be filled.
+    pub(super) fn corners(&mut self, corners: usize) {
+        if self.stage == Stage::Budget {
+            self.left += FOR_CORNER * corners as u64;
+        }
     }
 
     /// Whether the sweep should be abandoned.

@@ -115,6 +115,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
                 self.edge_event(v)?;
             }
             if v.number() % CHECK == 0 {
+                self.fabric.flip_limit.vertices(CHECK);
                 if self.fabric.flip_limit.is_spent() {
                     return Ok(());
                 }

@@ -75,7 +75,9 @@ pub(super) fn sort<S: Scalar>(
                 (order.approx[kept], order.input[kept]) = equal[0];
                 kept += 1;
                 let others = equal[1..].iter();
-                order.duplicates.extend(others.map(|site| (site.1, equal[0].1)));
+                order
+                    .duplicates
+                    .extend(others.map(|site| (site.1, equal[0].1)));
             }
         } else {
             (order.approx[kept], order.input[kept]) = (order.approx[from], order.input[from]);

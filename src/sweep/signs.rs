@@ -17,7 +17,7 @@ use super::artificial::{self, Artificial};
 use super::vertices::Vertices;
 use crate::ids::{VertexId, narrow};
 use crate::probe::Probe;
-use crate::scalar::{Scalar, filter};
+use crate::scalar::{Scalar, Scale, filter};
 
 /// The exact signs, by rank. A probe that the caller passes counts how they were decided.
 #[derive(Debug)]
@@ -123,14 +123,22 @@ impl<'a, S: Scalar> Signs<'a, S> {
     #[inline(never)]
     fn orient2d_exact(&self, [a, b, c]: [VertexId; 3], probe: &mut impl Probe) -> Ordering {
         let scale = self.vertices.scale;
-        if !scale.is_exact()
-            && let doubles = [a, b, c].map(|v| self.approx(v))
-            && let Some(sign) = filter::orient2d_approx(doubles, scale)
-        {
+        let doubles = [a, b, c].map(|v| self.approx(v));
+        let filtered = if scale.is_exact() {
+            filter::orient2d_on_lattice(doubles, scale)
+        } else {
+            filter::orient2d_approx(doubles, scale)
+        };
+        if let Some(sign) = filtered {
             probe.count(|c| c.orient2d_filtered += 1);
             return sign;
         }
-        let (sign, stage) = S::orient2d_exact(self.exact(a), self.exact(b), self.exact(c));
+        let (sign, stage) = if are_coordinates(doubles, scale) {
+            let [a, b, c] = &doubles;
+            f64::orient2d_exact(a, b, c)
+        } else {
+            S::orient2d_exact(self.exact(a), self.exact(b), self.exact(c))
+        };
         probe.count(|c| c.count_orient2d(stage));
         sign
     }
@@ -198,18 +206,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
                 self.orient2d([p, a, q], probe) == Greater
             };
         }
-        let scale = self.vertices.scale;
-        if !scale.is_exact()
-            && let doubles = [a, b, p, q].map(|v| self.approx(v))
-            && let Some(sign) = filter::in_circle_approx(doubles, scale)
-        {
-            probe.count(|c| c.in_circle_filtered += 1);
-            return sign == Greater;
-        }
-        let (sign, stage) =
-            S::in_circle_exact(self.exact(a), self.exact(b), self.exact(p), self.exact(q));
-        probe.count(|c| c.count_in_circle(stage));
-        match sign {
+        match self.in_circle_exact([a, b, p, q], probe) {
             Greater => true,
             Less => false,
             Equal => {
@@ -220,6 +217,31 @@ impl<'a, S: Scalar> Signs<'a, S> {
         }
     }
 
+    /// On which side of the circle through `a`, `b`, `c` the vertex `d` lies, all real, where the filter for
+    /// exact doubles does not decide: `Greater` for inside.
+    fn in_circle_exact(&self, [a, b, c, d]: [VertexId; 4], probe: &mut impl Probe) -> Ordering {
+        let scale = self.vertices.scale;
+        let doubles = [a, b, c, d].map(|v| self.approx(v));
+        let filtered = if scale.is_exact() {
+            filter::in_circle_on_lattice(doubles, scale)
+        } else {
+            filter::in_circle_approx(doubles, scale)
+        };
+        if let Some(sign) = filtered {
+            probe.count(|c| c.in_circle_filtered += 1);
+            return sign;
+        }
+        let (sign, stage) = if are_coordinates(doubles, scale) {
+            let [a, b, c, d] = &doubles;
+            f64::in_circle_exact(a, b, c, d)
+        } else {
+            let [a, b, c, d] = [a, b, c, d].map(|v| self.exact(v));
+            S::in_circle_exact(a, b, c, d)
+        };
+        probe.count(|c| c.count_in_circle(stage));
+        sign
+    }
+
     /// The leftmost of two vertices, the upper one where x is equal.
     fn leftmost(&self, a: VertexId, b: VertexId) -> VertexId {
         match self.compare_x(a, b) {
@@ -228,4 +250,10 @@ impl<'a, S: Scalar> Signs<'a, S> {
             Equal => a.max(b),
         }
     }
+}
+
+/// Whether doubles are the coordinates, up to a power of two, which changes no sign. They lie nearer in memory
+/// than the caller's points, which are in any order.
+fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: Scale) -> bool {
+    scale.is_exact() && doubles.iter().flatten().all(|x| x.is_finite())
 }

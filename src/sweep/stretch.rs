@@ -5,9 +5,16 @@
 //! the polygon in reverse order, and each one keeps its two neighbours among those left. Inserted in
 //! order, each corner makes a triangle with these two.
 //!
-//! Cost: O(k) for k corners.
+//! A long stretch is inserted in rounds, each as large as all before it and from left to right (Amenta, Choi
+//! and Rote 2003): what is chosen in a round is random, and corners near each other in memory follow each
+//! other.
+//!
+//! Cost: O(k) for k corners; the sorts of long rounds are a small part of the time.
 
 use crate::ids::{OpenId, narrow};
+
+/// So few corners are near each other in any order.
+const FEW: usize = 4096;
 
 /// Positions are those in the stretch.
 #[derive(Debug, Default)]
@@ -34,6 +41,12 @@ impl Stretch {
             random ^= random >> 17;
             random ^= random << 5;
             self.order.swap(i, random as usize % (i + 1));
+        }
+        // The last half of them from left to right, then the half before, and so on.
+        let mut end = self.order.len();
+        while end > FEW {
+            self.order[end / 2..end].sort_unstable();
+            end /= 2;
         }
         self.prev.clear();
         self.prev.extend((0..len).map(|i| i.saturating_sub(1)));

@@ -38,7 +38,7 @@ impl Vertices {
         // Coordinates that are doubles of moderate size are not stored once more.
         let mut stored: Vec<[f64; 2]> = Vec::new();
         let scale = if S::APPROX_IS_EXACT && are_plain() {
-            Scale::EXACT
+            Scale::exact(points.len(), |i| approximate(&points[i]))
         } else {
             if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
                 return Err(Error::NonFiniteCoordinate { vertex });
