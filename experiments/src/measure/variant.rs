@@ -1,0 +1,100 @@
+//! A variant: one way to triangulate an input, which a cell compares with others.
+
+use std::fmt;
+
+use sweep_cdt::{Algorithm, Error, Heuristics, Run, Stats, Triangulator};
+use sweep_cdt_testing::Input;
+use sweep_cdt_testing::runs::{Sample, convert};
+
+use super::fingerprint::fingerprint;
+use super::row::Row;
+use crate::contestant::Contestant;
+use crate::fronts::{Structure, Watched};
+
+type Count = dyn Fn(&Input, &mut Row) -> Result<(), Error>;
+type Time = dyn Fn(&Input) -> Result<Stats, Error>;
+
+/// One way to triangulate.
+pub(crate) struct Variant {
+    pub(crate) name: String,
+    /// Whether its time grows with points times the length of the front.
+    pub(crate) is_linear: bool,
+    count: Box<Count>,
+    time: Box<Time>,
+}
+
+impl fmt::Debug for Variant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Variant").field(&self.name).finish()
+    }
+}
+
+impl Variant {
+    /// A structure, with the default algorithm and heuristics.
+    pub(crate) fn structure(contestant: &Contestant) -> Variant {
+        Variant::sweep(
+            contestant.name(),
+            contestant,
+            Algorithm::default(),
+            Heuristics::default(),
+        )
+    }
+
+    /// A structure, an algorithm and a setting of the heuristics.
+    pub(crate) fn sweep(
+        name: &str,
+        contestant: &Contestant,
+        algorithm: Algorithm,
+        heuristics: Heuristics,
+    ) -> Variant {
+        let (counted, timed) = (contestant.clone(), contestant.clone());
+        Variant {
+            name: name.to_owned(),
+            is_linear: contestant.is_linear(),
+            count: Box::new(move |input, row| {
+                let run = Triangulator::new()
+                    .front(Watched::new(counted.front().clone()))
+                    .algorithm(algorithm)
+                    .heuristics(heuristics)
+                    .triangulate_with_stats(&input.points, &input.edges)?;
+                row.see(run.front.seen);
+                row.work(run.front.structure.work());
+                take_over(&run, row);
+                Ok(())
+            }),
+            time: Box::new(move |input| timed.run(input, algorithm, heuristics)),
+        }
+    }
+
+    /// A scalar that can hold the coordinates, with the default structure.
+    pub(crate) fn scalar<S: Sample + 'static>(name: &str) -> Variant {
+        let run = |input: &Input| {
+            let points = convert::<S>(&input.points).expect("the scalar holds the coordinates");
+            Triangulator::new().triangulate_with_stats(&points, &input.edges)
+        };
+        Variant {
+            name: name.to_owned(),
+            is_linear: false,
+            count: Box::new(move |input, row| {
+                take_over(&run(input)?, row);
+                Ok(())
+            }),
+            time: Box::new(move |input| Ok(run(input)?.stats)),
+        }
+    }
+
+    /// Triangulates once, and writes all counts into the row.
+    pub(super) fn count(&self, input: &Input, row: &mut Row) -> Result<(), Error> {
+        (self.count)(input, row)
+    }
+
+    /// Triangulates once, for the times of its phases.
+    pub(super) fn time(&self, input: &Input) -> Result<Stats, Error> {
+        (self.time)(input)
+    }
+}
+
+fn take_over<F>(run: &Run<F>, row: &mut Row) {
+    row.count(&run.stats);
+    row.result = format!("{:016x}", fingerprint(&run.triangulation));
+}

@@ -1,0 +1,5 @@
+//! The structures, the data and the experiments.
+
+mod alone;
+mod data;
+mod steps;
