@@ -62,9 +62,10 @@ struct Options {
     file: Vec<PathBuf>,
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How often each variant is timed on each input; odd, so that there is a median.
-    #[arg(long, default_value_t = 5)]
-    repetitions: usize,
+    /// How often each variant is timed on each input: an odd number has a median [default: 5, or 3 with
+    /// --quick].
+    #[arg(long)]
+    repetitions: Option<usize>,
     /// Lists the cells with their numbers.
     #[arg(long)]
     cells: bool,
@@ -92,6 +93,9 @@ fn names() -> String {
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// Does what the command line says, with these structures.
+///
+/// # Errors
+/// Each is a line for the user.
 pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
     if let Some(What::Generate {
         kind,
@@ -113,7 +117,9 @@ pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
         chosen_cells(experiment, &options)?,
         (experiment.variants)(contestants),
         options.seed,
-        options.repetitions,
+        options
+            .repetitions
+            .unwrap_or(if options.quick { 3 } else { 5 }),
     );
     if options.cells {
         for (number, cell) in plan.cells.iter().enumerate() {

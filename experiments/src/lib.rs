@@ -23,6 +23,8 @@ mod report;
 mod runner;
 mod store;
 
+use std::error::Error;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -50,13 +52,29 @@ pub use contestant::{Contestant, standard};
 /// main_with([Contestant::new("from the right end", RightEnd).linear()]);
 /// ```
 pub fn main_with(own: impl IntoIterator<Item = Contestant>) -> ExitCode {
-    let mut contestants = standard();
-    contestants.extend(own);
-    match command::run(command::Command::parse(), &contestants) {
+    match run(own, std::env::args_os()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::FAILURE
         }
     }
+}
+
+/// The same with arguments of your own, the name of the program first.
+///
+/// # Errors
+/// Each is a line for the user. Arguments that cannot be understood, and `--help`, end the program.
+pub fn run(
+    own: impl IntoIterator<Item = Contestant>,
+    arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+) -> Result<(), Box<dyn Error>> {
+    let mut contestants = standard();
+    contestants.extend(own);
+    let names = |i: usize| contestants[i].name();
+    let twice = (0..contestants.len()).find(|&i| (0..i).any(|j| names(i) == names(j)));
+    if let Some(i) = twice {
+        return Err(format!("two structures have the name {}", names(i)).into());
+    }
+    command::run(command::Command::parse_from(arguments), &contestants)
 }

@@ -52,6 +52,13 @@ pub(super) const FRONTS: Experiment = Experiment {
             measure: |row| Some(row.ns_per_point()),
             shape: Shape::Ratios,
         },
+        View {
+            name: "least",
+            title: "Least time of the whole triangulation, nanoseconds a point",
+            about: "Of all turns: other programs on the machine disturb it least. Ratios as before.",
+            measure: |row| Some(1e6 * row.least_ms / row.points.max(1) as f64),
+            shape: Shape::Ratios,
+        },
     ],
     remarks: no_remarks,
 };

@@ -8,9 +8,9 @@ use plotters::style::{Color, FontTransform, IntoFont, RGBColor, ShapeStyle, WHIT
 
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// The height of letters in pixels.
-pub(super) const TEXT: u32 = 13;
-pub(super) const TITLE: u32 = 16;
+/// The size of letters; a pixel is 1.24 of it.
+pub(super) const TEXT: u32 = 16;
+pub(super) const TITLE: u32 = 19;
 pub(super) const FONT: &str = "sans-serif";
 
 /// Writing to a text does not fail, and all drawings have the size that they say.

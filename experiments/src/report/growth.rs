@@ -2,7 +2,6 @@
 
 use plotters::chart::ChartBuilder;
 use plotters::prelude::IntoLogRange;
-use plotters::series::LineSeries;
 use plotters::style::{BLACK, Color, IntoFont, RGBColor, ShapeStyle};
 
 use super::View;
@@ -89,14 +88,25 @@ fn panel(
         .configure_mesh()
         .x_desc("points")
         .x_label_formatter(&|x| power(*x))
-        .y_label_formatter(&|y| short(*y))
+        .y_label_formatter(&|_| String::new())
         .x_labels(6)
-        .y_labels(6)
+        .y_labels(1)
         .label_style((FONT, TEXT - 1))
         .bold_line_style(tint(BLACK, 0.2))
         .light_line_style(tint(BLACK, 0.05))
         .draw()
         .expect(DRAWN);
+    let pixel = |point: &(f64, f64)| {
+        let (x, y) = chart.plotting_area().map_coordinate(point);
+        let (across, down) = area.get_pixel_range();
+        (x - across.start, y - down.start)
+    };
+    for y in ticks(ys) {
+        let [left, right] = xs.map(|x| pixel(&(x, y)));
+        line(area, vec![left, right], tint(BLACK, 0.15).stroke_width(1));
+        let at = (left.0 - 6, left.1);
+        text(area, &short(y), at, Place::Left, TEXT - 2, BLACK);
+    }
     for (i, variant) in variants.iter().enumerate() {
         let own = rows
             .iter()
@@ -105,19 +115,24 @@ fn panel(
             .filter_map(|row| point(view, row))
             .map(|[x, y]| (x, y))
             .collect();
-        let style = colour(i).stroke_width(2);
-        let series = LineSeries::new(points.iter().copied(), style);
-        chart.draw_series(series).expect(DRAWN);
-        let plot = chart.plotting_area();
-        for point in &points {
-            let (x, y) = plot.map_coordinate(point);
-            let [left, top] = [
-                x - area.get_pixel_range().0.start,
-                y - area.get_pixel_range().1.start,
-            ];
-            mark(area, i, (left, top));
+        let points: Vec<(i32, i32)> = points.iter().map(pixel).collect();
+        line(area, points.clone(), colour(i).stroke_width(2));
+        for point in points {
+            mark(area, i, point);
         }
     }
+}
+
+/// 1, 2 and 5 times powers of ten; powers alone where these are many.
+fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
+    let steps: &[f64] = if high / low < 1e3 {
+        &[1.0, 2.0, 5.0]
+    } else {
+        &[1.0]
+    };
+    let powers = (-6..12).map(|power| 10_f64.powi(power));
+    let all = powers.flat_map(|power| steps.iter().map(move |step| step * power));
+    all.filter(|&tick| low <= tick && tick <= high).collect()
 }
 
 fn power(x: f64) -> String {

@@ -50,9 +50,9 @@ impl Scale {
 const SMALLEST: f64 = 0.01;
 
 /// Pixels: a box, the names of the variants, those of the columns above.
-const BOX: [i32; 2] = [56, 24];
-const LEFT: i32 = 190;
-const TOP: i32 = 150;
+const BOX: [i32; 2] = [60, 26];
+const LEFT: i32 = 215;
+const TOP: i32 = 145;
 const MARGIN: i32 = 10;
 
 pub(super) fn draw(table: &Table, scale: Scale) -> String {
@@ -90,7 +90,7 @@ pub(super) fn draw(table: &Table, scale: Scale) -> String {
                 let corners = [(left, top), (left + BOX[0] - 1, top + BOX[1] - 1)];
                 fill(area, corners, colour);
                 let at = (left + BOX[0] / 2, middle);
-                text(area, &number, at, Place::Middle, TEXT - 1, ink(colour));
+                text(area, &number, at, Place::Middle, TEXT - 2, ink(colour));
             }
         }
     })

@@ -2,4 +2,5 @@
 
 mod alone;
 mod data;
+mod program;
 mod steps;
