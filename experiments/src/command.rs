@@ -72,7 +72,7 @@ struct Options {
     /// Runs this cell alone, and writes no report.
     #[arg(long, conflicts_with = "cells")]
     cell: Option<usize>,
-    /// Writes the report of cells that have run before.
+    /// Writes the report of cells that have run before, maybe at another commit.
     #[arg(long, conflicts_with_all = ["cells", "cell"])]
     merge: bool,
 }
@@ -128,10 +128,14 @@ pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
         return Ok(());
     }
     let default = || PathBuf::from("target/experiments").join(&name);
-    let store = Store::open(&options.out.unwrap_or_else(default), &plan)?;
+    let folder = options.out.unwrap_or_else(default);
+    if options.merge {
+        let (store, commit) = Store::reopen(&folder, &plan)?;
+        return runner::report(&Plan { commit, ..plan }, &store);
+    }
+    let store = Store::open(&folder, &plan)?;
     match options.cell {
         Some(number) => runner::run_cell(&plan, &store, number),
-        None if options.merge => runner::report(&plan, &store),
         None => runner::run(&plan, &store),
     }
 }

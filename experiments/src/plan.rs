@@ -47,9 +47,14 @@ impl Plan {
 
     /// The whole plan as text.
     pub(crate) fn text(&self) -> String {
+        self.text_at(&self.commit)
+    }
+
+    /// The same as it would be at another commit.
+    pub(crate) fn text_at(&self, commit: &str) -> String {
         let mut text = format!(
             "experiment {}\ncommit {}\nseed {}\nrepetitions {}\n",
-            self.experiment.name, self.commit, self.seed, self.repetitions
+            self.experiment.name, commit, self.seed, self.repetitions
         );
         for variant in &self.variants {
             let _ = writeln!(text, "variant {}", variant.name);

@@ -28,24 +28,44 @@ impl Store {
         };
         fs::create_dir_all(folder.join("cells"))
             .map_err(|error| format!("{}: {error}", folder.display()))?;
-        let (path, text) = (folder.join("plan.txt"), plan.text());
+        let path = folder.join("plan.txt");
         match fs::read_to_string(&path) {
-            Ok(found) if found == text => {}
-            Ok(found) => {
-                let differs = |line: &&str| !found.lines().any(|other| other == *line);
-                let line = text
-                    .lines()
-                    .find(differs)
-                    .unwrap_or("fewer cells or variants");
-                return Err(format!(
-                    "{} holds results of another plan (now: {line}); name another folder or remove it",
-                    folder.display()
-                )
-                .into());
-            }
-            Err(_) => write_whole(&path, text.as_bytes())?,
+            Ok(found) => store.compare(&found, &plan.text())?,
+            Err(_) => write_whole(&path, plan.text().as_bytes())?,
         }
         Ok(store)
+    }
+
+    /// The results of this plan in a folder where it has run, maybe at another commit, and that commit.
+    ///
+    /// # Errors
+    /// If the folder holds none, or those of another plan.
+    pub(crate) fn reopen(folder: &Path, plan: &Plan) -> Result<(Store, String)> {
+        let store = Store {
+            folder: folder.to_owned(),
+        };
+        let path = folder.join("plan.txt");
+        let found =
+            fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+        let commit = found.lines().find_map(|line| line.strip_prefix("commit "));
+        let commit = commit.unwrap_or("unknown").to_owned();
+        store.compare(&found, &plan.text_at(&commit))?;
+        Ok((store, commit))
+    }
+
+    /// Refuses a plan that is not the one found in the folder.
+    fn compare(&self, found: &str, text: &str) -> Result<()> {
+        if found == text {
+            return Ok(());
+        }
+        let differs = |line: &&str| !found.lines().any(|other| other == *line);
+        let line = text.lines().find(differs);
+        Err(format!(
+            "{} holds results of another plan (now: {}); name another folder or remove it",
+            self.folder.display(),
+            line.unwrap_or("fewer cells or variants")
+        )
+        .into())
     }
 
     fn cell(&self, number: usize) -> PathBuf {

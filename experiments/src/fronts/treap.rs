@@ -138,3 +138,31 @@ impl Structure for Treap {
         Some(self.work)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{FrontNode, FrontSearch, LEFT, NONE, RIGHT, Treap};
+
+    /// Priorities fall from every node to its children, whatever joined and left before.
+    #[test]
+    fn greater_priorities_stay_above() {
+        let mut treap = Treap::new(3);
+        for rank in 0..500 {
+            let x = |rank: usize| (rank * 7919 % 503) as f64;
+            treap.inserted(FrontNode::from_rank(rank), x(rank));
+            if rank % 3 == 2 {
+                let gone = rank / 3 * 2;
+                treap.removed(FrontNode::from_rank(gone), x(gone));
+            }
+            let mut below = vec![treap.arena.root()];
+            while let Some(place) = below.pop() {
+                for child in [LEFT, RIGHT].map(|side| treap.arena.child(place, side)) {
+                    if child != NONE {
+                        assert!(treap.priority(place) > treap.priority(child));
+                        below.push(child);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -57,3 +57,30 @@ impl<F: FrontSearch> FrontSearch for Watched<F> {
         self.structure.removed(node, x);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use sweep_cdt::front::{Front, FrontNode, FrontSearch};
+
+    use super::{Seen, Watched};
+    use crate::fronts::FromEnd;
+
+    #[test]
+    fn searches_and_lengths_are_counted() {
+        let mut watched = Watched::new(FromEnd);
+        let front = Front::new(3);
+        for rank in 0..3 {
+            watched.inserted(FrontNode::from_rank(rank), 0.0);
+            watched.locate(0.0, &front);
+        }
+        watched.removed(FrontNode::from_rank(1), 0.0);
+        watched.locate(0.0, &front);
+        let expected = Seen {
+            searches: 4,
+            length: 2,
+            greatest_length: 3,
+            lengths: 1 + 2 + 3 + 2,
+        };
+        assert_eq!(watched.seen, expected);
+    }
+}

@@ -102,3 +102,36 @@ impl Cell {
         Ok(row)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Cell, Source, Variant};
+    use crate::data::KINDS;
+
+    const CELL: Cell = Cell {
+        source: Source::Kind(KINDS[0]),
+        size: 10,
+    };
+
+    #[test]
+    fn variants_that_differ_in_the_result_are_an_error() {
+        let [one, two] = ["one", "two"].map(|result| Variant::pretended(result, 9.0, false));
+        let error = CELL.run(&[one, two], 1, 1).expect_err("they differ");
+        assert_eq!(
+            error.to_string(),
+            "uniform: two and one differ in the result"
+        );
+    }
+
+    #[test]
+    fn what_would_take_very_long_is_left_out() {
+        for (front_mean, expected) in [(1999.0, [false, false]), (2001.0, [false, true])] {
+            let variants =
+                [false, true].map(|linear| Variant::pretended("same", front_mean, linear));
+            let rows = CELL.run(&variants, 1, 3).expect("they agree");
+            assert_eq!([0, 1].map(|i| rows[i].is_left_out), expected);
+            let repetitions = expected.map(|is_left_out| if is_left_out { 0 } else { 3 });
+            assert_eq!([0, 1].map(|i| rows[i].repetitions), repetitions);
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! Each structure without a sweep: random nodes join and leave, and a sorted list says where a search ends.
 
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::standard;
 use sweep_cdt_testing::Random;
 
@@ -12,7 +13,7 @@ struct Model<'a, F> {
     structure: F,
 }
 
-impl<F: FrontSearch> Model<'_, F> {
+impl<F: Structure> Model<'_, F> {
     fn x(&self, node: FrontNode) -> f64 {
         self.points[node.rank()][0]
     }
@@ -63,6 +64,20 @@ fn allowed(name: &str, nodes: usize) -> f64 {
     }
 }
 
+/// Comparisons and words looked at that a search or an update may need on average among so many nodes.
+fn allowed_work(name: &str, nodes: usize) -> f64 {
+    let halvings = (nodes as f64 + 1.0).log2();
+    match name {
+        // What they need grows with the crowd in an interval, or with the empty ones.
+        _ if name.starts_with("uniform table") => f64::INFINITY,
+        "hash over ranks" => 64.0,
+        // A search anywhere halves the ranks of all vertices.
+        "bit set over ranks" => 16.0,
+        "treap" => 4.0 + 2.0 * halvings,
+        _ => 4.0 + 1.5 * halvings,
+    }
+}
+
 fn test(points: &[[f64; 2]], longest: usize) {
     for contestant in standard() {
         let mut random = Random::new(7);
@@ -77,12 +92,14 @@ fn test(points: &[[f64; 2]], longest: usize) {
             model.nodes.clear();
             model.front = Front::new(points.len());
             model.structure.begin(Domain::new(&points[..n]));
-            let (mut steps, mut searches) = (0, 0);
+            let (mut steps, mut searches, mut updates) = (0, 0, 0);
             for rank in 0..n {
                 model.insert(rank);
                 while model.nodes.len() > longest || random.one_in(4) && !model.nodes.is_empty() {
                     model.remove(random.below(model.nodes.len()));
+                    updates += 1;
                 }
+                updates += 1;
                 let next = points.get(rank + 1).map_or(0.5, |point| point[0]);
                 let anywhere = random.pick(points)[0];
                 for x in [next, anywhere, random.unit(), -1.0, 2.0] {
@@ -94,8 +111,22 @@ fn test(points: &[[f64; 2]], longest: usize) {
             let name = contestant.name();
             let allowed = allowed(name, longest);
             assert!(mean <= allowed, "{name}: {mean} steps a search");
+            if let Some(work) = model.structure.work() {
+                let count = work.comparisons.max(work.visited) as f64;
+                let mean = count / f64::from(searches + updates);
+                let allowed = allowed_work(name, longest);
+                assert!(
+                    mean <= allowed,
+                    "{name}: {mean} > {allowed} among {longest}"
+                );
+            }
         }
     }
+}
+
+/// Whether a structure names the right node itself, so that no step is left.
+fn is_exact(name: &str) -> bool {
+    allowed(name, 100) <= 1.0
 }
 
 #[test]
@@ -107,7 +138,7 @@ fn a_search_ends_near_its_place() {
 }
 
 #[test]
-fn equal_and_infinite_x_are_borne() {
+fn equal_and_infinite_x_are_borne_and_the_upper_node_found() {
     let mut random = Random::new(2);
     let mut points: Vec<[f64; 2]> = (0..1000)
         .map(|_| [random.integer(3), random.unit()])
@@ -132,6 +163,10 @@ fn equal_and_infinite_x_are_borne() {
                 front.remove(left);
                 nodes.remove(place - 1);
                 structure.removed(left, x);
+            }
+            if is_exact(contestant.name()) {
+                let found = structure.locate(x, &front);
+                assert_eq!(found, node, "{}: the node of this x", contestant.name());
             }
             for x in [x, f64::NEG_INFINITY, f64::INFINITY, 0.5] {
                 let found = structure.locate(x, &front);
