@@ -2,7 +2,7 @@
 
 use sweep_cdt_testing::{Input, Random};
 
-use super::{numbers, only};
+use super::points::{numbers, only};
 
 /// A row of half the points, a unit apart: it stays on the front until something comes above it.
 fn row(n: usize) -> Vec<[f64; 2]> {

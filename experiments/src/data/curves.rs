@@ -2,7 +2,7 @@
 
 use sweep_cdt_testing::{Input, Random};
 
-use super::{numbers, only};
+use super::points::{numbers, only};
 
 /// The direction of a quarter turn's part `t`, from 0 to 1, in quadrant 0 to 3: a rational point of the unit
 /// circle, rounded.

@@ -2,7 +2,7 @@
 
 use sweep_cdt_testing::{Input, Random};
 
-use super::numbers;
+use super::points::numbers;
 
 pub(super) fn comb(n: usize, _: &mut Random) -> Input {
     let height = n as f64;

@@ -9,6 +9,7 @@ mod curves;
 mod edges;
 mod outlines;
 mod parcels;
+mod points;
 mod scattered;
 mod terrain;
 mod write;
@@ -152,16 +153,3 @@ pub const KINDS: &[Kind] = &[
         make: adversaries::leftwards,
     },
 ];
-
-/// Points without edges.
-fn only(points: Vec<[f64; 2]>) -> Input {
-    Input {
-        points,
-        edges: Vec::new(),
-    }
-}
-
-/// Numbers 0 to n - 1 as doubles.
-fn numbers(n: usize) -> impl Iterator<Item = f64> {
-    (0..n).map(|i| i as f64)
-}

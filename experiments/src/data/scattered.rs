@@ -2,7 +2,7 @@
 
 use sweep_cdt_testing::{Input, Random};
 
-use super::{numbers, only};
+use super::points::{numbers, only};
 
 pub(super) fn uniform(n: usize, random: &mut Random) -> Input {
     only(random.points(n))

@@ -1,7 +1,7 @@
 //! For each structure the data that defeats it: the work of a search as it grows with the number of points.
 
+use super::experiment::{Experiment, cells, no_remarks};
 use super::fronts::work;
-use super::{Experiment, cells, no_remarks};
 use crate::measure::Variant;
 use crate::report::{Shape, View};
 

@@ -1,6 +1,6 @@
 //! Every structure on every kind of data.
 
-use super::{Experiment, cells, no_remarks};
+use super::experiment::{Experiment, cells, no_remarks};
 use crate::measure::{Row, Variant};
 use crate::report::{Shape, View};
 

@@ -2,7 +2,7 @@
 
 use sweep_cdt::{Algorithm, Corners, Heuristics};
 
-use super::{Experiment, cells, default_structure, no_remarks};
+use super::experiment::{Experiment, cells, default_structure, no_remarks};
 use crate::measure::Variant;
 use crate::report::{Shape, View};
 

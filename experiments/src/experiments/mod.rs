@@ -1,6 +1,7 @@
 //! The experiments: which cells, which variants, and what is shown of their rows.
 
 mod adversaries;
+mod experiment;
 mod fronts;
 mod heuristics;
 mod scalars;
@@ -8,24 +9,7 @@ mod scaling;
 mod table1;
 mod table2;
 
-use crate::contestant::Contestant;
-use crate::data::Kind;
-use crate::measure::{Cell, Row, Source, Variant};
-use crate::report::View;
-
-/// An experiment.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Experiment {
-    pub(crate) name: &'static str,
-    /// What it asks, as a sentence.
-    pub(crate) about: &'static str,
-    /// Its cells: all, or a few small ones that take less than a minute.
-    pub(crate) cells: fn(quick: bool) -> Vec<Cell>,
-    pub(crate) variants: fn(&[Contestant]) -> Vec<Variant>,
-    pub(crate) views: &'static [View],
-    /// Further text of the report, from all rows.
-    pub(crate) remarks: fn(&[Row]) -> String,
-}
+pub(crate) use experiment::{Experiment, cells};
 
 /// All experiments.
 pub(crate) const ALL: &[Experiment] = &[
@@ -37,24 +21,3 @@ pub(crate) const ALL: &[Experiment] = &[
     scaling::SCALING,
     adversaries::ADVERSARIES,
 ];
-
-/// A cell for each of these kinds with each of these sizes.
-pub(crate) fn cells(kinds: &[&str], sizes: &[usize]) -> Vec<Cell> {
-    let cell = |name: &str, size| Cell {
-        source: Source::Kind(Kind::named(name).expect("the experiments name kinds that exist")),
-        size,
-    };
-    sizes
-        .iter()
-        .flat_map(|&size| kinds.iter().map(move |name| cell(name, size)))
-        .collect()
-}
-
-/// The structure that the crate uses unless told otherwise.
-fn default_structure(contestants: &[Contestant]) -> &Contestant {
-    contestants.first().expect("the standard ones come first")
-}
-
-fn no_remarks(_: &[Row]) -> String {
-    String::new()
-}

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::{Experiment, cells, no_remarks};
+use super::experiment::{Experiment, cells, no_remarks};
 use crate::measure::Variant;
 use crate::report::{Shape, View};
 

@@ -1,7 +1,7 @@
 //! How the work and the time grow with the number of points.
 
+use super::experiment::{Experiment, cells, no_remarks};
 use super::fronts::work;
-use super::{Experiment, cells, no_remarks};
 use crate::contestant::{Contestant, standard};
 use crate::measure::Variant;
 use crate::report::{Shape, View};

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use sweep_cdt::{Algorithm, Heuristics};
 
-use super::{Experiment, cells, default_structure};
+use super::experiment::{Experiment, cells, default_structure};
 use crate::measure::{Row, Variant};
 use crate::report::{Shape, View};
 

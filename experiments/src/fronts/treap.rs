@@ -141,7 +141,10 @@ impl Structure for Treap {
 
 #[cfg(test)]
 mod tests {
-    use super::{FrontNode, FrontSearch, LEFT, NONE, RIGHT, Treap};
+    use sweep_cdt::front::{FrontNode, FrontSearch};
+
+    use super::super::arena::{LEFT, NONE, RIGHT};
+    use super::Treap;
 
     /// Priorities fall from every node to its children, whatever joined and left before.
     #[test]

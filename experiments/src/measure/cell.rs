@@ -105,8 +105,9 @@ impl Cell {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cell, Source, Variant};
+    use super::{Cell, Source};
     use crate::data::KINDS;
+    use crate::measure::variant::Variant;
 
     const CELL: Cell = Cell {
         source: Source::Kind(KINDS[0]),

@@ -4,11 +4,11 @@ use plotters::chart::ChartBuilder;
 use plotters::prelude::IntoLogRange;
 use plotters::style::{BLACK, Color, IntoFont, RGBColor, ShapeStyle};
 
-use super::View;
 use super::canvas::{Area, DRAWN, FONT, Place, TEXT, TITLE, fill, line, svg, text};
 use super::number::short;
 use super::palette::{LINES, tint};
 use super::table::{Entry, distinct, entry};
+use super::view::View;
 use crate::measure::Row;
 
 /// Pixels of a panel, of the title above, and of a line of the legend.

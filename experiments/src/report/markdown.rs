@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::machine::{compiler, machine};
 use super::number::short;
 use super::table::{Entry, Table, distinct};
-use super::{Plot, View};
+use super::view::{Plot, View};
 use crate::measure::Row;
 
 /// How the rows came about.

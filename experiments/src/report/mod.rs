@@ -9,6 +9,7 @@ mod number;
 mod palette;
 mod phases;
 mod table;
+mod view;
 
 use std::fs;
 use std::io;
@@ -17,32 +18,8 @@ use std::path::Path;
 use crate::measure::Row;
 pub(crate) use machine::commit;
 pub(crate) use markdown::Method;
-
-/// What is shown of the rows: a number of each, as tables and plots.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct View {
-    /// Its files begin so.
-    pub(crate) name: &'static str,
-    pub(crate) title: &'static str,
-    pub(crate) about: &'static str,
-    pub(crate) measure: fn(&Row) -> Option<f64>,
-    pub(crate) shape: Shape,
-}
-
-/// How the numbers are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Shape {
-    /// A map of variants and data for each size, dark where the number is large.
-    Map,
-    /// The same of ratios to the first variant: blue where it is slower, orange where it is faster.
-    Ratios,
-    /// A map of the exponents of growth with the number of points.
-    Exponents,
-    /// Lines over the number of points, for each kind of data.
-    Growth,
-    /// Bars of the three parts of the algorithm.
-    Phases,
-}
+use view::Plot;
+pub(crate) use view::{Shape, View};
 
 /// Writes the report and its plots into a folder.
 ///
@@ -65,13 +42,6 @@ pub(crate) fn write(
     }
     text.push_str(remarks);
     fs::write(folder.join("report.md"), text)
-}
-
-/// A drawing, and its file.
-struct Plot {
-    file: String,
-    about: String,
-    svg: String,
 }
 
 /// The tables and plots of a view.

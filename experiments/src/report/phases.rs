@@ -2,10 +2,10 @@
 
 use plotters::style::BLACK;
 
-use super::View;
 use super::canvas::{Place, TEXT, TITLE, fill, svg, text};
 use super::number::{short, size as short_size};
 use super::palette::{BLUE, ORANGE, ink, tint};
+use super::view::View;
 use crate::measure::Row;
 
 /// Pixels: a bar, the names left of it, the title and the legend above.

@@ -1,7 +1,7 @@
 //! Tables: a number for each variant and kind of data, or variant and size.
 
-use super::View;
 use super::number::size as short_size;
+use super::view::View;
 use crate::measure::Row;
 
 #[derive(Clone, Debug)]
