@@ -5,7 +5,6 @@ use plotters::prelude::IntoLogRange;
 use plotters::style::{BLACK, Color, IntoFont, RGBColor, ShapeStyle};
 
 use super::canvas::{Area, DRAWN, FONT, Place, TEXT, TITLE, fill, line, svg, text};
-use super::number::short;
 use super::palette::{LINES, tint};
 use super::table::{Entry, distinct, entry};
 use super::view::View;
@@ -20,7 +19,8 @@ const ACROSS: usize = 2;
 
 pub(super) fn draw(view: &View, rows: &[Row]) -> String {
     let kinds = distinct(rows.iter().map(|row| row.data.as_str()));
-    let variants = distinct(rows.iter().map(|row| row.variant.as_str()));
+    let shown = rows.iter().filter(|row| point(view, row).is_some());
+    let variants = distinct(shown.map(|row| row.variant.as_str()));
     let bounds = bounds(view, rows);
     let count = |n: usize| u32::try_from(n).expect("few");
     let panels = [
@@ -105,7 +105,7 @@ fn panel(
         let [left, right] = xs.map(|x| pixel(&(x, y)));
         line(area, vec![left, right], tint(BLACK, 0.15).stroke_width(1));
         let at = (left.0 - 6, left.1);
-        text(area, &short(y), at, Place::Left, TEXT - 2, BLACK);
+        text(area, &y.to_string(), at, Place::Left, TEXT - 2, BLACK);
     }
     for (i, variant) in variants.iter().enumerate() {
         let own = rows

@@ -6,7 +6,9 @@ pub(super) fn short(x: f64) -> String {
         size if size >= 99_999.5 => format!("{x:.1e}"),
         size if size >= 99.95 => format!("{x:.0}"),
         size if size >= 9.995 => format!("{x:.1}"),
-        _ => format!("{:.2}", x + 0.0),
+        // What rounds to nothing has no sign.
+        size if size < 0.005 => "0.00".to_owned(),
+        _ => format!("{x:.2}"),
     }
 }
 
@@ -33,7 +35,7 @@ mod tests {
     #[test]
     fn about_three_digits() {
         let numbers = [
-            0.0, 0.001, 0.01, 0.123, 1.5, 12.345, 99.96, 281.4, 5128.0, 1.25e5,
+            0.0, -0.001, 0.01, 0.123, 1.5, 12.345, 99.96, 281.4, 5128.0, 1.25e5,
         ];
         let texts = [
             "0.00", "0.00", "0.01", "0.12", "1.50", "12.3", "100", "281", "5128", "1.2e5",
