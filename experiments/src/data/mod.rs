@@ -54,7 +54,7 @@ pub const KINDS: &[Kind] = &[
     },
     Kind {
         name: "clusters",
-        about: "twenty clusters, each half as wide as the one before it up to a thousandth",
+        about: "twenty clusters, the widest 512 times as wide as the narrowest",
         make: scattered::clusters,
     },
     Kind {
@@ -119,7 +119,7 @@ pub const KINDS: &[Kind] = &[
     },
     Kind {
         name: "outlines",
-        about: "rough closed outlines of two hundred vertices, nothing inside",
+        about: "rough closed outlines of 256 vertices, nothing inside",
         make: outlines::outlines,
     },
     Kind {
@@ -144,7 +144,7 @@ pub const KINDS: &[Kind] = &[
     },
     Kind {
         name: "outliers",
-        about: "the same in a millionth of the width, between two points far away",
+        about: "the same in a four-millionth of the width, between two points far away",
         make: adversaries::outliers,
     },
     Kind {
