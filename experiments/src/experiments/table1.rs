@@ -145,7 +145,7 @@ fn beside_the_paper(rows: &[Row]) -> String {
         let total = |variant: &str| {
             let mut here = rows.iter().filter(|row| row.size == set.points);
             here.find(|row| row.variant == variant)
-                .map(|row| row.total_ms)
+                .map(|row| row.times_ms()[0])
         };
         let (Some(sweep), Some(divided)) = (total(SL), total(LS_DC)) else {
             continue;

@@ -1,6 +1,7 @@
 //! Measuring: a cell, its variants, and the rows that they give.
 
 mod cell;
+mod clock;
 mod fingerprint;
 mod row;
 mod variant;

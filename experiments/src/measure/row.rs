@@ -60,6 +60,10 @@ pub(crate) struct Row {
     pub(crate) total_ms: f64,
     pub(crate) least_ms: f64,
     pub(crate) greatest_ms: f64,
+    /// The processor's time of the whole call: median, least and greatest; empty where it is not told.
+    pub(crate) processor_ms: Option<f64>,
+    pub(crate) processor_least_ms: Option<f64>,
+    pub(crate) processor_greatest_ms: Option<f64>,
 }
 
 impl Row {
@@ -105,28 +109,55 @@ impl Row {
     }
 
     /// Medians and the spread of the times of all repetitions.
-    pub(super) fn time(&mut self, runs: &[Stats]) {
-        let sorted = |time: &dyn Fn(&Stats) -> Duration| {
+    pub(super) fn time(&mut self, runs: &[Timed]) {
+        let sorted = |time: &dyn Fn(&Timed) -> Option<Duration>| {
             let mut times: Vec<f64> = runs
                 .iter()
-                .map(|run| 1e3 * time(run).as_secs_f64())
+                .filter_map(|run| Some(1e3 * time(run)?.as_secs_f64()))
                 .collect();
             times.sort_by(f64::total_cmp);
             times
         };
-        let median = |times: Vec<f64>| times.get(times.len() / 2).copied().unwrap_or_default();
-        let total = sorted(&|run| run.initialization + run.sweeping + run.finalization);
+        let median = |times: &[f64]| times.get(times.len() / 2).copied();
+        let phase = |time: fn(&Stats) -> Duration| {
+            median(&sorted(&|run| Some(time(&run.stats)))).unwrap_or_default()
+        };
         self.repetitions = runs.len();
-        self.initialization_ms = median(sorted(&|run| run.initialization));
-        self.sweeping_ms = median(sorted(&|run| run.sweeping));
-        self.finalization_ms = median(sorted(&|run| run.finalization));
+        self.initialization_ms = phase(|stats| stats.initialization);
+        self.sweeping_ms = phase(|stats| stats.sweeping);
+        self.finalization_ms = phase(|stats| stats.finalization);
+        let total = sorted(&|run| {
+            let stats = &run.stats;
+            Some(stats.initialization + stats.sweeping + stats.finalization)
+        });
+        self.total_ms = median(&total).unwrap_or_default();
         self.least_ms = total.first().copied().unwrap_or_default();
         self.greatest_ms = total.last().copied().unwrap_or_default();
-        self.total_ms = median(total);
+        let processor = sorted(&|run| run.processor);
+        self.processor_ms = median(&processor);
+        self.processor_least_ms = processor.first().copied();
+        self.processor_greatest_ms = processor.last().copied();
     }
 
-    /// Nanoseconds a point.
-    pub(crate) fn ns_per_point(&self) -> f64 {
-        1e6 * self.total_ms / self.points.max(1) as f64
+    /// The times by which variants are compared: the processor's, or where it is not told that on the clock.
+    /// Median, least and greatest.
+    pub(crate) fn times_ms(&self) -> [f64; 3] {
+        [
+            self.processor_ms.unwrap_or(self.total_ms),
+            self.processor_least_ms.unwrap_or(self.least_ms),
+            self.processor_greatest_ms.unwrap_or(self.greatest_ms),
+        ]
     }
+
+    /// Nanoseconds a point of the median.
+    pub(crate) fn ns_per_point(&self) -> f64 {
+        1e6 * self.times_ms()[0] / self.points.max(1) as f64
+    }
+}
+
+/// A run whose time counts.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Timed {
+    pub(super) stats: Stats,
+    pub(super) processor: Option<Duration>,
 }

@@ -6,13 +6,14 @@ use sweep_cdt::{Algorithm, Error, Heuristics, Run, Stats, Triangulator};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::runs::{Sample, convert};
 
+use super::clock::processor;
 use super::fingerprint::fingerprint;
-use super::row::Row;
+use super::row::{Row, Timed};
 use crate::contestant::Contestant;
 use crate::fronts::{Structure, Watched};
 
 type Count = dyn Fn(&Input, &mut Row) -> Result<(), Error>;
-type Time = dyn Fn(&Input) -> Result<Stats, Error>;
+type Time = dyn Fn(&Input) -> Result<Timed, Error>;
 
 /// One way to triangulate.
 pub(crate) struct Variant {
@@ -47,7 +48,7 @@ impl Variant {
         algorithm: Algorithm,
         heuristics: Heuristics,
     ) -> Variant {
-        let (counted, timed) = (contestant.clone(), contestant.clone());
+        let (counted, runs) = (contestant.clone(), contestant.clone());
         Variant {
             name: name.to_owned(),
             is_linear: contestant.is_linear(),
@@ -62,24 +63,28 @@ impl Variant {
                 take_over(&run, row);
                 Ok(())
             }),
-            time: Box::new(move |input| timed.run(input, algorithm, heuristics)),
+            time: Box::new(move |input| timed(|| runs.run(input, algorithm, heuristics))),
         }
     }
 
     /// A scalar that can hold the coordinates, with the default structure.
     pub(crate) fn scalar<S: Sample + 'static>(name: &str) -> Variant {
-        let run = |input: &Input| {
-            let points = convert::<S>(&input.points).expect("the scalar holds the coordinates");
-            Triangulator::new().triangulate_with_stats(&points, &input.edges)
+        let points =
+            |input: &Input| convert::<S>(&input.points).expect("the scalar holds the coordinates");
+        let run = |points: &[[S; 2]], input: &Input| {
+            Triangulator::new().triangulate_with_stats(points, &input.edges)
         };
         Variant {
             name: name.to_owned(),
             is_linear: false,
             count: Box::new(move |input, row| {
-                take_over(&run(input)?, row);
+                take_over(&run(&points(input), input)?, row);
                 Ok(())
             }),
-            time: Box::new(move |input| Ok(run(input)?.stats)),
+            time: Box::new(move |input| {
+                let points = points(input);
+                timed(|| Ok(run(&points, input)?.stats))
+            }),
         }
     }
 
@@ -88,10 +93,21 @@ impl Variant {
         (self.count)(input, row)
     }
 
-    /// Triangulates once, for the times of its phases.
-    pub(super) fn time(&self, input: &Input) -> Result<Stats, Error> {
+    /// Triangulates once, for the times.
+    pub(super) fn time(&self, input: &Input) -> Result<Timed, Error> {
         (self.time)(input)
     }
+}
+
+/// A run with the processor's time that it took.
+fn timed(run: impl FnOnce() -> Result<Stats, Error>) -> Result<Timed, Error> {
+    let start = processor();
+    let stats = run()?;
+    let taken = processor().zip(start).map(|(end, start)| end - start);
+    Ok(Timed {
+        stats,
+        processor: taken,
+    })
 }
 
 fn take_over<F>(run: &Run<F>, row: &mut Row) {
@@ -112,7 +128,7 @@ impl Variant {
                 row.result = result.to_owned();
                 Ok(())
             }),
-            time: Box::new(|_| Ok(Stats::default())),
+            time: Box::new(|_| Ok(Timed::default())),
         }
     }
 }

@@ -31,8 +31,9 @@ pub(super) fn head(method: &Method<'_>, rows: &[Row]) -> String {
         "# {experiment}\n\n{about}\n\n## Method\n\n\
          - Machine: {}. Compiler: {}. Commit: {commit}. Seed: {seed}.\n\
          - Each variant runs once to count. Then all variants of a cell run in turn, {repetitions} times; a \
-         different one comes first each time. Times are medians over these turns. They are the sums of the \
-         phases that the crate measures, with its counters and those of the structures on.\n\
+         different one comes first each time. Times are medians over these turns of the processor's time, where \
+         the system tells it; those of the phases are times on the clock. The counters of the crate and of the \
+         structures are on.\n\
          - All variants of a cell gave the same triangles, or there would be no report.\n\
          - Spread: in half of the rows the slowest turn took at most {:.0} % more than the fastest, in nine of \
          ten at most {:.0} %.\n\
@@ -72,9 +73,10 @@ pub(super) fn head(method: &Method<'_>, rows: &[Row]) -> String {
 
 /// By how many per cent the slowest turn exceeds the fastest, in this share of the rows at most.
 fn spread(rows: &[Row], share: f64) -> f64 {
-    let timed = rows.iter().filter(|row| row.least_ms > 0.0);
+    let timed = rows.iter().filter(|row| row.repetitions > 0);
     let mut spreads: Vec<f64> = timed
-        .map(|row| 100.0 * (row.greatest_ms / row.least_ms - 1.0))
+        .map(|row| row.times_ms())
+        .map(|[_, least, greatest]| 100.0 * (greatest / least - 1.0))
         .collect();
     spreads.sort_by(f64::total_cmp);
     let place = (share * spreads.len() as f64) as usize;
