@@ -1,0 +1,176 @@
+//! The command line.
+
+use std::error::Error;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::contestant::Contestant;
+use crate::data::{KINDS, Kind, write_poly};
+use crate::experiments::{ALL, Experiment, cells};
+use crate::measure::{Cell, Source};
+use crate::plan::Plan;
+use crate::runner;
+use crate::store::Store;
+
+/// Compares search structures for the advancing front, heuristics, phases and scalars.
+#[derive(Debug, Parser)]
+#[command(name = "sweep-cdt-experiments", after_help = names())]
+pub(crate) struct Command {
+    #[command(subcommand)]
+    what: Option<What>,
+    /// The experiment.
+    name: Option<String>,
+    #[command(flatten)]
+    options: Options,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Writes an input as Triangle's `.poly`.
+    Generate {
+        /// What kind of input.
+        kind: String,
+        /// About how many points.
+        points: usize,
+        #[arg(long, default_value_t = 1)]
+        seed: u64,
+        /// The file; otherwise it is printed.
+        #[arg(short, long)]
+        output: Option<PathBuf>,
+    },
+}
+
+#[derive(Debug, Args)]
+struct Options {
+    /// Small inputs only: ends within a minute.
+    #[arg(long)]
+    quick: bool,
+    /// The folder of the results [default: target/experiments/NAME].
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// These kinds of data instead of the experiment's.
+    #[arg(long, value_delimiter = ',', requires = "sizes")]
+    data: Vec<String>,
+    /// These sizes instead of the experiment's, with the kinds of --data.
+    #[arg(long, value_delimiter = ',', requires = "data")]
+    sizes: Vec<usize>,
+    /// A `.poly` file besides; may be repeated.
+    #[arg(long)]
+    file: Vec<PathBuf>,
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// How often each variant is timed on each input: an odd number has a median [default: 5, or 3 with
+    /// --quick].
+    #[arg(long)]
+    repetitions: Option<usize>,
+    /// Lists the cells with their numbers.
+    #[arg(long)]
+    cells: bool,
+    /// Runs this cell alone, and writes no report.
+    #[arg(long, conflicts_with = "cells")]
+    cell: Option<usize>,
+    /// Writes the report of cells that have run before, maybe at another commit.
+    #[arg(long, conflicts_with_all = ["cells", "cell"])]
+    merge: bool,
+}
+
+fn names() -> String {
+    let experiments = ALL.iter().map(|e| format!("  {:12} {}", e.name, e.about));
+    let kinds = KINDS
+        .iter()
+        .map(|kind| format!("  {:16} {}", kind.name, kind.about));
+    let list = |lines: Vec<String>| lines.join("\n");
+    format!(
+        "Experiments:\n{}\n\nKinds of data:\n{}",
+        list(experiments.collect()),
+        list(kinds.collect())
+    )
+}
+
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
+
+/// Does what the command line says, with these structures.
+///
+/// # Errors
+/// Each is a line for the user.
+pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
+    if let Some(What::Generate {
+        kind,
+        points,
+        seed,
+        output,
+    }) = command.what
+    {
+        return generate(&kind, points, seed, output);
+    }
+    let name = command
+        .name
+        .ok_or("name an experiment; --help lists them")?;
+    let experiment = ALL.iter().find(|experiment| experiment.name == name);
+    let experiment = experiment.ok_or(format!("no experiment {name}; --help lists them"))?;
+    let options = command.options;
+    let plan = Plan::new(
+        *experiment,
+        chosen_cells(experiment, &options)?,
+        (experiment.variants)(contestants),
+        options.seed,
+        options
+            .repetitions
+            .unwrap_or(if options.quick { 3 } else { 5 }),
+    );
+    if options.cells {
+        for (number, cell) in plan.cells.iter().enumerate() {
+            println!("{number} {}", Plan::line(cell));
+        }
+        return Ok(());
+    }
+    let default = || PathBuf::from("target/experiments").join(&name);
+    let folder = options.out.unwrap_or_else(default);
+    if options.merge {
+        let (store, commit) = Store::reopen(&folder, &plan)?;
+        return runner::report(&Plan { commit, ..plan }, &store);
+    }
+    let store = Store::open(&folder, &plan)?;
+    match options.cell {
+        Some(number) => runner::run_cell(&plan, &store, number),
+        None => runner::run(&plan, &store),
+    }
+}
+
+fn chosen_cells(experiment: &Experiment, options: &Options) -> Result<Vec<Cell>> {
+    let mut chosen = if options.data.is_empty() {
+        (experiment.cells)(options.quick)
+    } else {
+        for name in &options.data {
+            kind(name)?;
+        }
+        let names: Vec<&str> = options.data.iter().map(String::as_str).collect();
+        cells(&names, &options.sizes)
+    };
+    for path in &options.file {
+        // Refused now, not after the other cells have run.
+        File::open(path).map_err(|error| format!("{}: {error}", path.display()))?;
+        chosen.push(Cell {
+            source: Source::File(path.clone()),
+            size: 0,
+        });
+    }
+    Ok(chosen)
+}
+
+fn kind(name: &str) -> Result<Kind> {
+    Ok(Kind::named(name).ok_or(format!("no kind of data {name}; --help lists them"))?)
+}
+
+fn generate(name: &str, points: usize, seed: u64, output: Option<PathBuf>) -> Result<()> {
+    let input = kind(name)?.input(points, seed);
+    let mut out: BufWriter<Box<dyn Write>> = BufWriter::new(match output {
+        Some(path) => Box::new(File::create(path)?),
+        None => Box::new(std::io::stdout()),
+    });
+    write_poly(&input, &mut out)?;
+    Ok(out.flush()?)
+}

@@ -1,0 +1,112 @@
+//! The structures that take part in the experiments, each with a name.
+
+use std::fmt;
+use std::rc::Rc;
+
+use sweep_cdt::front::{HashTable, Linear, SkipList};
+use sweep_cdt::{Algorithm, Error, Heuristics, Stats, Triangulator};
+use sweep_cdt_testing::Input;
+
+use crate::fronts::{
+    AnyFront, BTree, BitSet, Finger, FromEnd, RankTable, SampleTree, SortedArray, Structure, Treap,
+    UniformTable,
+};
+
+/// A run of the sweep whose time counts.
+type Run = dyn Fn(&Input, Algorithm, Heuristics) -> Result<Stats, Error>;
+
+/// A search structure with a name.
+#[derive(Clone)]
+pub struct Contestant {
+    name: String,
+    front: AnyFront,
+    run: Rc<Run>,
+    is_linear: bool,
+}
+
+impl Contestant {
+    /// This structure, under a name that none of the others has.
+    ///
+    /// The sweep is compiled for it: its time is that of a direct call.
+    pub fn new(name: &str, structure: impl Structure) -> Contestant {
+        Contestant {
+            name: name.to_owned(),
+            front: AnyFront::new(structure.clone()),
+            run: Rc::new(move |input, algorithm, heuristics| {
+                let triangulator = Triangulator::new()
+                    .front(structure.clone())
+                    .algorithm(algorithm)
+                    .heuristics(heuristics);
+                let run = triangulator.triangulate_with_stats(&input.points, &input.edges)?;
+                Ok(run.stats)
+            }),
+            is_linear: false,
+        }
+    }
+
+    /// The same, whose searches or updates take time that grows with the length of the front: it is left out
+    /// where that would take very long.
+    #[must_use]
+    pub fn linear(self) -> Contestant {
+        Contestant {
+            is_linear: true,
+            ..self
+        }
+    }
+
+    /// The name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The structure.
+    pub fn front(&self) -> &AnyFront {
+        &self.front
+    }
+
+    pub(crate) fn is_linear(&self) -> bool {
+        self.is_linear
+    }
+
+    /// Sweeps.
+    pub(crate) fn run(
+        &self,
+        input: &Input,
+        algorithm: Algorithm,
+        heuristics: Heuristics,
+    ) -> Result<Stats, Error> {
+        (self.run)(input, algorithm, heuristics)
+    }
+}
+
+impl fmt::Debug for Contestant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Contestant").field(&self.name).finish()
+    }
+}
+
+/// The seed of the structures that draw random numbers.
+const SEED: u64 = 1;
+
+/// All structures of the crate and of this one; the crate's default is the first.
+pub fn standard() -> Vec<Contestant> {
+    vec![
+        Contestant::new("hash table (default)", HashTable::default()),
+        Contestant::new(
+            "uniform table, 2 sqrt(n)",
+            UniformTable::new(|n| 2 * n.isqrt()),
+        ),
+        Contestant::new("uniform table, n/10", UniformTable::new(|n| n / 10)),
+        Contestant::new("uniform table, n/100", UniformTable::new(|n| n / 100)),
+        Contestant::new("hash over ranks", RankTable::default()),
+        Contestant::new("bit set over ranks", BitSet::default()),
+        Contestant::new("skip list", SkipList::default()),
+        Contestant::new("treap", Treap::new(SEED)),
+        Contestant::new("B-tree", BTree::default()),
+        Contestant::new("splay tree, 10 % sample", SampleTree::new(10, SEED)),
+        Contestant::new("sorted array", SortedArray::default()).linear(),
+        Contestant::new("finger", Finger::default()).linear(),
+        Contestant::new("walk from the last node", Linear::default()).linear(),
+        Contestant::new("walk from the end", FromEnd).linear(),
+    ]
+}

@@ -1,0 +1,42 @@
+//! An experiment, and what several of them need.
+
+use crate::contestant::Contestant;
+use crate::data::Kind;
+use crate::measure::{Cell, Row, Source, Variant};
+use crate::report::View;
+
+/// An experiment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Experiment {
+    pub(crate) name: &'static str,
+    /// What it asks, as a sentence.
+    pub(crate) about: &'static str,
+    /// Its cells: all, or a few small ones that take less than a minute.
+    pub(crate) cells: fn(quick: bool) -> Vec<Cell>,
+    pub(crate) variants: fn(&[Contestant]) -> Vec<Variant>,
+    pub(crate) views: &'static [View],
+    /// Further text of the report, from all rows.
+    pub(crate) remarks: fn(&[Row]) -> String,
+}
+
+/// A cell for each of these kinds with each of these sizes.
+pub(crate) fn cells(kinds: &[&str], sizes: &[usize]) -> Vec<Cell> {
+    let cell = |name: &str, size| Cell {
+        source: Source::Kind(Kind::named(name).expect("the experiments name kinds that exist")),
+        size,
+    };
+    sizes
+        .iter()
+        .flat_map(|&size| kinds.iter().map(move |name| cell(name, size)))
+        .collect()
+}
+
+/// The structure that the crate uses unless told otherwise.
+pub(super) fn default_structure(contestants: &[Contestant]) -> &Contestant {
+    contestants.first().expect("the standard ones come first")
+}
+
+/// Nothing to say beside the views.
+pub(super) fn no_remarks(_: &[Row]) -> String {
+    String::new()
+}

@@ -1,0 +1,92 @@
+//! The two heuristics of the point event (section 3.4.1, figures 9 and 10), alone and together.
+
+use sweep_cdt::{Algorithm, Corners, Heuristics};
+
+use super::experiment::{Experiment, cells, default_structure, no_remarks};
+use crate::measure::Variant;
+use crate::report::{Shape, View};
+
+pub(super) const HEURISTICS: Experiment = Experiment {
+    name: "heuristics",
+    about: "What do the heuristics of the point event buy: narrow corners and basins?",
+    cells: |quick| {
+        cells(
+            KINDS,
+            if quick {
+                &[10_000]
+            } else {
+                &[100_000, 1_000_000]
+            },
+        )
+    },
+    variants: |contestants| {
+        let structure = default_structure(contestants);
+        let setting = |(name, heuristics)| {
+            // Without any heuristic the sweep flips more than its budget allows: it goes on all the same.
+            Variant::sweep(name, structure, Algorithm::Sweep, heuristics)
+        };
+        settings().into_iter().map(setting).collect()
+    },
+    views: &[
+        View {
+            name: "flips",
+            title: "Flips, a point",
+            about: "Sides swapped by the legalization.",
+            measure: |row| Some(row.flips as f64 / row.points.max(1) as f64),
+            shape: Shape::Map,
+        },
+        View {
+            name: "in-circle",
+            title: "In-circle tests, a point",
+            about: "By the filter and exactly, without those that involve an artificial vertex.",
+            measure: |row| Some(row.in_circle_tests as f64 / row.points.max(1) as f64),
+            shape: Shape::Map,
+        },
+        View {
+            name: "front",
+            title: "Mean length of the front, in square roots of the number of points",
+            about: "Over all searches.",
+            measure: |row| Some(row.front_mean / (row.points.max(1) as f64).sqrt()),
+            shape: Shape::Map,
+        },
+        View {
+            name: "added",
+            title: "Triangles that the heuristics add, a point",
+            about: "Those of narrow corners and of basins.",
+            measure: |row| {
+                let added = row.narrow_corners + row.basin_triangles;
+                Some(added as f64 / row.points.max(1) as f64)
+            },
+            shape: Shape::Map,
+        },
+        View {
+            name: "time",
+            title: "Time of the whole triangulation, nanoseconds a point",
+            about: "Medians. The plot shows them as ratios to the first row.",
+            measure: |row| Some(row.ns_per_point()),
+            shape: Shape::Ratios,
+        },
+    ],
+    remarks: no_remarks,
+};
+
+const KINDS: &[&str] = &[
+    "uniform", "clusters", "lattice", "rows", "segments", "parcels", "contours",
+];
+
+fn settings() -> Vec<(&'static str, Heuristics)> {
+    let with_basins = |mut heuristics: Heuristics| {
+        heuristics.basins = true;
+        heuristics
+    };
+    let mut right_angle = Heuristics::OFF;
+    right_angle.corners = Corners::RightAngle;
+    vec![
+        ("wide corners (default)", Heuristics::FAST),
+        ("wide corners, basins", with_basins(Heuristics::FAST)),
+        ("pi/2, basins (paper)", Heuristics::PAPER),
+        ("pi/2 alone", right_angle),
+        ("basins alone", with_basins(Heuristics::OFF)),
+        ("none", Heuristics::OFF),
+    ]
+}

@@ -1,0 +1,171 @@
+//! The paper's table 1: nine sets of parcels and contour lines, and its algorithms as ratios to the sweep.
+
+use std::fmt::Write;
+
+use sweep_cdt::{Algorithm, Heuristics};
+
+use super::experiment::{Experiment, cells, default_structure};
+use crate::measure::{Row, Variant};
+use crate::report::{Shape, View};
+
+pub(super) const TABLE_1: Experiment = Experiment {
+    name: "table1",
+    about: "The paper's table 1: the sweep and divide and conquer on parcels and contour lines.",
+    cells: |quick| {
+        let count = if quick { 3 } else { PAPER.len() };
+        let cell = |set: &Set| cells(&[set.kind], &[set.points]);
+        PAPER[..count].iter().flat_map(cell).collect()
+    },
+    variants: |contestants| {
+        let structure = default_structure(contestants);
+        let variant =
+            |name, algorithm, heuristics| Variant::sweep(name, structure, algorithm, heuristics);
+        vec![
+            variant(SL, Algorithm::Sweep, Heuristics::FAST),
+            variant(
+                "SL, paper's heuristics",
+                Algorithm::Sweep,
+                Heuristics::PAPER,
+            ),
+            variant(LS_DC, Algorithm::DivideAndConquer, Heuristics::FAST),
+        ]
+    },
+    views: &[
+        View {
+            name: "time",
+            title: "Time of the whole triangulation, nanoseconds a point",
+            about: "Medians, against the number of points.",
+            measure: |row| Some(row.ns_per_point()),
+            shape: Shape::Growth,
+        },
+        View {
+            name: "flips",
+            title: "Flips, a point",
+            about: "Sides swapped by the legalization.",
+            measure: |row| Some(row.flips as f64 / row.points.max(1) as f64),
+            shape: Shape::Growth,
+        },
+    ],
+    remarks: beside_the_paper,
+};
+
+const SL: &str = "SL";
+const LS_DC: &str = "LS-D&C";
+
+/// A row of the paper's table 1.
+struct Set {
+    name: &'static str,
+    /// The kind of data here: edges to points tell which it was.
+    kind: &'static str,
+    points: usize,
+    /// Seconds of M-INC (where it ended), F-S, LS-D&C and SL.
+    seconds: [Option<f64>; 4],
+}
+
+const fn set(
+    name: &'static str,
+    kind: &'static str,
+    points: usize,
+    seconds: [Option<f64>; 4],
+) -> Set {
+    Set {
+        name,
+        kind,
+        points,
+        seconds,
+    }
+}
+
+const PAPER: &[Set] = &[
+    set(
+        "a",
+        "parcels",
+        23_262,
+        [Some(0.1624), Some(0.1030), Some(0.0690), Some(0.0658)],
+    ),
+    set(
+        "b",
+        "parcels",
+        93_048,
+        [Some(0.7996), Some(0.4656), Some(0.3376), Some(0.3227)],
+    ),
+    set(
+        "c",
+        "contours",
+        162_244,
+        [Some(1.2844), Some(0.7848), Some(0.5124), Some(0.5313)],
+    ),
+    set(
+        "d",
+        "parcels",
+        372_192,
+        [Some(4.5940), Some(2.0312), Some(1.6185), Some(1.2397)],
+    ),
+    set(
+        "e",
+        "contours",
+        1_297_360,
+        [Some(21.1436), Some(8.7032), Some(4.3500), Some(4.8907)],
+    ),
+    set(
+        "f",
+        "parcels",
+        1_488_768,
+        [Some(26.5833), Some(9.6303), Some(7.7188), Some(4.7813)],
+    ),
+    set(
+        "g",
+        "parcels",
+        2_444_700,
+        [Some(56.5155), Some(29.2453), Some(22.8850), Some(8.7660)],
+    ),
+    set(
+        "h",
+        "contours",
+        5_189_440,
+        [None, Some(64.9476), Some(19.9814), Some(20.4637)],
+    ),
+    set(
+        "i",
+        "parcels",
+        5_955_072,
+        [None, Some(119.7030), Some(45.0468), Some(23.4323)],
+    ),
+];
+
+/// The paper's times and those measured, as ratios to the sweep's.
+fn beside_the_paper(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "## Beside the paper\n\nRatios of times to SL. M-INC and F-S are not measured here. The paper's sets \
+         are real and partly tiled, those here are generated with about as many points and edges.\n\n\
+         | set | data | points | paper: M-INC | paper: F-S | paper: LS-D&C | here: LS-D&C |\n\
+         |---|---|---:|---:|---:|---:|---:|\n",
+    );
+    for set in PAPER {
+        let total = |variant: &str| {
+            let mut here = rows.iter().filter(|row| row.size == set.points);
+            here.find(|row| row.variant == variant)
+                .map(|row| row.times_ms()[0])
+        };
+        let (Some(sweep), Some(divided)) = (total(SL), total(LS_DC)) else {
+            continue;
+        };
+        let paper: Vec<String> = set.seconds[..3]
+            .iter()
+            .map(|&seconds| match (seconds, set.seconds[3]) {
+                (Some(seconds), Some(sweep)) => format!("{:.2}", seconds / sweep),
+                _ => String::new(),
+            })
+            .collect();
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {:.2} |",
+            set.name,
+            set.kind,
+            set.points,
+            paper.join(" | "),
+            divided / sweep
+        );
+    }
+    text
+}

@@ -1,0 +1,110 @@
+//! The paper's structure (section 3.4.1): the front's list "combined with a hash table", here with equal
+//! intervals of x.
+//!
+//! The paper does not say what an entry holds. Here it holds all nodes of its interval, so that a search
+//! ends at the right one: it looks through the interval of x, and then through those to the left of it
+//! until one has a node.
+//!
+//! Why it is right: an interval to the left holds smaller x only.
+//!
+//! Cost: O(1) expected for a search where x spreads evenly and there are about as many intervals as nodes
+//! on the front; O(n) where all nodes crowd in one interval, or nearly all intervals are empty.
+
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+
+use super::structure::{Structure, Work};
+
+/// A hash table with equal intervals of x: O(1) expected, O(n) at worst. How many is a parameter.
+#[derive(Clone, Debug)]
+pub struct UniformTable {
+    entries: fn(vertices: usize) -> usize,
+    /// `x` lies in interval number `(x - low) * factor`.
+    low: f64,
+    factor: f64,
+    table: Vec<Vec<(f64, FrontNode)>>,
+    nodes: usize,
+    work: Work,
+}
+
+impl UniformTable {
+    /// The table with so many entries for so many vertices; with one at least.
+    pub fn new(entries: fn(vertices: usize) -> usize) -> UniformTable {
+        UniformTable {
+            entries,
+            low: 0.0,
+            factor: 0.0,
+            table: Vec::new(),
+            nodes: 0,
+            work: Work::default(),
+        }
+    }
+
+    fn interval(&self, x: f64) -> usize {
+        // Saturates; what is no number is 0.
+        let number = ((x - self.low) * self.factor) as usize;
+        number.min(self.table.len() - 1)
+    }
+}
+
+impl FrontSearch for UniformTable {
+    fn begin(&mut self, domain: Domain<'_>) {
+        let count = (self.entries)(domain.len()).max(1);
+        let xs = (0..domain.len()).map(|v| domain.x(v));
+        let ends = xs
+            .filter(|x| x.is_finite())
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+                [low.min(x), high.max(x)]
+            });
+        let factor = count as f64 / (ends[1] - ends[0]);
+        *self = UniformTable::new(self.entries);
+        if factor.is_finite() && factor > 0.0 {
+            (self.low, self.factor) = (ends[0], factor);
+        }
+        self.table.resize(count, Vec::new());
+        self.work.hold::<Vec<(f64, FrontNode)>>(count);
+    }
+
+    fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
+        for interval in (0..=self.interval(x)).rev() {
+            self.work.visited += 1;
+            let mut last: Option<(f64, FrontNode)> = None;
+            for &entry in &self.table[interval] {
+                self.work.comparisons += 1;
+                if entry.0 <= x && last.is_none_or(|last| last.0 <= entry.0) {
+                    last = Some(entry);
+                }
+            }
+            if let Some((_, node)) = last {
+                return node;
+            }
+        }
+        front.left_end()
+    }
+
+    fn inserted(&mut self, node: FrontNode, x: f64) {
+        let interval = self.interval(x);
+        self.table[interval].push((x, node));
+        self.nodes += 1;
+        self.work.updates += 1;
+        let table = self.table.len() * size_of::<Vec<(f64, FrontNode)>>();
+        let nodes = self.nodes * size_of::<(f64, FrontNode)>();
+        self.work.hold::<u8>(table + nodes);
+    }
+
+    fn removed(&mut self, node: FrontNode, x: f64) {
+        let interval = self.interval(x);
+        let nodes = &mut self.table[interval];
+        let place = nodes.iter().position(|entry| entry.1 == node);
+        let place = place.expect("the node is in the interval of its x");
+        self.work.visited += place as u64 + 1;
+        nodes.swap_remove(place);
+        self.nodes -= 1;
+        self.work.updates += 1;
+    }
+}
+
+impl Structure for UniformTable {
+    fn work(&self) -> Option<Work> {
+        Some(self.work)
+    }
+}

@@ -1,0 +1,7 @@
+//! The experiments with the standard structures.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    sweep_cdt_experiments::main_with([])
+}

@@ -1,0 +1,111 @@
+//! The text of a report.
+
+use std::fmt::Write;
+
+use super::machine::{compiler, machine};
+use super::number::short;
+use super::table::{Entry, Table, distinct};
+use super::view::{Plot, View};
+use crate::measure::Row;
+
+/// How the rows came about.
+#[derive(Clone, Debug)]
+pub(crate) struct Method<'a> {
+    pub(crate) experiment: &'a str,
+    pub(crate) about: &'a str,
+    pub(crate) commit: &'a str,
+    pub(crate) seed: u64,
+    pub(crate) repetitions: usize,
+}
+
+/// Title, method and data.
+pub(super) fn head(method: &Method<'_>, rows: &[Row]) -> String {
+    let Method {
+        experiment,
+        about,
+        commit,
+        seed,
+        repetitions,
+    } = method;
+    let mut text = format!(
+        "# {experiment}\n\n{about}\n\n## Method\n\n\
+         - Machine: {}. Compiler: {}. Commit: {commit}. Seed: {seed}.\n\
+         - Each variant runs once to count. Then all variants of a cell run in turn, {repetitions} times; a \
+         different one comes first each time. Times are medians over these turns of the processor's time, where \
+         the system tells it; those of the phases are times on the clock. The counters of the crate and of the \
+         structures are on.\n\
+         - All variants of a cell gave the same triangles, or there would be no report.\n\
+         - Spread: in half of the rows the slowest turn took at most {:.0} % more than the fastest, in nine of \
+         ten at most {:.0} %.\n\
+         - The numbers of all rows are in `{experiment}.csv`. All columns but those that end in `_ms` are the \
+         same in every run.\n\n",
+        machine(),
+        compiler(),
+        spread(rows, 0.5),
+        spread(rows, 0.9),
+    );
+    text.push_str(
+        "## Data\n\n| data | points | edges | triangles | front: mean | longest | swept |\n",
+    );
+    text.push_str("|---|---:|---:|---:|---:|---:|---|\n");
+    for cell in distinct(rows.iter().map(|row| (&row.data, row.size))) {
+        let row = rows.iter().find(|row| (&row.data, row.size) == cell);
+        let Some(row) = row else { continue };
+        let swept = if row.is_divided {
+            "abandoned"
+        } else {
+            "to the end"
+        };
+        let front = if row.searches == 0 {
+            ["".to_owned(), "".to_owned()]
+        } else {
+            [short(row.front_mean), row.front_max.to_string()]
+        };
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} | {} | {} | {} | {swept} |",
+            row.data, row.points, row.edges, row.triangles, front[0], front[1],
+        );
+    }
+    text.push_str("\nThe front is that of the first variant. Where its sweep was abandoned, divide and conquer made the result.\n\n");
+    text
+}
+
+/// By how many per cent the slowest turn exceeds the fastest, in this share of the rows at most.
+fn spread(rows: &[Row], share: f64) -> f64 {
+    let timed = rows.iter().filter(|row| row.repetitions > 0);
+    let mut spreads: Vec<f64> = timed
+        .map(|row| row.times_ms())
+        .map(|[_, least, greatest]| 100.0 * (greatest / least - 1.0))
+        .collect();
+    spreads.sort_by(f64::total_cmp);
+    let place = (share * spreads.len() as f64) as usize;
+    spreads.get(place).copied().unwrap_or_default()
+}
+
+/// A view: its plots, and its tables folded away.
+pub(super) fn section(view: &View, tables: &[Table], plots: &[Plot]) -> String {
+    let mut text = format!("## {}\n\n{}\n\n", view.title, view.about);
+    for Plot { file, about, .. } in plots {
+        let _ = writeln!(text, "![{about}]({file})\n");
+    }
+    for table in tables {
+        text.push_str(&markdown(table));
+    }
+    text
+}
+
+fn markdown(table: &Table) -> String {
+    let mut text = format!("{}:\n\n| | {} |\n", table.title, table.columns.join(" | "));
+    let _ = writeln!(text, "|---|{}", "---:|".repeat(table.columns.len()));
+    for line in &table.lines {
+        let cell = |entry: &Entry| match entry {
+            Entry::Number(x) => short(*x),
+            Entry::LeftOut => "left out".to_owned(),
+            Entry::Unknown => String::new(),
+        };
+        let cells: Vec<String> = line.cells.iter().map(cell).collect();
+        let _ = writeln!(text, "| {} | {} |", line.variant, cells.join(" | "));
+    }
+    text + "\n"
+}

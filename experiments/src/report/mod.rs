@@ -1,0 +1,86 @@
+//! The report: tables in Markdown and plots in SVG, of all rows of an experiment.
+
+mod canvas;
+mod growth;
+mod machine;
+mod map;
+mod markdown;
+mod number;
+mod palette;
+mod phases;
+mod table;
+mod view;
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use crate::measure::Row;
+pub(crate) use machine::commit;
+pub(crate) use markdown::Method;
+use view::Plot;
+pub(crate) use view::{Shape, View};
+
+/// Writes the report and its plots into a folder.
+///
+/// # Errors
+/// Those of the files.
+pub(crate) fn write(
+    folder: &Path,
+    method: &Method<'_>,
+    views: &[View],
+    remarks: &str,
+    rows: &[Row],
+) -> io::Result<()> {
+    let mut text = markdown::head(method, rows);
+    for view in views {
+        let (tables, plots) = show(view, rows);
+        text.push_str(&markdown::section(view, &tables, &plots));
+        for plot in plots {
+            fs::write(folder.join(plot.file), plot.svg)?;
+        }
+    }
+    text.push_str(remarks);
+    fs::write(folder.join("report.md"), text)
+}
+
+/// The tables and plots of a view.
+fn show(view: &View, rows: &[Row]) -> (Vec<table::Table>, Vec<Plot>) {
+    let plot = |file: String, about: &str, svg| Plot {
+        file: file + ".svg",
+        about: about.to_owned(),
+        svg,
+    };
+    match view.shape {
+        Shape::Map | Shape::Ratios => {
+            let tables = table::by_size(view, rows);
+            let plots = tables.iter().map(|table| {
+                let (shown, scale) = if view.shape == Shape::Map {
+                    (table.clone(), map::Scale::of(table))
+                } else {
+                    (table.ratios(), map::Scale::Ratios)
+                };
+                let file = format!("{}-{}", view.name, table.size);
+                plot(file, &table.title, map::draw(&shown, scale))
+            });
+            let plots = plots.collect();
+            (tables, plots)
+        }
+        Shape::Exponents => {
+            let table = table::exponents(view, rows);
+            let svg = map::draw(&table, map::Scale::Exponents);
+            let plot = plot(view.name.to_owned(), &table.title, svg);
+            (vec![table], vec![plot])
+        }
+        Shape::Growth => {
+            let svg = growth::draw(view, rows);
+            let plot = plot(view.name.to_owned(), view.title, svg);
+            (table::by_data(view, rows), vec![plot])
+        }
+        Shape::Phases => {
+            let svg = phases::draw(view, rows);
+            let plot = plot(view.name.to_owned(), view.title, svg);
+            (table::by_size(view, rows), vec![plot])
+        }
+    }
+}

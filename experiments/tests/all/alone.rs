@@ -1,0 +1,177 @@
+//! Each structure without a sweep: random nodes join and leave, and a sorted list says where a search ends.
+
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt_experiments::fronts::Structure;
+use sweep_cdt_experiments::standard;
+use sweep_cdt_testing::Random;
+
+/// What is on the front, from left to right, and a structure that must know.
+struct Model<'a, F> {
+    points: &'a [[f64; 2]],
+    nodes: Vec<FrontNode>,
+    front: Front,
+    structure: F,
+}
+
+impl<F: Structure> Model<'_, F> {
+    fn x(&self, node: FrontNode) -> f64 {
+        self.points[node.rank()][0]
+    }
+
+    /// How many nodes have an x of at most this.
+    fn place(&self, x: f64) -> usize {
+        self.nodes.partition_point(|&node| self.x(node) <= x)
+    }
+
+    fn insert(&mut self, rank: usize) {
+        let (node, x) = (FrontNode::from_rank(rank), self.points[rank][0]);
+        let place = self.place(x);
+        let left = place.checked_sub(1).map(|i| self.nodes[i]);
+        self.front
+            .insert(node, left.unwrap_or(self.front.left_end()));
+        self.nodes.insert(place, node);
+        self.structure.inserted(node, x);
+    }
+
+    fn remove(&mut self, place: usize) {
+        let node = self.nodes.remove(place);
+        self.front.remove(node);
+        self.structure.removed(node, self.x(node));
+    }
+
+    /// The steps from the node that the structure names to the last one whose x is at most this.
+    fn steps(&mut self, x: f64) -> usize {
+        let found = self.structure.locate(x, &self.front);
+        assert!(self.front.contains(found), "{found:?} is not on the front");
+        // The left end is before all nodes, the right end after them.
+        let index = match found {
+            end if end == self.front.left_end() => 0,
+            end if end == self.front.right_end() => self.nodes.len() + 1,
+            node => 1 + self.nodes.iter().position(|&n| n == node).expect("a node"),
+        };
+        index.abs_diff(self.place(x))
+    }
+}
+
+/// Steps a search that each structure may need on average, if its promise is worth something.
+fn allowed(name: &str, nodes: usize) -> f64 {
+    match name {
+        "walk from the last node" | "walk from the end" => nodes as f64,
+        "hash table (default)" | "hash over ranks" => 8.0,
+        "splay tree, 10 % sample" => 25.0,
+        // Of equal x any node may be named.
+        _ => 1.0,
+    }
+}
+
+/// Comparisons and words looked at that a search or an update may need on average among so many nodes.
+fn allowed_work(name: &str, nodes: usize) -> f64 {
+    let halvings = (nodes as f64 + 1.0).log2();
+    match name {
+        // What they need grows with the crowd in an interval, or with the empty ones.
+        _ if name.starts_with("uniform table") => f64::INFINITY,
+        "hash over ranks" => 64.0,
+        // A search anywhere halves the ranks of all vertices.
+        "bit set over ranks" => 16.0,
+        "treap" => 4.0 + 2.0 * halvings,
+        _ => 4.0 + 1.5 * halvings,
+    }
+}
+
+fn test(points: &[[f64; 2]], longest: usize) {
+    for contestant in standard() {
+        let mut random = Random::new(7);
+        let mut model = Model {
+            points,
+            nodes: Vec::new(),
+            front: Front::new(points.len()),
+            structure: contestant.front().clone(),
+        };
+        // Begun twice: what it knew of the first time must be gone.
+        for n in [points.len() / 2, points.len()] {
+            model.nodes.clear();
+            model.front = Front::new(points.len());
+            model.structure.begin(Domain::new(&points[..n]));
+            let (mut steps, mut searches, mut updates) = (0, 0, 0);
+            for rank in 0..n {
+                model.insert(rank);
+                while model.nodes.len() > longest || random.one_in(4) && !model.nodes.is_empty() {
+                    model.remove(random.below(model.nodes.len()));
+                    updates += 1;
+                }
+                updates += 1;
+                let next = points.get(rank + 1).map_or(0.5, |point| point[0]);
+                let anywhere = random.pick(points)[0];
+                for x in [next, anywhere, random.unit(), -1.0, 2.0] {
+                    steps += model.steps(x);
+                    searches += 1;
+                }
+            }
+            let mean = steps as f64 / f64::from(searches);
+            let name = contestant.name();
+            let allowed = allowed(name, longest);
+            assert!(mean <= allowed, "{name}: {mean} steps a search");
+            if let Some(work) = model.structure.work() {
+                let count = work.comparisons.max(work.visited) as f64;
+                let mean = count / f64::from(searches + updates);
+                let allowed = allowed_work(name, longest);
+                assert!(
+                    mean <= allowed,
+                    "{name}: {mean} > {allowed} among {longest}"
+                );
+            }
+        }
+    }
+}
+
+/// Whether a structure names the right node itself, so that no step is left.
+fn is_exact(name: &str) -> bool {
+    allowed(name, 100) <= 1.0
+}
+
+#[test]
+fn a_search_ends_near_its_place() {
+    let points = Random::new(1).points(3000);
+    for longest in [1, 2, 60, 400] {
+        test(&points, longest);
+    }
+}
+
+#[test]
+fn equal_and_infinite_x_are_borne_and_the_upper_node_found() {
+    let mut random = Random::new(2);
+    let mut points: Vec<[f64; 2]> = (0..1000)
+        .map(|_| [random.integer(3), random.unit()])
+        .collect();
+    points[20][0] = f64::INFINITY;
+    points[30][0] = f64::NEG_INFINITY;
+    for contestant in standard() {
+        let mut structure = contestant.front().clone();
+        structure.begin(Domain::new(&points));
+        let mut front = Front::new(points.len());
+        // One node of each x, as the sweep keeps them.
+        let mut nodes: Vec<FrontNode> = Vec::new();
+        for (rank, &[x, _]) in points.iter().enumerate() {
+            let node = FrontNode::from_rank(rank);
+            let x_of = |node: FrontNode| points[node.rank()][0];
+            let place = nodes.partition_point(|&other| x_of(other) <= x);
+            let left = place.checked_sub(1).map(|i| nodes[i]);
+            front.insert(node, left.unwrap_or(front.left_end()));
+            nodes.insert(place, node);
+            structure.inserted(node, x);
+            if let Some(left) = left.filter(|&left| x_of(left) == x) {
+                front.remove(left);
+                nodes.remove(place - 1);
+                structure.removed(left, x);
+            }
+            if is_exact(contestant.name()) {
+                let found = structure.locate(x, &front);
+                assert_eq!(found, node, "{}: the node of this x", contestant.name());
+            }
+            for x in [x, f64::NEG_INFINITY, f64::INFINITY, 0.5] {
+                let found = structure.locate(x, &front);
+                assert!(front.contains(found), "{}", contestant.name());
+            }
+        }
+    }
+}

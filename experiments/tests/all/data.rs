@@ -1,0 +1,77 @@
+//! The generated data: valid, as large as asked for, the same bytes everywhere.
+
+use std::fs;
+
+use sweep_cdt::triangulate;
+use sweep_cdt_experiments::data::{KINDS, Kind, write_poly};
+use sweep_cdt_testing::{Input, data};
+
+fn kind(name: &str) -> Kind {
+    Kind::named(name).expect("a kind")
+}
+
+#[test]
+fn every_kind_can_be_triangulated_at_every_size() {
+    for kind in KINDS {
+        for n in [0, 100, 1000, 20_000] {
+            let Input { points, edges } = kind.input(n, 3);
+            let name = kind.name;
+            if n >= 1000 {
+                let ratio = points.len() as f64 / n as f64;
+                assert!((0.75..1.3).contains(&ratio), "{name}: {}", points.len());
+            }
+            if let Err(error) = triangulate(&points, &edges) {
+                panic!("{name} {n}: {error}");
+            }
+        }
+    }
+}
+
+/// A hash of all bits (Fowler, Noll and Vo).
+fn hash(Input { points, edges }: &Input) -> u64 {
+    let coordinates = points.iter().flatten().map(|x| x.to_bits());
+    let ends = edges.iter().flatten().map(|&end| end as u64);
+    let step = |hash: u64, bits: u64| (hash ^ bits).wrapping_mul(0x0100_0000_01b3).rotate_left(29);
+    coordinates.chain(ends).fold(0xcbf2_9ce4_8422_2325, step)
+}
+
+#[test]
+fn the_bits_are_the_same_on_every_platform() {
+    let found: Vec<String> = KINDS
+        .iter()
+        .map(|kind| format!("{} {:016x}", kind.name, hash(&kind.input(2000, 1))))
+        .collect();
+    let expected: Vec<&str> = include_str!("hashes.txt").lines().collect();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn another_seed_gives_another_input() {
+    for name in ["uniform", "parcels", "contours", "outlines", "segments"] {
+        let [one, two] = [1, 2].map(|seed| hash(&kind(name).input(1000, seed)));
+        assert_ne!(one, two, "{name}");
+    }
+}
+
+/// The paper's set a has 23,262 points and 28,155 edges, its set c 162,244 and 162,312.
+#[test]
+fn parcels_and_contours_have_the_papers_ratio_of_edges_to_points() {
+    let ratio = |name| {
+        let input: Input = kind(name).input(100_000, 1);
+        input.edges.len() as f64 / input.points.len() as f64
+    };
+    assert!((ratio("parcels") - 28_155.0 / 23_262.0).abs() < 1e-3);
+    assert!((ratio("contours") - 162_312.0 / 162_244.0).abs() < 0.02);
+}
+
+#[test]
+fn a_written_file_reads_as_the_same_input() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("parcels.poly");
+    let input = kind("parcels").input(500, 4);
+    let mut text = Vec::new();
+    write_poly(&input, &mut text).expect("written");
+    fs::write(&path, text).expect("written");
+    let read = data::poly(&path);
+    assert_eq!((read.points, read.edges), (input.points, input.edges));
+}
