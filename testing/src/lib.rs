@@ -3,7 +3,7 @@
 //! * [`generators`] turn bytes into inputs that are degenerate nearly every time; [`Random`] makes bytes
 //!   and numbers from a seed.
 //! * [`families`] are inputs that grow, the attacks on every promise about time.
-//! * [`data`] reads the test data.
+//! * [`data`] reads the test data; [`binary`] writes inputs for other programs.
 //! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
@@ -13,6 +13,7 @@
 //!
 //! docs/testing.md describes the tests that are made of this.
 
+pub mod binary;
 mod boundary;
 pub mod data;
 pub mod families;
