@@ -1,13 +1,11 @@
 //! The data sets: made with fixed seeds, or read from files.
 
 mod files;
-mod points;
 mod polygons;
-mod segments;
 
 use std::path::Path;
 
-use sweep_cdt_testing::Input;
+use sweep_cdt_testing::{Input, clouds, segments};
 
 /// What a data set holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,17 +89,17 @@ const THIRD_OF_EXACT: Aim = Aim {
 
 #[rustfmt::skip]
 const PLANS: [Plan; 16] = [
-    Plan { family: "uniform", kind: Kind::Points, size: 10_000, make: points::uniform, aim: of_spade(0.25) },
-    Plan { family: "uniform", kind: Kind::Points, size: 100_000, make: points::uniform, aim: of_spade(0.21) },
-    Plan { family: "uniform", kind: Kind::Points, size: 1_000_000, make: points::uniform, aim: of_spade(0.25) },
-    Plan { family: "uniform", kind: Kind::Points, size: 4_000_000, make: points::uniform, aim: of_spade(0.22) },
-    Plan { family: "clusters", kind: Kind::Points, size: 1_000_000, make: points::clusters, aim: of_spade(0.22) },
-    Plan { family: "power-law cluster", kind: Kind::Points, size: 1_000_000, make: points::power_law, aim: QUARTER_OF_EXACT },
-    Plan { family: "lattice, shuffled", kind: Kind::Points, size: 1_000_000, make: points::shuffled_lattice, aim: of_spade(0.19) },
-    Plan { family: "lattice, in order", kind: Kind::Points, size: 1_000_000, make: points::lattice, aim: QUARTER_OF_EXACT },
-    Plan { family: "circle", kind: Kind::Points, size: 100_000, make: points::circle, aim: HALF_OF_CGAL },
-    Plan { family: "segments", kind: Kind::Edges, size: 200_000, make: segments::segments, aim: of_spade(0.25) },
-    Plan { family: "segments", kind: Kind::Edges, size: 1_000_000, make: segments::segments, aim: of_spade(0.21) },
+    Plan { family: "uniform", kind: Kind::Points, size: 10_000, make: |n| vec![clouds::uniform(n)], aim: of_spade(0.25) },
+    Plan { family: "uniform", kind: Kind::Points, size: 100_000, make: |n| vec![clouds::uniform(n)], aim: of_spade(0.21) },
+    Plan { family: "uniform", kind: Kind::Points, size: 1_000_000, make: |n| vec![clouds::uniform(n)], aim: of_spade(0.25) },
+    Plan { family: "uniform", kind: Kind::Points, size: 4_000_000, make: |n| vec![clouds::uniform(n)], aim: of_spade(0.22) },
+    Plan { family: "clusters", kind: Kind::Points, size: 1_000_000, make: |n| vec![clouds::clusters(n)], aim: of_spade(0.22) },
+    Plan { family: "power-law cluster", kind: Kind::Points, size: 1_000_000, make: |n| vec![clouds::power_law(n)], aim: QUARTER_OF_EXACT },
+    Plan { family: "lattice, shuffled", kind: Kind::Points, size: 1_000_000, make: |n| vec![clouds::shuffled_lattice(n)], aim: of_spade(0.19) },
+    Plan { family: "lattice, in order", kind: Kind::Points, size: 1_000_000, make: |n| vec![clouds::lattice(n)], aim: QUARTER_OF_EXACT },
+    Plan { family: "circle", kind: Kind::Points, size: 100_000, make: |n| vec![clouds::circle(n)], aim: HALF_OF_CGAL },
+    Plan { family: "segments", kind: Kind::Edges, size: 200_000, make: |n| vec![segments(n)], aim: of_spade(0.25) },
+    Plan { family: "segments", kind: Kind::Edges, size: 1_000_000, make: |n| vec![segments(n)], aim: of_spade(0.21) },
     Plan { family: "polygons", kind: Kind::Polygons, size: 10, make: polygons::polygons, aim: THIRD_OF_EXACT },
     Plan { family: "polygons", kind: Kind::Polygons, size: 30, make: polygons::polygons, aim: THIRD_OF_EXACT },
     Plan { family: "polygons", kind: Kind::Polygons, size: 100, make: polygons::polygons, aim: THIRD_OF_EXACT },

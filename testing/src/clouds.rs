@@ -1,16 +1,16 @@
-//! Points without edges.
+//! Points without edges, for benchmarks.
 
 use std::f64::consts::TAU;
 
-use sweep_cdt_testing::{Input, Random};
+use crate::{Input, Random};
 
 /// Uniform points in the unit square.
-pub(super) fn uniform(n: usize) -> Vec<Input> {
+pub fn uniform(n: usize) -> Input {
     points(Random::new(1).points(n))
 }
 
 /// Normal distributions around 100 uniform centres.
-pub(super) fn clusters(n: usize) -> Vec<Input> {
+pub fn clusters(n: usize) -> Input {
     let mut random = Random::new(2);
     let centres = random.points(100);
     let near = |_| {
@@ -24,7 +24,7 @@ pub(super) fn clusters(n: usize) -> Vec<Input> {
 }
 
 /// One cluster, whose density falls with a power of the distance from its centre.
-pub(super) fn power_law(n: usize) -> Vec<Input> {
+pub fn power_law(n: usize) -> Input {
     let mut random = Random::new(3);
     let near = |_| {
         let radius = random.unit().powi(6);
@@ -35,12 +35,12 @@ pub(super) fn power_law(n: usize) -> Vec<Input> {
 }
 
 /// A square lattice, row by row.
-pub(super) fn lattice(n: usize) -> Vec<Input> {
+pub fn lattice(n: usize) -> Input {
     points(rows(n))
 }
 
 /// A square lattice in random order.
-pub(super) fn shuffled_lattice(n: usize) -> Vec<Input> {
+pub fn shuffled_lattice(n: usize) -> Input {
     let mut lattice = rows(n);
     Random::new(4).shuffle(&mut lattice);
     points(lattice)
@@ -54,7 +54,7 @@ fn rows(n: usize) -> Vec<[f64; 2]> {
 }
 
 /// Points on the unit circle, as far as doubles can be, in random order.
-pub(super) fn circle(n: usize) -> Vec<Input> {
+pub fn circle(n: usize) -> Input {
     let point = |i| {
         let (sin, cos) = (TAU * i as f64 / n as f64).sin_cos();
         [cos, sin]
@@ -64,7 +64,7 @@ pub(super) fn circle(n: usize) -> Vec<Input> {
     points(list)
 }
 
-fn points(points: Vec<[f64; 2]>) -> Vec<Input> {
+fn points(points: Vec<[f64; 2]>) -> Input {
     let edges = Vec::new();
-    vec![Input { points, edges }]
+    Input { points, edges }
 }

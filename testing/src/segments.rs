@@ -1,14 +1,15 @@
-//! Random segments that do not cross.
+//! Random segments that do not cross, for benchmarks.
 
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt_testing::{Input, Random};
+
+use crate::{Input, Random};
 
 /// Half as many segments as points, at random places, in random directions and up to twice as long as they
 /// are apart. One that meets an earlier one is drawn again.
-pub(super) fn segments(points: usize) -> Vec<Input> {
+pub fn segments(points: usize) -> Input {
     let count = points / 2;
     let mut random = Random::new(6);
     let mut grid = Grid::new(count);
@@ -24,7 +25,7 @@ pub(super) fn segments(points: usize) -> Vec<Input> {
             input.edges.push([first, first + 1]);
         }
     }
-    vec![input]
+    input
 }
 
 /// Segments in square cells by their first ends; a cell is as wide as a segment may be long.
