@@ -76,9 +76,9 @@ impl Coordinate for f64 {
     }
 
     fn write_text(&self, text: &mut Vec<u8>) {
-        // `zmij` is several times faster than the standard library. Its text is the same but for exponents,
-        // and where two shortest texts are equally near. These have 16 or 17 digits, and the number has one
-        // more: none of this size has as few that is no multiple of 2^-24.
+        // `zmij` is faster than the standard library. Its text is the same but for exponents, and where two
+        // shortest texts are equally near. There a number has at most 18 digits, and every one of this size
+        // that is no multiple of 2^-24 has more.
         let (mut fast, slow);
         let is_plain = (1e-4..1e16).contains(&self.abs());
         let number = if is_plain && (self * f64::from(1 << 24)).fract() != 0.0 {
