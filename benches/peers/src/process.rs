@@ -1,5 +1,6 @@
 //! One process of one program on one data set.
 
+use std::io::{Read, Seek};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
@@ -27,12 +28,15 @@ pub(crate) fn run(
     answer: Option<&Path>,
     limit: Duration,
 ) -> Result<Sample, Failure> {
+    // A file takes any number of lines; a pipe that nobody reads does not.
+    let mut printed = tempfile::tempfile().expect("a file for what is printed");
+    let stdout = printed.try_clone().expect("the same file");
     let mut child = Command::new(&command[0])
         .args(&command[1..])
         .arg(input)
         .args(answer)
         .stdin(Stdio::null())
-        .stdout(Stdio::piped())
+        .stdout(stdout)
         .stderr(Stdio::null())
         .spawn()
         .map_err(|_| Failure::Crash)?;
@@ -48,8 +52,11 @@ pub(crate) fn run(
         }
         std::thread::sleep(Duration::from_millis(2));
     };
-    let output = child.wait_with_output().expect("a process");
-    let text = String::from_utf8_lossy(&output.stdout);
+    let mut text = String::new();
+    printed.rewind().expect("a file");
+    if printed.read_to_string(&mut text).is_err() {
+        return Err(Failure::Crash);
+    }
     match (status.success(), sample(&text)) {
         (true, Some(sample)) => Ok(sample),
         _ => Err(Failure::Crash),
