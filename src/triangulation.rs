@@ -61,8 +61,26 @@ impl Triangulation {
     /// The triangles in one order for all runs on the same input: each begins with its lowest vertex,
     /// and the list is sorted.
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
-        let mut list: Vec<[usize; 3]> = self.triangles().map(lowest_first).collect();
-        list.sort_unstable();
+        let lowest = |corners: [usize; 3]| lowest_first(corners)[0];
+        // How many triangles have each vertex as the lowest: where those of the next one begin.
+        let end = self.triangles().map(lowest).max().map_or(0, |v| v + 1);
+        let mut places = vec![0; end + 1];
+        for corners in self.triangles() {
+            places[lowest(corners) + 1] += 1;
+        }
+        for v in 0..end {
+            places[v + 1] += places[v];
+        }
+        // They are put there, which moves the places on to the ends, and then sorted.
+        let mut list = vec![[0; 3]; self.len()];
+        for corners in self.triangles().map(lowest_first) {
+            let place = &mut places[corners[0]];
+            list[*place] = corners;
+            *place += 1;
+        }
+        for same in list.chunk_by_mut(|a, b| a[0] == b[0]) {
+            same.sort_unstable();
+        }
         list
     }
 

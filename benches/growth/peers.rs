@@ -1,15 +1,17 @@
 //! Other programs on the same inputs, each in a process of its own, which is stopped when it takes too long.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use spade::{ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, Triangulation};
-use sweep_cdt_testing::{Input, families};
+use sweep_cdt_testing::{Input, binary, families};
 
 /// How long a program may take.
 const PATIENCE: Duration = Duration::from_secs(20);
+
+/// How often it runs.
+const RUNS: usize = 3;
 
 /// Nanoseconds a point, the least of three runs; printed as what it is where there are none.
 #[derive(Clone, Copy)]
@@ -20,14 +22,14 @@ pub(crate) enum Time {
     None,
 }
 
-/// Runs spade in this process on a member of a family, and prints the seconds.
+/// Runs spade in this process on a member of a family, and prints the nanoseconds.
 pub(crate) fn spade(family: &str, n: usize) {
     let family = families::all().find(|other| other.name == family);
     let input = families::scattered(&(family.expect("a family").member)(n));
     let points: Vec<_> = (input.points.iter())
         .map(|&[x, y]| Point2::new(x, y))
         .collect();
-    for _ in 0..3 {
+    for _ in 0..RUNS {
         let (points, edges) = (points.clone(), input.edges.clone());
         let start = Instant::now();
         let faces = if edges.is_empty() {
@@ -40,7 +42,7 @@ pub(crate) fn spade(family: &str, n: usize) {
         };
         let time = start.elapsed();
         faces.expect("an input that spade accepts");
-        println!("{}", time.as_secs_f64());
+        println!("{}", time.as_nanos());
     }
 }
 
@@ -48,13 +50,13 @@ pub(crate) fn spade(family: &str, n: usize) {
 pub(crate) fn time_spade(family: &str, n: usize) -> Time {
     let this = std::env::current_exe().expect("this program");
     let arguments = ["spade", family, &n.to_string()].map(str::to_owned);
-    time(Command::new(this).args(arguments), |_| Ok(()), n)
+    time(Command::new(this).args(arguments), n)
 }
 
 /// Compiles the program that calls CGAL, if `c++` and CGAL are there.
 pub(crate) fn compile_cgal() -> Option<PathBuf> {
     let program = std::env::temp_dir().join("sweep-cdt-growth-cgal");
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/growth/cgal.cpp");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/peers/cgal.cpp");
     let compiled = Command::new("c++")
         .args(["-O2", "-DNDEBUG", "-frounding-math", "-o"])
         .args([&program, &source])
@@ -71,36 +73,16 @@ pub(crate) fn time_cgal(program: Option<&Path>, input: &Input) -> Time {
     let Some(program) = program else {
         return Time::None;
     };
-    let write = |child: &mut Child| {
-        let mut bytes = Vec::new();
-        for size in [input.points.len(), input.edges.len()] {
-            bytes.extend((size as u64).to_le_bytes());
-        }
-        bytes.extend(input.points.iter().flatten().flat_map(|x| x.to_le_bytes()));
-        let ends = input.edges.iter().flatten();
-        bytes.extend(ends.flat_map(|&v| (v as u64).to_le_bytes()));
-        let mut pipe = child.stdin.take().expect("a pipe");
-        pipe.write_all(&bytes)
-    };
-    time(
-        Command::new(program).stdin(Stdio::piped()),
-        write,
-        input.points.len(),
-    )
+    let path = std::env::temp_dir().join("sweep-cdt-growth-input");
+    binary::write_inputs(&path, &vec![input.clone(); RUNS]).expect("a file for the input");
+    time(Command::new(program).arg(path), input.points.len())
 }
 
-/// Runs a program that prints seconds, and waits for it.
-fn time(
-    command: &mut Command,
-    write: impl FnOnce(&mut Child) -> std::io::Result<()>,
-    points: usize,
-) -> Time {
+/// Runs a program that prints the nanoseconds of its runs, one a line, and waits for it.
+fn time(command: &mut Command, points: usize) -> Time {
     let command = command.stdout(Stdio::piped()).stderr(Stdio::null());
     let mut child = command.spawn().expect("a process");
     let start = Instant::now();
-    if write(&mut child).is_err() {
-        return Time::None;
-    }
     loop {
         match child.try_wait().expect("a process") {
             Some(status) if status.success() => break,
@@ -114,11 +96,11 @@ fn time(
         }
     }
     let output = child.wait_with_output().expect("a process");
-    let seconds = String::from_utf8_lossy(&output.stdout);
-    let least = (seconds.split_whitespace())
-        .map(|seconds| seconds.parse().expect("a number"))
+    let text = String::from_utf8_lossy(&output.stdout);
+    let least = (text.lines())
+        .filter_map(|line| line.split_whitespace().next()?.parse().ok())
         .fold(f64::INFINITY, f64::min);
-    Time::Least(1e9 * least / points as f64)
+    Time::Least(least / points as f64)
 }
 
 /// Both times, and ours divided by the lesser one.

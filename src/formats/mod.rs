@@ -17,6 +17,7 @@
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 
 mod coordinate;
+mod cores;
 mod graph;
 pub(crate) mod pairs;
 mod rational;

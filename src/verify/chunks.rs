@@ -68,7 +68,7 @@ impl<S: Sync> Schedule<S> for Parallel {
 
 /// Whether there is a pool, or the global one can be made: rayon panics where it cannot start its threads.
 #[cfg(feature = "parallel")]
-fn has_threads() -> bool {
+pub(crate) fn has_threads() -> bool {
     use std::error::Error;
     use std::sync::OnceLock;
 

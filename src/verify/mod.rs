@@ -74,6 +74,8 @@ mod turns;
 mod verifier;
 mod violation;
 
+#[cfg(all(feature = "formats", feature = "parallel"))]
+pub(crate) use chunks::has_threads;
 pub use offenders::Offenders;
 pub use report::{Report, Violations};
 pub use verifier::Verifier;

@@ -41,10 +41,16 @@ pub fn contours() -> Input {
 /// # Panics
 /// If it is no such file.
 pub fn poly(path: &Path) -> Input {
-    let source = Source {
-        name: path.display().to_string(),
-        bytes: fs::read(path).expect("a readable file"),
-    };
+    let bytes = fs::read(path).expect("a readable file");
+    poly_of(path.display().to_string(), bytes)
+}
+
+/// The same of the bytes of a file with this name.
+///
+/// # Panics
+/// If they are no such file.
+pub fn poly_of(name: String, bytes: Vec<u8>) -> Input {
+    let source = Source { name, bytes };
     match formats::read(InputFormat::Poly, &source, None) {
         Ok(formats::Input::Doubles(graph)) => Input {
             points: graph.points,

@@ -2,8 +2,9 @@
 //!
 //! * [`generators`] turn bytes into inputs that are degenerate nearly every time; [`Random`] makes bytes
 //!   and numbers from a seed.
-//! * [`families`] are inputs that grow, the attacks on every promise about time.
-//! * [`data`] reads the test data.
+//! * [`families`] are inputs that grow, the attacks on every promise about time; [`clouds`] and
+//!   [`segments()`] are the usual ones.
+//! * [`data`] reads the test data; [`binary`] writes inputs for other programs.
 //! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
@@ -13,7 +14,9 @@
 //!
 //! docs/testing.md describes the tests that are made of this.
 
+pub mod binary;
 mod boundary;
+pub mod clouds;
 pub mod data;
 pub mod families;
 pub mod fronts;
@@ -25,9 +28,11 @@ pub mod oracle;
 pub mod peers;
 mod random;
 pub mod runs;
+mod segments;
 mod steps;
 
 pub use boundary::boundary;
 pub use input::Input;
 pub use random::Random;
+pub use segments::segments;
 pub use steps::Steps;

@@ -4,8 +4,10 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::Error;
 use sweep_cdt::formats::{
-    Coordinate, Graph, Matched, ResultFormat, Source, Triangles, read_result,
+    self, Coordinate, Graph, Input, InputFormat, Matched, ResultFormat, Source, Triangles,
+    read_result,
 };
+use sweep_cdt_testing::Random;
 
 fn source(text: &str) -> Source {
     Source {
@@ -82,4 +84,116 @@ fn whole_numbers_beyond_doubles_stay_rationals() {
 fn a_denominator_of_too_many_digits_is_refused() {
     let fraction = |digits| BigRational::from_text(&format!("1/{}", "3".repeat(digits)));
     assert!(fraction(10_000).is_ok() && fraction(10_001).is_err());
+}
+
+#[test]
+fn doubles_are_written_as_the_standard_library_writes_them() {
+    let mut random = Random::new(1);
+    let check = |value: f64| {
+        let text = format!("{value:?}");
+        assert_eq!(value.text(), text.strip_suffix(".0").unwrap_or(&text));
+    };
+    for value in [
+        0.0,
+        -0.0,
+        5e-324,
+        1e-5,
+        9.99e-5,
+        1e-4,
+        9e15,
+        1e16,
+        1e23,
+        f64::MAX,
+    ] {
+        check(value);
+        check(-value);
+    }
+    for _ in 0..100_000 {
+        let bits = random.bits();
+        check(f64::from_bits(bits));
+        // Any number of digits before and behind the point; many of them are halfway between two texts.
+        let shift = i32::try_from(random.below(70)).expect("small");
+        check((bits >> random.below(64)) as f64 / 2_f64.powi(shift));
+        check(random.unit() * 10_f64.powi(shift / 4 - 6));
+    }
+}
+
+/// The lines of a `.poly` of so many points on a line, each joined to the next, with comments, blank lines and
+/// all ends of lines in between.
+fn long(points: usize) -> Vec<String> {
+    let mut lines = vec![format!("{points} 2 # points\r\n")];
+    for v in 0..points {
+        lines.push(match v % 7 {
+            3 => format!("  {} {v} 0.5 # \r", v + 1),
+            5 => format!("\n# {v}\r\n\t{} {v} 0.5\r\n", v + 1),
+            _ => format!("{} {v} 0.5 7\n", v + 1),
+        });
+    }
+    lines.push(format!("{}\n", points - 1));
+    lines.extend((1..points).map(|v| format!("{v} {v} {}\n", v + 1)));
+    lines
+}
+
+#[test]
+fn long_files_are_read_like_short_ones() {
+    const POINTS: usize = 60_000;
+    let lines = long(POINTS);
+    let read = |lines: &[String]| formats::read(InputFormat::Poly, &source(&lines.concat()), None);
+    let Ok(Input::Doubles(graph)) = read(&lines) else {
+        panic!("a file without faults");
+    };
+    assert_eq!(
+        graph.points,
+        (0..POINTS).map(|v| [v as f64, 0.5]).collect::<Vec<_>>()
+    );
+    assert_eq!(
+        graph.edges,
+        (1..POINTS).map(|v| [v - 1, v]).collect::<Vec<_>>()
+    );
+    assert_eq!((graph.first_vertex, graph.first_edge), (1, 1));
+
+    // Of two faults the first one is reported, in its line.
+    let line_of = |at: usize| {
+        let before = lines[..at].concat().replace("\r\n", "\n");
+        1 + before.matches(['\r', '\n']).count()
+    };
+    for (at, fault, message) in [
+        (50_001, "50001 x 0.5\n", "`x` is not a coordinate"),
+        (
+            50_001,
+            "50001 0\n",
+            "the line ends where a y coordinate should follow",
+        ),
+        (50_001, "50000 0 0\n", "the number is 50000, not 50001"),
+        (
+            110_000,
+            "49999 0 1\n",
+            "vertex 0 does not exist: the vertices are numbered from 1 to 60000",
+        ),
+    ] {
+        let mut lines = lines.clone();
+        lines[at] = fault.to_owned();
+        let last = lines.len() - 1;
+        lines[last] = "no number\n".to_owned();
+        let error = read(&lines).expect_err("a fault").to_string();
+        let last_error = format!("file:{}: `no` is not an edge's number", line_of(last));
+        // Coordinates are converted when all lines are read.
+        let expected = match message {
+            "`x` is not a coordinate" => last_error,
+            _ => format!("file:{}: {message}", line_of(at)),
+        };
+        assert_eq!(error, expected);
+        lines.pop();
+        let error = read(&lines).expect_err("an edge less").to_string();
+        let missing = match message {
+            "`x` is not a coordinate" => {
+                format!(
+                    "file:{}: the file ends where edge 59999 of 59999 should follow",
+                    line_of(last) - 1
+                )
+            }
+            _ => expected,
+        };
+        assert_eq!(error, missing);
+    }
 }

@@ -6,10 +6,12 @@ use std::{fs, io};
 use crate::{Fault, plant, root};
 
 /// What of the crate's folder is needed to build a target: all that its manifest names.
-const NEEDED: [&str; 7] = [
+const NEEDED: [&str; 9] = [
     "Cargo.toml",
     "README.md",
-    "benches",
+    "benches/growth",
+    "benches/instructions",
+    "benches/memory.rs",
     "examples",
     "src",
     "testing",

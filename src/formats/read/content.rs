@@ -8,7 +8,7 @@
 use std::borrow::Cow;
 
 use crate::formats::read::source::{ReadError, Source, quoted};
-use crate::formats::{Coordinate, CoordinateError};
+use crate::formats::{Coordinate, CoordinateError, cores};
 
 /// The vertices of a file.
 pub(super) struct Vertices<'a> {
@@ -49,17 +49,22 @@ pub(super) struct Corners<'a> {
     pub(super) vertices: Option<Vertices<'a>>,
 }
 
-impl Vertices<'_> {
+impl<'a> Vertices<'a> {
     /// The coordinates as values of a type; or the error of the first one that is not such a value.
     pub(super) fn points<S: Coordinate>(
         &self,
     ) -> Result<Vec<[S; 2]>, (CoordinateError, ReadError)> {
-        let value = |piece: &[u8]| {
-            let text = self.syntax.text(piece);
-            S::from_text(&text).map_err(|error| (error, self.error(piece, &text, error)))
+        const CHUNK: usize = 1 << 13;
+        let value = |piece| S::from_text(&self.syntax.text(piece)).map_err(|error| (error, piece));
+        let points = |pieces: &[[&'a [u8]; 2]]| {
+            let point = |&[x, y]: &[&'a [u8]; 2]| Ok([value(x)?, value(y)?]);
+            pieces.iter().map(point).collect::<Result<Vec<_>, _>>()
         };
-        let point = |&[x, y]: &[&[u8]; 2]| Ok([value(x)?, value(y)?]);
-        self.coordinates.iter().map(point).collect()
+        let mut list = Vec::with_capacity(self.coordinates.len());
+        for points in cores::map(self.coordinates.chunks(CHUNK).collect(), points) {
+            list.append(&mut points.map_err(|(error, piece)| (error, self.error(piece, error)))?);
+        }
+        Ok(list)
     }
 
     /// A coordinate as it is written.
@@ -73,11 +78,11 @@ impl Vertices<'_> {
         (self.source.name.clone(), line, self.first + vertex)
     }
 
-    fn error(&self, piece: &[u8], text: &str, error: CoordinateError) -> ReadError {
+    fn error(&self, piece: &[u8], error: CoordinateError) -> ReadError {
         let (line, column) = self.source.position(piece);
         let shown = match self.syntax {
             Syntax::Plain => quoted(piece),
-            Syntax::Json => quoted(text.as_bytes()),
+            Syntax::Json => quoted(self.syntax.text(piece).as_bytes()),
         };
         ReadError {
             column: matches!(self.syntax, Syntax::Json).then_some(column),

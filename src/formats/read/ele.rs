@@ -9,9 +9,10 @@
 //! Triangle does.
 
 use crate::formats::read::content::Corners;
+use crate::formats::read::records::Records;
 use crate::formats::read::source::{ReadError, Source, quoted};
 use crate::formats::read::token_lines::Lines;
-use crate::formats::read::triangle::{numbered, read_node};
+use crate::formats::read::triangle::read_node;
 
 /// Reads a `.ele`; `node` is the `.node` beside it.
 pub(super) fn read<'a>(
@@ -41,19 +42,16 @@ pub(super) fn read<'a>(
     }
 
     // The triangles.
-    let mut triangles = Vec::with_capacity(lines.capacity(count));
+    let records = Records {
+        name: "triangle",
+        number: "a triangle's number",
+        count,
+    };
     let mut first_triangle = 0;
-    for triangle in 0..count {
-        let mut line = lines.expect_line(|| format!("triangle {} of {count}", triangle + 1))?;
-        numbered(
-            &mut line,
-            triangle,
-            &mut first_triangle,
-            "a triangle's number",
-        )?;
+    let triangles = records.read(&mut lines, &mut first_triangle, |line| {
         let mut corner = || line.index("a vertex's number");
-        triangles.push([corner()?, corner()?, corner()?]);
-    }
+        Ok([corner()?, corner()?, corner()?])
+    })?;
     if let Some(line) = lines.next_line() {
         let message = format!("the first line announces only {count} triangles");
         return Err(line.error(message));

@@ -9,6 +9,7 @@ mod json_pieces;
 mod matched;
 mod matching;
 mod obj;
+mod records;
 mod result;
 mod result_error;
 mod rounding;

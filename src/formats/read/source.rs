@@ -76,10 +76,7 @@ const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// The first line with its end, which is a line feed, a carriage return or both, and all after it.
 pub(super) fn split_line(text: &[u8]) -> (&[u8], &[u8]) {
-    // Nearly all bytes are greater than both: one comparison is enough for them.
-    let is_end = |&byte: &u8| byte <= b'\r' && (byte == b'\n' || byte == b'\r');
-    let end = text.iter().position(is_end);
-    let length = match end {
+    let length = match memchr::memchr2(b'\n', b'\r', text) {
         Some(end) if text[end..].starts_with(b"\r\n") => end + 2,
         Some(end) => end + 1,
         None => text.len(),

@@ -4,6 +4,7 @@
 use crate::formats::read::source::{ReadError, Source, quoted, split_line};
 
 /// The lines of a file that hold anything, one after the other.
+#[derive(Clone)]
 pub(super) struct Lines<'a> {
     source: &'a Source,
     rest: &'a [u8],
@@ -24,7 +25,7 @@ impl<'a> Lines<'a> {
         while !self.rest.is_empty() {
             let (line, rest) = split_line(self.rest);
             (self.rest, self.number) = (rest, self.number + 1);
-            let comment = line.iter().position(|&byte| byte == b'#');
+            let comment = memchr::memchr(b'#', line);
             let text = line[..comment.unwrap_or(line.len())].trim_ascii();
             if !text.is_empty() {
                 return Some(Line {
@@ -46,6 +47,46 @@ impl<'a> Lines<'a> {
             let message = format!("the file ends where {} should follow", what());
             self.source.error_in_line(self.number.max(1), message)
         })
+    }
+
+    /// The rest of the file in chunks, up to this many, each of them some lines; their numbers begin anew.
+    pub(super) fn chunks(&self, count: usize) -> Vec<Lines<'a>> {
+        const BYTES: usize = 1 << 17;
+        let mut rest = self.rest;
+        let mut chunks = Vec::new();
+        while !rest.is_empty() && chunks.len() < count {
+            let end = rest
+                .get(BYTES..)
+                .and_then(|rest| memchr::memchr(b'\n', rest));
+            let (chunk, others) = rest.split_at(end.map_or(rest.len(), |end| BYTES + end + 1));
+            rest = others;
+            chunks.push(Lines {
+                rest: chunk,
+                number: 0,
+                ..*self
+            });
+        }
+        chunks
+    }
+
+    /// How many lines hold anything, and how many there are.
+    pub(super) fn count(mut self) -> (usize, usize) {
+        let mut count = 0;
+        while self.next_line().is_some() {
+            count += 1;
+        }
+        (count, self.number)
+    }
+
+    /// Goes on behind the next chunk, which has `count` lines, and returns it with their numbers.
+    pub(super) fn skip(&mut self, chunk: &Lines<'a>, count: usize) -> Lines<'a> {
+        let skipped = Lines {
+            number: self.number,
+            ..*chunk
+        };
+        self.rest = &self.rest[chunk.rest.len()..];
+        self.number += count;
+        skipped
     }
 
     /// `count` as a size to reserve: no more lines than the rest of the file may hold.
@@ -77,10 +118,30 @@ impl<'a> Line<'a> {
 
     /// The next token as a whole number; `what` it is stands in the message if it is none.
     pub(super) fn index(&mut self, what: &str) -> Result<usize, ReadError> {
+        if let Some(number) = self.short_index() {
+            return Ok(number);
+        }
         let token = self.expect_token(what)?;
         let text = std::str::from_utf8(token).ok();
         text.and_then(|text| text.parse().ok())
             .ok_or_else(|| self.error(format!("{} is not {what}", quoted(token))))
+    }
+
+    /// The next token, if it is of digits alone, and so few that the number fits.
+    fn short_index(&mut self) -> Option<usize> {
+        const DIGITS: usize = usize::MAX.ilog10() as usize;
+        let mut number = 0;
+        for (at, &byte) in self.rest.iter().enumerate().take(DIGITS + 1) {
+            match byte {
+                b'0'..=b'9' if at < DIGITS => number = 10 * number + usize::from(byte - b'0'),
+                _ if at > 0 && byte.is_ascii_whitespace() => {
+                    self.rest = self.rest[at..].trim_ascii_start();
+                    return Some(number);
+                }
+                _ => return None,
+            }
+        }
+        None
     }
 
     /// The next two tokens, the coordinates of a vertex.

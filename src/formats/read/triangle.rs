@@ -10,10 +10,10 @@
 //!          holes and regions                          not read
 //! ```
 //!
-//! Attributes and markers are ignored. The numbers of vertices and edges must be consecutive, since messages
-//! use them. (Triangle itself ignores these numbers.)
+//! Attributes and markers are ignored.
 
 use crate::formats::read::content::{Edges, Syntax, Vertices};
+use crate::formats::read::records::Records;
 use crate::formats::read::source::{ReadError, Source, no_vertex, quoted};
 use crate::formats::read::token_lines::{Line, Lines};
 
@@ -50,13 +50,15 @@ pub(super) fn read_poly<'a>(
     let count = lines
         .expect_line(|| "the number of edges".to_owned())?
         .index("a number of edges")?;
-    let mut edges = Vec::with_capacity(lines.capacity(count));
+    let records = Records {
+        name: "edge",
+        number: "an edge's number",
+        count,
+    };
     let mut first = vertices.first;
-    for edge in 0..count {
-        let mut line = lines.expect_line(|| format!("edge {} of {count}", edge + 1))?;
-        numbered(&mut line, edge, &mut first, "an edge's number")?;
-        edges.push([end(&mut line, &vertices)?, end(&mut line, &vertices)?]);
-    }
+    let edges = records.read(&mut lines, &mut first, |line| {
+        Ok([end(line, &vertices)?, end(line, &vertices)?])
+    })?;
     Ok(Edges {
         vertices,
         edges,
@@ -85,37 +87,19 @@ fn read_vertices<'a>(
     lines: &mut Lines<'a>,
     count: usize,
 ) -> Result<Vertices<'a>, ReadError> {
-    let mut coordinates = Vec::with_capacity(lines.capacity(count));
+    let records = Records {
+        name: "vertex",
+        number: "a vertex's number",
+        count,
+    };
     let mut first = 0;
-    for vertex in 0..count {
-        let mut line = lines.expect_line(|| format!("vertex {} of {count}", vertex + 1))?;
-        numbered(&mut line, vertex, &mut first, "a vertex's number")?;
-        coordinates.push(line.coordinates()?);
-    }
+    let coordinates = records.read(lines, &mut first, Line::coordinates)?;
     Ok(Vertices {
         source,
         syntax: Syntax::Plain,
         coordinates,
         first,
     })
-}
-
-/// Reads the number of record `at`, counted from 0. The number of the first record must be 0 or 1.
-pub(super) fn numbered(
-    line: &mut Line<'_>,
-    at: usize,
-    first: &mut usize,
-    what: &str,
-) -> Result<(), ReadError> {
-    let number = line.index(what)?;
-    if at == 0 && number <= 1 {
-        *first = number;
-    }
-    match at + *first {
-        expected if expected == number => Ok(()),
-        _ if at == 0 => Err(line.error(format!("the first number is {number}, not 0 or 1"))),
-        expected => Err(line.error(format!("the number is {number}, not {expected}"))),
-    }
 }
 
 /// Reads an end of an edge.

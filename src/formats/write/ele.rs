@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::rows::{self, number};
 use crate::Triangulation;
 use crate::formats::{Coordinate, Graph};
 
@@ -13,17 +14,15 @@ pub(super) fn write<S>(
 ) -> io::Result<()> {
     let first = graph.first_vertex;
     writeln!(out, "{} 3 0", result.len())?;
-    for (t, [a, b, c]) in result.canonical_triangles().into_iter().enumerate() {
-        writeln!(
-            out,
-            "{} {} {} {}",
-            t + first,
-            a + first,
-            b + first,
-            c + first
-        )?;
-    }
-    Ok(())
+    let triangles = result.canonical_triangles();
+    rows::write(out, triangles.len(), |t, text| {
+        number(t + first, text);
+        for corner in triangles[t] {
+            text.push(b' ');
+            number(corner + first, text);
+        }
+        text.push(b'\n');
+    })
 }
 
 /// Writes the vertices as a `.node`.
@@ -42,14 +41,12 @@ pub(super) fn write<S>(
 /// Those of `out`.
 pub fn write_node<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "{} 2 0 0", graph.points.len())?;
-    for (vertex, [x, y]) in graph.points.iter().enumerate() {
-        writeln!(
-            out,
-            "{} {} {}",
-            vertex + graph.first_vertex,
-            x.text(),
-            y.text()
-        )?;
-    }
-    Ok(())
+    rows::write(out, graph.points.len(), |vertex, text| {
+        number(vertex + graph.first_vertex, text);
+        for coordinate in &graph.points[vertex] {
+            text.push(b' ');
+            coordinate.write_text(text);
+        }
+        text.push(b'\n');
+    })
 }

@@ -3,6 +3,7 @@
 mod ele;
 mod json;
 mod obj;
+mod rows;
 
 use std::io::{self, Write};
 

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::rows::{self, number};
 use crate::Triangulation;
 use crate::formats::{Coordinate, Graph};
 
@@ -11,11 +12,21 @@ pub(super) fn write<S: Coordinate>(
     result: &Triangulation,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    for [x, y] in &graph.points {
-        writeln!(out, "v {} {} 0", x.approx().text(), y.approx().text())?;
-    }
-    for [a, b, c] in result.canonical_triangles() {
-        writeln!(out, "f {} {} {}", a + 1, b + 1, c + 1)?;
-    }
-    Ok(())
+    rows::write(out, graph.points.len(), |vertex, text| {
+        text.push(b'v');
+        for coordinate in &graph.points[vertex] {
+            text.push(b' ');
+            coordinate.approx().write_text(text);
+        }
+        text.extend_from_slice(b" 0\n");
+    })?;
+    let triangles = result.canonical_triangles();
+    rows::write(out, triangles.len(), |t, text| {
+        text.push(b'f');
+        for corner in triangles[t] {
+            text.push(b' ');
+            number(corner + 1, text);
+        }
+        text.push(b'\n');
+    })
 }

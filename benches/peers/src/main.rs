@@ -1,0 +1,108 @@
+//! sweep-cdt beside other programs, on the same inputs, in one run.
+//!
+//! ```sh
+//! cargo run --release --manifest-path benches/peers/Cargo.toml -- [--quick] [--data FOLDER] [--output FOLDER]
+//! ```
+//!
+//! Every program runs on every data set in processes of its own, in turn with the others, and the medians
+//! count. What is timed is the call that triangulates; reading the input, bringing it into the program's
+//! types and asking for its triangles are not. The verifier judges the first answer of each program on each
+//! data set. A wrong answer, a crash and a run beyond the time limit are marked.
+//!
+//! `--quick` takes smaller inputs and fewer rounds. `--data` names a folder with further `.poly` files, which
+//! may be compressed with gzip. The tables are printed; as Markdown and CSV, and with a plot, they are
+//! written to the folder `--output`.
+
+mod data;
+mod judge;
+mod machine;
+mod measure;
+mod process;
+mod programs;
+mod report;
+mod stopwatch;
+
+use std::fs;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::{Parser, Subcommand};
+
+/// sweep-cdt beside other programs, whose answers are verified.
+#[derive(Parser)]
+struct Arguments {
+    /// Smaller inputs and fewer rounds: about two minutes.
+    #[arg(long)]
+    quick: bool,
+    /// A folder with further `.poly` and `.poly.gz` files.
+    #[arg(long, value_name = "FOLDER")]
+    data: Option<PathBuf>,
+    /// Where the tables and the plot are written.
+    #[arg(long, value_name = "FOLDER", default_value = "target/peers")]
+    output: PathBuf,
+    /// How often each program runs on each data set.
+    #[arg(long)]
+    rounds: Option<usize>,
+    /// How many seconds a process may take.
+    #[arg(long, default_value_t = 60)]
+    limit: u64,
+    /// Only data sets whose names contain this.
+    #[arg(long, value_name = "WORD", default_value = "")]
+    only: String,
+    /// The Python that imports `triangle`.
+    #[arg(long, default_value = "python3")]
+    python: PathBuf,
+    #[command(subcommand)]
+    cell: Option<Cell>,
+}
+
+/// What the processes of the benchmark are asked to do.
+#[derive(Subcommand)]
+enum Cell {
+    /// Runs one program on one data set.
+    #[command(hide = true)]
+    Cell {
+        program: String,
+        input: PathBuf,
+        answer: Option<PathBuf>,
+    },
+}
+
+fn main() {
+    let arguments = Arguments::parse();
+    if let Some(Cell::Cell {
+        program,
+        input,
+        answer,
+    }) = arguments.cell
+    {
+        return programs::run(&program, &input, answer.as_deref());
+    }
+    let folder = tempfile::tempdir().expect("a folder for temporary files");
+    let programs = programs::all(folder.path(), &arguments.python);
+    let settings = measure::Settings {
+        rounds: arguments
+            .rounds
+            .unwrap_or(if arguments.quick { 3 } else { 5 }),
+        limit: Duration::from_secs(arguments.limit),
+        folder: folder.path(),
+    };
+    let machine = machine::describe(&programs, settings.rounds);
+    println!("{machine}");
+
+    let mut rows = Vec::new();
+    for set in data::sets(arguments.quick, arguments.data.as_deref()) {
+        if set.name.contains(&arguments.only) {
+            let row = measure::row(set, &programs, &settings);
+            print!("{}", report::text(&row, rows.is_empty()));
+            rows.push(row);
+        }
+    }
+    fs::create_dir_all(&arguments.output).expect("a folder for the tables");
+    let write = |name: &str, text: String| {
+        fs::write(arguments.output.join(name), text).expect("a file of results");
+    };
+    write("peers.md", report::markdown(&machine, &rows));
+    write("peers.csv", report::csv(&rows));
+    write("peers.svg", report::plot(&rows));
+}

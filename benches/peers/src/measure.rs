@@ -1,0 +1,153 @@
+//! All programs on one data set, in turn, and what follows from it.
+
+use std::path::Path;
+use std::time::Duration;
+
+use sweep_cdt_testing::binary;
+
+use crate::data::{Aim, DataSet, Kind, Of};
+use crate::judge::{Verdict, judge};
+use crate::process::{self, Failure, Sample};
+use crate::programs::{OURS, Program};
+
+/// How it is measured.
+pub(crate) struct Settings<'a> {
+    pub(crate) rounds: usize,
+    /// How long a process may take.
+    pub(crate) limit: Duration,
+    /// For the files that the processes exchange.
+    pub(crate) folder: &'a Path,
+}
+
+/// A data set and the measurements of all programs that take it.
+pub(crate) struct Row {
+    pub(crate) name: String,
+    pub(crate) family: String,
+    pub(crate) kind: Kind,
+    /// Points and edges of one input.
+    pub(crate) size: [usize; 2],
+    pub(crate) inputs: usize,
+    pub(crate) cells: Vec<Cell>,
+    pub(crate) aim: Option<Aim>,
+}
+
+/// The measurements of one program on one data set.
+pub(crate) struct Cell {
+    pub(crate) program: &'static str,
+    pub(crate) is_exact: bool,
+    pub(crate) outcome: Result<Outcome, Failure>,
+}
+
+/// What a program needs for a point.
+#[derive(Clone, Copy)]
+pub(crate) struct Outcome {
+    pub(crate) verdict: Verdict,
+    /// Nanoseconds: median, least and most.
+    pub(crate) time: [f64; 3],
+    /// Bytes beyond the input, the median.
+    pub(crate) bytes: Option<f64>,
+}
+
+/// Runs all programs in turn, as often as there are rounds.
+pub(crate) fn row(set: DataSet, programs: &[Program], settings: &Settings) -> Row {
+    let input = settings.folder.join("input");
+    let answer = settings.folder.join("answer");
+    binary::write_inputs(&input, &set.inputs).expect("a file for the data set");
+    let programs: Vec<&Program> = programs
+        .iter()
+        .filter(|program| program.kinds.contains(&set.kind))
+        .collect();
+
+    let mut verdicts = Vec::new();
+    let mut samples: Vec<Result<Vec<Sample>, Failure>> = vec![Ok(Vec::new()); programs.len()];
+    for round in 0..settings.rounds {
+        for (program, samples) in programs.iter().zip(&mut samples) {
+            let answer = (round == 0).then_some(answer.as_path());
+            // One that has failed is not asked again.
+            if let Ok(list) = samples {
+                match process::run(&program.command, &input, answer, settings.limit) {
+                    Ok(sample) => list.push(sample),
+                    Err(failure) => *samples = Err(failure),
+                }
+            }
+            if let Some(answer) = answer {
+                let is_inside = program.is_inside && set.kind == Kind::Polygons;
+                let verdict = |_| {
+                    let triangles = binary::read_answer(answer, set.inputs.len());
+                    judge(&set.inputs, &triangles.expect("an answer"), is_inside)
+                };
+                verdicts.push(samples.as_ref().ok().map(verdict));
+            }
+        }
+    }
+    let (inputs, points) = (set.inputs.len(), set.points());
+    let cells = programs.iter().zip(samples).zip(verdicts);
+    let cells = cells.map(|((program, samples), verdict)| Cell {
+        program: program.name,
+        is_exact: program.is_exact,
+        outcome: samples.map(|samples| {
+            let verdict = verdict.expect("an answer of the first round");
+            outcome(&samples, verdict, points, inputs)
+        }),
+    });
+    Row {
+        cells: cells.collect(),
+        size: [points / inputs, set.edges() / inputs],
+        inputs,
+        name: set.name,
+        family: set.family,
+        kind: set.kind,
+        aim: set.aim,
+    }
+}
+
+/// The time for a point, and the memory where there is one input: small ones say nothing of it.
+fn outcome(samples: &[Sample], verdict: Verdict, points: usize, inputs: usize) -> Outcome {
+    let sorted = |numbers: &mut dyn Iterator<Item = f64>| {
+        let mut numbers: Vec<f64> = numbers.map(|number| number / points as f64).collect();
+        numbers.sort_by(f64::total_cmp);
+        numbers
+    };
+    let times = sorted(&mut samples.iter().map(|sample| sample.nanoseconds));
+    let bytes = sorted(&mut samples.iter().filter_map(|sample| sample.bytes));
+    Outcome {
+        verdict,
+        time: [times[times.len() / 2], times[0], times[times.len() - 1]],
+        bytes: bytes.get(bytes.len() / 2).copied().filter(|_| inputs == 1),
+    }
+}
+
+impl Row {
+    /// The outcome of a program, if its answer is the constrained Delaunay triangulation.
+    pub(crate) fn right(&self, program: &str) -> Option<Outcome> {
+        self.rights()
+            .find(|(cell, _)| cell.program == program)
+            .map(|(_, outcome)| outcome)
+    }
+
+    /// The programs with right answers.
+    fn rights(&self) -> impl Iterator<Item = (&Cell, Outcome)> {
+        let rights = self
+            .cells
+            .iter()
+            .filter_map(|cell| Some((cell, cell.outcome.ok()?)));
+        rights.filter(|(_, outcome)| outcome.verdict == Verdict::Delaunay)
+    }
+
+    /// The fastest other program with a right answer; exact ones only if that is wanted.
+    pub(crate) fn best(&self, is_exact: bool) -> Option<(&Cell, Outcome)> {
+        self.rights()
+            .filter(|(cell, _)| cell.program != OURS && (cell.is_exact || !is_exact))
+            .min_by(|(_, a), (_, b)| a.time[0].total_cmp(&b.time[0]))
+    }
+
+    /// The time that this crate should need.
+    pub(crate) fn aim(&self) -> Option<f64> {
+        let aim = self.aim?;
+        let other = match aim.of {
+            Of::Program(name) => self.right(name)?,
+            Of::Exact => self.best(true)?.1,
+        };
+        Some(aim.share * other.time[0])
+    }
+}

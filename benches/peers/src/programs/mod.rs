@@ -1,0 +1,116 @@
+//! The programs, and what each is asked.
+//!
+//! A program is a command that is called with the file of a data set and, if the answer is wanted, the file
+//! to write it to; it prints nanoseconds and bytes. Crates run in a process of this executable.
+
+mod external;
+mod hull;
+mod inside;
+
+use std::path::{Path, PathBuf};
+
+use sweep_cdt_testing::{Input, binary};
+
+use crate::data::Kind;
+use crate::stopwatch::Stopwatch;
+
+/// A program.
+pub(crate) struct Program {
+    pub(crate) name: &'static str,
+    /// Its version, or the number of the crate in Cargo.lock.
+    pub(crate) version: String,
+    /// How it is called.
+    pub(crate) command: Vec<String>,
+    /// What it takes.
+    pub(crate) kinds: &'static [Kind],
+    /// Whether its answer to a polygon covers the polygon, and not the hull.
+    pub(crate) is_inside: bool,
+    /// Whether it decides by exact predicates, on doubles or integers.
+    pub(crate) is_exact: bool,
+}
+
+/// Triangulates an input, or says why not.
+type Call = fn(&Input, &mut Stopwatch) -> Result<Vec<[usize; 3]>, String>;
+
+/// A crate behind one signature.
+struct Crate {
+    name: &'static str,
+    package: &'static str,
+    kinds: &'static [Kind],
+    is_inside: bool,
+    is_exact: bool,
+    call: Call,
+}
+
+const ALL: &[Kind] = &[Kind::Points, Kind::Edges, Kind::Polygons];
+const POINTS: &[Kind] = &[Kind::Points];
+const POLYGONS: &[Kind] = &[Kind::Polygons];
+
+/// The name of the first program.
+pub(crate) const OURS: &str = "sweep-cdt";
+
+#[rustfmt::skip]
+const CRATES: [Crate; 11] = [
+    Crate { name: OURS, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: hull::ours },
+    Crate { name: "spade", package: "spade", kinds: ALL, is_inside: false, is_exact: true, call: hull::spade },
+    Crate { name: "delaunator", package: "delaunator", kinds: POINTS, is_inside: false, is_exact: false, call: hull::delaunator },
+    Crate { name: "cdt", package: "cdt", kinds: POINTS, is_inside: false, is_exact: true, call: hull::cdt },
+    Crate { name: "ghx", package: "ghx_constrained_delaunay", kinds: POINTS, is_inside: false, is_exact: false, call: hull::ghx },
+    Crate { name: "cdt inside", package: "cdt", kinds: POLYGONS, is_inside: true, is_exact: true, call: inside::cdt },
+    Crate { name: "ghx inside", package: "ghx_constrained_delaunay", kinds: POLYGONS, is_inside: true, is_exact: false, call: inside::ghx },
+    Crate { name: "i_triangle", package: "i_triangle", kinds: POLYGONS, is_inside: true, is_exact: true, call: inside::i_triangle },
+    Crate { name: "earcut", package: "earcut", kinds: POLYGONS, is_inside: true, is_exact: false, call: inside::earcut },
+    Crate { name: "earcut refined", package: "earcut", kinds: POLYGONS, is_inside: true, is_exact: false, call: inside::earcut_refined },
+    Crate { name: "poly2tri-rs", package: "poly2tri-rs", kinds: POLYGONS, is_inside: true, is_exact: false, call: inside::poly2tri },
+];
+
+/// All programs that can run here; this crate is the first. `folder` takes what is compiled.
+pub(crate) fn all(folder: &Path, python: &Path) -> Vec<Program> {
+    let this = std::env::current_exe().expect("this program");
+    let crates = CRATES.iter().map(|entry| Program {
+        name: entry.name,
+        version: locked_version(entry.package),
+        command: [this.to_string_lossy().as_ref(), "cell", entry.name]
+            .map(str::to_owned)
+            .to_vec(),
+        kinds: entry.kinds,
+        is_inside: entry.is_inside,
+        is_exact: entry.is_exact,
+    });
+    let external = [external::cgal(folder), external::triangle(python)];
+    crates.chain(external.into_iter().flatten()).collect()
+}
+
+/// The version of a package in Cargo.lock.
+fn locked_version(package: &str) -> String {
+    let name = format!("name = \"{package}\"");
+    let mut lines = include_str!("../../Cargo.lock").lines();
+    lines.find(|&line| line == name).expect("a dependency");
+    let version = lines.next().and_then(|line| line.split('"').nth(1));
+    version.expect("a version").to_owned()
+}
+
+/// Runs a crate on a data set: what a process does.
+pub(crate) fn run(name: &str, input: &Path, answer: Option<&Path>) {
+    let entry = CRATES.iter().find(|entry| entry.name == name);
+    let call = entry.expect("a program").call;
+    let inputs = binary::read_inputs(input).expect("a data set");
+    let mut stopwatch = Stopwatch::default();
+    let mut triangles = Vec::new();
+    for input in &inputs {
+        let result = call(input, &mut stopwatch).expect("an input that the program takes");
+        if answer.is_some() {
+            triangles.push(result);
+        }
+    }
+    if let Some(answer) = answer {
+        binary::write_answer(answer, &triangles).expect("a file for the answer");
+    }
+    let memory = stopwatch.memory.map_or(String::new(), |m| m.to_string());
+    println!("{} {memory}", stopwatch.time.as_nanos());
+}
+
+/// A file of this package.
+fn source(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
+}
