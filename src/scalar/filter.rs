@@ -88,16 +88,20 @@ pub(crate) fn in_circle([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ord
 
 /// The orientation of `a`, `b`, `c` where they lie on so coarse a lattice that it is not rounded.
 pub(crate) fn orient2d_on_lattice([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
+    if scale.lattice() < Lattice::Coarse {
+        return None;
+    }
     let ([ax, ay], [bx, by]) = (minus(a, c), minus(b, c));
-    let is_exact = scale.lattice() >= Lattice::Coarse;
-    (ax * by).partial_cmp(&(ay * bx)).filter(|_| is_exact)
+    (ax * by).partial_cmp(&(ay * bx))
 }
 
 /// The same for the side of the circle through `a`, `b`, `c` on which `d` lies.
 pub(crate) fn in_circle_on_lattice([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
+    if scale.lattice() < Lattice::Coarsest {
+        return None;
+    }
     let (determinant, _) = lifted([minus(a, d), minus(b, d), minus(c, d)]);
-    let is_exact = scale.lattice() == Lattice::Coarsest;
-    determinant.partial_cmp(&0.0).filter(|_| is_exact)
+    determinant.partial_cmp(&0.0)
 }
 
 /// The same as [`orient2d`] for doubles that may be off. Where they are exact it decides no more.
