@@ -22,7 +22,10 @@ const TOLERANCE: f64 = 0.02;
 
 const FILE: &str = "benches/instructions/counts.txt";
 
-const INPUTS: [(&str, fn() -> Input); 6] = [
+/// Makes an input.
+type Make = fn() -> Input;
+
+const INPUTS: [(&str, Make); 6] = [
     ("uniform", || clouds::uniform(100_000)),
     ("clusters", || clouds::clusters(100_000)),
     ("contours", data::contours),

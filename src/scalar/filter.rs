@@ -188,8 +188,11 @@ mod tests {
         let mut ties = 0;
         for _ in 0..20_000 {
             let near = random(3);
-            let mut coordinate = || [near, widest - near][random(2) as usize] + random(8) / 7;
-            let points = [(); 4].map(|()| [coordinate().min(widest), coordinate().min(widest)]);
+            let mut coordinate = || {
+                let far = if random(2) == 0 { near } else { widest - near };
+                (far + random(8) / 7).min(widest)
+            };
+            let points = [(); 4].map(|()| [coordinate(), coordinate()]);
             let unit = 2_f64.powi(-3);
             let doubles = points.map(|p| p.map(|x| 1e9 + x as f64 * unit));
             let scale = Scale::exact(4, |i| doubles[i]);
