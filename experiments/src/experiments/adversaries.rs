@@ -1,6 +1,6 @@
 //! For each structure the data that defeats it: the work of a search as it grows with the number of points.
 
-use super::experiment::{Experiment, cells, no_remarks};
+use super::experiment::{Experiment, TIME, cells, no_remarks};
 use super::fronts::work;
 use crate::measure::Variant;
 use crate::report::{Shape, View};
@@ -46,13 +46,7 @@ pub(super) const ADVERSARIES: Experiment = Experiment {
             measure: work,
             shape: Shape::Map,
         },
-        View {
-            name: "time",
-            title: "Time of the whole triangulation, nanoseconds a point",
-            about: "Medians. The plot shows them as ratios to the first row.",
-            measure: |row| Some(row.ns_per_point()),
-            shape: Shape::Ratios,
-        },
+        TIME,
     ],
     remarks: no_remarks,
 };

@@ -3,7 +3,7 @@
 use crate::contestant::Contestant;
 use crate::data::Kind;
 use crate::measure::{Cell, Row, Source, Variant};
-use crate::report::View;
+use crate::report::{Shape, View};
 
 /// An experiment.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +18,15 @@ pub(crate) struct Experiment {
     /// Further text of the report, from all rows.
     pub(crate) remarks: fn(&[Row]) -> String,
 }
+
+/// The time, compared with that of the first variant.
+pub(super) const TIME: View = View {
+    name: "time",
+    title: "Time of the whole triangulation, nanoseconds a point",
+    about: "Medians. The plot shows them as ratios to the first row.",
+    measure: |row| Some(row.ns_per_point()),
+    shape: Shape::Ratios,
+};
 
 /// A cell for each of these kinds with each of these sizes.
 pub(crate) fn cells(kinds: &[&str], sizes: &[usize]) -> Vec<Cell> {

@@ -1,6 +1,6 @@
 //! Every structure on every kind of data.
 
-use super::experiment::{Experiment, cells, no_remarks};
+use super::experiment::{Experiment, TIME, cells, no_remarks};
 use crate::measure::{Row, Variant};
 use crate::report::{Shape, View};
 
@@ -45,13 +45,7 @@ pub(super) const FRONTS: Experiment = Experiment {
             measure: |row| Some(row.bytes? as f64 / row.points.max(1) as f64),
             shape: Shape::Map,
         },
-        View {
-            name: "time",
-            title: "Time of the whole triangulation, nanoseconds a point",
-            about: "Medians. The plot shows them as ratios to the first row.",
-            measure: |row| Some(row.ns_per_point()),
-            shape: Shape::Ratios,
-        },
+        TIME,
         View {
             name: "least",
             title: "Least time of the whole triangulation, nanoseconds a point",

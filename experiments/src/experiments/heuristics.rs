@@ -2,7 +2,7 @@
 
 use sweep_cdt::{Algorithm, Corners, Heuristics};
 
-use super::experiment::{Experiment, cells, default_structure, no_remarks};
+use super::experiment::{Experiment, TIME, cells, default_structure, no_remarks};
 use crate::measure::Variant;
 use crate::report::{Shape, View};
 
@@ -59,13 +59,7 @@ pub(super) const HEURISTICS: Experiment = Experiment {
             },
             shape: Shape::Map,
         },
-        View {
-            name: "time",
-            title: "Time of the whole triangulation, nanoseconds a point",
-            about: "Medians. The plot shows them as ratios to the first row.",
-            measure: |row| Some(row.ns_per_point()),
-            shape: Shape::Ratios,
-        },
+        TIME,
     ],
     remarks: no_remarks,
 };

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::experiment::{Experiment, cells, no_remarks};
+use super::experiment::{Experiment, TIME, cells, no_remarks};
 use crate::measure::Variant;
 use crate::report::{Shape, View};
 
@@ -34,13 +34,7 @@ pub(super) const SCALARS: Experiment = Experiment {
             },
             shape: Shape::Map,
         },
-        View {
-            name: "time",
-            title: "Time of the whole triangulation, nanoseconds a point",
-            about: "Medians. The plot shows them as ratios to the first row.",
-            measure: |row| Some(row.ns_per_point()),
-            shape: Shape::Ratios,
-        },
+        TIME,
     ],
     remarks: no_remarks,
 };
