@@ -156,7 +156,7 @@ impl Scale {
 #[inline(always)]
 pub(crate) fn is_in_range(point: [f64; 2]) -> bool {
     let is_moderate = |x: f64| x == 0.0 || (power(-120)..power(200)).contains(&x.abs());
-    is_moderate(point[0]) & is_moderate(point[1])
+    is_moderate(point[0]) && is_moderate(point[1])
 }
 
 /// The same double, or an infinite one from 2^200 on.

@@ -29,15 +29,11 @@ impl Vertices {
     pub(super) fn new<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> {
         let is_finite = |p: &[S; 2]| p[0].is_finite() && p[1].is_finite();
         let approximate = |p: &[S; 2]| [p[0].approx(), p[1].approx()];
-        // What is in range is finite. No early end, so that several points are tested at once.
-        let are_plain = || {
-            points
-                .iter()
-                .fold(true, |are_plain, p| are_plain & is_in_range(approximate(p)))
-        };
+        // What is in range is finite.
+        let is_plain = |p: &[S; 2]| is_in_range(approximate(p));
         // Coordinates that are doubles of moderate size are not stored once more.
         let mut stored: Vec<[f64; 2]> = Vec::new();
-        let scale = if S::APPROX_IS_EXACT && are_plain() {
+        let scale = if S::APPROX_IS_EXACT && points.iter().all(is_plain) {
             Scale::exact(points.len(), |i| approximate(&points[i]))
         } else {
             if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
