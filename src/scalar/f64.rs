@@ -2,10 +2,10 @@
 //!
 //! 1. The [filter](super::filter): most signs.
 //! 2. Machine integers. If all differences are exact and multiples of a power of two less than 2^30
-//!    times as large as it, in 64 and 128 bits ([`narrow`]): ties on lattices, in about 15 ns. If not, but
-//!    all coordinates are multiples of a power of two less than 2^61 times as large, in up to 256 bits
-//!    ([`integers`]): most near-ties of other points, since coordinates of 53 bits may still differ by
-//!    2^8 in size, in about 50 ns.
+//!    times as large as it, in 64 and 128 bits: ties on lattices, in about 15 ns. If they are less than 2^61
+//!    times as large, or rounded but all coordinates are multiples of a power of two less than 2^61 times
+//!    as large, in up to 256 bits: most near-ties of other points, since coordinates of 53 bits may still
+//!    differ by 2^8 in size, in about 50 ns.
 //! 3. The adaptive expansions of Shewchuk (1997; crate `robust`), 300 to 700 ns on ties. They are exact
 //!    while nothing under- or overflows, which holds if every coordinate is zero or within
 //!    2^-142..=2^201 in size; coordinates outside are multiplied by a power of two first if that
@@ -49,7 +49,7 @@ impl Scalar for f64 {
 
     #[cold]
     fn orient2d_exact(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> (Ordering, Stage) {
-        if let Some([a, b]) = narrow([a, b], c) {
+        if let Some([a, b]) = Differences::of([a, b], c).and_then(|rows| rows.narrow()) {
             return ((a[0] * b[1]).cmp(&(a[1] * b[0])), Stage::Integers);
         }
         let points = [a, b, c];
@@ -72,8 +72,14 @@ impl Scalar for f64 {
         &c: &[Self; 2],
         &d: &[Self; 2],
     ) -> (Ordering, Stage) {
-        if let Some(rows) = narrow([a, b, c], d) {
-            return (wide::in_circle_narrow(rows), Stage::Integers);
+        if let Some(differences) = Differences::of([a, b, c], d) {
+            if let Some(rows) = differences.narrow() {
+                return (wide::in_circle_narrow(rows), Stage::Integers);
+            }
+            if let Some(rows) = differences.wide() {
+                let rows = rows.map(|row| row.map(i128::from));
+                return (wide::in_circle_middle(rows), Stage::Integers);
+            }
         }
         let points = [a, b, c, d];
         let Some(points) = moderate(points) else {
@@ -89,31 +95,53 @@ impl Scalar for f64 {
     }
 }
 
-/// The differences of points to a last one in units of a power of two, if they are exact and that makes
-/// integers below 2^30 of them.
-///
-/// A difference d = a - b is exact if a - d is b and d + b is a, by the error term of Knuth's two-sum.
-/// Adding 3 * 2^51 rounds to an integer and leaves it in the low bits.
-#[expect(clippy::float_cmp, reason = "asks for exact equality")]
-fn narrow<const N: usize>(points: [[f64; 2]; N], last: [f64; 2]) -> Option<[[i64; 2]; N]> {
-    const SHIFTER: f64 = 3.0 * power(51);
-    let rows = points.map(|p| [p[0] - last[0], p[1] - last[1]]);
-    let exponent = exponent(largest(&rows).max(power(-900)));
-    if exponent > 900 {
-        return None;
-    }
-    let (unit, per_unit) = (power(exponent - 29), power(29 - exponent));
-    let mut exact = true;
-    let mut result = [[0; 2]; N];
-    for (to, (row, point)) in result.iter_mut().zip(rows.iter().zip(&points)) {
-        for i in 0..2 {
-            let (a, b, d) = (point[i], last[i], row[i]);
-            let shifted = d * per_unit + SHIFTER;
-            exact &= a - d == b && d + b == a && (shifted - SHIFTER) * unit == d;
-            to[i] = shifted.to_bits().cast_signed() - SHIFTER.to_bits().cast_signed();
+/// The differences of points to a last one, all of them exact.
+struct Differences<const N: usize> {
+    rows: [[f64; 2]; N],
+    /// All are below 2^(`exponent` + 1) in size.
+    exponent: i64,
+}
+
+impl<const N: usize> Differences<N> {
+    /// The differences, if all are exact.
+    ///
+    /// A difference d = a - b is exact if a - d is b and d + b is a, by the error term of Knuth's two-sum.
+    #[expect(clippy::float_cmp, reason = "asks for exact equality")]
+    fn of(points: [[f64; 2]; N], last: [f64; 2]) -> Option<Self> {
+        let rows = points.map(|p| [p[0] - last[0], p[1] - last[1]]);
+        let exponent = exponent(largest(&rows).max(power(-900)));
+        let mut exact = exponent <= 900;
+        for (row, point) in rows.iter().zip(&points) {
+            for i in 0..2 {
+                let (a, b, d) = (point[i], last[i], row[i]);
+                exact &= a - d == b && d + b == a;
+            }
         }
+        exact.then_some(Differences { rows, exponent })
     }
-    exact.then_some(result)
+
+    /// In units of a power of two, if that makes integers below 2^30 of them.
+    ///
+    /// Adding 3 * 2^51 rounds to an integer and leaves it in the low bits.
+    #[expect(clippy::float_cmp, reason = "asks for exact equality")]
+    fn narrow(&self) -> Option<[[i64; 2]; N]> {
+        const SHIFTER: f64 = 3.0 * power(51);
+        let (unit, per_unit) = (power(self.exponent - 29), power(29 - self.exponent));
+        let mut exact = true;
+        let narrow = self.rows.map(|row| {
+            row.map(|d| {
+                let shifted = d * per_unit + SHIFTER;
+                exact &= (shifted - SHIFTER) * unit == d;
+                shifted.to_bits().cast_signed() - SHIFTER.to_bits().cast_signed()
+            })
+        });
+        exact.then_some(narrow)
+    }
+
+    /// In units of a power of two, if that makes integers below 2^61 of them.
+    fn wide(&self) -> Option<[[i64; 2]; N]> {
+        whole(&self.rows, self.exponent)
+    }
 }
 
 /// Whether the adaptive expansions neither under- nor overflow on this coordinate (Shewchuk 1997,
@@ -157,25 +185,28 @@ fn largest<const N: usize>(points: &[[f64; 2]; N]) -> f64 {
 }
 
 /// Moderate points in units of a power of two, if that makes integers below 2^61 of them.
+fn integers<const N: usize>(points: &[[f64; 2]; N]) -> Option<[[i64; 2]; N]> {
+    let exponent = exponent(largest(points).max(power(-142)));
+    whole(points, exponent)
+}
+
+/// Numbers below 2^(`exponent` + 1) in size in units of a power of two, if that makes integers below 2^61 of
+/// them.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "the products are below 2^61"
 )]
 #[expect(clippy::float_cmp, reason = "asks for exact equality")]
-fn integers<const N: usize>(points: &[[f64; 2]; N]) -> Option<[[i64; 2]; N]> {
-    let exponent = exponent(largest(points).max(power(-142)));
-    let scaled = scale(*points, power(60 - exponent));
-    let integers = scaled.map(|point| point.map(|x| x as i64));
-    let exact = |(&i, &x): (&i64, &f64)| i as f64 == x;
-    if !integers
+fn whole<const N: usize>(numbers: &[[f64; 2]; N], exponent: i64) -> Option<[[i64; 2]; N]> {
+    let (unit, per_unit) = (power(exponent - 60), power(60 - exponent));
+    let integers = numbers.map(|row| row.map(|x| (x * per_unit) as i64));
+    let exact = |(&i, &x): (&i64, &f64)| i as f64 * unit == x;
+    integers
         .iter()
         .flatten()
-        .zip(scaled.iter().flatten())
+        .zip(numbers.iter().flatten())
         .all(exact)
-    {
-        return None;
-    }
-    Some(integers)
+        .then_some(integers)
 }
 
 fn minus(a: [i64; 2], b: [i64; 2]) -> [i128; 2] {

@@ -39,7 +39,7 @@ pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> (Ordering, Stage) {
         let sign = in_circle_narrow(rows.map(|row| row.map(|x| x as i64)));
         (sign, Stage::Integers)
     } else if span >> zeros < 1 << 62 {
-        (middle(rows), Stage::Integers)
+        (in_circle_middle(rows), Stage::Integers)
     } else {
         let sign = unbounded::lifted(&rows.map(|row| row.map(BigInt::from)));
         (sign, Stage::BigIntegers)
@@ -54,7 +54,8 @@ pub(super) fn in_circle_narrow([[ax, ay], [bx, by], [cx, cy]]: [[i64; 2]; 3]) ->
     det.cmp(&0)
 }
 
-fn middle([[ax, ay], [bx, by], [cx, cy]]: [[i128; 2]; 3]) -> Ordering {
+/// The same for differences below 2^62.
+pub(super) fn in_circle_middle([[ax, ay], [bx, by], [cx, cy]]: [[i128; 2]; 3]) -> Ordering {
     let products = [
         product(ax * ax + ay * ay, bx * cy - cx * by),
         product(bx * bx + by * by, cx * ay - ax * cy),

@@ -66,6 +66,17 @@ fn near_lines() {
     }
 }
 
+/// Differences that are exact, and so far apart in size that the smallest vanish where the largest are scaled.
+#[test]
+fn far_smaller_than_the_others() {
+    for (large, small) in [(899, -1070), (890, -200), (700, -500), (100, -900)] {
+        let (large, small) = (2f64.powi(large), 2f64.powi(small));
+        for c in [[small, -small], [-small, small], [small, 0.0]] {
+            check_all(&[[large, 0.0], [0.0, large], c, [0.0; 2]], "far smaller");
+        }
+    }
+}
+
 #[test]
 fn near_circles() {
     let mut random = Random::new(4);
