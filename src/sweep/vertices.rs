@@ -24,11 +24,19 @@ pub(super) struct Vertices {
     pub(super) scale: Scale,
 }
 
-impl Vertices {
-    /// Sorts and merges the points, whose number was checked.
-    pub(super) fn new<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> {
+/// The points with doubles for their coordinates, all on one [`Scale`].
+#[derive(Debug)]
+pub(super) struct Located<'a, S> {
+    pub(super) points: &'a [[S; 2]],
+    /// The doubles. Empty if they are what [`Scalar::approx`] gives.
+    stored: Vec<[f64; 2]>,
+    scale: Scale,
+}
+
+impl<'a, S: Scalar> Located<'a, S> {
+    /// Finds doubles and scale of the points.
+    pub(super) fn new(points: &'a [[S; 2]]) -> Result<Located<'a, S>, Error> {
         let is_finite = |p: &[S; 2]| p[0].is_finite() && p[1].is_finite();
-        let approximate = |p: &[S; 2]| [p[0].approx(), p[1].approx()];
         // What is in range is finite.
         let is_plain = |p: &[S; 2]| is_in_range(approximate(p));
         // Coordinates that are doubles of moderate size are not stored once more.
@@ -42,21 +50,58 @@ impl Vertices {
             stored.extend(points.iter().map(approximate));
             frame::fit(points, &mut stored)
         };
-        let near = |input: u32| match stored.get(input as usize) {
+        Ok(Located {
+            points,
+            stored,
+            scale,
+        })
+    }
+
+    /// The doubles of a point, by its input index.
+    #[inline(always)]
+    pub(super) fn near(&self, input: u32) -> [f64; 2] {
+        match self.stored.get(input as usize) {
             Some(near) => *near,
-            None => approximate(&points[input as usize]),
-        };
+            None => approximate(&self.points[input as usize]),
+        }
+    }
+}
+
+fn approximate<S: Scalar>(point: &[S; 2]) -> [f64; 2] {
+    [point[0].approx(), point[1].approx()]
+}
+
+impl Vertices {
+    /// Sorts and merges the points with these input indices, which ascend; their number was checked.
+    pub(super) fn new<S: Scalar>(
+        located: &Located<'_, S>,
+        inputs: impl ExactSizeIterator<Item = u32> + Clone,
+    ) -> Vertices {
         let Order {
             approx,
             input,
             duplicates,
-        } = order::sort(points, near, scale);
-        Ok(Vertices {
+        } = order::sort(
+            located.points,
+            inputs,
+            |input| located.near(input),
+            located.scale,
+        );
+        Vertices {
             approx,
             input,
             duplicates,
-            scale,
-        })
+            scale: located.scale,
+        }
+    }
+
+    /// Adds vertices that come after all of these in sweep order.
+    #[cfg(feature = "parallel")]
+    pub(super) fn append(&mut self, mut others: Vertices) {
+        self.approx.append(&mut others.approx);
+        self.input.append(&mut others.input);
+        self.duplicates.append(&mut others.duplicates);
+        self.duplicates.sort_unstable();
     }
 
     /// How many there are, without the artificial ones.
