@@ -9,10 +9,11 @@ use std::sync::Arc;
 
 use super::edges::Edges;
 use super::fabric::Fabric;
+use super::located::Located;
 use super::settings::Settings;
 use super::signs::Signs;
 use super::state::Sweep;
-use super::vertices::{Located, Vertices};
+use super::vertices::Vertices;
 use crate::algorithm::Algorithm;
 use crate::chains::ChainNotes;
 use crate::error::Error;

@@ -6,7 +6,7 @@
 //! |---|---|---|---|
 //! | 3.2 | | the three parts | `mod.rs` |
 //! | 3.3 | | initialization | [`initialization`] |
-//! | 3.3 | | distinct points in sweep order | [`vertices`], [`order`] |
+//! | 3.3 | | distinct points in sweep order | [`located`], [`vertices`], [`order`] |
 //! | 3.3 | 5 | edges at their upper ends | [`edges`] |
 //! | 3.3 | 6 | P-1 and P-2, first triangle | [`artificial`], [`initialization`] |
 //! | 3.4 | | the state between two events | [`state`] (front, edges), [`fabric`] (triangles, signs) |
@@ -53,6 +53,7 @@ mod flip_limit;
 mod incidence;
 mod initialization;
 mod legalization;
+mod located;
 mod narrow_corners;
 mod obstacles;
 mod order;

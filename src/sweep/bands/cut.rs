@@ -7,7 +7,7 @@
 
 use rayon::prelude::*;
 
-use super::super::vertices::Located;
+use super::super::located::Located;
 use crate::ids::narrow;
 use crate::scalar::Scalar;
 

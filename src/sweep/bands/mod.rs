@@ -22,8 +22,8 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::initialization::LIMIT;
+use super::located::Located;
 use super::settings::Settings;
-use super::vertices::Located;
 use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::scalar::Scalar;

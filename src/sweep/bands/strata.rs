@@ -7,7 +7,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 
-use super::super::vertices::{Located, Vertices};
+use super::super::located::Located;
+use super::super::vertices::Vertices;
 use super::cut::cut;
 use crate::ids::{VertexId, narrow};
 use crate::scalar::Scalar;
