@@ -1,5 +1,7 @@
 //! The vertices along each input edge: noted while the edges are inserted, looked up in the result.
 
+use std::sync::Arc;
+
 use crate::error::Error;
 use crate::ids::narrow;
 
@@ -10,7 +12,7 @@ const LIMIT: usize = 1 << 28;
 #[derive(Debug, Default)]
 pub(crate) struct ChainNotes {
     /// The ends of each edge, upper end first.
-    ends: Vec<[u32; 2]>,
+    ends: Arc<Vec<[u32; 2]>>,
     /// `(edge, vertex)` for each vertex inside an edge; those of one edge from its upper to its lower end.
     passed: Vec<(u32, u32)>,
     /// `(edge, of)` for each edge equal to one that was inserted before.
@@ -30,7 +32,7 @@ pub(crate) struct Chains {
 
 impl ChainNotes {
     /// No vertex inside any edge yet.
-    pub(crate) fn new(ends: Vec<[u32; 2]>) -> ChainNotes {
+    pub(crate) fn new(ends: Arc<Vec<[u32; 2]>>) -> ChainNotes {
         ChainNotes {
             ends,
             ..ChainNotes::default()
@@ -41,6 +43,12 @@ impl ChainNotes {
     pub(crate) fn clear(&mut self) {
         self.passed.clear();
         self.equal.clear();
+    }
+
+    /// Whether the input has no edges.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.ends.is_empty()
     }
 
     /// Whether two edges have the same ends.
@@ -59,6 +67,17 @@ impl ChainNotes {
             return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
         }
         self.passed.push((edge, vertex));
+        Ok(())
+    }
+
+    /// Adds the notes on other edges of the same input.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn append(&mut self, mut other: ChainNotes) -> Result<(), Error> {
+        if self.passed.len() + other.passed.len() > LIMIT {
+            return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
+        }
+        self.passed.append(&mut other.passed);
+        self.equal.append(&mut other.equal);
         Ok(())
     }
 
@@ -82,7 +101,7 @@ impl ChainNotes {
         }
         split.sort_unstable();
         Chains {
-            ends: self.ends,
+            ends: Arc::unwrap_or_clone(self.ends),
             split,
             inside: self.passed.into_iter().map(|(_, vertex)| vertex).collect(),
         }

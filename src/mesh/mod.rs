@@ -18,6 +18,8 @@ mod triangle;
 pub(crate) use side::{Side, next, prev};
 pub(crate) use triangle::Triangle;
 
+#[cfg(feature = "parallel")]
+use crate::ids::narrow;
 use crate::ids::{OpenId, TriangleId, VertexId};
 
 /// The triangles and the open sides.
@@ -142,9 +144,9 @@ impl Mesh {
         t
     }
 
-    /// Makes `t` a triangle that borders on nothing and has no other vertex than `v`.
-    pub(crate) fn retire(&mut self, t: TriangleId, v: VertexId) {
-        self.triangles[t.index()] = Triangle::new([v; 3], [Side::NOTHING; 3]);
+    /// Makes `t` a triangle that borders on nothing and counts as artificial.
+    pub(crate) fn retire(&mut self, t: TriangleId) {
+        self.triangles[t.index()] = Triangle::RETIRED;
     }
 
     /// Marks triangle `t` as one that is about to be removed.
@@ -214,6 +216,25 @@ impl Mesh {
     /// Forgets all open sides but the first `kept`; nothing may border on the others any more.
     pub(crate) fn forget_open(&mut self, kept: usize) {
         self.open.truncate(kept);
+    }
+
+    /// Adds the triangles of another mesh, none of which borders on an open side other than nothing. Its
+    /// vertices are numbered higher by so much; its triangles follow those here. Runs on all threads.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn append(&mut self, other: Mesh, vertices: u32) {
+        use rayon::prelude::*;
+        debug_assert!(other.removed.is_empty(), "all places are in use");
+        let before = narrow(self.len());
+        let others = other.triangles.into_par_iter();
+        self.triangles
+            .par_extend(others.map(|record| record.moved(vertices, before)));
+    }
+
+    /// Forgets the open sides, on which nothing may border, and makes so many new ones.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn renew_open(&mut self, open: usize) {
+        self.open.clear();
+        self.open.resize(open, Side::NO_TRIANGLE);
     }
 
     /// Hands out the triangles.

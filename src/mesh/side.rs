@@ -100,6 +100,17 @@ impl Side {
         self.0 >= OPEN
     }
 
+    /// The same side where all triangles are numbered higher by so much.
+    #[cfg(feature = "parallel")]
+    #[inline(always)]
+    pub(crate) fn moved(self, triangles: u32) -> Side {
+        if self.is_open() {
+            self
+        } else {
+            Side(self.0 + (triangles << 2))
+        }
+    }
+
     /// Which open side.
     #[inline(always)]
     pub(crate) fn open_id(self) -> OpenId {

@@ -17,10 +17,27 @@ pub(crate) struct Triangle {
 }
 
 impl Triangle {
+    /// A triangle that stands for none: its vertices have a number above all others.
+    pub(super) const RETIRED: Triangle = Triangle {
+        vertices: [VertexId::new(u32::MAX); 4],
+        across: [Side::NOTHING; 4],
+    };
+
     pub(super) fn new(v: [VertexId; 3], across: [Side; 3]) -> Triangle {
         Triangle {
             vertices: [v[0], v[1], v[2], VertexId::new(0)],
             across: [across[0], across[1], across[2], Side::NOTHING],
+        }
+    }
+
+    /// The same triangle with its vertices and all triangles numbered higher by so much; a retired one stays
+    /// one, because its vertices cannot be numbered higher.
+    #[cfg(feature = "parallel")]
+    pub(super) fn moved(self, vertices: u32, triangles: u32) -> Triangle {
+        let vertex = |v: VertexId| VertexId::new(v.number().saturating_add(vertices));
+        Triangle {
+            vertices: self.vertices.map(vertex),
+            across: self.across.map(|side| side.moved(triangles)),
         }
     }
 

@@ -35,7 +35,6 @@ impl Edges {
             return Ok((Edges::default(), Vec::new()));
         }
         let ranks = vertices.ranks(points);
-        let mut first = vec![0_u32; vertices.len() + 1];
         let mut ends: Vec<[VertexId; 2]> = Vec::with_capacity(edges.len());
         for (edge, &[a, b]) in edges.iter().enumerate() {
             let rank = |vertex: usize| match ranks.get(vertex) {
@@ -43,8 +42,28 @@ impl Edges {
                 None => Err(Error::EdgeOutOfRange { edge, vertex }),
             };
             let (a, b) = (rank(a)?, rank(b)?);
-            let upper = a.max(b);
-            ends.push([upper, a.min(b)]);
+            ends.push([a.max(b), a.min(b)]);
+        }
+        let numbered = ends.iter().enumerate();
+        let list = Edges::list(
+            vertices.len(),
+            numbered.map(|(edge, &ends)| (narrow(edge), ends)),
+        );
+        let ends = ends
+            .into_iter()
+            .map(|ends| ends.map(|v| vertices.input_index(v)))
+            .collect();
+        Ok((list, ends))
+    }
+
+    /// Lists edges, each with its input index and its ends, upper one first, at the upper ones of so many
+    /// vertices.
+    pub(super) fn list(
+        vertices: usize,
+        edges: impl DoubleEndedIterator<Item = (u32, [VertexId; 2])> + Clone,
+    ) -> Edges {
+        let mut first = vec![0_u32; vertices + 1];
+        for (_, [upper, _]) in edges.clone() {
             first[upper.index()] += 1;
         }
         // Counts become the ends of the ranges. Each edge is put in before the end of its range, which
@@ -54,17 +73,13 @@ impl Edges {
             sum += *count;
             *count = sum;
         }
-        let mut list = vec![(VertexId::default(), 0); edges.len()];
-        for (edge, &[upper, lower]) in ends.iter().enumerate().rev() {
+        let mut list = vec![(VertexId::default(), 0); sum as usize];
+        for (edge, [upper, lower]) in edges.rev() {
             let place = &mut first[upper.index()];
             *place -= 1;
-            list[*place as usize] = (lower, narrow(edge));
+            list[*place as usize] = (lower, edge);
         }
-        let ends = ends
-            .into_iter()
-            .map(|ends| ends.map(|v| vertices.input_index(v)))
-            .collect();
-        Ok((Edges { first, list }, ends))
+        Edges { first, list }
     }
 
     /// The edges with upper end `v`, as lower ends and input indices.

@@ -27,15 +27,14 @@ pub(super) struct Fabric<'a, S, P> {
 }
 
 impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
-    /// No triangle yet, and room for those of all vertices. There is an open side for each vertex, the
-    /// segment of the front that starts there. `has_budget` if the sweep may be abandoned.
-    pub(super) fn new(signs: Signs<'a, S>, has_budget: bool, probe: P) -> Self {
-        let n = signs.vertices.len();
+    /// These triangles, with the signs of their vertices. `has_budget` if the work may be abandoned.
+    pub(super) fn new(mesh: Mesh, signs: Signs<'a, S>, has_budget: bool, probe: P) -> Self {
+        let flip_limit = FlipLimit::new(signs.vertices.len(), has_budget);
         Fabric {
-            mesh: Mesh::new(2 * n + 2, n + 2),
+            mesh,
             signs,
             suspects: Vec::new(),
-            flip_limit: FlipLimit::new(n, has_budget),
+            flip_limit,
             stretch: Stretch::default(),
             probe,
         }

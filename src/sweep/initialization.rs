@@ -5,10 +5,11 @@
 //!
 //! Differs from the paper: see [`super::vertices`], [`super::edges`] and [`super::artificial`].
 
-use super::edges::{Edges, Rests};
+use std::sync::Arc;
+
+use super::edges::Edges;
 use super::fabric::Fabric;
-use super::incidence::Incidence;
-use super::obstacles::Obstacles;
+use super::located::Located;
 use super::settings::Settings;
 use super::signs::Signs;
 use super::state::Sweep;
@@ -16,9 +17,9 @@ use super::vertices::Vertices;
 use crate::algorithm::Algorithm;
 use crate::chains::ChainNotes;
 use crate::error::Error;
-use crate::front::{Domain, Front, FrontSearch};
-use crate::ids::{OpenId, VertexId};
-use crate::mesh::Side;
+use crate::front::{Domain, FrontSearch};
+use crate::ids::{OpenId, VertexId, narrow};
+use crate::mesh::{Mesh, Side};
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::stats::Phase;
@@ -29,59 +30,60 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
     points: &'a [[S; 2]],
     edges: &[[usize; 2]],
     settings: Settings<'_>,
-    mut search: F,
+    search: F,
     mut probe: P,
 ) -> Result<Sweep<'a, S, F, P>, Error> {
     probe.begin(Phase::Initialization);
     // Vertices and edges; too many or wrong ones are refused.
-    check_count(points.len(), |given, limit| Error::TooManyPoints {
-        given,
-        limit,
-    })?;
-    let vertices = Vertices::new(points)?;
-    check_count(edges.len(), |given, limit| Error::TooManyEdges {
-        given,
-        limit,
-    })?;
+    if points.len() > LIMIT {
+        return Err(Error::TooManyPoints {
+            given: points.len(),
+            limit: LIMIT,
+        });
+    }
+    let located = Located::new(points)?;
+    let vertices = Vertices::new(&located, 0..narrow(points.len()));
+    drop(located);
+    if edges.len() > LIMIT {
+        return Err(Error::TooManyEdges {
+            given: edges.len(),
+            limit: LIMIT,
+        });
+    }
     let (edges, ends) = Edges::new(&vertices, points.len(), edges)?;
-    search.begin(Domain::new(&vertices.approx));
+    let chains = ChainNotes::new(Arc::new(ends));
+    let sweep = begin(points, vertices, edges, chains, settings, search, probe);
+    Ok(sweep)
+}
 
-    // The state without triangles, and then the first one.
+/// The state with the first triangle of these vertices, their edges listed.
+pub(super) fn begin<'a, S: Scalar, F: FrontSearch, P: Probe>(
+    points: &'a [[S; 2]],
+    vertices: Vertices,
+    edges: Edges,
+    chains: ChainNotes,
+    settings: Settings<'_>,
+    mut search: F,
+    probe: P,
+) -> Sweep<'a, S, F, P> {
+    search.begin(Domain::new(&vertices.approx));
+    // There is an open side for each vertex, the segment of the front that starts there.
     let n = vertices.len();
-    let mut sweep = Sweep {
-        fabric: Fabric::new(
-            Signs::new(points, vertices),
-            settings.algorithm == Algorithm::Auto,
-            probe,
-        ),
-        front: Front::new(n),
-        search,
-        heuristics: settings.heuristics,
-        edges,
-        chains: ChainNotes::new(ends),
-        rests: Rests::new(),
-        incidence: Incidence::default(),
-        list: Vec::new(),
-        obstacles: Obstacles::default(),
-        chain: Vec::new(),
-    };
+    let mesh = Mesh::new(2 * n + 2, n + 2);
+    let signs = Signs::new(points, vertices);
+    let has_budget = settings.algorithm == Algorithm::Auto;
+    let fabric = Fabric::new(mesh, signs, has_budget, probe);
+    let mut sweep = Sweep::new(fabric, edges, chains, settings.heuristics, search);
     sweep.report_order(n);
     if n > 0 {
         sweep.first_triangle();
     }
-    Ok(sweep)
+    sweep
 }
 
-/// Refuses more points or edges than can be numbered.
-fn check_count(given: usize, too_many: impl Fn(usize, usize) -> Error) -> Result<(), Error> {
-    // There are twice as many triangles as points, and a few artificial ones.
-    let limit = Side::LIMIT / 2 - 4;
-    if given > limit {
-        Err(too_many(given, limit))
-    } else {
-        Ok(())
-    }
-}
+/// How many points and how many edges can be numbered: there are twice as many triangles as points, and a few
+/// artificial ones.
+pub(super) const LIMIT: usize = Side::LIMIT / 2 - 4;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Reports the sweep order to the observer.

@@ -6,7 +6,7 @@
 //! |---|---|---|---|
 //! | 3.2 | | the three parts | `mod.rs` |
 //! | 3.3 | | initialization | [`initialization`] |
-//! | 3.3 | | distinct points in sweep order | [`vertices`], [`order`] |
+//! | 3.3 | | distinct points in sweep order | [`located`], [`vertices`], [`order`] |
 //! | 3.3 | 5 | edges at their upper ends | [`edges`] |
 //! | 3.3 | 6 | P-1 and P-2, first triangle | [`artificial`], [`initialization`] |
 //! | 3.4 | | the state between two events | [`state`] (front, edges), [`fabric`] (triangles, signs) |
@@ -27,6 +27,7 @@
 //! | edges through vertices | [`rests`], [`incidence`] |
 //! | when the sweep is abandoned | [`flip_limit`] |
 //! | the net under it: divide and conquer | [`divide_and_conquer`] |
+//! | the sweep on all cores | `bands` (feature `parallel`) |
 //!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
 //! settings of the heuristics [`crate::Heuristics`].
@@ -38,6 +39,8 @@
 //! Differs from the paper: each file names its differences.
 
 mod artificial;
+#[cfg(feature = "parallel")]
+mod bands;
 mod basins;
 mod chain;
 mod corner;
@@ -50,6 +53,7 @@ mod flip_limit;
 mod incidence;
 mod initialization;
 mod legalization;
+mod located;
 mod narrow_corners;
 mod obstacles;
 mod order;
@@ -71,6 +75,8 @@ use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::stats::Phase;
 use crate::triangulation::Triangulation;
+#[cfg(feature = "parallel")]
+pub(crate) use bands::run as run_in_bands;
 pub(crate) use settings::Settings;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
@@ -87,20 +93,25 @@ pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
     probe: P,
 ) -> Result<(Triangulation, F, P), Error> {
     let mut sweep = initialization::initialize(points, edges, settings, search, probe)?;
-    let is_swept = settings.algorithm != Algorithm::DivideAndConquer && {
-        sweep.sweep(settings.progress)?;
-        sweep.complete_hull();
-        !sweep.fabric.flip_limit.is_spent()
-    };
-    if !is_swept {
-        sweep.divide_and_conquer()?;
-    }
-    sweep.fabric.probe.begin(Phase::Finalization);
-    sweep.insert_rests()?;
+    sweep.triangulate(settings)?;
     Ok(sweep.finalize())
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
+    /// Triangulates up to the hull, with all edges, artificial triangles around it.
+    fn triangulate(&mut self, settings: Settings<'_>) -> Result<(), Error> {
+        let is_swept = settings.algorithm != Algorithm::DivideAndConquer && {
+            self.sweep(settings.progress)?;
+            self.complete_hull();
+            !self.fabric.flip_limit.is_spent()
+        };
+        if !is_swept {
+            self.divide_and_conquer()?;
+        }
+        self.fabric.probe.begin(Phase::Finalization);
+        self.insert_rests()
+    }
+
     /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Ends
     /// early when the budget of flips is spent.
     fn sweep(&mut self, progress: settings::Progress<'_>) -> Result<(), Error> {

@@ -45,16 +45,18 @@ struct Keyed {
     input: u32,
 }
 
-/// Sorts and merges the points; `approx` gives the approximated coordinates of a point by its input index.
+/// Sorts and merges the points with these input indices, which ascend; `approx` gives the approximated
+/// coordinates of a point by its input index.
 pub(super) fn sort<S: Scalar>(
     points: &[[S; 2]],
+    inputs: impl ExactSizeIterator<Item = u32> + Clone,
     approx: impl Fn(u32) -> [f64; 2],
     scale: Scale,
 ) -> Order {
-    let keyed = sort_by_key(points.len(), &approx);
+    let keyed = sort_by_key(inputs, &approx);
 
     // Gather in a loop of its own: independent cache misses overlap.
-    let mut sorted = Vec::with_capacity(points.len() + 2);
+    let mut sorted = Vec::with_capacity(keyed.len() + 2);
     sorted.extend(keyed.iter().map(|item| approx(item.input)));
     let mut order = Order {
         approx: sorted,
@@ -104,18 +106,21 @@ fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Or
 ///
 /// There are four to sixteen keys for each point, so runs of equal keys are short where y is spread. The
 /// keys are sorted in two counting passes, each by half of their bits.
-fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
+fn sort_by_key(
+    inputs: impl ExactSizeIterator<Item = u32> + Clone,
+    approx: impl Fn(u32) -> [f64; 2],
+) -> Vec<Keyed> {
+    let points = inputs.len();
     let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
     let keys = 1_usize << (2 * half);
-    let indices = 0..narrow(points);
-    let (low, high) = range(points, |input| approx(input)[1]);
+    let (low, high) = range(inputs.clone(), |input| approx(input)[1]);
     // Neither differences nor products nor the bucket decrease where y grows.
     let factor = keys as f64 / (high - low);
     let key = |y: f64| narrow(bucket((y - low) * factor, keys));
     // Keys, and how often each digit occurs: the lower and the upper half of their bits.
     let mut counts = [0, half].map(|shift| (shift, vec![0_u32; 1 << half]));
     let digit = |key: u32, shift| (key >> shift) as usize & ((1 << half) - 1);
-    let mut keyed: Vec<Keyed> = indices
+    let mut keyed: Vec<Keyed> = inputs
         .map(|input| {
             let key = key(approx(input)[1]);
             for (shift, counts) in &mut counts {
@@ -148,9 +153,9 @@ fn sort_by_key(points: usize, approx: impl Fn(u32) -> [f64; 2]) -> Vec<Keyed> {
 ///
 /// A few points far away, such as "no data" points, would leave all others with one key. What is beyond
 /// the range shares the first or last key.
-fn range(points: usize, y: impl Fn(u32) -> f64) -> (f64, f64) {
-    let all = (0..narrow(points)).map(&y);
-    let (low, high) = all.fold(
+fn range(inputs: impl ExactSizeIterator<Item = u32> + Clone, y: impl Fn(u32) -> f64) -> (f64, f64) {
+    let points = inputs.len();
+    let (low, high) = inputs.clone().map(&y).fold(
         (f64::INFINITY, f64::NEG_INFINITY),
         |(low, high): (f64, f64), y| (y.min(low), y.max(high)),
     );
@@ -158,7 +163,7 @@ fn range(points: usize, y: impl Fn(u32) -> f64) -> (f64, f64) {
         return (low, high);
     }
     let mut sample: Vec<f64> = (0..SAMPLE)
-        .map(|i| y(narrow(i * points / SAMPLE)))
+        .filter_map(|i| inputs.clone().nth(i * points / SAMPLE).map(&y))
         .collect();
     sample.sort_unstable_by(f64::total_cmp);
     let [first, last] = [1, 3].map(|quarter| sample[quarter * SAMPLE / 4]);

@@ -42,7 +42,30 @@ pub(super) struct Sweep<'a, S, F, P> {
     pub(super) chain: Vec<Corner>,
 }
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
+    /// These triangles, and no vertex on the front yet.
+    pub(super) fn new(
+        fabric: Fabric<'a, S, P>,
+        edges: Edges,
+        chains: ChainNotes,
+        heuristics: Heuristics,
+        search: F,
+    ) -> Self {
+        Sweep {
+            front: Front::new(fabric.signs.vertices.len()),
+            fabric,
+            search,
+            heuristics,
+            edges,
+            chains,
+            rests: Rests::new(),
+            incidence: Incidence::default(),
+            list: Vec::new(),
+            obstacles: Obstacles::default(),
+            chain: Vec::new(),
+        }
+    }
+
     /// Puts `v` on the front between `left` and the node after it.
     #[inline(always)]
     pub(super) fn put_on_front(&mut self, v: VertexId, left: VertexId) {

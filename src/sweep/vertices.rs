@@ -7,10 +7,10 @@
 //!
 //! Differs from the paper: as the sort does.
 
+use super::located::Located;
 use super::order::{self, Order};
-use crate::error::Error;
 use crate::ids::VertexId;
-use crate::scalar::{Scalar, Scale, frame, is_in_range};
+use crate::scalar::{Scalar, Scale};
 
 /// The distinct points in sweep order.
 #[derive(Debug)]
@@ -25,38 +25,36 @@ pub(super) struct Vertices {
 }
 
 impl Vertices {
-    /// Sorts and merges the points, whose number was checked.
-    pub(super) fn new<S: Scalar>(points: &[[S; 2]]) -> Result<Vertices, Error> {
-        let is_finite = |p: &[S; 2]| p[0].is_finite() && p[1].is_finite();
-        let approximate = |p: &[S; 2]| [p[0].approx(), p[1].approx()];
-        // What is in range is finite.
-        let is_plain = |p: &[S; 2]| is_in_range(approximate(p));
-        // Coordinates that are doubles of moderate size are not stored once more.
-        let mut stored: Vec<[f64; 2]> = Vec::new();
-        let scale = if S::APPROX_IS_EXACT && points.iter().all(is_plain) {
-            Scale::exact(points.len(), |i| approximate(&points[i]))
-        } else {
-            if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
-                return Err(Error::NonFiniteCoordinate { vertex });
-            }
-            stored.extend(points.iter().map(approximate));
-            frame::fit(points, &mut stored)
-        };
-        let near = |input: u32| match stored.get(input as usize) {
-            Some(near) => *near,
-            None => approximate(&points[input as usize]),
-        };
+    /// Sorts and merges the points with these input indices, which ascend; their number was checked.
+    pub(super) fn new<S: Scalar>(
+        located: &Located<'_, S>,
+        inputs: impl ExactSizeIterator<Item = u32> + Clone,
+    ) -> Vertices {
         let Order {
             approx,
             input,
             duplicates,
-        } = order::sort(points, near, scale);
-        Ok(Vertices {
+        } = order::sort(
+            located.points,
+            inputs,
+            |input| located.near(input),
+            located.scale,
+        );
+        Vertices {
             approx,
             input,
             duplicates,
-            scale,
-        })
+            scale: located.scale,
+        }
+    }
+
+    /// Adds vertices that come after all of these in sweep order.
+    #[cfg(feature = "parallel")]
+    pub(super) fn append(&mut self, mut others: Vertices) {
+        self.approx.append(&mut others.approx);
+        self.input.append(&mut others.input);
+        self.duplicates.append(&mut others.duplicates);
+        self.duplicates.sort_unstable();
     }
 
     /// How many there are, without the artificial ones.

@@ -80,22 +80,52 @@ impl FrontSearch for AnyFront {
     }
 }
 
-/// Triangulates with this front and algorithm.
+/// What a run chooses, beside the scalar.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice {
+    /// The front.
+    pub front: FrontKind,
+    /// The heuristics.
+    pub heuristics: Heuristics,
+    /// The algorithm.
+    pub algorithm: Algorithm,
+    /// How many bands are swept at the same time, if there is more than one.
+    #[cfg(feature = "parallel")]
+    pub bands: usize,
+}
+
+impl Default for Choice {
+    fn default() -> Choice {
+        Choice {
+            front: FrontKind::HashTable,
+            heuristics: Heuristics::FAST,
+            algorithm: Algorithm::Sweep,
+            #[cfg(feature = "parallel")]
+            bands: 1,
+        }
+    }
+}
+
+/// Triangulates as chosen.
 ///
 /// # Errors
 /// As [`Triangulator::triangulate`].
-pub fn triangulate<S: Scalar>(
+pub fn triangulate<S: Scalar + Sync>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-    front: FrontKind,
-    heuristics: Heuristics,
-    algorithm: Algorithm,
+    choice: Choice,
 ) -> Result<Triangulation, Error> {
-    Triangulator::new()
-        .front(AnyFront::from(front))
-        .heuristics(heuristics)
-        .algorithm(algorithm)
-        .triangulate(points, edges)
+    let triangulator = Triangulator::new()
+        .front(AnyFront::from(choice.front))
+        .heuristics(choice.heuristics)
+        .algorithm(choice.algorithm);
+    #[cfg(feature = "parallel")]
+    if choice.bands > 1 {
+        return triangulator
+            .bands(choice.bands)
+            .triangulate_parallel(points, edges);
+    }
+    triangulator.triangulate(points, edges)
 }
 
 /// The same, and passes every step to `observer`.

@@ -1,5 +1,5 @@
 //! The table of runs: every scalar with every front and every setting of the heuristics, and every scalar
-//! with divide and conquer.
+//! with divide and conquer, and in bands.
 //!
 //! A new front is a variant of [`FrontKind`], a new scalar one line in [`all`] and a [`Sample`] that says how
 //! it is made of a double.
@@ -13,28 +13,26 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Algorithm, Error, Heuristics};
 
 use crate::Input;
-use crate::fronts::{FrontKind, triangulate};
+use crate::fronts::{Choice, FrontKind, triangulate};
 use crate::oracle::{Answer, Verdict, found};
 
 /// What a run returns.
 pub type Outcome = Result<Answer, Error>;
-type Call = fn(&Input, FrontKind, Heuristics, Algorithm) -> Option<Outcome>;
+type Call = fn(&Input, Choice) -> Option<Outcome>;
 
 /// One way to triangulate.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Scalar, front and heuristics, or scalar and algorithm.
+    /// Scalar, front and heuristics, or scalar and algorithm, or scalar and bands.
     pub name: String,
-    front: FrontKind,
-    heuristics: Heuristics,
-    algorithm: Algorithm,
+    choice: Choice,
     call: Call,
 }
 
 impl Run {
     /// What comes out, or `None` if the scalar cannot hold a coordinate.
     pub fn outcome(&self, input: &Input) -> Option<Outcome> {
-        (self.call)(input, self.front, self.heuristics, self.algorithm)
+        (self.call)(input, self.choice)
     }
 }
 
@@ -63,31 +61,40 @@ pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
         for &(setting, heuristics) in HEURISTICS {
             runs.push(Run {
                 name: format!("{scalar}, {name}, {setting}"),
-                front,
-                heuristics,
-                algorithm: Algorithm::Sweep,
+                choice: Choice {
+                    front,
+                    heuristics,
+                    ..Choice::default()
+                },
                 call: call::<S>,
             });
         }
     }
     runs.push(Run {
         name: format!("{scalar}, divide and conquer"),
-        front: FrontKind::HashTable,
-        heuristics: Heuristics::FAST,
-        algorithm: Algorithm::DivideAndConquer,
+        choice: Choice {
+            algorithm: Algorithm::DivideAndConquer,
+            ..Choice::default()
+        },
         call: call::<S>,
     });
+    #[cfg(feature = "parallel")]
+    for bands in 2..=5 {
+        runs.push(Run {
+            name: format!("{scalar}, {bands} bands"),
+            choice: Choice {
+                bands,
+                ..Choice::default()
+            },
+            call: call::<S>,
+        });
+    }
     runs
 }
 
-fn call<S: Sample>(
-    input: &Input,
-    front: FrontKind,
-    heuristics: Heuristics,
-    algorithm: Algorithm,
-) -> Option<Outcome> {
+fn call<S: Sample>(input: &Input, choice: Choice) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
-    let result = triangulate(&points, &input.edges, front, heuristics, algorithm);
+    let result = triangulate(&points, &input.edges, choice);
     Some(result.map(|result| found(&result, points.len(), input.edges.len())))
 }
 
@@ -120,7 +127,7 @@ pub fn assert_agree(input: &Input, verdict: &Verdict, runs: &[Run]) {
 }
 
 /// A scalar that can be made of a double.
-pub trait Sample: Scalar {
+pub trait Sample: Scalar + Sync {
     /// Exactly this number, if the type can hold it.
     fn of(x: f64) -> Option<Self>;
 }

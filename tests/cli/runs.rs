@@ -70,6 +70,29 @@ fn settings_change_no_byte() {
     }
 }
 
+/// Enough points for several bands, and every other piece of a path through all of them.
+#[test]
+fn threads_change_no_byte() {
+    const N: u64 = 120_000;
+    let point = |i: u64| format!("[{},{i}]", i * i % 307);
+    let list = |text: Vec<String>| text.join(",");
+    let points = list((0..N).map(point).collect());
+    let edges = list(
+        (0..N / 2)
+            .map(|i| format!("[{},{}]", 2 * i, 2 * i + 1))
+            .collect(),
+    );
+    let input = format!(r#"{{"points":[{points}],"edges":[{edges}]}}"#);
+    let run = |more: &str| {
+        let arguments = "- --input-format json -o - --output-format json";
+        run_with_input(&format!("{arguments} {more}"), input.as_bytes())
+    };
+    let expected = run("--threads 1");
+    for more in ["", "--threads 2", "--threads 3"] {
+        assert!(printed(&run(more)) == printed(&expected), "{more}");
+    }
+}
+
 /// The number in a row of `--stats`.
 fn row(settings: &str, name: &str) -> u64 {
     let output = run(

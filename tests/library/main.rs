@@ -8,6 +8,7 @@
 //!   and front, and a replay returns the result.
 //! * `draw`: the sentences of the drawn steps, and one picture of each kind, as snapshots.
 //! * `work`: how much work larger inputs take, as snapshots. `statistics`: what a run reports of itself.
+//! * `bands`: the sweep on all cores.
 //! * `growth`: no family of inputs takes more than its share of work, and none that is abandoned by the
 //!   sweep has another result. `contradictions`: scalars that are not exact end in a panic that says so.
 //! * `fronts`: what a run returns of its front, progress and statistics. `files`: odd files.
@@ -18,6 +19,7 @@
 //! `SWEEP_CDT_HARD` names a folder of further hard inputs. docs/testing.md has more.
 #![cfg(feature = "cli")]
 
+mod bands;
 mod cases;
 mod contradictions;
 mod draw;

@@ -1,6 +1,6 @@
 //! An input has one triangulation, and what must not change it does not.
 //!
-//! The input is triangulated again by divide and conquer; with other heuristics; scaled by a power of two, and moved, both
+//! The input is triangulated again by divide and conquer; in bands; with other heuristics; scaled by a power of two, and moved, both
 //! exactly; in another order of points, edges and ends; and with sides of the result as further edges:
 //! the answer is the same. Mirrored or turned by 90 degrees, the rule for four vertices on a circle draws
 //! other diagonals, but all other sides are the same. Where edges cross, every one of these says so.
@@ -13,7 +13,9 @@ use sweep_cdt::{Algorithm, Corners, Error, Heuristics, Triangulator};
 
 use crate::reached;
 use sweep_cdt_testing::Random;
-use sweep_cdt_testing::oracle::{Answer, check_found, crosses, firm_sides, found, sorted};
+use sweep_cdt_testing::oracle::{
+    Answer, check_found, check_links, crosses, firm_sides, found, sorted,
+};
 use sweep_cdt_testing::{Input, generators};
 
 /// The property for the choices and the input that the bytes stand for.
@@ -47,6 +49,7 @@ pub fn judge(input: &Input, choices: u64) {
     if let Some(here) = &here {
         judge_sides(input, here, random);
     }
+    judge_bands(input, here.as_ref(), 2 + random.below(4));
 }
 
 /// The answer of the default run.
@@ -80,6 +83,21 @@ fn judge_algorithms(input: &Input, here: Option<&Answer>) {
     assert_eq!(there.as_ref().ok(), here, "divide and conquer");
     if let Err(error) = there {
         assert_eq!(by(Algorithm::Sweep), Err(error), "the sweep names others");
+    }
+}
+
+/// In bands the answer is the same, and of several crossings the same one is named.
+fn judge_bands(Input { points, edges }: &Input, here: Option<&Answer>, bands: usize) {
+    let run = Triangulator::new().bands(bands);
+    let there = run.triangulate_parallel(points, edges);
+    let answer = there.map(|result| {
+        check_links(&result);
+        found(&result, points.len(), edges.len())
+    });
+    assert_eq!(answer.as_ref().ok(), here, "in {bands} bands");
+    if let Err(error) = answer {
+        let one = run.triangulate(points, edges);
+        assert_eq!(one.err(), Some(error), "one thread names others");
     }
 }
 

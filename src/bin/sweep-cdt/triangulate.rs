@@ -1,6 +1,7 @@
 //! `sweep-cdt triangulate`: points and edges in, their triangulation out.
 
 use std::io::{self, Write};
+use std::num::NonZeroUsize;
 
 use sweep_cdt::Triangulation;
 use sweep_cdt::formats::Coordinate;
@@ -16,6 +17,7 @@ use crate::shared::output_args::{OutputArgs, Target, add, completed, has_standar
 use crate::shared::outputs::Outputs;
 use crate::shared::report;
 use crate::shared::settings::Settings;
+use crate::shared::threads;
 use crate::shared::verification::verify;
 use crate::statistics;
 
@@ -43,6 +45,13 @@ pub(crate) struct Triangulate {
     /// `sweep-cdt verify`.
     #[arg(long)]
     verify: bool,
+
+    /// Threads to work on [default: as many as there are cores]
+    ///
+    /// A large input is cut into bands, one for each thread. The files are the same, byte for byte. With
+    /// --stats one thread triangulates. A bar shows the progress of one thread only.
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
 
     #[command(flatten)]
     scalar: ScalarArgs,
@@ -85,6 +94,9 @@ impl Triangulate {
         if self.stats && has_standard(&targets) {
             let message = "--stats and `-o -` would both write to standard output";
             return Err(Failure::Usage(message.to_owned()));
+        }
+        if let Some(threads) = self.threads {
+            threads::limit(threads)?;
         }
         let mut read = FilesRead::default();
         let input = self.input.read(&mut read, |_| ())?;

@@ -18,7 +18,7 @@ use crate::scalar::Scalar;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Replaces the ghosts; the hull side of `start` starts at the lowest vertex.
-    pub(super) fn hand_over(&mut self, start: Side) {
+    pub(in crate::sweep) fn hand_over(&mut self, start: Side) {
         let ghosts = self.ring_of(start);
         // Counter-clockwise: the lower hull to the right, the upper hull back, the lower hull to the left.
         let falls = |ghost: &Side| {
@@ -71,7 +71,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.fabric
                 .mesh
                 .connect(inner, Side::open(OpenId::segment(left)));
-            self.fabric.mesh.retire(ghost.triangle(), artificial.left);
+            self.fabric.mesh.retire(ghost.triangle());
             self.front.link(left, artificial.left);
         }
     }

@@ -23,6 +23,12 @@
 //! it. To make a triangle is to replace the third vertex of a ghost by the other end of the base. So a merge
 //! adds two triangles to the mesh, the ghosts of the first and the last base.
 //!
+//! Where sides may be fixed, none is removed, and the gap is *zipped* up: of the two triangles above the base
+//! one is made, as before. Both hulls are convex and a line separates them. So if r2 lies in the triangle l,
+//! r, l2, it lies in its circle, and the other triangle is made. Likewise l2. Hence the triangles fill the gap
+//! without overlap. All their sides become suspects, and legalization does the rest
+//! ([`super::super::legalization`]).
+//!
 //! Cost: O(k) for k vertices in both parts. Each step removes a triangle of a part or moves the base, and a
 //! base that climbs never comes back.
 
@@ -30,7 +36,7 @@ use std::cmp::Ordering::{Greater, Less};
 
 use super::super::fabric::Fabric;
 use super::super::flip_limit::contradiction;
-use super::Part;
+use super::{Part, Seam};
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -47,13 +53,14 @@ struct Gap {
     /// sides at `l` and at `r` border on nothing.
     left: Side,
     right: Side,
+    seam: Seam,
     /// Steps that a merge may still take.
     steps: usize,
 }
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Merges two parts; those in `upper` come after those in `lower` in sweep order.
-    pub(super) fn merge(&mut self, lower: Part, upper: Part) -> Part {
+    pub(in crate::sweep) fn merge(&mut self, lower: Part, upper: Part, seam: Seam) -> Part {
         let [first, _] = self.ends(lower.first);
         let [last, _] = self.ends(upper.last);
         let [before, after] = self.tangent(lower, upper);
@@ -69,6 +76,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             base: bottom,
             left,
             right,
+            seam,
             // No merge takes as many steps as there are triangles, ghosts included.
             steps: 2 * self.mesh.len(),
         };
@@ -116,6 +124,10 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             (None, Some(_)) => true,
             (Some(l2), Some(r2)) => self.must_flip([gap.l, gap.r, l2], r2),
         };
+        if gap.seam == Seam::Zipped {
+            let outer = if is_right { gap.right } else { gap.left };
+            self.suspects.extend([outer, gap.base]);
+        }
         if is_right {
             let next = self.before(gap.right);
             self.mesh.set_opposite(gap.right, gap.l);
@@ -143,7 +155,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         if self.orient2d([gap.l, gap.r, l2]) != Greater {
             return None;
         }
-        while let Some(behind) = self.behind(gap.left)
+        while gap.seam == Seam::Carved
+            && let Some(behind) = self.behind(gap.left)
             && self.must_flip([gap.r, l2, gap.l], behind)
         {
             // The ghost of l-l2 becomes that of behind-l2; the other triangle becomes the ghost of l-behind.
@@ -160,7 +173,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         if self.orient2d([gap.l, gap.r, r2]) != Greater {
             return None;
         }
-        while let Some(behind) = self.behind(gap.right)
+        while gap.seam == Seam::Carved
+            && let Some(behind) = self.behind(gap.right)
             && self.must_flip([gap.l, gap.r, r2], behind)
         {
             // Here the ghost keeps the end at r.

@@ -33,11 +33,31 @@ use crate::stats::Phase;
 
 /// A triangulated part: vertices that follow each other in sweep order, with ghosts around them.
 #[derive(Clone, Copy, Debug)]
-struct Part {
+pub(super) struct Part {
     /// The ghost of the hull side that starts at its first vertex in sweep order.
-    first: Side,
+    pub(super) first: Side,
     /// The ghost of the hull side that starts at its last vertex.
-    last: Side,
+    pub(super) last: Side,
+}
+
+impl Part {
+    /// The same part where all triangles are numbered higher by so much.
+    #[cfg(feature = "parallel")]
+    pub(super) fn moved(self, triangles: u32) -> Part {
+        Part {
+            first: self.first.moved(triangles),
+            last: self.last.moved(triangles),
+        }
+    }
+}
+
+/// How the gap between two parts is closed ([`merge`]).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Seam {
+    /// Sides of the parts that must go are removed. No side may be fixed.
+    Carved,
+    /// All sides stay, and those that may be illegal now become suspects.
+    Zipped,
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
@@ -60,9 +80,16 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 self.hand_over(whole.first);
             }
         }
+        self.insert_all()
+    }
+
+    /// Inserts all edges in sweep order, where the hull is complete: of each the part down to the first
+    /// vertex on it.
+    pub(in crate::sweep) fn insert_all(&mut self) -> Result<(), Error> {
         if self.edges.is_empty() {
             return Ok(());
         }
+        let n = self.fabric.signs.vertices.len();
         self.incidence = Incidence::new(&self.fabric.mesh, n);
         for v in (0..n).map(VertexId::at) {
             if !self.edges.at(v).is_empty() {
@@ -90,14 +117,14 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 && other == height
             {
                 parts.pop();
-                part = self.merge(before, part);
+                part = self.merge(before, part, Seam::Carved);
                 height += 1;
             }
             parts.push((height, part));
         }
         let mut whole = parts.pop().expect("there is a leaf").1;
         while let Some((_, before)) = parts.pop() {
-            whole = self.merge(before, whole);
+            whole = self.merge(before, whole, Seam::Carved);
         }
         whole
     }

@@ -15,7 +15,7 @@ use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation};
 
 use crate::reached;
 use sweep_cdt_testing::Steps;
-use sweep_cdt_testing::fronts::{self, FrontKind};
+use sweep_cdt_testing::fronts::{self, Choice, FrontKind};
 use sweep_cdt_testing::oracle::found;
 use sweep_cdt_testing::runs::{Archetype, Sample, convert};
 use sweep_cdt_testing::{Input, generators};
@@ -109,20 +109,18 @@ fn assert_same_steps<S: Scalar>(
 }
 
 /// Panics unless these points have the same triangulation, or edges that cross as well.
-fn assert_same<S: Scalar>(
+fn assert_same<S: Scalar + Sync>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     expected: &Result<Triangulation, Error>,
     name: &str,
 ) {
     let answer = |result: &Triangulation| found(result, points.len(), edges.len());
-    let here = fronts::triangulate(
-        points,
-        edges,
-        FrontKind::HashTable,
-        Heuristics::default(),
-        Algorithm::DivideAndConquer,
-    );
+    let choice = Choice {
+        algorithm: Algorithm::DivideAndConquer,
+        ..Choice::default()
+    };
+    let here = fronts::triangulate(points, edges, choice);
     match (here, expected) {
         (Ok(here), Ok(there)) => assert_eq!(answer(&here), answer(there), "{name} (left)"),
         (Err(Error::CrossingEdges { .. }), Err(Error::CrossingEdges { .. })) => {}

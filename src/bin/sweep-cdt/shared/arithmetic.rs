@@ -90,7 +90,7 @@ impl ScalarArgs {
 }
 
 fn refuse_without_memory<S>(name: &str, graph: &Graph<S>) -> Result<(), Failure> {
-    let bytes = memory::of_triangulation(graph);
+    let bytes = memory::of_triangulation(graph.points.len(), graph.edges.len());
     if memory::has_room(bytes) {
         return Ok(());
     }

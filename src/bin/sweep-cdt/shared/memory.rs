@@ -4,15 +4,18 @@
 //! is compared with what the limit of the address space (`ulimit -v`) leaves, where Linux tells. The size
 //! is that of measured runs: what takes more can still fail.
 
-use sweep_cdt::formats::Graph;
-
 /// Bytes that the sweep takes for a point and for an edge.
 const POINT: u64 = 96;
 const EDGE: u64 = 24;
 
-/// The bytes that a triangulation of this graph takes beside the graph.
-pub(crate) fn of_triangulation<S>(graph: &Graph<S>) -> u64 {
-    graph.points.len() as u64 * POINT + graph.edges.len() as u64 * EDGE
+/// The bytes that a triangulation of so many points and edges takes beside them, on one thread.
+pub(crate) fn of_triangulation(points: usize, edges: usize) -> u64 {
+    points as u64 * POINT + edges as u64 * EDGE
+}
+
+/// The same on many threads.
+pub(crate) fn of_bands(points: usize, edges: usize) -> u64 {
+    of_triangulation(points, edges) * 3 / 2
 }
 
 /// Whether so many bytes can be allocated.

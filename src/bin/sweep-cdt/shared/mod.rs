@@ -19,5 +19,6 @@ pub(crate) mod report;
 pub(crate) mod settings;
 pub(crate) mod signals;
 pub(crate) mod table;
+pub(crate) mod threads;
 pub(crate) mod unnamed;
 pub(crate) mod verification;

@@ -8,6 +8,7 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Algorithm, Error, Heuristics, Stats, Triangulation, Triangulator};
 
+use super::memory;
 use super::progress::Progress;
 
 /// Arguments that select how the sweep runs.
@@ -64,8 +65,9 @@ enum Preset {
 }
 
 impl Settings {
-    /// Triangulates, with a progress bar where that takes long; counts and times if asked to.
-    pub(crate) fn triangulate<S: Scalar>(
+    /// Triangulates on all threads; or on one, where a progress bar shows if that takes long, and with counts
+    /// and times if asked to.
+    pub(crate) fn triangulate<S: Scalar + Sync>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
@@ -104,7 +106,7 @@ impl Settings {
         })
     }
 
-    fn run<S: Scalar, F: FrontSearch + Clone + Default>(
+    fn run<S: Scalar + Sync, F: FrontSearch + Clone + Default + Send>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
@@ -121,7 +123,13 @@ impl Settings {
             let run = triangulator.triangulate_with_stats(points, edges)?;
             return Ok((run.triangulation, Some(run.stats)));
         }
-        Ok((triangulator.triangulate(points, edges)?, None))
+        let bytes = memory::of_bands(points.len(), edges.len());
+        let result = if memory::has_room(bytes) {
+            triangulator.triangulate_parallel(points, edges)?
+        } else {
+            triangulator.triangulate(points, edges)?
+        };
+        Ok((result, None))
     }
 
     fn algorithm(&self) -> Algorithm {

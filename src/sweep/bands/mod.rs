@@ -1,0 +1,92 @@
+//! Bands: the sweep on all cores.
+//!
+//! The points are cut into bands by their heights ([`cut`], [`strata`]). Each band is swept by a thread of its own,
+//! with the edges that run within it ([`band`]). Then ghosts enclose it ([`enclose`]), neighbouring bands are merged
+//! as in divide and conquer, and the edges from band to band are inserted ([`join`]).
+//!
+//! Why it is right: there is one triangulation of the points and edges (the canonical rule), and every step
+//! leads to that of what has been joined so far.
+//!
+//! Cost: that of the sweep, divided among the threads, and O(n) to join n vertices.
+//!
+//! Differs from the paper: it knows one thread.
+
+mod band;
+mod cut;
+mod enclose;
+mod join;
+mod strata;
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::initialization::LIMIT;
+use super::located::Located;
+use super::settings::Settings;
+use crate::front::FrontSearch;
+use crate::ids::VertexId;
+use crate::scalar::Scalar;
+use crate::triangulation::Triangulation;
+use band::{Band, Shared, Swept};
+use strata::Strata;
+
+/// Triangulates in so many bands, at least two, on the current rayon pool, without reports of progress. `None`
+/// where only [`super::run`] can say what is wrong, or is as fast.
+pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    settings: Settings<'_>,
+    search: &F,
+    bands: usize,
+) -> Option<Triangulation> {
+    // The bands have a few triangles more, all together, than one sweep.
+    if points.len() + bands > LIMIT || edges.len() > LIMIT {
+        return None;
+    }
+    let located = Located::new(points).ok()?;
+    let strata = Strata::new(&located, bands);
+    drop(located);
+    let (first, last) = (&strata.first, strata.bands.len());
+    if last < 2 {
+        return None;
+    }
+    let ends = strata.ends(points.len(), edges)?;
+    let across = strata.across(&ends);
+    let inputs = ends
+        .par_iter()
+        .map(|ends| ends.map(|v| strata.input_index(v)));
+    let shared = Shared {
+        points,
+        inputs: Arc::new(inputs.collect()),
+        ends,
+        outside: VertexId::at(first[last]),
+    };
+    let sorted: Vec<Band<F>> = strata
+        .bands
+        .into_iter()
+        .enumerate()
+        .map(|(band, vertices)| Band {
+            vertices,
+            place: first[band]..first[band + 1],
+            search: search.clone(),
+        })
+        .collect();
+    let sweep = |band| {
+        let settings = Settings {
+            algorithm: settings.algorithm,
+            heuristics: settings.heuristics,
+            progress: None,
+        };
+        shared.sweep(band, settings)
+    };
+    let swept: Vec<Swept> = sorted
+        .into_par_iter()
+        .map(sweep)
+        .collect::<Result<_, _>>()
+        .ok()?;
+    drop(shared);
+    let sweep = join::join(points, swept, &across, settings, search.clone()).ok()??;
+    let (triangulation, ..) = sweep.finalize();
+    Some(triangulation)
+}

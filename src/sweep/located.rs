@@ -1,0 +1,56 @@
+//! The points as doubles, all on one scale: what the sort and the filter see of them.
+//!
+//! Doubles of moderate size that are the coordinates are not stored once more.
+//!
+//! Cost: a few passes over the points.
+//!
+//! Differs from the paper: its coordinates are doubles.
+
+use crate::error::Error;
+use crate::scalar::{Scalar, Scale, frame, is_in_range};
+
+/// The points with doubles for their coordinates, all on one [`Scale`].
+#[derive(Debug)]
+pub(super) struct Located<'a, S> {
+    pub(super) points: &'a [[S; 2]],
+    /// The doubles. Empty if they are what [`Scalar::approx`] gives.
+    stored: Vec<[f64; 2]>,
+    pub(super) scale: Scale,
+}
+
+impl<'a, S: Scalar> Located<'a, S> {
+    /// Finds doubles and scale of the points.
+    pub(super) fn new(points: &'a [[S; 2]]) -> Result<Located<'a, S>, Error> {
+        let is_finite = |p: &[S; 2]| p[0].is_finite() && p[1].is_finite();
+        // What is in range is finite.
+        let is_plain = |p: &[S; 2]| is_in_range(approximate(p));
+        let mut stored: Vec<[f64; 2]> = Vec::new();
+        let scale = if S::APPROX_IS_EXACT && points.iter().all(is_plain) {
+            Scale::exact(points.len(), |i| approximate(&points[i]))
+        } else {
+            if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
+                return Err(Error::NonFiniteCoordinate { vertex });
+            }
+            stored.extend(points.iter().map(approximate));
+            frame::fit(points, &mut stored)
+        };
+        Ok(Located {
+            points,
+            stored,
+            scale,
+        })
+    }
+
+    /// The doubles of a point, by its input index.
+    #[inline(always)]
+    pub(super) fn near(&self, input: u32) -> [f64; 2] {
+        match self.stored.get(input as usize) {
+            Some(near) => *near,
+            None => approximate(&self.points[input as usize]),
+        }
+    }
+}
+
+fn approximate<S: Scalar>(point: &[S; 2]) -> [f64; 2] {
+    [point[0].approx(), point[1].approx()]
+}

@@ -1,0 +1,246 @@
+//! The sweep in bands: the same result as on one thread, whatever the number of bands.
+//!
+//! Each result is compared with that of one thread and verified. That bands were swept at all, and not one
+//! thread after all, shows in the numbers of the triangles, which are others then.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use sweep_cdt::front::Linear;
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt_testing::data::{self, Hard};
+use sweep_cdt_testing::families;
+use sweep_cdt_testing::oracle::{Answer, check_links, found};
+use sweep_cdt_testing::runs::convert;
+use sweep_cdt_testing::{Input, Random};
+
+use super::generators::medium;
+
+const BANDS: [usize; 4] = [2, 3, 4, 5];
+
+/// Panics unless these points and edges have the same result in bands, or the same error. Returns whether
+/// bands were swept, in all cases.
+fn agrees<S: Scalar + Sync>(
+    triangulator: &Triangulator<'_>,
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+) -> bool {
+    let answer = |result: &Triangulation| found(result, points.len(), edges.len());
+    let one = triangulator.triangulate(points, edges);
+    let expected: Result<Answer, Error> = one.as_ref().map(answer).map_err(|error| *error);
+    BANDS.iter().all(|&bands| {
+        let triangulator = triangulator.clone().bands(bands);
+        let all = triangulator.triangulate_parallel(points, edges);
+        let result = all.as_ref().map(answer).map_err(|error| *error);
+        assert_eq!(result, expected, "{bands} bands (right: one thread)");
+        let (Ok(one), Ok(all)) = (&one, &all) else {
+            return false;
+        };
+        check_links(all);
+        let report = all.verify(points, edges).expect("right");
+        assert!(report.is_canonical());
+        !all.triangles().eq(one.triangles())
+    })
+}
+
+fn are_swept(Input { points, edges }: &Input) -> bool {
+    agrees(&Triangulator::new(), points, edges)
+}
+
+/// Points on a small grid, so that many are equal or on one line, and edges that do not cross, if any are
+/// left. With `dense` edges many pass through vertices and some cross.
+fn lattice(random: &mut Random, dense: bool) -> Input {
+    let side = 3 + random.below(7);
+    let count = 2 + random.below(3 * side * side);
+    let coordinate = |random: &mut Random| random.below(side) as f64;
+    let points: Vec<[f64; 2]> = (0..count)
+        .map(|_| [coordinate(random), coordinate(random)])
+        .collect();
+    let most = if dense { 6 } else { 3 };
+    let edges = (0..random.below(most))
+        .map(|_| [random.below(count), random.below(count)])
+        .collect();
+    Input { points, edges }
+}
+
+#[test]
+fn every_family() {
+    for family in families::all() {
+        for (n, order) in [(100, false), (1000, true), (5000, true)] {
+            let mut input = (family.member)(n);
+            if order {
+                input = families::scattered(&input);
+            }
+            println!("{}, {n}: {}", family.name, are_swept(&input));
+        }
+    }
+}
+
+#[test]
+fn inputs_that_broke_other_programs() {
+    for hard in Hard::own() {
+        println!("{}: {}", hard.name, are_swept(&hard.input));
+    }
+}
+
+#[test]
+fn contours_in_bands() {
+    let input = data::contours();
+    assert!(are_swept(&input), "one thread did it all");
+}
+
+#[test]
+fn lattices() {
+    let mut swept = 0;
+    for seed in 0..600 {
+        let input = lattice(&mut Random::new(seed), seed % 2 == 0);
+        println!("{seed}: {input:?}");
+        swept += usize::from(are_swept(&input));
+    }
+    assert!(swept > 100, "{swept} of 600");
+}
+
+#[test]
+fn other_scalars() {
+    for seed in 0..60 {
+        let random = &mut Random::new(seed);
+        let Input { points, edges } = if seed % 2 == 0 {
+            lattice(random, true)
+        } else {
+            medium(random)
+        };
+        let third = BigRational::new(BigInt::from(1), BigInt::from(3));
+        // The same doubles, but for the last of them: heights that only rationals tell apart.
+        let tiny = BigRational::new(BigInt::from(1), BigInt::from(10).pow(40));
+        let rationals: Vec<[BigRational; 2]> = convert::<BigRational>(&points)
+            .expect("finite")
+            .into_iter()
+            .map(|point| point.map(|x| x * &tiny + &third))
+            .collect();
+        let triangulator = Triangulator::new();
+        agrees(&triangulator, &rationals, &edges);
+        if let Some(integers) = convert::<i64>(&points) {
+            agrees(&triangulator, &integers, &edges);
+        }
+    }
+}
+
+#[test]
+fn other_settings() {
+    for seed in 0..40 {
+        let random = &mut Random::new(seed);
+        let Input { points, edges } = medium(random);
+        for algorithm in [Algorithm::Sweep, Algorithm::DivideAndConquer] {
+            let triangulator = Triangulator::new()
+                .algorithm(algorithm)
+                .heuristics(random.pick(&[Heuristics::PAPER, Heuristics::OFF]));
+            agrees(&triangulator, &points, &edges);
+        }
+        let linear = Triangulator::new().front(Linear::default()).bands(3);
+        let all = linear.triangulate_parallel(&points, &edges).expect("valid");
+        let one = linear.triangulate(&points, &edges).expect("valid");
+        assert_eq!(all.canonical_triangles(), one.canonical_triangles());
+    }
+}
+
+/// A grid with edges from its lower to its upper rows: through vertices, along each other, equal, crossing
+/// the gaps between all bands, and with sides of the result that no band knows.
+#[test]
+fn edges_from_band_to_band() {
+    const SIDE: usize = 40;
+    let at = |x: usize, y: usize| x * SIDE + y;
+    let points: Vec<[f64; 2]> = (0..SIDE * SIDE)
+        .map(|i| [(i / SIDE) as f64, (i % SIDE) as f64])
+        .collect();
+    let top = SIDE - 1;
+    let mut edges: Vec<[usize; 2]> = (0..SIDE).map(|x| [at(x, 0), at(x, top)]).collect();
+    edges.extend((0..SIDE).map(|x| [at(x, top), at(x, 3)]));
+    edges.push([at(0, 0), at(0, top)]);
+    edges.extend((5..20).map(|y| [at(3, y), at(4, y)]));
+    assert!(are_swept(&Input { points, edges }), "one thread did it all");
+}
+
+/// Two edges that cross: both in one band, one in a band and one from band to band, both from band to band.
+#[test]
+fn crossing_edges() {
+    let mut random = Random::new(1);
+    let mut points = random.points(400);
+    for [a, b] in [
+        [[0.1, 0.1], [0.2, 0.2]],
+        [[0.1, 0.2], [0.2, 0.1]],
+        [[0.5, 0.05], [0.6, 0.95]],
+        [[0.5, 0.15], [0.6, 0.15]],
+        [[0.6, 0.04], [0.5, 0.96]],
+    ] {
+        points.extend([a, b]);
+    }
+    let edges: Vec<[usize; 2]> = (0..5).map(|e| [400 + 2 * e, 401 + 2 * e]).collect();
+    for pair in [[0, 1], [2, 3], [2, 4]] {
+        let edges = pair.map(|e| edges[e]);
+        let error = Triangulator::new().triangulate(&points, &edges);
+        assert!(matches!(error, Err(Error::CrossingEdges { .. })));
+        assert!(!agrees(&Triangulator::new(), &points, &edges));
+    }
+    agrees(&Triangulator::new(), &points, &edges);
+}
+
+/// Points on a line, on two lines, all equal, few: bands of one vertex, of none, without triangles.
+#[test]
+fn bands_without_triangles() {
+    let line = |dx: f64, dy: f64| -> Vec<[f64; 2]> {
+        let at = |i: i32| [dx * f64::from(i), dy * f64::from(i)];
+        (0..50).map(at).collect()
+    };
+    let rows = |heights: &[f64]| -> Vec<[f64; 2]> {
+        let row = |&y: &f64| (0..20).map(move |i| [f64::from(i), y]);
+        heights.iter().flat_map(row).collect()
+    };
+    let mut single = rows(&[0.0, 1.0]);
+    single.extend([[5.0, -7.0], [3.0, 9.0]]);
+    let inputs = [
+        line(0.0, 1.0),
+        line(1.0, 0.0),
+        line(1.0, 1.0),
+        line(-1.0, 1.0),
+        rows(&[0.0, 1.0]),
+        rows(&[0.0, 1.0, 2.0, 3.0, 4.0]),
+        single,
+        vec![[1.0, 2.0]; 30],
+        vec![[0.0, 0.0], [1.0, 2.0]],
+        vec![[0.0, 0.0], [1.0, 2.0], [-1.0, 3.0], [5.0, 5.0]],
+        Vec::new(),
+    ];
+    for points in inputs {
+        for edges in [vec![], vec![[0, points.len().saturating_sub(1)]]] {
+            if edges.is_empty() || !points.is_empty() {
+                println!("{points:?} {edges:?}");
+                are_swept(&Input {
+                    points: points.clone(),
+                    edges,
+                });
+            }
+        }
+    }
+}
+
+#[test]
+fn refused_inputs() {
+    let mut random = Random::new(3);
+    let mut points = random.points(100);
+    let triangulator = Triangulator::new();
+    agrees(&triangulator, &points, &[[0, 1], [2, 100], [101, 3]]);
+    let error = triangulator
+        .clone()
+        .bands(3)
+        .triangulate_parallel(&points, &[[7, 100]]);
+    assert_eq!(
+        error.err(),
+        Some(Error::EdgeOutOfRange {
+            edge: 0,
+            vertex: 100
+        })
+    );
+    points[40][1] = f64::NAN;
+    let error = triangulator.bands(3).triangulate_parallel(&points, &[]);
+    assert_eq!(error.err(), Some(Error::NonFiniteCoordinate { vertex: 40 }));
+}
