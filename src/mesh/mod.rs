@@ -42,12 +42,10 @@ impl Mesh {
         }
     }
 
-    /// Removes all triangles and leaves `open` open sides.
-    pub(crate) fn clear(&mut self, open: usize) {
+    /// Removes all triangles.
+    pub(crate) fn clear(&mut self) {
         self.triangles.clear();
         self.removed.clear();
-        self.open.clear();
-        self.open.resize(open, Side::NO_TRIANGLE);
     }
 
     /// How many places of triangles there are, removed ones included.
@@ -231,7 +229,6 @@ impl Mesh {
     }
 
     /// Forgets the open sides, on which nothing may border, and makes so many new ones.
-    #[cfg(feature = "parallel")]
     pub(crate) fn renew_open(&mut self, open: usize) {
         self.open.clear();
         self.open.resize(open, Side::NO_TRIANGLE);

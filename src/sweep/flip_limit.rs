@@ -20,6 +20,9 @@
 const FOR_VERTEX: u64 = 8;
 /// Flips that it grants for each corner of a chain.
 const FOR_CORNER: u64 = 4;
+/// Flips that it grants for each vertex when the hull is completed: there is no sweep left to abandon, and divide
+/// and conquer costs more.
+const FOR_HULL: u64 = 2;
 /// The reserve: half a flip for each vertex, and these.
 const RESERVE: u64 = 1000;
 
@@ -67,6 +70,13 @@ impl FlipLimit {
         if self.stage == Stage::Budget {
             let left = self.left + FOR_VERTEX * u64::from(swept);
             self.left = left.min(self.reserve);
+        }
+    }
+
+    /// The hull of so many vertices will be completed.
+    pub(super) fn hull(&mut self, vertices: usize) {
+        if self.stage == Stage::Budget {
+            self.left += FOR_HULL * vertices as u64;
         }
     }
 

@@ -77,6 +77,7 @@ use crate::stats::Phase;
 use crate::triangulation::Triangulation;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
+use flip_limit::FlipLimit;
 pub(crate) use settings::Settings;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
@@ -100,21 +101,38 @@ pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
 impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
     /// Triangulates up to the hull, with all edges, artificial triangles around it.
     fn triangulate(&mut self, settings: Settings<'_>) -> Result<(), Error> {
-        let is_swept = settings.algorithm != Algorithm::DivideAndConquer && {
-            self.sweep(settings.progress)?;
-            self.complete_hull();
-            !self.fabric.flip_limit.is_spent()
+        let swept = match settings.algorithm {
+            Algorithm::DivideAndConquer => 0,
+            Algorithm::Auto | Algorithm::Sweep => self.sweep_to_hull(settings.progress)?,
         };
-        if !is_swept {
-            self.divide_and_conquer()?;
+        if swept < self.fabric.signs.vertices.len() {
+            self.divide_and_conquer(swept)?;
         }
         self.fabric.probe.begin(Phase::Finalization);
         self.insert_rests()
     }
 
+    /// Sweeps, and completes the hull. Returns how many vertices lie within it: fewer than there are if the
+    /// budget of flips is spent, and none if divide and conquer must begin anew.
+    fn sweep_to_hull(&mut self, progress: settings::Progress<'_>) -> Result<usize, Error> {
+        let n = self.fabric.signs.vertices.len();
+        let swept = self.sweep(progress)?;
+        if swept < n {
+            // Parts are merged only where no edges are, and one vertex is no part.
+            if !self.edges.is_empty() || swept + 1 == n {
+                return Ok(0);
+            }
+            self.fabric.flip_limit = FlipLimit::new(n, true);
+        }
+        self.fabric.flip_limit.hull(swept);
+        self.complete_hull();
+        let is_spent = self.fabric.flip_limit.is_spent();
+        Ok(if is_spent { 0 } else { swept })
+    }
+
     /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Ends
-    /// early when the budget of flips is spent.
-    fn sweep(&mut self, progress: settings::Progress<'_>) -> Result<(), Error> {
+    /// early when the budget of flips is spent. Returns how many vertices have been swept.
+    fn sweep(&mut self, progress: settings::Progress<'_>) -> Result<usize, Error> {
         self.fabric.probe.begin(Phase::Sweeping);
         let n = self.fabric.signs.vertices.len();
         for v in (0..n).map(VertexId::at) {
@@ -128,7 +146,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
             if v.number() % CHECK == 0 {
                 self.fabric.flip_limit.vertices(CHECK);
                 if self.fabric.flip_limit.is_spent() {
-                    return Ok(());
+                    return Ok(v.index() + 1);
                 }
                 if v.number() % REPORT == 0
                     && let Some(progress) = progress
@@ -137,6 +155,6 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
                 }
             }
         }
-        Ok(())
+        Ok(n)
     }
 }

@@ -63,7 +63,10 @@ impl<S: Scalar> Shared<'_, S> {
         let chains = ChainNotes::new(Arc::clone(&self.inputs));
         let mut sweep = begin(self.points, vertices, edges, chains, settings, search, ());
         sweep.triangulate(settings)?;
-        let part = sweep.enclose(VertexId::at(self.outside.index() - place.start));
+        let part = sweep.enclose(
+            place.len(),
+            VertexId::at(self.outside.index() - place.start),
+        );
         let mut vertices = sweep.fabric.signs.vertices;
         vertices.approx.truncate(place.len());
         Ok(Swept {

@@ -1,7 +1,7 @@
 //! Bands: the sweep on all cores.
 //!
 //! The points are cut into bands by their heights ([`cut`], [`strata`]). Each band is swept by a thread of its own,
-//! with the edges that run within it ([`band`]). Then ghosts enclose it ([`enclose`]), neighbouring bands are merged
+//! with the edges that run within it ([`band`]). Then ghosts enclose it, neighbouring bands are merged
 //! as in divide and conquer, and the edges from band to band are inserted ([`join`]).
 //!
 //! Why it is right: there is one triangulation of the points and edges (the canonical rule), and every step
@@ -13,7 +13,6 @@
 
 mod band;
 mod cut;
-mod enclose;
 mod join;
 mod strata;
 

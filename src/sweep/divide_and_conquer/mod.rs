@@ -5,9 +5,13 @@
 //! The vertices in sweep order are cut into leaves of two or three. Neighbouring parts are merged
 //! ([`merge`]) until one is left. Mesh, signs and rules are those of the sweep, so the result is the same.
 //! Outside the hull of a part lie *ghosts* ([`ghosts`]), and in the end the artificial triangles and the
-//! front take their place ([`hand_over`]): then the state is that of a sweep whose hull is complete. The
-//! edges are inserted in the order of the sweep by the code of the edge event, so that of several crossings
+//! front take their place ([`hand_over`]): then the state is that of a sweep whose hull is complete.
+//!
+//! The edges are inserted in the order of the sweep by the code of the edge event, so that of several crossings
 //! the same one is found.
+//!
+//! A sweep that is abandoned leaves its lower vertices triangulated. Where no edges are, ghosts enclose them
+//! ([`enclose`]), and they are one of the parts. With edges all begins anew, since no fixed side may be removed.
 //!
 //! Cost: O(n log n) for n points; for the edges see [`super::edge_event`] and [`super::rests`].
 //!
@@ -15,6 +19,7 @@
 //! 1996); a loop with a stack in place of the recursion; ties follow the canonical rule; halves are divided
 //! by y, because the vertices are sorted so.
 
+mod enclose;
 mod ghosts;
 mod hand_over;
 mod merge;
@@ -61,24 +66,30 @@ pub(super) enum Seam {
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// Begins anew without sweeping; afterwards the hull is complete, and of each edge the part down to
-    /// the first vertex on it is inserted.
-    pub(super) fn divide_and_conquer(&mut self) -> Result<(), Error> {
+    /// Triangulates without sweeping; afterwards the hull is complete, and of each edge the part down to the
+    /// first vertex on it is inserted. The first `swept` vertices are kept as they are, with a hull that is
+    /// complete; if there are any, two others or more follow, and there are no edges.
+    pub(super) fn divide_and_conquer(&mut self, swept: usize) -> Result<(), Error> {
         self.fabric.probe.begin(Phase::Sweeping);
         let n = self.fabric.signs.vertices.len();
         self.fabric.probe.note(|stats| stats.is_divided = true);
         self.fabric.flip_limit = FlipLimit::new(n, false);
-        self.fabric.mesh.clear(n + 2);
-        self.front = Front::new(n);
         self.chains.clear();
         self.rests.clear();
-        match n {
-            0 => return Ok(()),
-            1 => self.first_triangle(),
-            _ => {
-                let whole = self.fabric.triangulate();
-                self.hand_over(whole.first);
+        let lower = (swept > 0).then(|| self.enclose(swept, self.fabric.signs.artificial.left));
+        self.front = Front::new(n);
+        if lower.is_none() {
+            self.fabric.mesh.clear();
+        }
+        self.fabric.mesh.renew_open(n + 2);
+        if n == 1 {
+            self.first_triangle();
+        } else {
+            let mut whole = self.fabric.triangulate(swept);
+            if let Some(lower) = lower {
+                whole = self.fabric.merge(lower, whole, Seam::Carved);
             }
+            self.hand_over(whole.first);
         }
         self.insert_all()
     }
@@ -102,12 +113,12 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 }
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
-    /// Triangulates all vertices, of which there are at least two.
-    fn triangulate(&mut self) -> Part {
+    /// Triangulates all vertices from number `first` on, of which there are at least two.
+    fn triangulate(&mut self, first: usize) -> Part {
         let n = self.signs.vertices.len();
         let mut parts: Vec<(u32, Part)> = Vec::new();
-        for leaf in 0..n / 2 {
-            let from = 2 * leaf;
+        for leaf in 0..(n - first) / 2 {
+            let from = first + 2 * leaf;
             // The last leaf has three vertices if their number is odd.
             let to = if from + 3 == n { n } else { from + 2 };
             let mut part = self.leaf(from, to);
@@ -127,5 +138,71 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             whole = self.merge(before, whole, Seam::Carved);
         }
         whole
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::initialization::initialize;
+    use super::super::settings::Settings;
+    use crate::algorithm::Algorithm;
+    use crate::front::HashTable;
+    use crate::heuristics::Heuristics;
+    use crate::ids::VertexId;
+    use crate::triangulation::Triangulation;
+    use crate::verify::verify;
+
+    const SETTINGS: Settings<'_> = Settings {
+        algorithm: Algorithm::Sweep,
+        heuristics: Heuristics::FAST,
+        progress: None,
+    };
+
+    /// The triangulation whose sweep is abandoned after so many vertices.
+    fn after(swept: usize, points: &[[f64; 2]]) -> Triangulation {
+        let sweep = initialize(points, &[], SETTINGS, HashTable::default(), ());
+        let mut sweep = sweep.expect("valid points");
+        for v in (1..swept).map(VertexId::at) {
+            sweep.point_event(v);
+        }
+        if swept > 0 {
+            sweep.complete_hull();
+        }
+        sweep.divide_and_conquer(swept).expect("no edges");
+        let (triangulation, ..) = sweep.finalize();
+        triangulation
+    }
+
+    fn check(points: &[[f64; 2]]) {
+        let whole = after(0, points);
+        for swept in 2..=points.len() - 2 {
+            let result = after(swept, points);
+            let triangles = result.canonical_triangles();
+            assert_eq!(triangles, whole.canonical_triangles(), "{swept} swept");
+            assert!(
+                result.hull().eq(whole.hull()),
+                "another hull, {swept} swept"
+            );
+            let report = verify(points, &[], &triangles).expect("a triangulation");
+            assert!(report.is_canonical(), "{swept} swept");
+        }
+    }
+
+    #[test]
+    fn goes_on_after_any_vertex() {
+        let lattice = |i: u32| [i % 5, i / 5].map(f64::from);
+        let inputs: [&dyn Fn(u32) -> [f64; 2]; 6] = [
+            &lattice,
+            &|i| [f64::from(i), 0.0],
+            &|i| [0.0, f64::from(i)],
+            &|i| [f64::from(i), f64::from(2 * i)],
+            &|i| [f64::from(i * i % 23), f64::from(i * 7 % 19)],
+            // A row, and a point above it.
+            &|i| [f64::from(i), f64::from(i / 24)],
+        ];
+        for input in inputs {
+            let points: Vec<_> = (0..25).map(input).collect();
+            check(&points);
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! From the state of a sweep whose hull is complete to a part with ghosts around it: the inverse of
-//! [`hand_over`](super::super::divide_and_conquer).
+//! [`hand_over`](super::hand_over).
 //!
 //! ```text
 //!         first . u . last            The artificial triangles follow the lower hull counter-clockwise: first
@@ -11,9 +11,9 @@
 //!
 //! Cost: O(h) for h vertices on the hull.
 
-use super::super::divide_and_conquer::Part;
 use super::super::flip_limit::contradiction;
 use super::super::state::Sweep;
+use super::Part;
 use crate::front::FrontSearch;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
@@ -21,11 +21,12 @@ use crate::probe::Probe;
 use crate::scalar::Scalar;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// Encloses all vertices, of which there are at least two, in ghosts with the vertex `outside`.
-    pub(super) fn enclose(&mut self, outside: VertexId) -> Part {
+    /// Encloses the first `vertices` vertices, two or more and all that have been swept, in ghosts with the
+    /// vertex `outside`.
+    pub(in crate::sweep) fn enclose(&mut self, vertices: usize, outside: VertexId) -> Part {
         let mut ghosts = self.lower_ghosts();
         self.add_upper_ghosts(&mut ghosts);
-        let highest = VertexId::at(self.fabric.signs.vertices.len() - 1);
+        let highest = VertexId::at(vertices - 1);
         let part = Part {
             first: self.starting_at(VertexId::new(0), &ghosts),
             last: self.starting_at(highest, &ghosts),
