@@ -196,7 +196,7 @@ mod tests {
             &|i| [f64::from(i), 0.0],
             &|i| [0.0, f64::from(i)],
             &|i| [f64::from(i), f64::from(2 * i)],
-            &|i| [f64::from(i * i % 23), f64::from(i * 7 % 19)],
+            &|i| [f64::from(i * i % 23), f64::from(i * 7 % 25)],
             // A row, and a point above it.
             &|i| [f64::from(i), f64::from(i / 24)],
         ];
