@@ -27,6 +27,7 @@ const TABLES: [&str; 12] = [
     include_str!("../faults/point.toml"),
     include_str!("../faults/fill.toml"),
     include_str!("../faults/divide.toml"),
+    include_str!("../faults/bands.toml"),
     include_str!("../faults/edge.toml"),
     include_str!("../faults/mesh.toml"),
     include_str!("../faults/front.toml"),
