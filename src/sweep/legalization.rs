@@ -21,8 +21,8 @@
 //!         q                              q
 //! ```
 //!
-//! Everywhere else a stack of suspects is tested until it is empty. (When the sweep is about to be
-//! abandoned, the suspects are forgotten; see [`super::flip_limit`].)
+//! Everywhere else a stack of suspects is tested until it is empty. (When the sweep is about to be abandoned,
+//! the suspects are forgotten, and what is kept of it is legalized as a whole; see [`super::flip_limit`].)
 //!
 //! Cost: a test for each triangle of the fan and two for each flip; up to four for a flip elsewhere. A
 //! new vertex needs a constant number of flips on average (section 2).
@@ -80,6 +80,14 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             if self.is_illegal(suspect) {
                 self.flip_and_suspect(suspect);
             }
+        }
+    }
+
+    /// Legalizes all sides, or stops when the budget of flips is spent.
+    pub(super) fn legalize_all(&mut self) {
+        for t in (0..self.mesh.len()).map(TriangleId::at) {
+            self.suspects.extend([0, 1, 2].map(|i| Side::new(t, i)));
+            self.legalize();
         }
     }
 

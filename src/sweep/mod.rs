@@ -123,6 +123,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
                 return Ok(0);
             }
             self.fabric.flip_limit = FlipLimit::new(n, true);
+            self.fabric.legalize_all();
         }
         self.fabric.flip_limit.hull(swept);
         self.complete_hull();
