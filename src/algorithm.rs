@@ -18,7 +18,7 @@
 #[non_exhaustive]
 pub enum Algorithm {
     /// The sweep. Where it swaps more sides than a budget allows that is linear in its work, it is
-    /// abandoned, and divide and conquer begins anew.
+    /// abandoned, and divide and conquer goes on; with edges it begins anew.
     #[default]
     Auto,
     /// The sweep of Domiter and Žalik (2008), to its end. Fast on ordinary inputs; O(n^2) on some, such as
