@@ -17,7 +17,7 @@ use crate::verify::has_threads;
 
 /// So many points are worth a band of their own.
 #[cfg(feature = "parallel")]
-const LEAST: usize = 30_000;
+const LEAST: usize = 50_000;
 
 /// Triangulates with the front, heuristics and progress report of your choice, any number of times.
 ///
@@ -138,9 +138,9 @@ impl<F: FrontSearch + Clone + Send> Triangulator<'_, F> {
     /// The same as [`triangulate`](Triangulator::triangulate), on all threads of the current rayon pool.
     ///
     /// The points are cut into bands, which are swept at the same time and then joined. The result is the
-    /// same, but for the numbers of the triangles. It takes some 20 bytes a point more. No progress is
-    /// reported. Few points are triangulated on one thread, and so is what has to be done again: where edges
-    /// cross, or where it takes too long to join the bands.
+    /// same, but for the numbers of the triangles. At its peak it takes up to half more memory. No progress is
+    /// reported. Few points are triangulated on one thread. Where edges cross, or where it would take too many
+    /// flips to join the bands, one thread begins anew.
     ///
     /// # Errors
     /// See [`Error`]; the same as on one thread.

@@ -62,6 +62,9 @@ impl Edges {
         vertices: usize,
         edges: impl DoubleEndedIterator<Item = (u32, [VertexId; 2])> + Clone,
     ) -> Edges {
+        if edges.clone().next().is_none() {
+            return Edges::default();
+        }
         let mut first = vec![0_u32; vertices + 1];
         for (_, [upper, _]) in edges.clone() {
             first[upper.index()] += 1;

@@ -23,7 +23,10 @@
 //! Differs from the paper: the lower hull (figures 15b and c) needs no pass, since sides with an
 //! artificial end are legalized all along (see [`super::artificial`]).
 
+use std::collections::VecDeque;
+
 use super::flip_limit::contradiction;
+use super::signs::Signs;
 use super::state::Sweep;
 use crate::front::FrontSearch;
 use crate::ids::{OpenId, TriangleId, VertexId, narrow};
@@ -48,14 +51,19 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
     }
 
-    /// Returns the triangulation, whose hull is complete, with the search structure and the probe.
-    pub(super) fn finalize(mut self) -> (Triangulation, F, P) {
+    /// Returns the triangulation, whose hull is complete, with the search structure and the probe. All
+    /// triangles are passed to `name`, which does what [`name_by_input`] does.
+    pub(super) fn finalize(
+        mut self,
+        name: impl FnOnce(&mut [Triangle], &Signs<'_, S>) -> Vec<TriangleId>,
+    ) -> (Triangulation, F, P) {
         let memory = self.memory();
         self.fabric.probe.note(|stats| stats.memory = memory);
         let hull = self.hull();
         let mesh = std::mem::replace(&mut self.fabric.mesh, Mesh::new(0, 0));
         let mut triangles = mesh.into_triangles();
-        self.remove_artificial(&mut triangles);
+        let artificial = name(&mut triangles, &self.fabric.signs);
+        self.remove_artificial(&mut triangles, artificial);
         self.fabric.report(|_| Event::Finished {
             triangles: narrow(triangles.len()),
         });
@@ -112,42 +120,60 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         hull
     }
 
-    /// Removes the artificial triangles and turns ranks into input indices.
-    fn remove_artificial(&mut self, triangles: &mut Vec<Triangle>) {
-        let mut t = 0;
-        while t < triangles.len() {
-            let record = triangles[t];
-            let vertices = record.vertices();
-            let signs = &self.fabric.signs;
-            // A real triangle stays, with input indices and with the hull across its open sides.
-            if vertices.iter().all(|&v| !signs.is_artificial(v)) {
+    /// Removes these triangles, which are artificial and ascend; the last triangle takes the place of each.
+    fn remove_artificial(&mut self, triangles: &mut Vec<Triangle>, artificial: Vec<TriangleId>) {
+        let mut artificial = VecDeque::from(artificial);
+        while let Some(t) = artificial.pop_front() {
+            loop {
+                let record = triangles[t.index()];
+                self.fabric.report(|name| Event::Removed {
+                    vertices: record.vertices().map(name),
+                });
+                // Its neighbours have the hull in its place.
                 for i in 0..3 {
-                    let input = signs.vertices.input_index(record.vertex(i));
-                    triangles[t].set_vertex(i, VertexId::new(input));
-                    let across = record.across(i);
-                    if across.is_open() {
-                        triangles[t].set_across(i, Side::HULL.fixed_as(across));
+                    relink(triangles, record.across(i), Side::HULL);
+                }
+                triangles.swap_remove(t.index());
+                if let Some(&moved) = triangles.get(t.index()) {
+                    for i in 0..3 {
+                        relink(triangles, moved.across(i), Side::new(t, i));
                     }
                 }
-                t += 1;
-                continue;
-            }
-            self.fabric.report(|name| Event::Removed {
-                vertices: vertices.map(name),
-            });
-            // An artificial one goes; its neighbours have the hull in its place.
-            for i in 0..3 {
-                relink(triangles, record.across(i), Side::HULL);
-            }
-            // The last triangle takes its place and is looked at next.
-            triangles.swap_remove(t);
-            if let Some(&moved) = triangles.get(t) {
-                for i in 0..3 {
-                    relink(triangles, moved.across(i), Side::new(TriangleId::at(t), i));
+                // What has come here may be artificial, too.
+                let from = TriangleId::at(triangles.len());
+                if artificial.back() != Some(&from) {
+                    break;
                 }
+                artificial.pop_back();
             }
         }
     }
+}
+
+/// Turns ranks into input indices in real triangles, the first of which has number `first`, and puts the hull
+/// across their open sides. Returns the artificial ones.
+#[inline]
+pub(super) fn name_by_input<S: Scalar>(
+    triangles: &mut [Triangle],
+    first: usize,
+    signs: &Signs<'_, S>,
+) -> Vec<TriangleId> {
+    let mut artificial = Vec::new();
+    for (t, triangle) in (first..).zip(triangles) {
+        if triangle.vertices().iter().any(|&v| signs.is_artificial(v)) {
+            artificial.push(TriangleId::at(t));
+            continue;
+        }
+        for i in 0..3 {
+            let input = signs.vertices.input_index(triangle.vertex(i));
+            triangle.set_vertex(i, VertexId::new(input));
+            let across = triangle.across(i);
+            if across.is_open() {
+                triangle.set_across(i, Side::HULL.fixed_as(across));
+            }
+        }
+    }
+    artificial
 }
 
 /// Sets what lies across `side`, if that is the side of a triangle.

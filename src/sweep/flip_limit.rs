@@ -6,6 +6,8 @@
 //! flips is noticed soon. Ordinary inputs need a small part of it. When it is spent, divide and conquer takes
 //! over ([`crate::Algorithm::Auto`]).
 //!
+//! Where bands are joined, the reserve is all there is.
+//!
 //! The *limit* is quadratic, and no exact scalar can reach it: a flip lowers the lifted surface, so a side
 //! that was flipped away does not come back before the next edge is inserted. With n vertices and two
 //! artificial ones there are fewer than (n + 2)^2 / 2 sides. A scalar that reaches the limit contradicts

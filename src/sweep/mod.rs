@@ -95,7 +95,7 @@ pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
 ) -> Result<(Triangulation, F, P), Error> {
     let mut sweep = initialization::initialize(points, edges, settings, search, probe)?;
     sweep.triangulate(settings)?;
-    Ok(sweep.finalize())
+    Ok(sweep.finalize(|triangles, signs| finalization::name_by_input(triangles, 0, signs)))
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {

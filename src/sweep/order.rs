@@ -113,7 +113,7 @@ fn sort_by_key(
     let points = inputs.len();
     let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
     let keys = 1_usize << (2 * half);
-    let (low, high) = range(inputs.clone(), |input| approx(input)[1]);
+    let (low, high) = range(&inputs, |input| approx(input)[1]);
     // Neither differences nor products nor the bucket decrease where y grows.
     let factor = keys as f64 / (high - low);
     let key = |y: f64| narrow(bucket((y - low) * factor, keys));
@@ -153,7 +153,10 @@ fn sort_by_key(
 ///
 /// A few points far away, such as "no data" points, would leave all others with one key. What is beyond
 /// the range shares the first or last key.
-fn range(inputs: impl ExactSizeIterator<Item = u32> + Clone, y: impl Fn(u32) -> f64) -> (f64, f64) {
+fn range(
+    inputs: &(impl ExactSizeIterator<Item = u32> + Clone),
+    y: impl Fn(u32) -> f64,
+) -> (f64, f64) {
     let points = inputs.len();
     let (low, high) = inputs.clone().map(&y).fold(
         (f64::INFINITY, f64::NEG_INFINITY),

@@ -74,7 +74,7 @@ mod turns;
 mod verifier;
 mod violation;
 
-#[cfg(all(feature = "formats", feature = "parallel"))]
+#[cfg(feature = "parallel")]
 pub(crate) use chunks::has_threads;
 pub use offenders::Offenders;
 pub use report::{Report, Violations};

@@ -21,7 +21,7 @@ pub use page::{Find, Row, page, table};
 /// Names the chosen fault in the environment, by its place in the list of all.
 pub const CHOICE: &str = "SWEEP_CDT_FAULT";
 
-const TABLES: [&str; 12] = [
+const TABLES: [&str; 13] = [
     include_str!("../faults/order.toml"),
     include_str!("../faults/signs.toml"),
     include_str!("../faults/point.toml"),

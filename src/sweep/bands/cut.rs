@@ -3,7 +3,7 @@
 //! Why it is right: doubles never fall where the coordinate grows, and equal coordinates have equal doubles. So
 //! the bands follow each other in sweep order, and equal points are in one band.
 //!
-//! Cost: O(n) for each band, on a thread of its own, and a sample of the points, sorted.
+//! Cost: O(n log b) for n points and b bands, divided among the threads, and a sample of the points, sorted.
 
 use rayon::prelude::*;
 
@@ -15,21 +15,29 @@ use crate::scalar::Scalar;
 const SAMPLE: usize = 1 << 14;
 /// A prime from one point of the sample to the next, so that it finds no pattern in the order of the points.
 const STRIDE: usize = 1_000_000_007;
+/// Points that a thread puts into bands at a time.
+const CHUNK: usize = 1 << 15;
 
 /// The input indices of the points in each band, from the lowest band to the highest; some may be empty.
 pub(super) fn cut<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Vec<Vec<u32>> {
     let points = located.points.len();
     let pivots = pivots(located, bands);
-    let inputs = |band: usize| {
-        let low = band.checked_sub(1).map(|below| pivots[below]);
-        let high = pivots.get(band);
-        let is_in = |&input: &u32| {
-            let y = located.near(input)[1];
-            low.is_none_or(|low| low <= y) && high.is_none_or(|&high| y < high)
-        };
-        (0..narrow(points)).filter(is_in).collect()
+    let chunk = |chunk: usize| {
+        let mut inputs = vec![Vec::new(); bands];
+        for input in chunk * CHUNK..points.min((chunk + 1) * CHUNK) {
+            let y = located.near(narrow(input))[1];
+            let band = pivots.partition_point(|&pivot| pivot <= y);
+            inputs[band].push(narrow(input));
+        }
+        inputs
     };
-    (0..=pivots.len()).into_par_iter().map(inputs).collect()
+    let chunks = (0..points.div_ceil(CHUNK)).into_par_iter().map(chunk);
+    let chunks: Vec<Vec<Vec<u32>>> = chunks.collect();
+    let band = |band: usize| {
+        let inputs: Vec<&[u32]> = chunks.iter().map(|chunk| &chunk[band][..]).collect();
+        inputs.concat()
+    };
+    (0..bands).into_par_iter().map(band).collect()
 }
 
 /// The heights between the bands.

@@ -35,8 +35,11 @@ pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
     let mut parts = vec![whole.part];
     for band in bands {
         parts.push(band.part.moved(narrow(whole.mesh.len())));
-        whole.mesh.append(band.mesh, narrow(whole.vertices.len()));
-        whole.vertices.append(band.vertices);
+        let before = narrow(whole.vertices.len());
+        rayon::join(
+            || whole.mesh.append(band.mesh, before),
+            || whole.vertices.append(band.vertices),
+        );
         whole.chains.append(band.chains)?;
     }
     let n = whole.vertices.len();

@@ -20,6 +20,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::finalization::name_by_input;
 use super::initialization::LIMIT;
 use super::located::Located;
 use super::settings::Settings;
@@ -29,6 +30,9 @@ use crate::scalar::Scalar;
 use crate::triangulation::Triangulation;
 use band::{Band, Shared, Swept};
 use strata::Strata;
+
+/// Triangles that a thread finalizes at a time.
+const CHUNK: usize = 1 << 14;
 
 /// Triangulates in so many bands, at least two, on the current rayon pool, without reports of progress. `None`
 /// where only [`super::run`] can say what is wrong, or is as fast.
@@ -52,9 +56,7 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
     }
     let ends = strata.ends(points.len(), edges)?;
     let across = strata.across(&ends);
-    let inputs = ends
-        .par_iter()
-        .map(|ends| ends.map(|v| strata.input_index(v)));
+    let inputs = ends.par_iter().map(|&ends| strata.inputs(ends));
     let shared = Shared {
         points,
         inputs: Arc::new(inputs.collect()),
@@ -86,6 +88,10 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         .ok()?;
     drop(shared);
     let sweep = join::join(points, swept, &across, settings, search.clone()).ok()??;
-    let (triangulation, ..) = sweep.finalize();
+    let (triangulation, ..) = sweep.finalize(|triangles, signs| {
+        let chunks = triangles.par_chunks_mut(CHUNK).enumerate();
+        let name = |(i, chunk): (usize, &mut [_])| name_by_input(chunk, i * CHUNK, signs);
+        chunks.flat_map_iter(name).collect()
+    });
     Some(triangulation)
 }

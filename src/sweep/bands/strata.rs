@@ -47,10 +47,12 @@ impl Strata {
         self.first.partition_point(|&first| first <= v.index()) - 1
     }
 
-    /// The input index that stands for a vertex, which is numbered in the whole.
-    pub(super) fn input_index(&self, v: VertexId) -> u32 {
-        let band = self.band(v);
-        self.bands[band].input[v.index() - self.first[band]]
+    /// The input indices that stand for the ends of an edge, which are numbered in the whole.
+    pub(super) fn inputs(&self, ends: [VertexId; 2]) -> [u32; 2] {
+        ends.map(|v| {
+            let band = self.band(v);
+            self.bands[band].input[v.index() - self.first[band]]
+        })
     }
 
     /// The ends of each edge, upper end first, numbered in the whole; `None` if one is no point.
@@ -83,8 +85,9 @@ impl Strata {
 
     /// The edges from one band to another: input index and both ends.
     pub(super) fn across(&self, ends: &[[VertexId; 2]]) -> Vec<(u32, [VertexId; 2])> {
-        (0..)
-            .zip(ends.iter().copied())
+        let numbered = ends.par_iter().copied().enumerate();
+        numbered
+            .map(|(edge, ends)| (narrow(edge), ends))
             .filter(|&(_, [upper, lower])| self.band(upper) != self.band(lower))
             .collect()
     }
