@@ -58,7 +58,7 @@ pub enum DomainError {
     SeedOnEdge {
         /// The first such seed.
         seed: Seed,
-        /// The ends of the side that it lies on.
+        /// The ends of the side that it lies on, the lower one first.
         ends: [usize; 2],
     },
     /// The seed of this region lies in a hole, or where no edges keep the outside out.

@@ -92,7 +92,8 @@ impl Triangulation {
             None => Err(DomainError::SeedOutside { seed }),
             Some(Place::OnVertex(vertex)) => Err(DomainError::SeedOnVertex { seed, vertex }),
             Some(Place::OnSide(t, side)) if self.is_constrained(t, side) => {
-                let ends = loops::ends(self, t, side);
+                let mut ends = loops::ends(self, t, side);
+                ends.sort_unstable();
                 Err(DomainError::SeedOnEdge { seed, ends })
             }
             Some(Place::OnSide(t, _) | Place::In(t)) => Ok(t),

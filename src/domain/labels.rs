@@ -2,6 +2,7 @@
 
 use super::loops;
 use crate::Triangulation;
+use crate::triangulation::canonical;
 
 /// Which triangles of a triangulation are inside, and how deep each lies.
 ///
@@ -51,6 +52,11 @@ impl<'a> Domain<'a> {
         Domain { regions, ..self }
     }
 
+    /// All of the hull.
+    pub(crate) fn whole(result: &'a Triangulation) -> Domain<'a> {
+        Domain::new(result, vec![1; result.len()], |_| true)
+    }
+
     /// The triangulation of the whole hull.
     pub fn triangulation(&self) -> &'a Triangulation {
         self.result
@@ -86,9 +92,31 @@ impl<'a> Domain<'a> {
         region.map(|region| region as usize)
     }
 
+    /// Whether there are regions.
+    pub fn has_regions(&self) -> bool {
+        !self.regions.is_empty()
+    }
+
     /// The triangles inside, in ascending order.
     pub fn inside(&self) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
         self.inside.iter().copied()
+    }
+
+    /// The triangles inside in the order of [`Triangulation::canonical_triangles`].
+    pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
+        canonical(self.inside().map(|t| self.result.triangle(t)))
+    }
+
+    /// The sides of triangles inside that are input edges or pieces of them, each once, as pairs of vertices.
+    pub fn constrained_edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        let is_listed = |t: usize, side| {
+            let neighbor = self.result.neighbor(t, side);
+            let is_first = neighbor.is_none_or(|across| across > t || !self.is_inside[across]);
+            is_first && self.result.is_constrained(t, side)
+        };
+        let sides = self.inside().flat_map(|t| [0, 1, 2].map(|side| (t, side)));
+        let listed = sides.filter(move |&(t, side)| is_listed(t, side));
+        listed.map(|(t, side)| loops::ends(self.result, t, side))
     }
 
     /// The closed chains of vertices around the triangles inside, which lie on the left: outer ones run

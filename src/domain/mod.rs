@@ -61,7 +61,7 @@ impl Triangulation {
         };
         let is_odd = |number: i32| number % 2 != 0;
         match rule {
-            Rule::Hull => Ok(Domain::new(self, vec![1; self.len()], |_| true)),
+            Rule::Hull => Ok(Domain::whole(self)),
             Rule::EvenOdd => {
                 let flow = Flow::downwards(self);
                 flow.expect_closed(is_odd)?;

@@ -5,6 +5,7 @@ mod certificate;
 mod errors;
 mod formats;
 mod garbage;
+mod inside;
 mod matching;
 mod outputs;
 #[cfg(unix)]

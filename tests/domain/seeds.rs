@@ -136,7 +136,7 @@ fn what_is_wrong_with_a_seed_is_said() {
     for ([hole, region], expected) in [
         (
             [[4.0, 4.0], [1.0, 1.0]],
-            "the seed of hole 0 lies on the edge between vertices 3 and 1",
+            "the seed of hole 0 lies on the edge between vertices 1 and 3",
         ),
         (
             [[8.0, 8.0], [1.0, 1.0]],
