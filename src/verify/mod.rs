@@ -25,7 +25,7 @@
 //! all points (5).
 //!
 //! *A domain that the caller declares* takes the place of the hull. (4) then asks that the boundary is the
-//! declared one, `domain`, and (5) that the declared sides do not cross and go round each place once or not
+//! declared one, whichever way its chains run, `domain`, and (5) that the declared sides do not cross and go round each place once or not
 //! at all, `scanline`: so the triangles cover the domain once, and points outside it need no corner.
 //!
 //! *They meet side to side.* Suppose a vertex v lies inside a side of a triangle. The triangles at that

@@ -65,12 +65,11 @@ impl<'a> Verifier<'a> {
     }
 
     /// Declares the domain that the triangles must fill, in place of the convex hull, by the closed chains
-    /// of vertices that bound it: outer ones counter-clockwise, those of holes clockwise, each without its
-    /// first vertex at the end.
+    /// of vertices that bound it, each without its first vertex at the end. They may run either way: the domain
+    /// is what a path from outside enters by crossing an odd number of their sides.
     ///
-    /// The boundary must then have exactly their sides. The triangles cover each point as often as the
-    /// chains go round it, which must be once or not at all, and sides of the chains must not cross. (They
-    /// may meet in vertices.) Points outside the domain may be unused, Euler's formula is not checked, and
+    /// The boundary must then have exactly their sides, each once, and sides must not cross. (They may meet in
+    /// vertices.) Points outside the domain may be unused, Euler's formula is not checked, and
     /// edges must lie in the domain. That takes O((n + m) log m) time for n points and m sides.
     #[must_use]
     pub fn boundary(self, chains: &'a [Vec<usize>]) -> Self {
@@ -142,10 +141,9 @@ impl<'a> Verifier<'a> {
         let Ranked {
             mut soup,
             edges,
-            domain,
+            mut domain,
             used,
         } = ranked;
-        let domain = domain.as_ref();
         // 2. Every triangle turns left.
         if self.clockwise {
             turns::reverse_if_clockwise(&mut soup, &mut record);
@@ -154,6 +152,10 @@ impl<'a> Verifier<'a> {
         // 3. Every directed side occurs once.
         let mut sides = sides::check(&soup, &mut record);
         // 4. The boundary is convex and goes round once, or it is the declared one.
+        if let Some(domain) = &mut domain {
+            domain.orient(&soup, &sides.boundary);
+        }
+        let domain = domain.as_ref();
         boundary::check(&soup, &sides, domain, &mut record);
         // 5. Every point is a corner.
         points::check(&soup, used, domain, &mut record);

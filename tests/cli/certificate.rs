@@ -24,6 +24,7 @@ const CERTIFICATE: &str = r#"{
     }
   ],
   "scalar": "f64",
+  "domain": "hull",
   "vertices_matched": {
     "by": "number",
     "because": "unplaced",

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::{assert_fails, folder, printed, run};
 
 /// A square with a square hole, and a region in what is left.
-const FRAME: &str = "\
+pub(crate) const FRAME: &str = "\
 8 2 0 0
 1 0 0
 2 9 0

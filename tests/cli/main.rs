@@ -6,6 +6,7 @@ mod errors;
 mod formats;
 mod garbage;
 mod inside;
+mod interiors;
 mod matching;
 mod outputs;
 #[cfg(unix)]

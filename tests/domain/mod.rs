@@ -1,5 +1,6 @@
 //! Domains against ray casting and geometry in exact integers.
 
+mod broken;
 mod oracle;
 mod random;
 mod rings;

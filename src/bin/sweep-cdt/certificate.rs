@@ -38,6 +38,8 @@ pub(crate) struct Subject<'a, S> {
     pub(crate) input: &'a [Fingerprint],
     pub(crate) result: &'a [Fingerprint],
     pub(crate) scalar: &'static str,
+    /// What the triangles must tile.
+    pub(crate) domain: &'static str,
     pub(crate) clockwise: bool,
     pub(crate) graph: &'a Graph<S>,
     pub(crate) triangles: &'a Triangles,
@@ -53,6 +55,7 @@ struct Certificate<'a> {
     input: &'a [Fingerprint],
     result: &'a [Fingerprint],
     scalar: &'static str,
+    domain: &'static str,
     vertices_matched: MatchedBy,
     clockwise_accepted: bool,
     clockwise: bool,
@@ -143,6 +146,7 @@ pub(crate) fn write<S: Coordinate>(
         input: subject.input,
         result: subject.result,
         scalar: subject.scalar,
+        domain: subject.domain,
         vertices_matched: MatchedBy {
             by: matched.by(),
             because: matched.name(),

@@ -32,6 +32,36 @@ pub(crate) enum Inside {
     Holes,
 }
 
+impl Inside {
+    /// What messages and the command line call it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Inside::Hull => "hull",
+            Inside::EvenOdd => "even-odd",
+            Inside::Nonzero => "nonzero",
+            Inside::Holes => "holes",
+        }
+    }
+
+    /// The domain of a graph.
+    pub(crate) fn domain<'a, S: Coordinate>(
+        self,
+        graph: &Graph<S>,
+        result: &'a Triangulation,
+    ) -> Result<Domain<'a>, DomainError> {
+        match self {
+            Inside::Hull => result.domain(Rule::Hull),
+            Inside::EvenOdd => result.domain(Rule::EvenOdd),
+            Inside::Nonzero => result.domain(Rule::NonZero(&graph.edges)),
+            Inside::Holes => {
+                let seeds = graph.regions.iter().map(|region| region.seed.clone());
+                let regions: Vec<[S; 2]> = seeds.collect();
+                result.domain_of_seeds(&graph.points, &graph.holes, &regions)
+            }
+        }
+    }
+}
+
 impl InsideArgs {
     /// The rule for a graph.
     pub(crate) fn rule<S>(&self, graph: &Graph<S>) -> Inside {
@@ -51,9 +81,7 @@ impl InsideArgs {
     ) -> Result<Option<Domain<'a>>, Failure> {
         let domain = match self.rule(graph) {
             Inside::Hull => return Ok(None),
-            Inside::EvenOdd => result.domain(Rule::EvenOdd),
-            Inside::Nonzero => result.domain(Rule::NonZero(&graph.edges)),
-            Inside::Holes => by_seeds(graph, result),
+            rule => rule.domain(graph, result),
         };
         let refused = |error| {
             let way_out = match self.inside {
@@ -65,13 +93,4 @@ impl InsideArgs {
         };
         domain.map(Some).map_err(refused)
     }
-}
-
-fn by_seeds<'a, S: Coordinate>(
-    graph: &Graph<S>,
-    result: &'a Triangulation,
-) -> Result<Domain<'a>, DomainError> {
-    let regions = graph.regions.iter().map(|region| region.seed.clone());
-    let regions: Vec<[S; 2]> = regions.collect();
-    result.domain_of_seeds(&graph.points, &graph.holes, &regions)
 }
