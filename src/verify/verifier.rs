@@ -6,6 +6,7 @@ use std::fmt;
 use super::chunks::Parallel;
 use super::chunks::{Progress, Schedule, Serial};
 use super::input::{self, Ranked};
+use super::level::Level;
 use super::record::Record;
 use super::report::{Report, Violations};
 use super::{boundary, delaunay, edges, euler, points, sides, turns};
@@ -26,6 +27,7 @@ use crate::scalar::Scalar;
 pub struct Verifier<'a> {
     clockwise: bool,
     boundary: Option<&'a [Vec<usize>]>,
+    level: Level,
     limit: usize,
     progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
 }
@@ -35,6 +37,7 @@ impl fmt::Debug for Verifier<'_> {
         f.debug_struct("Verifier")
             .field("clockwise", &self.clockwise)
             .field("boundary", &self.boundary)
+            .field("level", &self.level)
             .field("limit", &self.limit)
             .finish_non_exhaustive()
     }
@@ -47,12 +50,13 @@ impl Default for Verifier<'_> {
 }
 
 impl<'a> Verifier<'a> {
-    /// Counter-clockwise triangles, the hull as the boundary, 100 violations listed.
+    /// Counter-clockwise triangles, the hull as the boundary, [`Level::Delaunay`], 100 violations listed.
     #[must_use]
     pub fn new() -> Verifier<'a> {
         Verifier {
             clockwise: false,
             boundary: None,
+            level: Level::Delaunay,
             limit: 100,
             progress: None,
         }
@@ -79,6 +83,12 @@ impl<'a> Verifier<'a> {
         }
     }
 
+    /// What the triangles must reach. Violations of higher levels are neither listed nor counted.
+    #[must_use]
+    pub fn level(self, level: Level) -> Self {
+        Verifier { level, ..self }
+    }
+
     /// How many violations are listed at most; all are counted.
     #[must_use]
     pub fn limit(self, limit: usize) -> Self {
@@ -97,7 +107,8 @@ impl<'a> Verifier<'a> {
     /// Verifies on one thread.
     ///
     /// # Errors
-    /// [`Violations`], if `triangles` is not a constrained Delaunay triangulation of `points` with `edges`.
+    /// [`Violations`], if `triangles` does not reach the level asked for: by default, if it is not a constrained
+    /// Delaunay triangulation of `points` with `edges`.
     pub fn verify<S: Scalar>(
         &self,
         points: &[[S; 2]],
@@ -111,7 +122,8 @@ impl<'a> Verifier<'a> {
     /// answer is the same.
     ///
     /// # Errors
-    /// [`Violations`], if `triangles` is not a constrained Delaunay triangulation of `points` with `edges`.
+    /// [`Violations`], if `triangles` does not reach the level asked for: by default, if it is not a constrained
+    /// Delaunay triangulation of `points` with `edges`.
     #[cfg(feature = "parallel")]
     #[cfg_attr(docsrs, doc(cfg(feature = "parallel")))]
     pub fn verify_parallel<S: Scalar + Sync>(
@@ -130,7 +142,7 @@ impl<'a> Verifier<'a> {
         edges: &[[usize; 2]],
         triangles: &[[usize; 3]],
     ) -> Result<Report, Violations> {
-        let mut record = Record::new(self.limit);
+        let mut record = Record::new(self.limit, self.level);
         let progress = Progress::new(self.progress, triangles.len());
 
         // 1. Coordinates and indices.

@@ -116,3 +116,42 @@ fn an_input_without_an_interior_is_refused() {
     // Without a domain asked for, edges that cross are for the verifier to judge.
     assert!(refuted(&verify(&folder, "c.json b.json")).starts_with("wrong: "));
 }
+
+#[test]
+fn a_result_is_judged_by_what_it_promises() {
+    let folder = folder(&[
+        (
+            "a.json",
+            r#"{"points": [[0,0],[4,0],[5,3],[0,3]], "edges": [[0,1]]}"#,
+        ),
+        ("b.json", r#"{"points": [[0,0],[4,0],[4,4],[0,4]]}"#),
+        ("c.json", r#"{"triangles": [[0,1,2],[0,2,3]]}"#),
+    ]);
+    let judged =
+        |input: &str, level: &str| verify(&folder, &format!("{input} c.json --level {level}"));
+    let highest = |report: &str| {
+        let mut lines = report.lines();
+        let line = lines.find_map(|line| line.strip_prefix("highest level"));
+        line.expect("a level").trim().to_owned()
+    };
+    for (level, what) in [("tiling", "a"), ("constrained", "a constrained")] {
+        let report = judged("a.json", level);
+        let expected = format!("correct: c.json is {what} triangulation of a.json");
+        assert_eq!(first_line(printed(&report)), expected);
+        assert_eq!(highest(printed(&report)), "constrained");
+    }
+    let report = judged("a.json", "delaunay");
+    assert_eq!(highest(refuted(&report)), "constrained");
+    let report = judged("b.json", "delaunay");
+    assert_eq!(highest(printed(&report)), "delaunay");
+    let report = judged("b.json", "canonical");
+    let canonical = "the canonical constrained Delaunay triangulation of b.json";
+    let expected = format!("wrong: c.json is not {canonical}: 1 violation");
+    assert_eq!(first_line(refuted(&report)), expected);
+    let not = "\nnot-canonical: diagonals between vertices on one circle that do not end at the leftmost one: 1\n";
+    assert!(refuted(&report).ends_with(not));
+    let json = verify(&folder, "a.json c.json --level tiling --json");
+    let certificate: Value = serde_json::from_str(printed(&json)).expect("JSON");
+    assert_eq!(certificate["level"], "tiling");
+    assert_eq!(certificate["highest_level"], "constrained");
+}

@@ -16,8 +16,8 @@ pub(crate) struct Rings {
 /// Their corners have even coordinates, and their edges run in the eight directions of a compass. So they cross
 /// where both coordinates are whole, and there is a point.
 pub(crate) fn rings(random: &mut Random) -> Rings {
-    let size = 3 + random.below(3) as i64;
-    let side = 2 * size - 1;
+    let size = 3 + random.below(3);
+    let side = 2 * size as i64 - 1;
     let mut points: Vec<Point> = (0..side * side).map(|i| [i % side, i / side]).collect();
     // Some twice.
     for _ in 0..random.below(4) {
@@ -42,22 +42,22 @@ pub(crate) fn rings(random: &mut Random) -> Rings {
     Rings { points, edges }
 }
 
-fn rectangle(random: &mut Random, size: i64) -> Vec<Point> {
-    let mut at = || 2 * random.below(size as usize) as i64;
+fn rectangle(random: &mut Random, size: usize) -> Vec<Point> {
+    let mut at = || 2 * random.below(size) as i64;
     let [left, right, low, high] = [at(), at(), at(), at()];
     vec![[left, low], [right, low], [right, high], [left, high]]
 }
 
 /// A square around the middle.
-fn frame(random: &mut Random, size: i64) -> Vec<Point> {
-    let low = 2 * random.below(size as usize / 2) as i64;
-    let high = 2 * (size - 1) - low;
+fn frame(random: &mut Random, size: usize) -> Vec<Point> {
+    let low = 2 * random.below(size / 2) as i64;
+    let high = 2 * (size as i64 - 1) - low;
     vec![[low, low], [high, low], [high, high], [low, high]]
 }
 
 /// A walk of straight pieces, and the way back along a row and a column.
-fn walk(random: &mut Random, size: i64) -> Vec<Point> {
-    let mut coordinate = || random.below(size as usize) as i64;
+fn walk(random: &mut Random, size: usize) -> Vec<Point> {
+    let mut coordinate = || random.below(size) as i64;
     let first = [coordinate(), coordinate()];
     let mut corners = vec![first];
     let mut at = first;
@@ -65,7 +65,10 @@ fn walk(random: &mut Random, size: i64) -> Vec<Point> {
         let step = [random.below(3) as i64 - 1, random.below(3) as i64 - 1];
         for _ in 0..1 + random.below(3) {
             let to = [at[0] + step[0], at[1] + step[1]];
-            if to.iter().all(|coordinate| (0..size).contains(coordinate)) {
+            if to
+                .iter()
+                .all(|coordinate| (0..size as i64).contains(coordinate))
+            {
                 at = to;
             }
         }

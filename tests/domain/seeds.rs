@@ -107,8 +107,7 @@ fn every_triangle_is_where_seeds_say() {
             }
         };
         right += 1;
-        for t in 0..result.len() {
-            let (one, is_open) = faces[t];
+        for (t, &(one, is_open)) in faces.iter().enumerate() {
             let is_inside = !is_open && !closed.contains(&one);
             assert_eq!(domain.is_inside(t), is_inside, "{t}, {}", what());
             assert_eq!(domain.depth(t), i32::from(is_inside));

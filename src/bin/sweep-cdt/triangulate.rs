@@ -6,7 +6,7 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
 use sweep_cdt::formats::Coordinate;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::Verifier;
+use sweep_cdt::verify::{Level, Verifier};
 
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::destination::Destination;
@@ -146,7 +146,8 @@ impl Job for Run<'_> {
                 }
                 match verdict {
                     Some(report) => {
-                        report::write_verdict(&Ok(report), "the result", given.name, out)
+                        let (answer, level) = (Ok(report), Level::Delaunay);
+                        report::write_verdict(&answer, level, "the result", given.name, out)
                     }
                     None => Ok(()),
                 }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use sweep_cdt::draw::ViolationsPicture;
 use sweep_cdt::formats::{Coordinate, Matching, ResultError};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::Verifier;
+use sweep_cdt::verify::{Level, Verifier};
 
 use crate::certificate::{self, Fingerprint, Subject};
 use crate::interior;
@@ -14,6 +14,7 @@ use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
 use crate::shared::files_read::FilesRead;
+use crate::shared::format;
 use crate::shared::input::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::inside::Inside;
 use crate::shared::outputs::Outputs;
@@ -45,6 +46,13 @@ pub(crate) struct Verify {
     /// its rings run does not matter but for nonzero. Points and edges outside of it need not be used.
     #[arg(long, value_enum, value_name = "RULE", default_value_t = Inside::Hull)]
     domain: Inside,
+
+    /// What the triangles must reach: tiling, constrained (and every edge is there), delaunay, or canonical
+    ///
+    /// Each includes those before it. Violations of higher ones are not reported. The report names the
+    /// highest one reached.
+    #[arg(long, value_name = "LEVEL", value_parser = format::parser::<Level>(), default_value = "delaunay")]
+    level: Level,
 
     /// Accept triangles that are all clockwise
     #[arg(long)]
@@ -101,12 +109,14 @@ Violations:
   unused-point, no-triangles, wrong-count     points that are not corners
   missing-edge                                an input edge that is not a chain of sides
   not-delaunay                                a side that should be flipped
+  not-canonical                               ties that end at another vertex, with --level canonical
 
 Exit status:
   0  correct   1  wrong, or a file cannot be read   2  wrong usage
 
 Examples:
   triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
+  sweep-cdt verify polygon.json earcut.json --domain even-odd --level constrained
   triangle -pz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes
   sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --certificate terrain.verified.json";
 
@@ -179,6 +189,7 @@ impl Job for Run<'_> {
             .map_err(|error| refusal(&error))?;
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
+            .level(arguments.level)
             .limit(arguments.limit);
         let (answer, fitting) = match arguments.domain {
             Inside::Hull => {
@@ -200,6 +211,7 @@ impl Job for Run<'_> {
             result: self.of_result,
             scalar,
             domain: arguments.domain.name(),
+            level: arguments.level.into(),
             clockwise: arguments.clockwise,
             graph,
             triangles: &triangles,
@@ -228,7 +240,7 @@ impl Job for Run<'_> {
                 Inside::Hull => input.clone(),
                 rule => interior(rule),
             };
-            report::write_verdict(&answer, &result, &verified, out)?;
+            report::write_verdict(&answer, arguments.level, &result, &verified, out)?;
             if let Some(rule) = fitting {
                 let (interior, name) = (interior(rule), rule.name());
                 writeln!(out, "it is one of {interior}: ask with --domain {name}")?;
