@@ -10,10 +10,11 @@
 //! | [`Rule::Hull`] | everything | `mod.rs` |
 //! | [`Rule::EvenOdd`] | what a path from outside enters by an odd number of edges | `flow`, `spread` |
 //! | [`Rule::NonZero`] | what the edges go round | `flow`, `spread` |
-//! | [`Triangulation::domain_of_seeds`] | what is neither in a hole nor open to the outside | `holes`, `faces`, `locate` |
+//! | [`Triangulation::domain_of_seeds`] | what no hole and no gap of the edges opens | `holes`, `faces`, `locate` |
 //!
 //! Why that is right: each file says it of its part. `flow` counts the edges on each side and shows that all paths
-//! to a triangle agree; `spread` follows one of them; `loops` collects the boundary.
+//! to a triangle agree; `spread` follows one of them; `faces` joins what no edge parts, and `holes` asks in which
+//! face a seed is; `loops` collects the boundary.
 //!
 //! Cost: O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
 //!

@@ -66,9 +66,9 @@ Input:
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\"
 
 Output, with the triangles always in the same order:
-  .ele     Triangle's triangles, numbered as the input, with the attributes of regions. A .node with the vertices is written beside
-           it, unless there is one with the same vertices. One with others is not overwritten
-           unless it is an output, too
+  .ele     Triangle's triangles, numbered as the input, with the attributes of regions. A .node with
+           the vertices is written beside it, unless there is one with the same vertices. One with
+           others is not overwritten unless it is an output, too
   .node    Triangle's vertices, numbered as the input
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0. With --inside also the boundary, and the
