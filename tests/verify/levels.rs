@@ -153,4 +153,10 @@ fn edges_out_of_range_break_no_tiling() {
     let verifier = Verifier::new().level(Level::Tiling);
     let report = verifier.verify(&points, &[[0, 7]], &[[0, 1, 2]]).unwrap();
     assert_eq!(report.level, Some(Level::Tiling));
+    // A point that is not used breaks it, whatever was found before.
+    let points = [[0, 0], [1, 0], [0, 1], [3, 3]];
+    let violations = verifier
+        .verify(&points, &[[0, 7]], &[[0, 1, 2]])
+        .unwrap_err();
+    assert_eq!((violations.found, violations.report.level), (1, None));
 }
