@@ -115,6 +115,11 @@ impl ChainNotes {
 }
 
 impl Chains {
+    /// How many edges there are.
+    pub(crate) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
     /// The ends of edge `e`, upper end first.
     ///
     /// # Panics

@@ -4,6 +4,7 @@
 mod algorithm;
 mod bucket;
 mod chains;
+pub mod domain;
 #[cfg(feature = "formats")]
 pub mod draw;
 mod error;

@@ -1,7 +1,7 @@
 //! The picture of a triangulation, readable with ten points as well as with a million.
 //!
-//! From back to front: the hull's area (pale) and border (a broad orange band, so that an edge on the
-//! border shows inside it), sides of triangles (thin, grey), input edges (blue), vertices (dark dots)
+//! From back to front: the area (pale) and border of the hull or of a domain (a broad orange band, so that an edge
+//! on the border shows inside it), sides of triangles (thin, grey), input edges (blue), vertices (dark dots)
 //! and their numbers in the file. Dots and numbers are drawn only if there is room for them. Each line is
 //! drawn once, as part of a long stroke, in relative whole units: about 10 bytes a side.
 
@@ -13,6 +13,7 @@ use super::trails::trails;
 use super::window::{PIXEL, Window};
 use super::{legend, mesh_style, svg};
 use crate::Triangulation;
+use crate::domain::Domain;
 use crate::formats::Graph;
 use crate::formats::pairs::sorted_pairs;
 use crate::scalar::Scalar;
@@ -45,13 +46,26 @@ const MARGIN: i64 = 28 * PIXEL;
 pub struct ResultPicture<'a, S> {
     graph: &'a Graph<S>,
     result: &'a Triangulation,
+    domain: Option<&'a Domain<'a>>,
 }
 
 impl<'a, S: Scalar> ResultPicture<'a, S> {
     /// A picture of `result`, the triangulation of `graph`.
     #[must_use]
     pub fn new(graph: &'a Graph<S>, result: &'a Triangulation) -> ResultPicture<'a, S> {
-        ResultPicture { graph, result }
+        ResultPicture {
+            graph,
+            result,
+            domain: None,
+        }
+    }
+
+    /// Draws only the triangles inside a domain of this triangulation, and its border in place of the hull's. The
+    /// vertices and edges of the input are all drawn.
+    #[must_use]
+    pub fn domain(self, domain: &'a Domain<'a>) -> ResultPicture<'a, S> {
+        let domain = Some(domain);
+        ResultPicture { domain, ..self }
     }
 
     /// Writes the picture.
@@ -59,7 +73,11 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
     /// # Errors
     /// Those of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        let ResultPicture { graph, result } = *self;
+        let ResultPicture {
+            graph,
+            result,
+            domain,
+        } = *self;
         let points = places(&graph.points);
         let bounds = Bounds::of(points.iter().copied());
         let window = Window::new(bounds, LONG_SIDE);
@@ -85,18 +103,38 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
             let trails = trails(places.len(), sides).into_iter();
             trails.map(|trail| stroke(&places, &trail))
         };
-        let hull: Vec<usize> = result.hull().chain(result.hull().take(1)).collect();
-        if let [_, .., _] = hull[..] {
-            svg::layer(out, "hull", [stroke(&places, &hull)])?;
+        let border = match domain {
+            Some(domain) => domain.boundary(),
+            None => vec![result.hull().collect()],
+        };
+        let closed = |chain: &Vec<usize>| {
+            let closed: Vec<usize> = chain.iter().chain(chain.first()).copied().collect();
+            if let [_, .., _] = closed[..] {
+                stroke(&places, &closed)
+            } else {
+                String::new()
+            }
+        };
+        // In one path, so that holes are not filled.
+        let strokes_of_border: String = border.iter().map(closed).collect();
+        if !strokes_of_border.is_empty() {
+            svg::layer(out, "hull", [strokes_of_border])?;
         }
-        svg::layer(out, "side", strokes(&inner_sides(result)))?;
+        svg::layer(out, "side", strokes(&inner_sides(result, domain)))?;
         svg::layer(out, "edge", strokes(&input_edges(graph, result)))?;
 
         // Vertices and their numbers, where there is room, and the legend.
+        let (triangles, name) = match domain {
+            Some(domain) => (domain.inside().len(), "border"),
+            None => (result.len(), "hull"),
+        };
         let mut entries = vec![
-            ("side", format!("triangles: {}", result.len())),
+            ("side", format!("triangles: {triangles}")),
             ("edge", format!("edges: {}", graph.edges.len())),
-            ("hull", format!("hull: {}", result.hull().len())),
+            (
+                "hull",
+                format!("{name}: {}", border.iter().map(Vec::len).sum::<usize>()),
+            ),
         ];
         let vertices = || (0..places.len()).filter(|&v| result.representative(v) == v);
         if spacing > LEAST_SPACING {
@@ -113,18 +151,21 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
     }
 }
 
-/// The sides between two triangles that are not pieces of input edges.
-fn inner_sides(result: &Triangulation) -> Vec<[usize; 2]> {
+/// The sides between two triangles, of the domain if there is one, that are not pieces of input edges.
+fn inner_sides(result: &Triangulation, domain: Option<&Domain<'_>>) -> Vec<[usize; 2]> {
+    let is_drawn = |t: usize| domain.is_none_or(|domain| domain.is_inside(t));
     let of_triangle = |t: usize| {
         let corners = result.triangle(t);
         let is_inner = move |side: &usize| {
             let across = result.neighbor(t, *side);
-            across.is_some_and(|across| across > t) && !result.is_constrained(t, *side)
+            let is_listed = across.is_some_and(|across| across > t && is_drawn(across));
+            is_listed && !result.is_constrained(t, *side)
         };
         let ends = move |side| [corners[(side + 1) % 3], corners[(side + 2) % 3]];
         (0..3).filter(is_inner).map(ends)
     };
-    sorted_pairs((0..result.len()).flat_map(of_triangle))
+    let drawn = (0..result.len()).filter(|&t| is_drawn(t));
+    sorted_pairs(drawn.flat_map(of_triangle))
 }
 
 /// The input edges that have a length, each once.

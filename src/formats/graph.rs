@@ -1,6 +1,8 @@
-//! A planar straight-line graph as it stands in a file: vertices, edges, and how the file counts them.
+//! A planar straight-line graph as it stands in a file: vertices, edges, seeds of holes and regions, and how the
+//! file counts them.
 
 use crate::Error;
+use crate::domain::{DomainError, Seed};
 
 /// Vertices and edges in the file's order, edges as positions in `points`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,10 +11,27 @@ pub struct Graph<S> {
     pub points: Vec<[S; 2]>,
     /// The edges, as positions in `points`.
     pub edges: Vec<[usize; 2]>,
+    /// Points that stand for the holes they lie in.
+    pub holes: Vec<[S; 2]>,
+    /// Points that stand for the regions they lie in.
+    pub regions: Vec<Region<S>>,
     /// The file's number of the first vertex: 0 or 1.
     pub first_vertex: usize,
     /// The file's number of the first edge: 0 or 1.
     pub first_edge: usize,
+    /// The file's number of the first hole: 0 or 1.
+    pub first_hole: usize,
+    /// The file's number of the first region: 0 or 1.
+    pub first_region: usize,
+}
+
+/// A region of a [`Graph`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Region<S> {
+    /// A point in it.
+    pub seed: [S; 2],
+    /// The number that the file gives to its triangles.
+    pub attribute: f64,
 }
 
 impl<S> Graph<S> {
@@ -42,6 +61,50 @@ impl<S> Graph<S> {
             Error::TooManyPoints { .. }
             | Error::TooManyEdges { .. }
             | Error::TooManyVerticesOnEdges { .. } => error,
+        }
+    }
+
+    /// The same error with vertices, edges, holes and regions numbered as in the file.
+    ///
+    /// ```
+    /// use sweep_cdt::domain::{DomainError, Seed};
+    /// use sweep_cdt::formats::Graph;
+    ///
+    /// let graph = Graph::<f64> { first_hole: 1, ..Graph::default() };
+    /// let error = DomainError::SeedOutside { seed: Seed::Hole(0) };
+    /// let error = graph.domain_as_numbered(error);
+    /// assert_eq!(error.to_string(), "the seed of hole 1 lies outside of the hull");
+    /// ```
+    pub fn domain_as_numbered(&self, error: DomainError) -> DomainError {
+        let vertex_number = |vertex: usize| vertex.saturating_add(self.first_vertex);
+        let region_number = |region: usize| region.saturating_add(self.first_region);
+        let named = |seed| match seed {
+            Seed::Hole(hole) => Seed::Hole(hole.saturating_add(self.first_hole)),
+            Seed::Region(region) => Seed::Region(region_number(region)),
+        };
+        match error {
+            DomainError::OpenAtVertex { vertex } => DomainError::OpenAtVertex {
+                vertex: vertex_number(vertex),
+            },
+            DomainError::OtherEdge { edge } => DomainError::OtherEdge {
+                edge: edge.saturating_add(self.first_edge),
+            },
+            DomainError::MissingPoint { vertex } => DomainError::MissingPoint {
+                vertex: vertex_number(vertex),
+            },
+            DomainError::SeedNotFinite { seed } => DomainError::SeedNotFinite { seed: named(seed) },
+            DomainError::SeedOutside { seed } => DomainError::SeedOutside { seed: named(seed) },
+            DomainError::SeedOnVertex { seed, vertex } => DomainError::SeedOnVertex {
+                seed: named(seed),
+                vertex: vertex_number(vertex),
+            },
+            DomainError::SeedOnEdge { seed, ends } => DomainError::SeedOnEdge {
+                seed: named(seed),
+                ends: ends.map(vertex_number),
+            },
+            DomainError::RegionOutside { region } => DomainError::RegionOutside {
+                region: region_number(region),
+            },
         }
     }
 }

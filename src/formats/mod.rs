@@ -3,7 +3,7 @@
 //! | name | read | written |
 //! |---|---|---|
 //! | `node` | vertices ([Triangle]'s format) | vertices |
-//! | `poly` | vertices and edges (Triangle's format) | |
+//! | `poly` | vertices, edges, and seeds of holes and regions (Triangle's format) | |
 //! | `json` | an object with `points` and `edges`, or with `triangles` and maybe `points` | all of them and more |
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
 //! | `obj` | vertices and triangles | vertices and triangles (Wavefront) |
@@ -25,9 +25,9 @@ mod read;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError};
-pub use graph::Graph;
+pub use graph::{Graph, Region};
 pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
     read, read_result,
 };
-pub use write::{OutputFormat, write, write_node};
+pub use write::{OutputFormat, write, write_domain, write_node};

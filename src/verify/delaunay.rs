@@ -29,11 +29,11 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
     record: &mut Record,
 ) {
     // The chunks, in any order or at the same time.
-    let limit = record.findings.limit();
+    let none = record.findings.emptied();
     let parts = C::run(soup, progress, |soup, chunk| {
         let mut part = Part {
             tally: Tally::default(),
-            findings: Findings::new(limit),
+            findings: none.clone(),
             free: 0,
             cocircular: 0,
             uncanonical: 0,

@@ -25,7 +25,7 @@
 //! all points (5).
 //!
 //! *A domain that the caller declares* takes the place of the hull. (4) then asks that the boundary is the
-//! declared one, `domain`, and (5) that the declared sides do not cross and go round each place once or not
+//! declared one, whichever way its chains run, `domain`, and (5) that the declared sides do not cross and go round each place once or not
 //! at all, `scanline`: so the triangles cover the domain once, and points outside it need no corner.
 //!
 //! *They meet side to side.* Suppose a vertex v lies inside a side of a triangle. The triangles at that
@@ -48,6 +48,10 @@
 //! the leftmost one most of all. No ties are left, the diagonals chosen are the locally Delaunay ones, and
 //! the same proof makes the triangulation unique.
 //!
+//! *Levels.* Checks 1 to 6 prove that the triangles tile the hull or the domain; with check 7 they are a constrained
+//! triangulation; with check 8 a constrained Delaunay one. [`Level`] says what is asked for: a lower one leaves out
+//! the violations of those above. All checks are made, and the report names the highest level reached.
+//!
 //! Cost: O(n log n) on every input, since sides, straight chains of sides and points in a declared domain are
 //! found by sorting and searching; for the usual ones linear but for one sort, about 0.4 s for a million
 //! points on one core. 60 bytes a triangle.
@@ -61,6 +65,7 @@ mod edges;
 mod euler;
 mod findings;
 mod input;
+mod level;
 mod offenders;
 mod points;
 mod record;
@@ -76,6 +81,7 @@ mod violation;
 
 #[cfg(feature = "parallel")]
 pub(crate) use chunks::has_threads;
+pub use level::Level;
 pub use offenders::Offenders;
 pub use report::{Report, Violations};
 pub use verifier::Verifier;

@@ -79,7 +79,10 @@ impl Violation {
     fn each_index(&mut self, mut visit: impl FnMut(Kind, &mut usize)) {
         use Violation as V;
         let (vertices, edges, triangles): (&mut [usize], &mut [usize], &mut [usize]) = match self {
-            V::TooLarge { .. } | V::WindingBoundary { .. } | V::WrongCount { .. } => return,
+            V::TooLarge { .. }
+            | V::WindingBoundary { .. }
+            | V::WrongCount { .. }
+            | V::NotCanonical { .. } => return,
             V::NonFiniteCoordinate { vertex }
             | V::PinchedBoundary { vertex }
             | V::UnusedPoint { vertex } => (from_mut(vertex), &mut [], &mut []),

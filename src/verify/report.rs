@@ -2,9 +2,10 @@
 
 use std::fmt;
 
+use super::level::Level;
 use super::violation::Violation;
 
-/// What was counted and decided. An `Ok(Report)` proves the triangulation correct.
+/// What was counted and decided. An `Ok(Report)` proves the triangulation correct, to the level that was asked for.
 ///
 /// A *side* is a side of a triangle, counted once however many triangles have it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -37,6 +38,8 @@ pub struct Report {
     pub filtered: u64,
     /// Signs that the filter left to exact arithmetic.
     pub exact: u64,
+    /// The highest level that the triangulation reaches, whatever was asked for; `None` if it tiles nothing.
+    pub level: Option<Level>,
 }
 
 impl Report {
@@ -52,6 +55,8 @@ impl Report {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Violations {
+    /// The level that was asked for.
+    pub asked: Level,
     /// The first ones, in the order of the checks, up to the limit.
     pub list: Vec<Violation>,
     /// How many there are, beyond the limit too.
@@ -62,7 +67,7 @@ pub struct Violations {
 
 impl fmt::Display for Violations {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "not a constrained Delaunay triangulation: ")?;
+        write!(f, "not {}: ", self.asked.title())?;
         let Some(first) = self.list.first() else {
             return write!(f, "{} violation{}", self.found, plural(self.found));
         };

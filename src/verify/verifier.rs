@@ -6,6 +6,7 @@ use std::fmt;
 use super::chunks::Parallel;
 use super::chunks::{Progress, Schedule, Serial};
 use super::input::{self, Ranked};
+use super::level::Level;
 use super::record::Record;
 use super::report::{Report, Violations};
 use super::{boundary, delaunay, edges, euler, points, sides, turns};
@@ -26,6 +27,7 @@ use crate::scalar::Scalar;
 pub struct Verifier<'a> {
     clockwise: bool,
     boundary: Option<&'a [Vec<usize>]>,
+    level: Level,
     limit: usize,
     progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
 }
@@ -35,6 +37,7 @@ impl fmt::Debug for Verifier<'_> {
         f.debug_struct("Verifier")
             .field("clockwise", &self.clockwise)
             .field("boundary", &self.boundary)
+            .field("level", &self.level)
             .field("limit", &self.limit)
             .finish_non_exhaustive()
     }
@@ -47,12 +50,13 @@ impl Default for Verifier<'_> {
 }
 
 impl<'a> Verifier<'a> {
-    /// Counter-clockwise triangles, the hull as the boundary, 100 violations listed.
+    /// Counter-clockwise triangles, the hull as the boundary, [`Level::Delaunay`], 100 violations listed.
     #[must_use]
     pub fn new() -> Verifier<'a> {
         Verifier {
             clockwise: false,
             boundary: None,
+            level: Level::Delaunay,
             limit: 100,
             progress: None,
         }
@@ -65,12 +69,11 @@ impl<'a> Verifier<'a> {
     }
 
     /// Declares the domain that the triangles must fill, in place of the convex hull, by the closed chains
-    /// of vertices that bound it: outer ones counter-clockwise, those of holes clockwise, each without its
-    /// first vertex at the end.
+    /// of vertices that bound it, each without its first vertex at the end. They may run either way: the domain
+    /// is what a path from outside enters by crossing an odd number of their sides.
     ///
-    /// The boundary must then have exactly their sides. The triangles cover each point as often as the
-    /// chains go round it, which must be once or not at all, and sides of the chains must not cross. (They
-    /// may meet in vertices.) Points outside the domain may be unused, Euler's formula is not checked, and
+    /// The boundary must then have exactly their sides, each once, and sides must not cross. (They may meet in
+    /// vertices.) Points outside the domain may be unused, Euler's formula is not checked, and
     /// edges must lie in the domain. That takes O((n + m) log m) time for n points and m sides.
     #[must_use]
     pub fn boundary(self, chains: &'a [Vec<usize>]) -> Self {
@@ -78,6 +81,12 @@ impl<'a> Verifier<'a> {
             boundary: Some(chains),
             ..self
         }
+    }
+
+    /// What the triangles must reach. Violations of higher levels are neither listed nor counted.
+    #[must_use]
+    pub fn level(self, level: Level) -> Self {
+        Verifier { level, ..self }
     }
 
     /// How many violations are listed at most; all are counted.
@@ -98,7 +107,8 @@ impl<'a> Verifier<'a> {
     /// Verifies on one thread.
     ///
     /// # Errors
-    /// [`Violations`], if `triangles` is not a constrained Delaunay triangulation of `points` with `edges`.
+    /// [`Violations`], if `triangles` does not reach the level asked for: by default, if it is not a constrained
+    /// Delaunay triangulation of `points` with `edges`.
     pub fn verify<S: Scalar>(
         &self,
         points: &[[S; 2]],
@@ -112,7 +122,8 @@ impl<'a> Verifier<'a> {
     /// answer is the same.
     ///
     /// # Errors
-    /// [`Violations`], if `triangles` is not a constrained Delaunay triangulation of `points` with `edges`.
+    /// [`Violations`], if `triangles` does not reach the level asked for: by default, if it is not a constrained
+    /// Delaunay triangulation of `points` with `edges`.
     #[cfg(feature = "parallel")]
     #[cfg_attr(docsrs, doc(cfg(feature = "parallel")))]
     pub fn verify_parallel<S: Scalar + Sync>(
@@ -131,7 +142,7 @@ impl<'a> Verifier<'a> {
         edges: &[[usize; 2]],
         triangles: &[[usize; 3]],
     ) -> Result<Report, Violations> {
-        let mut record = Record::new(self.limit);
+        let mut record = Record::new(self.limit, self.level);
         let progress = Progress::new(self.progress, triangles.len());
 
         // 1. Coordinates and indices.
@@ -142,10 +153,9 @@ impl<'a> Verifier<'a> {
         let Ranked {
             mut soup,
             edges,
-            domain,
+            mut domain,
             used,
         } = ranked;
-        let domain = domain.as_ref();
         // 2. Every triangle turns left.
         if self.clockwise {
             turns::reverse_if_clockwise(&mut soup, &mut record);
@@ -154,6 +164,10 @@ impl<'a> Verifier<'a> {
         // 3. Every directed side occurs once.
         let mut sides = sides::check(&soup, &mut record);
         // 4. The boundary is convex and goes round once, or it is the declared one.
+        if let Some(domain) = &mut domain {
+            domain.orient(&soup, &sides.boundary);
+        }
+        let domain = domain.as_ref();
         boundary::check(&soup, &sides, domain, &mut record);
         // 5. Every point is a corner.
         points::check(&soup, used, domain, &mut record);

@@ -157,6 +157,15 @@ pub enum Violation {
         /// Their corners opposite to it; each lies inside the other triangle's circumcircle.
         opposite: [usize; 2],
     },
+    /// Sides whose two triangles have all corners on one circle are the diagonal that is not canonical. Only
+    /// [`Level::Canonical`](super::Level::Canonical) asks for these.
+    #[error(
+        "diagonals between vertices on one circle that do not end at the leftmost one: {sides}"
+    )]
+    NotCanonical {
+        /// How many.
+        sides: usize,
+    },
 }
 
 impl Violation {

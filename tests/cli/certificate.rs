@@ -24,6 +24,9 @@ const CERTIFICATE: &str = r#"{
     }
   ],
   "scalar": "f64",
+  "domain": "hull",
+  "level": "delaunay",
+  "highest_level": "constrained",
   "vertices_matched": {
     "by": "number",
     "because": "unplaced",

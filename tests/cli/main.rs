@@ -5,6 +5,8 @@ mod certificate;
 mod errors;
 mod formats;
 mod garbage;
+mod inside;
+mod interiors;
 mod matching;
 mod outputs;
 #[cfg(unix)]

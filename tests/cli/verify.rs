@@ -54,6 +54,7 @@ constrained sides                    1
 free sides                           4
 cocircular ties                      0
 ties not canonical                   0
+highest level                canonical
 signs: by filter               100.000 %
 signs: exact                     0.000 %
 ";

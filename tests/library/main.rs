@@ -13,15 +13,17 @@
 //!   sweep has another result. `contradictions`: scalars that are not exact end in a panic that says so.
 //! * `fronts`: what a run returns of its front, progress and statistics. `files`: odd files.
 //! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
-//! * `scalars` and `verify`: the exact predicates, and the verifier.
+//! * `scalars`, `domain` and `verify`: the exact predicates, what is inside, and the verifier.
 //!
-//! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin, and
-//! `SWEEP_CDT_HARD` names a folder of further hard inputs. docs/testing.md has more.
+//! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin,
+//! `SWEEP_CDT_DOMAINS` how many rings, and `SWEEP_CDT_HARD` names a folder of further hard inputs. docs/testing.md has more.
 #![cfg(feature = "cli")]
 
 mod bands;
 mod cases;
 mod contradictions;
+#[path = "../domain/mod.rs"]
+mod domain;
 mod draw;
 mod files;
 mod fronts;

@@ -103,6 +103,27 @@ fn any_set_of_triangles_is_a_domain() {
 }
 
 #[test]
+fn chains_may_run_any_way() {
+    let chains = [vec![0, 1, 2, 3], vec![4, 7, 6, 5]];
+    for turned in 0..4 {
+        let mut chains = chains.clone();
+        for (i, chain) in chains.iter_mut().enumerate() {
+            if turned >> i & 1 == 1 {
+                chain.reverse();
+            }
+        }
+        let verifier = Verifier::new().boundary(&chains);
+        assert!(verifier.verify(&POINTS, &[], &RING).is_ok(), "{chains:?}");
+        // The hole filled, and a triangle missing.
+        let filled = [&RING[..], &[[4, 5, 6], [4, 6, 7]]].concat();
+        let list = verifier.verify(&POINTS, &[], &filled).unwrap_err().list;
+        assert_eq!(list.len(), 4, "{list:?}");
+        let list = verifier.verify(&POINTS, &[], &RING[1..]).unwrap_err().list;
+        assert_eq!(list.len(), 3, "{list:?}");
+    }
+}
+
+#[test]
 fn a_seam_is_no_tangle() {
     let mut points = vec![[0, 0], [4, 0], [2, 0], [2, 3], [2, -3]];
     let triangles = [[0, 1, 3], [0, 4, 2], [2, 4, 1]];
@@ -128,6 +149,7 @@ fn what_covers_itself_is_no_domain() {
     let points = [[0, 0], [9, 0], [0, 9], [1, 1], [3, 1], [1, 3]];
     let triangles = [[0, 1, 2], [3, 4, 5]];
     assert_tangled(&points, &triangles, &triangles.map(|t| t.to_vec()));
+    assert_tangled(&points, &triangles, &[vec![0, 1, 2], vec![3, 5, 4]]);
 }
 
 fn assert_tangled(points: &[[i64; 2]], triangles: &[[usize; 3]], chains: &[Vec<usize>]) {

@@ -6,6 +6,7 @@ mod domains;
 mod equal;
 mod faults;
 mod growth;
+mod levels;
 mod matching;
 mod naive;
 mod reports;

@@ -84,7 +84,7 @@ fn texts() {
     let options = format!("{:?}", Verifier::new().limit(7).accept_clockwise(true));
     assert_eq!(
         options,
-        "Verifier { clockwise: true, boundary: None, limit: 7, .. }"
+        "Verifier { clockwise: true, boundary: None, level: Delaunay, limit: 7, .. }"
     );
 }
 

@@ -10,6 +10,7 @@ use serde_json::value::RawValue;
 use sha2::{Digest, Sha256};
 use sweep_cdt::formats::{Coordinate, Graph, Source, Triangles};
 
+use crate::shared::report::reached;
 use crate::shared::verification::{Answer, report, violations};
 
 /// A file by name and contents.
@@ -38,6 +39,10 @@ pub(crate) struct Subject<'a, S> {
     pub(crate) input: &'a [Fingerprint],
     pub(crate) result: &'a [Fingerprint],
     pub(crate) scalar: &'static str,
+    /// What the triangles must tile.
+    pub(crate) domain: &'static str,
+    /// What they must reach.
+    pub(crate) level: &'static str,
     pub(crate) clockwise: bool,
     pub(crate) graph: &'a Graph<S>,
     pub(crate) triangles: &'a Triangles,
@@ -53,6 +58,9 @@ struct Certificate<'a> {
     input: &'a [Fingerprint],
     result: &'a [Fingerprint],
     scalar: &'static str,
+    domain: &'static str,
+    level: &'static str,
+    highest_level: &'static str,
     vertices_matched: MatchedBy,
     clockwise_accepted: bool,
     clockwise: bool,
@@ -143,6 +151,9 @@ pub(crate) fn write<S: Coordinate>(
         input: subject.input,
         result: subject.result,
         scalar: subject.scalar,
+        domain: subject.domain,
+        level: subject.level,
+        highest_level: reached(report),
         vertices_matched: MatchedBy {
             by: matched.by(),
             because: matched.name(),

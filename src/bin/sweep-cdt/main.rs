@@ -6,6 +6,7 @@
 //! line. A reader that closes its end of the pipe early ends it quietly.
 
 mod certificate;
+mod interior;
 mod replay;
 mod shared;
 mod statistics;

@@ -4,15 +4,17 @@ use std::io::{self, Write};
 use std::num::NonZeroUsize;
 
 use sweep_cdt::Triangulation;
+use sweep_cdt::domain::Domain;
 use sweep_cdt::formats::Coordinate;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::Verifier;
+use sweep_cdt::verify::{Level, Verifier};
 
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
 use crate::shared::files_read::FilesRead;
 use crate::shared::input::InputArgs;
+use crate::shared::inside::InsideArgs;
 use crate::shared::output_args::{OutputArgs, Target, add, completed, has_standard};
 use crate::shared::outputs::Outputs;
 use crate::shared::report;
@@ -25,12 +27,16 @@ use crate::statistics;
 ///
 /// Reads points and edges and writes their constrained Delaunay triangulation. The triangles cover the
 /// convex hull of the points. Every edge is a side of triangles, or a chain of sides where points lie on
-/// it. Every other side is locally Delaunay. Without -o a summary is printed.
+/// it. Every other side is locally Delaunay. Of these triangles those inside are written, by --inside. Without
+/// -o a summary is printed.
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Triangulate {
     #[command(flatten)]
     input: InputArgs,
+
+    #[command(flatten)]
+    inside: InsideArgs,
 
     #[command(flatten)]
     output: OutputArgs,
@@ -41,8 +47,8 @@ pub(crate) struct Triangulate {
 
     /// Verify the result before anything is written
     ///
-    /// The verifier shares the signs (filter and exact predicates) with the sweep and nothing else; see
-    /// `sweep-cdt verify`.
+    /// The triangles of the whole hull are verified. The verifier shares the signs (filter and exact
+    /// predicates) with the sweep and nothing else; see `sweep-cdt verify`.
     #[arg(long)]
     verify: bool,
 
@@ -64,18 +70,20 @@ const AFTER_HELP: &str = "\
 Input:
   .node    Triangle's vertices; numbered from 0 or 1
   .poly    Triangle's vertices and segments; with 0 vertices, those of the .node beside it.
-           Attributes, markers, holes and regions are ignored
+           Points of holes and regions are read for --inside; attributes and markers of vertices and
+           edges are ignored
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\"
 
 Output, with the triangles always in the same order:
-  .ele     Triangle's triangles, numbered as the input. A .node with the vertices is written beside
-           it, unless there is one with the same vertices. One with others is not overwritten
-           unless it is an output, too
+  .ele     Triangle's triangles, numbered as the input, with the attributes of regions. A .node with
+           the vertices is written beside it, unless there is one with the same vertices. One with
+           others is not overwritten unless it is an output, too
   .node    Triangle's vertices, numbered as the input
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
-           of vertices along each edge; numbered from 0
+           of vertices along each edge; numbered from 0. With --inside also the boundary, and the
+           region of each triangle
   .obj     vertices and triangles for 3D programs; z is 0
-  .svg     a picture: triangles grey, edges blue, hull orange
+  .svg     a picture: triangles grey, edges blue, hull (or border) orange
   Outputs appear when all are complete; a run that fails changes no file. No file is overwritten that
   was read. Symbolic links are followed, FIFOs and devices written to, permissions kept.
 
@@ -85,6 +93,7 @@ Exit status:
 Examples:
   sweep-cdt triangulate terrain.poly -o terrain.svg
   sweep-cdt triangulate terrain.poly -o terrain.ele -o terrain.json --stats
+  sweep-cdt triangulate polygon.json --inside even-odd -o polygon.obj
   generate | sweep-cdt triangulate - --input-format json -o - --output-format obj | view";
 
 impl Triangulate {
@@ -133,21 +142,24 @@ impl Job for Run<'_> {
         } else {
             None
         };
+        let domain = arguments.inside.domain(given.name, graph, &result)?;
+        let domain = domain.as_ref();
         let summary = targets.is_empty();
         // Standard output holds either a result or a report.
         let report = !has_standard(&targets);
         let mut outputs = Outputs::default();
-        add(&mut outputs, targets, graph, &result)?;
+        add(&mut outputs, targets, graph, &result, domain)?;
         if report {
             outputs.add(Destination::standard(), |out| {
                 match stats {
                     Some(stats) => statistics::write(&stats, out)?,
-                    None if summary => summarize(&given, &result, out)?,
+                    None if summary => summarize(&given, &result, domain, out)?,
                     None => {}
                 }
                 match verdict {
                     Some(report) => {
-                        report::write_verdict(&Ok(report), "the result", given.name, out)
+                        let (answer, level) = (Ok(report), Level::Delaunay);
+                        report::write_verdict(&answer, level, "the result", given.name, out)
                     }
                     None => Ok(()),
                 }
@@ -160,11 +172,16 @@ impl Job for Run<'_> {
 fn summarize<S, T>(
     Given { name, graph, .. }: &Given<'_, S, T>,
     result: &Triangulation,
+    domain: Option<&Domain<'_>>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (points, edges) = (graph.points.len(), graph.edges.len());
     let (triangles, hull) = (result.len(), result.hull().len());
     let duplicates = result.duplicates().len();
     write!(out, "{name}: points {points}, duplicates {duplicates}, ")?;
-    writeln!(out, "edges {edges}, triangles {triangles}, hull {hull}")
+    write!(out, "edges {edges}, triangles {triangles}, hull {hull}")?;
+    if let Some(domain) = domain {
+        write!(out, ", inside {}", domain.inside().len())?;
+    }
+    writeln!(out)
 }

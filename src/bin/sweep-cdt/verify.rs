@@ -6,14 +6,17 @@ use std::path::PathBuf;
 use sweep_cdt::draw::ViolationsPicture;
 use sweep_cdt::formats::{Coordinate, Matching, ResultError};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::Verifier;
+use sweep_cdt::verify::{Level, Verifier};
 
 use crate::certificate::{self, Fingerprint, Subject};
+use crate::interior;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
 use crate::shared::files_read::FilesRead;
+use crate::shared::format;
 use crate::shared::input::{InputArgs, ResultArgs, ResultFiles};
+use crate::shared::inside::Inside;
 use crate::shared::outputs::Outputs;
 use crate::shared::overwriting;
 use crate::shared::report;
@@ -22,9 +25,9 @@ use crate::shared::verification::{self, violations};
 /// Verify a triangulation made by any program
 ///
 /// Proves by exact arithmetic that the triangles are a constrained Delaunay triangulation of the input,
-/// or says what is wrong and where. In a correct one the triangles tile the convex hull of the points,
-/// every point is a corner, every edge is a side (or a chain of sides, where points lie on it), and
-/// every other side is locally Delaunay.
+/// or says what is wrong and where. In a correct one the triangles tile the convex hull of the points (or
+/// the interior, by --domain), every point there is a corner, every edge there is a side (or a chain of
+/// sides, where points lie on it), and every other side is locally Delaunay.
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
 pub(crate) struct Verify {
@@ -36,6 +39,20 @@ pub(crate) struct Verify {
 
     #[command(flatten)]
     scalar: ScalarArgs,
+
+    /// What the triangles must tile
+    ///
+    /// The interior is found from a triangulation of the input, which is itself verified first. Which way
+    /// its rings run does not matter but for nonzero. Points and edges outside of it need not be used.
+    #[arg(long, value_enum, value_name = "RULE", default_value_t = Inside::Hull)]
+    domain: Inside,
+
+    /// What the triangles must reach: tiling, constrained (and every edge is there), delaunay, or canonical
+    ///
+    /// Each includes those before it. Violations of higher ones are not reported. The report names the
+    /// highest one reached.
+    #[arg(long, value_name = "LEVEL", value_parser = format::parser::<Level>(), default_value = "delaunay")]
+    level: Level,
 
     /// Accept triangles that are all clockwise
     #[arg(long)]
@@ -87,15 +104,20 @@ Violations:
   repeated-side                               two triangles that lie on the same side of a side
   pinched-boundary, extra-boundary,
   concave-boundary, winding-boundary          triangles that do not cover the convex hull once
+  undeclared-boundary, missing-boundary,
+  tangled-boundary                            triangles that do not cover the interior once
   unused-point, no-triangles, wrong-count     points that are not corners
   missing-edge                                an input edge that is not a chain of sides
   not-delaunay                                a side that should be flipped
+  not-canonical                               ties that end at another vertex, with --level canonical
 
 Exit status:
   0  correct   1  wrong, or a file cannot be read   2  wrong usage
 
 Examples:
   triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
+  sweep-cdt verify polygon.json earcut.json --domain even-odd --level constrained
+  triangle -pz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes
   sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --certificate terrain.verified.json";
 
 impl Verify {
@@ -167,13 +189,29 @@ impl Job for Run<'_> {
             .map_err(|error| refusal(&error))?;
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
+            .level(arguments.level)
             .limit(arguments.limit);
-        let answer = verification::verify(verifier, points, &graph.edges, &triangles.list);
+        let (answer, fitting) = match arguments.domain {
+            Inside::Hull => {
+                let answer = verification::verify(verifier, points, &graph.edges, &triangles.list);
+                let fitting = match &answer {
+                    Ok(_) => None,
+                    Err(_) => interior::fitting(&given, verifier, &triangles.list),
+                };
+                (answer, fitting)
+            }
+            rule => {
+                let answer = interior::verify(rule, &given, verifier, &triangles.list)?;
+                (answer, None)
+            }
+        };
 
         let subject = Subject {
             input: self.of_input,
             result: self.of_result,
             scalar,
+            domain: arguments.domain.name(),
+            level: arguments.level.into(),
             clockwise: arguments.clockwise,
             graph,
             triangles: &triangles,
@@ -197,7 +235,16 @@ impl Job for Run<'_> {
                 return certificate::write(&subject, &answer, out);
             }
             let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
-            report::write_verdict(&answer, &result, &input, out)?;
+            let interior = |rule: Inside| format!("the interior of {input} ({})", rule.name());
+            let verified = match arguments.domain {
+                Inside::Hull => input.clone(),
+                rule => interior(rule),
+            };
+            report::write_verdict(&answer, arguments.level, &result, &verified, out)?;
+            if let Some(rule) = fitting {
+                let (interior, name) = (interior(rule), rule.name());
+                writeln!(out, "it is one of {interior}: ask with --domain {name}")?;
+            }
             report::write_matching(triangles.matched, out)?;
             writeln!(out)?;
             report::write_counts(verification::report(&answer), out)?;

@@ -36,6 +36,12 @@ pub(super) struct Edges<'a> {
     pub(super) edges: Vec<[usize; 2]>,
     /// The file's number of the first edge.
     pub(super) first: usize,
+    /// The seeds of holes, read as vertices are.
+    pub(super) holes: Vertices<'a>,
+    /// The seeds of regions.
+    pub(super) regions: Vertices<'a>,
+    /// The attributes of the regions.
+    pub(super) attributes: Vec<f64>,
 }
 
 /// Triangles, and the vertices where the file has any.
@@ -49,7 +55,35 @@ pub(super) struct Corners<'a> {
     pub(super) vertices: Option<Vertices<'a>>,
 }
 
+impl<'a> Edges<'a> {
+    /// Edges of a file without holes and regions.
+    pub(super) fn without_seeds(
+        vertices: Vertices<'a>,
+        edges: Vec<[usize; 2]>,
+        first: usize,
+    ) -> Edges<'a> {
+        Edges {
+            holes: Vertices::none(vertices.source, first),
+            regions: Vertices::none(vertices.source, first),
+            attributes: Vec::new(),
+            vertices,
+            edges,
+            first,
+        }
+    }
+}
+
 impl<'a> Vertices<'a> {
+    /// None, of a file that numbers them from `first`.
+    pub(super) fn none(source: &'a Source, first: usize) -> Vertices<'a> {
+        Vertices {
+            source,
+            syntax: Syntax::Plain,
+            coordinates: Vec::new(),
+            first,
+        }
+    }
+
     /// The coordinates as values of a type; or the error of the first one that is not such a value.
     pub(super) fn points<S: Coordinate>(
         &self,

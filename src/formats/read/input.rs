@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use crate::formats::read::content::{Edges, Vertices};
 use crate::formats::read::source::{ReadError, Source};
 use crate::formats::read::{json, triangle};
-use crate::formats::{CoordinateError, Graph};
+use crate::formats::{Coordinate, CoordinateError, Graph, Region};
 
 /// What [`read()`] understands. Each format is named by the extension of its files.
 ///
@@ -75,51 +75,61 @@ pub fn read(
     source: &Source,
     node: Option<&Source>,
 ) -> Result<Input, ReadError> {
-    let Edges {
-        vertices,
-        edges,
-        first,
-    } = match format {
+    let mut content = match format {
         InputFormat::Node => triangle::read_node(source).map(without_edges)?,
         InputFormat::Poly => triangle::read_poly(source, node)?,
         InputFormat::Json => json::read(source)?,
     };
-    let (first_vertex, first_edge) = (vertices.first, first);
     // First as doubles; if a coordinate is a fraction, all once more as rationals.
     let is_exact = |error| match error {
         CoordinateError::Fraction => true,
         // No double, but perhaps a fraction after it says that there need be none.
-        CoordinateError::TooLarge => has_fraction(&vertices),
+        CoordinateError::TooLarge => has_fraction(&content),
         _ => false,
     };
-    match vertices.points() {
-        Ok(points) => Ok(Input::Doubles(Graph {
-            points,
-            edges,
-            first_vertex,
-            first_edge,
+    match graph(&content) {
+        Ok(graph) => Ok(Input::Doubles(Graph {
+            edges: content.edges,
+            ..graph
         })),
-        Err((error, _)) if is_exact(error) => Ok(Input::Rationals(Graph {
-            points: vertices.points().map_err(|(_, error)| error)?,
-            edges,
-            first_vertex,
-            first_edge,
-        })),
+        Err((error, _)) if is_exact(error) => {
+            let edges = std::mem::take(&mut content.edges);
+            let graph = graph(&content).map_err(|(_, error)| error)?;
+            Ok(Input::Rationals(Graph { edges, ..graph }))
+        }
         Err((_, error)) => Err(error),
     }
 }
 
+/// All but the edges, with coordinates as values of a type.
+fn graph<S: Coordinate>(content: &Edges<'_>) -> Result<Graph<S>, (CoordinateError, ReadError)> {
+    let attributes = content.attributes.iter();
+    let regions = content.regions.points()?.into_iter().zip(attributes);
+    Ok(Graph {
+        points: content.vertices.points()?,
+        edges: Vec::new(),
+        holes: content.holes.points()?,
+        regions: regions
+            .map(|(seed, &attribute)| Region { seed, attribute })
+            .collect(),
+        first_vertex: content.vertices.first,
+        first_edge: content.first,
+        first_hole: content.holes.first,
+        first_region: content.regions.first,
+    })
+}
+
 /// Whether a coordinate looks like a fraction.
-fn has_fraction(vertices: &Vertices<'_>) -> bool {
-    let mut coordinates = vertices.coordinates.as_flattened().iter();
+fn has_fraction(content: &Edges<'_>) -> bool {
+    let lists = [&content.vertices, &content.holes, &content.regions];
+    let mut coordinates = lists
+        .iter()
+        .flat_map(|list| list.coordinates.as_flattened());
     coordinates.any(|piece| piece.contains(&b'/'))
 }
 
 /// No edges. They are numbered from 0 or 1 as the vertices are.
 fn without_edges(vertices: Vertices<'_>) -> Edges<'_> {
-    Edges {
-        first: vertices.first,
-        vertices,
-        edges: Vec::new(),
-    }
+    let first = vertices.first;
+    Edges::without_seeds(vertices, Vec::new(), first)
 }

@@ -37,11 +37,7 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     if !edges.iter().all(exists) {
         return Err(json_faults::of_ends(source, &edges, points.len()));
     }
-    Ok(Edges {
-        vertices: vertices(source, points),
-        edges,
-        first: 0,
-    })
+    Ok(Edges::without_seeds(vertices(source, points), edges, 0))
 }
 
 /// Reads a `.json` with triangles.

@@ -13,6 +13,7 @@ mod records;
 mod result;
 mod result_error;
 mod rounding;
+mod seeds;
 mod source;
 mod token_lines;
 mod triangle;

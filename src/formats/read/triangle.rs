@@ -7,13 +7,18 @@
 //! .poly    as .node; 0 vertices: they are in the .node beside it
 //!          <segments> <markers>
 //!          <segment> <vertex> <vertex> [marker]       numbered from 0 or from 1
-//!          holes and regions                          not read
+//!          <holes>                                    this line and all after it may be left out
+//!          <hole> <x> <y>                             a point in the hole; numbered from 0 or from 1
+//!          <regions>                                  this line and all after it may be left out
+//!          <region> <x> <y> [attribute] [area]        a point in the region; numbered from 0 or from 1
 //! ```
 //!
-//! Attributes and markers are ignored.
+//! Attributes and markers of vertices and edges are ignored, and so are the areas of regions, which limit
+//! triangles where a mesh is refined. A region without an attribute has 0.
 
 use crate::formats::read::content::{Edges, Syntax, Vertices};
 use crate::formats::read::records::Records;
+use crate::formats::read::seeds;
 use crate::formats::read::source::{ReadError, Source, no_vertex, quoted};
 use crate::formats::read::token_lines::{Line, Lines};
 
@@ -46,7 +51,7 @@ pub(super) fn read_poly<'a>(
         (count, _) => read_vertices(source, &mut lines, count)?,
     };
 
-    // The edges. Holes and regions after them are not read.
+    // The edges.
     let count = lines
         .expect_line(|| "the number of edges".to_owned())?
         .index("a number of edges")?;
@@ -59,10 +64,17 @@ pub(super) fn read_poly<'a>(
     let edges = records.read(&mut lines, &mut first, |line| {
         Ok([end(line, &vertices)?, end(line, &vertices)?])
     })?;
+
+    // Holes and regions, if the file goes on.
+    let holes = seeds::read_holes(source, &mut lines, vertices.first)?;
+    let (regions, attributes) = seeds::read_regions(source, &mut lines, vertices.first)?;
     Ok(Edges {
         vertices,
         edges,
         first,
+        holes,
+        regions,
+        attributes,
     })
 }
 

@@ -2,27 +2,52 @@
 
 use std::io::{self, Write};
 
+use super::places::places;
 use super::rows::{self, number};
-use crate::Triangulation;
+use crate::domain::Domain;
 use crate::formats::{Coordinate, Graph};
 
-/// Writes the triangles with the vertices' numbers of the input.
+/// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions, with the
+/// attributes of these.
 pub(super) fn write<S>(
     graph: &Graph<S>,
-    result: &Triangulation,
+    domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let first = graph.first_vertex;
-    writeln!(out, "{} 3 0", result.len())?;
-    let triangles = result.canonical_triangles();
+    let triangles = domain.canonical_triangles();
+    let attributes = attributes(graph, domain, &triangles);
+    let columns = u8::from(!attributes.is_empty());
+    writeln!(out, "{} 3 {columns}", triangles.len())?;
     rows::write(out, triangles.len(), |t, text| {
         number(t + first, text);
         for corner in triangles[t] {
             text.push(b' ');
             number(corner + first, text);
         }
+        if let Some(attribute) = attributes.get(t) {
+            text.push(b' ');
+            attribute.write_text(text);
+        }
         text.push(b'\n');
     })
+}
+
+/// The attribute of each triangle in the list, 0 without a region; nothing if there are no regions.
+fn attributes<S>(graph: &Graph<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
+    if !domain.has_regions() {
+        return Vec::new();
+    }
+    let mut attributes = vec![0.0; triangles.len()];
+    for (t, place) in places(domain, triangles).into_iter().enumerate() {
+        let region = domain
+            .region(t)
+            .and_then(|region| graph.regions.get(region));
+        if let (Some((place, _)), Some(region)) = (place, region) {
+            attributes[place] = region.attribute;
+        }
+    }
+    attributes
 }
 
 /// Writes the vertices as a `.node`.

@@ -11,25 +11,67 @@
 //! | `duplicates` | vertex equal to an earlier one | the vertex and the first one equal to it |
 //! | `chains` | input edge | the vertices along it, upper end first |
 //!
-//! All vertices and triangles are positions in `points` and `triangles`, from 0.
+//! Of a domain only the triangles inside are listed, with their constrained sides, and beyond the domain is `null`.
+//! There are two members more:
+//!
+//! | member | one element for each | which is |
+//! |---|---|---|
+//! | `boundary` | closed chain around the domain | its vertices, with the domain on the left |
+//! | `regions` | triangle, if there are regions | its region, `null` for none |
+//!
+//! All vertices, triangles and regions are positions in `points`, in `triangles` and in the input's list, from 0.
 
 use std::io::{self, Write};
 
 use serde::Serialize;
 use serde_json::value::RawValue;
 
+use super::places::places;
 use crate::Triangulation;
+use crate::domain::Domain;
 use crate::formats::pairs::sorted_pairs;
 use crate::formats::{Coordinate, Graph};
 
-/// Writes the object, one element a line.
+/// Writes the object of the whole hull, one element a line.
 pub(super) fn write<S: Coordinate>(
     graph: &Graph<S>,
     result: &Triangulation,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let triangles = result.canonical_triangles();
-    let neighbors = neighbors(result, &triangles);
+    write_members(graph, &Domain::whole(result), out)?;
+    out.write_all(b"\n}\n")
+}
+
+/// Writes the object of a domain.
+pub(super) fn write_domain<S: Coordinate>(
+    graph: &Graph<S>,
+    domain: &Domain<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_members(graph, domain, out)?;
+    member(out, "boundary", domain.boundary())?;
+    if domain.has_regions() {
+        let triangles = domain.canonical_triangles();
+        let mut regions = vec![None; triangles.len()];
+        for (t, place) in places(domain, &triangles).into_iter().enumerate() {
+            if let Some((place, _)) = place {
+                regions[place] = domain.region(t);
+            }
+        }
+        member(out, "regions", regions)?;
+    }
+    out.write_all(b"\n}\n")
+}
+
+/// Writes what all objects have.
+fn write_members<S: Coordinate>(
+    graph: &Graph<S>,
+    domain: &Domain<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let result = domain.triangulation();
+    let triangles = domain.canonical_triangles();
+    let neighbors = neighbors(domain, &triangles);
     let chains = (0..graph.edges.len()).map(|edge| result.edge_chain(edge).collect::<Vec<_>>());
     out.write_all(b"{\n")?;
     member(
@@ -43,11 +85,10 @@ pub(super) fn write<S: Coordinate>(
     member(out, "edges", &graph.edges)?;
     member(out, "triangles", &triangles)?;
     member(out, "neighbors", neighbors)?;
-    member(out, "constrained", sorted_pairs(result.constrained_edges()))?;
+    member(out, "constrained", sorted_pairs(domain.constrained_edges()))?;
     member(out, "hull", result.hull())?;
     member(out, "duplicates", result.duplicates())?;
-    member(out, "chains", chains)?;
-    out.write_all(b"\n}\n")
+    member(out, "chains", chains)
 }
 
 fn member<T: Serialize>(
@@ -76,28 +117,17 @@ fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
 }
 
 /// For each triangle of the canonical list the places in it of those opposite its vertices.
-fn neighbors(result: &Triangulation, triangles: &[[usize; 3]]) -> Vec<[Option<usize>; 3]> {
-    // Triangle `t` in the list: its place, and which of its vertices comes first there.
-    let find = |t: usize| {
-        let corners = result.triangle(t);
-        let first = (0..3)
-            .min_by_key(|&i| corners[i])
-            .expect("a triangle has corners");
-        let listed = [0, 1, 2].map(|i| corners[(first + i) % 3]);
-        (
-            triangles
-                .binary_search(&listed)
-                .expect("every triangle is listed"),
-            first,
-        )
-    };
-    let places: Vec<(usize, usize)> = (0..result.len()).map(find).collect();
+fn neighbors(domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<[Option<usize>; 3]> {
+    let result = domain.triangulation();
+    let places = places(domain, triangles);
     let mut neighbors = vec![[None; 3]; triangles.len()];
-    for (t, &(place, first)) in places.iter().enumerate() {
-        neighbors[place] = [0, 1, 2].map(|i| {
-            let across = result.neighbor(t, (first + i) % 3)?;
-            Some(places[across].0)
-        });
+    for (t, place) in places.iter().enumerate() {
+        if let Some((place, first)) = *place {
+            neighbors[place] = [0, 1, 2].map(|i| {
+                let across = result.neighbor(t, (first + i) % 3)?;
+                places[across].map(|(place, _)| place)
+            });
+        }
     }
     neighbors
 }

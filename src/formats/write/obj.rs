@@ -3,13 +3,13 @@
 use std::io::{self, Write};
 
 use super::rows::{self, number};
-use crate::Triangulation;
+use crate::domain::Domain;
 use crate::formats::{Coordinate, Graph};
 
-/// Writes vertices (rationals rounded to doubles) and triangles.
+/// Writes vertices (rationals rounded to doubles) and the triangles inside.
 pub(super) fn write<S: Coordinate>(
     graph: &Graph<S>,
-    result: &Triangulation,
+    domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     rows::write(out, graph.points.len(), |vertex, text| {
@@ -20,7 +20,7 @@ pub(super) fn write<S: Coordinate>(
         }
         text.extend_from_slice(b" 0\n");
     })?;
-    let triangles = result.canonical_triangles();
+    let triangles = domain.canonical_triangles();
     rows::write(out, triangles.len(), |t, text| {
         text.push(b'f');
         for corner in triangles[t] {

@@ -35,6 +35,7 @@ fn graph() -> Graph<f64> {
         edges: vec![[3, 1], [0, 4]],
         first_vertex: 1,
         first_edge: 1,
+        ..Graph::default()
     }
 }
 

@@ -55,6 +55,7 @@ impl Exact for BigRational {
                 edges: graph.edges,
                 first_vertex: graph.first_vertex,
                 first_edge: graph.first_edge,
+                ..Graph::default()
             },
         }
     }
@@ -185,7 +186,7 @@ fn assert_matches<S: Exact>(graph: &Graph<S>, result: &Triangulation) {
             .iter()
             .map(|edge| edge.map(|v| last - v))
             .collect(),
-        ..*graph
+        ..graph.clone()
     };
     let mut node = Vec::new();
     write_node(&reversed, &mut node).expect("memory takes all that is written");

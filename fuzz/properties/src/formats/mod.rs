@@ -42,6 +42,7 @@ fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
         edges: input.edges,
         first_vertex: usize::from(style & 1),
         first_edge: usize::from(style >> 1 & 1),
+        ..Graph::default()
     };
     if which >= 192 {
         traces::run(&graph);
@@ -73,6 +74,7 @@ fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
         edges: graph.edges.clone(),
         first_vertex: graph.first_vertex,
         first_edge: graph.first_edge,
+        ..Graph::default()
     }
 }
 
@@ -94,6 +96,7 @@ fn try_reader(reader: Reader, bytes: &[u8]) {
                 edges: vec![[0, 2]],
                 first_vertex: 1,
                 first_edge: 1,
+                ..Graph::default()
             };
             try_result(format, &main, node.as_ref(), &graph);
             try_result(format, &main, node.as_ref(), &with_fractions(&graph, "3"));

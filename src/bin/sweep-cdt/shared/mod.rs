@@ -8,6 +8,7 @@ pub(crate) mod files_read;
 pub(crate) mod format;
 pub(crate) mod identity;
 pub(crate) mod input;
+pub(crate) mod inside;
 pub(crate) mod memory;
 pub(crate) mod output_args;
 pub(crate) mod outputs;

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use sweep_cdt::Triangulation;
+use sweep_cdt::domain::Domain;
 use sweep_cdt::formats::{
-    Coordinate, Graph, Input, InputFormat, OutputFormat, read, write, write_node,
+    Coordinate, Graph, Input, InputFormat, OutputFormat, read, write, write_domain, write_node,
 };
 
 use super::destination::Destination;
@@ -101,19 +102,23 @@ pub(crate) fn completed<S: Coordinate>(
     Ok(targets)
 }
 
-/// Adds all targets to the outputs.
+/// Adds all targets to the outputs: the whole result, or what is inside a domain of it.
 pub(crate) fn add<'a, S: Coordinate>(
     outputs: &mut Outputs<'a>,
     targets: Vec<Target>,
     graph: &'a Graph<S>,
     result: &'a Triangulation,
+    domain: Option<&'a Domain<'a>>,
 ) -> Result<(), Failure> {
     targets.into_iter().try_for_each(|target| {
         let Target {
             destination,
             format,
         } = target;
-        outputs.add(destination, move |out| write(format, graph, result, out))
+        outputs.add(destination, move |out| match domain {
+            Some(domain) => write_domain(format, graph, domain, out),
+            None => write(format, graph, result, out),
+        })
     })
 }
 

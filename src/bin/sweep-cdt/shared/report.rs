@@ -3,36 +3,43 @@
 use std::io::{self, Write};
 
 use sweep_cdt::formats::{Coordinate, Graph, Matched, Triangles};
-use sweep_cdt::verify::Report;
+use sweep_cdt::verify::{Level, Report};
 
 use super::table::{NAME, NUMBER, rows};
 use super::verification::{Answer, violations};
 
-/// Writes the verdict: one line.
+/// Writes the verdict on a level: one line.
 pub(crate) fn write_verdict(
     answer: &Answer,
+    level: Level,
     result: &str,
     input: &str,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    const WHAT: &str = "constrained Delaunay triangulation";
+    let what = level.title();
     match answer {
         Ok(report) => {
-            let not = if report.is_canonical() { "" } else { "not " };
-            writeln!(
-                out,
-                "correct: {result} is a {WHAT} of {input}, {not}the canonical one"
-            )
+            write!(out, "correct: {result} is {what} of {input}")?;
+            match (level, report.is_canonical()) {
+                (Level::Delaunay, true) => writeln!(out, ", the canonical one"),
+                (Level::Delaunay, false) => writeln!(out, ", not the canonical one"),
+                _ => writeln!(out),
+            }
         }
         Err(violations) => {
             let found = violations.found;
             let plural = if found == 1 { "" } else { "s" };
             writeln!(
                 out,
-                "wrong: {result} is not a {WHAT} of {input}: {found} violation{plural}"
+                "wrong: {result} is not {what} of {input}: {found} violation{plural}"
             )
         }
     }
+}
+
+/// The name of the highest level reached.
+pub(crate) fn reached(report: &Report) -> &'static str {
+    report.level.map_or("none", Level::into)
 }
 
 /// Writes how the vertices of the result were matched with those of the input: one line.
@@ -68,6 +75,7 @@ pub(crate) fn write_counts(report: &Report, out: &mut impl Write) -> io::Result<
             ("ties not canonical", size(report.uncanonical_sides)),
         ],
     )?;
+    writeln!(out, "{:NAME$}{:>NUMBER$}", "highest level", reached(report))?;
     let all = (report.filtered + report.exact).max(1);
     for (name, number) in [("by filter", report.filtered), ("exact", report.exact)] {
         let share = 100.0 * number as f64 / all as f64;

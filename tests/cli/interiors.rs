@@ -1,0 +1,157 @@
+//! `verify --domain`: results that fill the interior of an input.
+
+use serde_json::Value;
+
+use crate::inside::FRAME;
+use crate::verify::{first_line, refuted, verify};
+use crate::{assert_fails, folder, printed, run};
+
+const WHAT: &str = "a constrained Delaunay triangulation of";
+
+/// The frame with a point in its hole, which no triangle needs, and edges from there to the corner of the hole and on
+/// to that of the frame.
+fn dangling() -> String {
+    let points = FRAME.replace("8 2 0 0\n", "9 2 0 0\n");
+    let points = points.replace("8 3 6\n", "8 3 6\n9 4 4\n");
+    points
+        .replace("8 0\n", "10 0\n")
+        .replace("8 8 5\n", "8 8 5\n9 9 5\n10 9 1\n")
+}
+
+#[test]
+fn a_result_may_fill_the_interior() {
+    let dangling = dangling();
+    for poly in [FRAME, &dangling] {
+        let folder = folder(&[("a.poly", poly)]);
+        printed(&run(&folder, "a.poly -o a.ele -o a.obj"));
+        for result in ["a.ele", "a.obj"] {
+            let report = verify(&folder, &format!("a.poly {result} --domain holes"));
+            let interior = "the interior of a.poly (holes), the canonical one";
+            let expected = format!("correct: {result} is {WHAT} {interior}");
+            assert_eq!(first_line(printed(&report)), expected);
+        }
+        let hull = verify(&folder, "a.poly a.ele");
+        let mut lines = refuted(&hull).lines();
+        let verdict = lines.next().expect("a verdict");
+        assert!(verdict.starts_with("wrong: "), "{verdict}");
+        let hint = "it is one of the interior of a.poly (holes): ask with --domain holes";
+        assert_eq!(lines.next(), Some(hint));
+        let json = verify(&folder, "a.poly a.ele --domain holes --json");
+        let certificate: Value = serde_json::from_str(printed(&json)).expect("JSON");
+        assert_eq!(certificate["domain"], "holes");
+        let edges = if poly == FRAME { 8 } else { 10 };
+        assert_eq!(certificate["counts"]["edges"], edges);
+        assert_eq!(certificate["counts"]["triangles"], 8);
+    }
+}
+
+#[test]
+fn the_right_rule_is_named() {
+    let folder = folder(&[("a.poly", FRAME)]);
+    for (made, asked, fits) in [
+        ("even-odd", "even-odd", true),
+        ("even-odd", "holes", true),
+        ("even-odd", "nonzero", false),
+        ("even-odd", "hull", false),
+        ("hull", "hull", true),
+        ("hull", "nonzero", true),
+        ("hull", "even-odd", false),
+        ("hull", "holes", false),
+    ] {
+        printed(&run(&folder, &format!("a.poly --inside {made} -o a.ele")));
+        let report = verify(&folder, &format!("a.poly a.ele --domain {asked}"));
+        if fits {
+            assert!(
+                printed(&report).starts_with("correct: a.ele is "),
+                "{asked}"
+            );
+        } else {
+            let report = refuted(&report);
+            assert!(report.starts_with("wrong: a.ele is not "), "{asked}");
+            // Of the hull only.
+            assert_eq!(report.contains("it is one of"), asked == "hull");
+        }
+    }
+}
+
+#[test]
+fn what_is_wrong_in_the_interior_has_the_numbers_of_the_file() {
+    let poly = dangling().replace("10 9 1\n", "10 1 6\n");
+    let folder = folder(&[("a.poly", &poly)]);
+    printed(&run(&folder, "a.poly -o a.ele"));
+    // The diagonal that is edge 10 is the other one.
+    let wrong = [("1 1 2 6 0.5", "1 1 2 5"), ("3 1 6 5 0.5", "3 2 6 5")];
+    let mut ele = std::fs::read_to_string(folder.path().join("a.ele")).expect("a text");
+    for (right, wrong) in wrong {
+        assert!(ele.contains(right), "{ele}");
+        ele = ele.replace(right, wrong);
+    }
+    std::fs::write(folder.path().join("a.ele"), ele).expect("a file");
+    let report = verify(&folder, "a.poly a.ele --domain holes");
+    let missing = "missing-edge: edge 10 is no chain of sides: none follows it from vertex 1\n";
+    assert!(refuted(&report).contains(missing), "{}", refuted(&report));
+}
+
+#[test]
+fn an_input_without_an_interior_is_refused() {
+    let folder = folder(&[
+        (
+            "a.json",
+            r#"{"points": [[0,0],[4,0],[0,4]], "edges": [[0,1]]}"#,
+        ),
+        ("b.json", r#"{"triangles": [[0,1,2]]}"#),
+        (
+            "c.json",
+            r#"{"points": [[0,0],[4,0],[4,4],[0,4]], "edges": [[0,2],[1,3]]}"#,
+        ),
+    ]);
+    assert_fails(
+        &verify(&folder, "a.json b.json --domain even-odd"),
+        "a.json: the edges are no closed rings: they do not go on at vertex 0",
+    );
+    assert_fails(
+        &verify(&folder, "c.json b.json --domain holes"),
+        "c.json: edges 0 and 1 cross",
+    );
+    // Without a domain asked for, edges that cross are for the verifier to judge.
+    assert!(refuted(&verify(&folder, "c.json b.json")).starts_with("wrong: "));
+}
+
+#[test]
+fn a_result_is_judged_by_what_it_promises() {
+    let folder = folder(&[
+        (
+            "a.json",
+            r#"{"points": [[0,0],[4,0],[5,3],[0,3]], "edges": [[0,1]]}"#,
+        ),
+        ("b.json", r#"{"points": [[0,0],[4,0],[4,4],[0,4]]}"#),
+        ("c.json", r#"{"triangles": [[0,1,2],[0,2,3]]}"#),
+    ]);
+    let judged =
+        |input: &str, level: &str| verify(&folder, &format!("{input} c.json --level {level}"));
+    let highest = |report: &str| {
+        let mut lines = report.lines();
+        let line = lines.find_map(|line| line.strip_prefix("highest level"));
+        line.expect("a level").trim().to_owned()
+    };
+    for (level, what) in [("tiling", "a"), ("constrained", "a constrained")] {
+        let report = judged("a.json", level);
+        let expected = format!("correct: c.json is {what} triangulation of a.json");
+        assert_eq!(first_line(printed(&report)), expected);
+        assert_eq!(highest(printed(&report)), "constrained");
+    }
+    let report = judged("a.json", "delaunay");
+    assert_eq!(highest(refuted(&report)), "constrained");
+    let report = judged("b.json", "delaunay");
+    assert_eq!(highest(printed(&report)), "delaunay");
+    let report = judged("b.json", "canonical");
+    let canonical = "the canonical constrained Delaunay triangulation of b.json";
+    let expected = format!("wrong: c.json is not {canonical}: 1 violation");
+    assert_eq!(first_line(refuted(&report)), expected);
+    let not = "\nnot-canonical: diagonals between vertices on one circle that do not end at the leftmost one: 1\n";
+    assert!(refuted(&report).ends_with(not));
+    let json = verify(&folder, "a.json c.json --level tiling --json");
+    let certificate: Value = serde_json::from_str(printed(&json)).expect("JSON");
+    assert_eq!(certificate["level"], "tiling");
+    assert_eq!(certificate["highest_level"], "constrained");
+}

@@ -1,0 +1,8 @@
+//! Domains against ray casting and geometry in exact integers.
+
+mod broken;
+mod oracle;
+mod random;
+mod rings;
+mod rules;
+mod seeds;

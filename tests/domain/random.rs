@@ -1,0 +1,100 @@
+//! Random rings: every triangle's depth and winding number, the domains and their boundaries.
+
+use std::collections::BTreeSet;
+
+use sweep_cdt::domain::{Domain, Rule};
+use sweep_cdt::triangulate;
+use sweep_cdt_testing::Random;
+
+use super::oracle::{cast, layers};
+use super::rings::{Rings, rings};
+
+/// Tried of them, unless `SWEEP_CDT_DOMAINS` says otherwise.
+const CASES: u64 = 2000;
+
+/// The boundary must have exactly the sides of the triangles inside that have none on their right.
+fn assert_boundary(domain: &Domain<'_>) {
+    let result = domain.triangulation();
+    let inside = domain.inside().map(|t| result.triangle(t));
+    let sides: BTreeSet<[usize; 2]> = inside
+        .flat_map(|t| [0, 1, 2].map(|i| [t[i], t[(i + 1) % 3]]))
+        .collect();
+    let is_open = |&[a, b]: &[usize; 2]| !sides.contains(&[b, a]);
+    let expected: Vec<[usize; 2]> = sides.iter().copied().filter(is_open).collect();
+    let loops = domain.boundary();
+    let ring = |ring: &Vec<usize>| -> Vec<[usize; 2]> {
+        let next = |i: usize| ring[(i + 1) % ring.len()];
+        (0..ring.len()).map(|i| [ring[i], next(i)]).collect()
+    };
+    let mut found: Vec<[usize; 2]> = loops.iter().flat_map(ring).collect();
+    found.sort_unstable();
+    assert_eq!(found, expected);
+    // The lowest side first, in each and among all.
+    let firsts: Vec<[usize; 2]> = loops.iter().map(|list| ring(list)[0]).collect();
+    let lowest = |list| ring(list).into_iter().min();
+    assert_eq!(firsts, loops.iter().filter_map(lowest).collect::<Vec<_>>());
+    assert!(firsts.is_sorted());
+}
+
+#[test]
+fn every_triangle_is_where_rays_say() {
+    let cases = std::env::var("SWEEP_CDT_DOMAINS");
+    let cases = cases.map_or(CASES, |text| text.parse().expect("a number"));
+    let (mut deep, mut wound, mut differ) = (0, 0, 0);
+    for seed in 0..cases {
+        let mut random = Random::new(seed);
+        let Rings { points, edges } = rings(&mut random);
+        let what = || format!("seed {seed}: {points:?} {edges:?}");
+        let result = triangulate(&points, &edges).expect("edges cross at vertices only");
+        let even_odd = result.domain(Rule::EvenOdd).expect("the rings are closed");
+        let nonzero = result
+            .domain(Rule::NonZero(&edges))
+            .expect("the rings are closed");
+        let triangles: Vec<[usize; 3]> = result.triangles().collect();
+        let expected = layers(&points, &edges, &triangles);
+        for (t, &triangle) in triangles.iter().enumerate() {
+            let (crossed, winding) = cast(&points, &edges, triangle);
+            assert_eq!(even_odd.is_inside(t), crossed % 2 == 1, "{t}, {}", what());
+            assert_eq!(even_odd.depth(t), expected[t], "{t}, {}", what());
+            assert_eq!(nonzero.is_inside(t), winding != 0, "{t}, {}", what());
+            assert_eq!(nonzero.depth(t), winding, "{t}, {}", what());
+            deep += usize::from(expected[t] > 1);
+            wound += usize::from(winding.abs() > 1);
+            differ += usize::from((crossed % 2 == 1) != (winding != 0));
+        }
+        for domain in [&even_odd, &nonzero] {
+            let is_listed = |t: &usize| domain.is_inside(*t);
+            assert!(domain.inside().eq((0..result.len()).filter(is_listed)));
+            assert_boundary(domain);
+        }
+    }
+    println!("{cases} inputs: {deep} deep, {wound} wound, {differ} differ");
+    let least = usize::try_from(cases).expect("a number") / 2;
+    assert!(deep.min(wound).min(differ) > least);
+}
+
+#[test]
+fn edges_that_do_not_close_are_refused() {
+    for seed in 0..500 {
+        let mut random = Random::new(seed);
+        let Rings { points, mut edges } = rings(&mut random);
+        if edges.is_empty() {
+            continue;
+        }
+        let [a, b] = edges.swap_remove(random.below(edges.len()));
+        let result = triangulate(&points, &edges).expect("edges cross at vertices only");
+        // Without an edge that has a length, two vertices are open.
+        let is_closed = points[a] == points[b];
+        assert_eq!(
+            result.domain(Rule::EvenOdd).is_ok(),
+            is_closed,
+            "seed {seed}"
+        );
+        assert_eq!(
+            result.domain(Rule::NonZero(&edges)).is_ok(),
+            is_closed,
+            "seed {seed}"
+        );
+        assert!(result.domain(Rule::Hull).is_ok());
+    }
+}
