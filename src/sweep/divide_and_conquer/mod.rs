@@ -143,6 +143,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::finalization::name_by_input;
     use super::super::initialization::initialize;
     use super::super::settings::Settings;
     use crate::algorithm::Algorithm;
@@ -169,7 +170,7 @@ mod tests {
             sweep.complete_hull();
         }
         sweep.divide_and_conquer(swept).expect("no edges");
-        let (triangulation, ..) = sweep.finalize();
+        let (triangulation, ..) = sweep.finalize(|list, signs| name_by_input(list, 0, signs));
         triangulation
     }
 
