@@ -31,6 +31,10 @@ use crate::triangulation::Triangulation;
 use band::{Band, Shared, Swept};
 use strata::Strata;
 
+/// More edges from band to band than these, and than one for so many points, are no gain: one thread inserts
+/// them all.
+const MANY_ACROSS: usize = 10_000;
+const POINTS_AN_EDGE: usize = 8;
 /// Triangles that a thread finalizes at a time.
 const CHUNK: usize = 1 << 14;
 
@@ -56,6 +60,9 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
     }
     let ends = strata.ends(points.len(), edges)?;
     let across = strata.across(&ends);
+    if across.len() > MANY_ACROSS + points.len() / POINTS_AN_EDGE {
+        return None;
+    }
     let inputs = ends.par_iter().map(|&ends| strata.inputs(ends));
     let shared = Shared {
         points,
