@@ -10,7 +10,7 @@ use crate::measure::Row;
 /// The families with a panel.
 const FAMILIES: [&str; 3] = ["uniform", "segments", "polygons"];
 
-const SIZE: (u32, u32) = (1200, 420);
+const SIZE: (u32, u32) = (1200, 560);
 
 /// The plot; times of programs whose answers are no triangulations are left out.
 pub(crate) fn plot(rows: &[Row]) -> String {
@@ -42,6 +42,8 @@ where
         };
         let top = all().map(|p| p.1).fold(0.0, f64::max);
         let bottom = all().map(|p| p.1).fold(f64::INFINITY, f64::min);
+        // As much room again above the curves, for the names.
+        let room = top * (top / bottom);
         let mut chart = ChartBuilder::on(area)
             .caption(family, ("sans-serif", 18))
             .margin(8)
@@ -49,10 +51,12 @@ where
             .y_label_area_size(48)
             .build_cartesian_2d(
                 (least / 1.2..most * 1.2).log_scale(),
-                (bottom / 1.3..top * 1.6).log_scale(),
+                (bottom / 1.3..room).log_scale(),
             )?;
         chart
             .configure_mesh()
+            .light_line_style(TRANSPARENT)
+            .y_labels(6)
             .x_desc("points")
             .y_desc("ns a point")
             .x_label_formatter(&|x| format!("{x:.0e}"))
