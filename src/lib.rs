@@ -18,6 +18,8 @@ mod probe;
 pub mod scalar;
 mod stats;
 mod sweep;
+#[cfg(feature = "parallel")]
+mod threads;
 pub mod trace;
 mod triangulation;
 mod triangulator;

@@ -10,6 +10,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use super::soup::Soup;
+#[cfg(feature = "parallel")]
+use crate::threads::has_threads;
 
 /// Triangles in a chunk.
 const CHUNK: usize = 1 << 14;
@@ -64,28 +66,6 @@ impl<S: Sync> Schedule<S> for Parallel {
             .map(|i| progress.after(chunk(i, count), |range| check(soup, range)))
             .collect()
     }
-}
-
-/// Whether there is a pool, or the global one can be made: rayon panics where it cannot start its threads.
-#[cfg(feature = "parallel")]
-pub(crate) fn has_threads() -> bool {
-    use std::error::Error;
-    use std::sync::OnceLock;
-
-    static GLOBAL: OnceLock<bool> = OnceLock::new();
-    let make = || {
-        // The global pool can be tried once only. Where there are no threads at all it is left alone, so
-        // that others get the one that rayon makes without any.
-        let one = std::thread::Builder::new().spawn(|| ());
-        let has_one = one.is_ok_and(|thread| thread.join().is_ok());
-        // An error without a source says that there is a pool already.
-        let has_all = || match rayon::ThreadPoolBuilder::new().build_global() {
-            Ok(()) => true,
-            Err(error) => error.source().is_none(),
-        };
-        has_one && has_all()
-    };
-    rayon::current_thread_index().is_some() || *GLOBAL.get_or_init(make)
 }
 
 fn chunk(i: usize, count: usize) -> Range<usize> {

@@ -79,8 +79,6 @@ mod turns;
 mod verifier;
 mod violation;
 
-#[cfg(feature = "parallel")]
-pub(crate) use chunks::has_threads;
 pub use level::Level;
 pub use offenders::Offenders;
 pub use report::{Report, Violations};
