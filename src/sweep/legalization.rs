@@ -86,7 +86,14 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Legalizes all sides, or stops when the budget of flips is spent.
     pub(super) fn legalize_all(&mut self) {
         for t in (0..self.mesh.len()).map(TriangleId::at) {
-            self.suspects.extend([0, 1, 2].map(|i| Side::new(t, i)));
+            // Each side from the lower of its two triangles.
+            let sides = [0, 1, 2].map(|i| Side::new(t, i)).into_iter();
+            let mesh = &self.mesh;
+            let is_first = |&side: &Side| {
+                let across = mesh.across(side);
+                !across.is_open() && across.triangle() > t
+            };
+            self.suspects.extend(sides.filter(is_first));
             self.legalize();
         }
     }
