@@ -10,10 +10,10 @@ use crate::probe::{Observer, Probe};
 use crate::scalar::Scalar;
 use crate::stats::{Recorder, Stats};
 use crate::sweep;
+#[cfg(feature = "parallel")]
+use crate::threads::has_threads;
 use crate::trace::Event;
 use crate::triangulation::Triangulation;
-#[cfg(feature = "parallel")]
-use crate::verify::has_threads;
 
 /// So many points are worth a band of their own.
 #[cfg(feature = "parallel")]
@@ -128,7 +128,7 @@ impl<F: FrontSearch + Clone + Send> Triangulator<'_, F> {
     /// Cuts the points into so many bands, from bottom to top, for
     /// [`triangulate_parallel`](Triangulator::triangulate_parallel).
     ///
-    /// Left out, there is one for each thread, but none for less than some tens of thousands of points.
+    /// Left out, there is one for each thread, but none for fewer than 50,000 points. There are at most 256.
     #[must_use]
     pub fn bands(mut self, bands: usize) -> Self {
         self.bands = Some(bands);
@@ -139,8 +139,8 @@ impl<F: FrontSearch + Clone + Send> Triangulator<'_, F> {
     ///
     /// The points are cut into bands, which are swept at the same time and then joined. The result is the
     /// same, but for the numbers of the triangles. At its peak it takes up to half more memory. No progress is
-    /// reported. Few points are triangulated on one thread. Where edges cross, or where it would take too many
-    /// flips to join the bands, one thread begins anew.
+    /// reported. Few points are triangulated on one thread. Where edges cross, where many run from band to band, or
+    /// where it would take too many flips to join the bands, one thread begins anew.
     ///
     /// # Errors
     /// See [`Error`]; the same as on one thread.

@@ -1,7 +1,7 @@
 //! How many sides may be flipped before the sweep is abandoned, or the scalar is wrong.
 //!
-//! The *budget* grows with the work: by some flips for each vertex swept and each corner of a chain that is
-//! filled. What the sweep does not need at once it may keep, but no more than a *reserve*. So the budget is
+//! The *budget* grows with the work: by some flips for each vertex swept, each corner of a chain that is
+//! filled, and each vertex when the hull is completed. What the sweep does not need at once it may keep, but no more than a *reserve*. So the budget is
 //! linear in the size of the input and what its edges pierce, and a stretch of the sweep that needs far more
 //! flips is noticed soon. Ordinary inputs need a small part of it. When it is spent, divide and conquer takes
 //! over ([`crate::Algorithm::Auto`]).
@@ -22,8 +22,7 @@
 const FOR_VERTEX: u64 = 8;
 /// Flips that it grants for each corner of a chain.
 const FOR_CORNER: u64 = 4;
-/// Flips that it grants for each vertex when the hull is completed: there is no sweep left to abandon, and divide
-/// and conquer costs more.
+/// Flips that it grants for each vertex when the hull is completed: to begin anew so late costs more.
 const FOR_HULL: u64 = 2;
 /// The reserve: half a flip for each vertex, and these.
 const RESERVE: u64 = 1000;

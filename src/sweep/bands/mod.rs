@@ -7,7 +7,8 @@
 //! Why it is right: there is one triangulation of the points and edges (the canonical rule), and every step
 //! leads to that of what has been joined so far.
 //!
-//! Cost: that of the sweep, divided among the threads, and O(n) to join n vertices.
+//! Cost: that of the sweep, divided among the threads, and O(n) to join n vertices. One thread alone finds the
+//! scale, legalizes along the gaps and inserts the edges from band to band.
 //!
 //! Differs from the paper: it knows one thread.
 
@@ -31,10 +32,11 @@ use crate::triangulation::Triangulation;
 use band::{Band, Shared, Swept};
 use strata::Strata;
 
-/// More edges from band to band than these, and than one for so many points, are no gain: one thread inserts
-/// them all.
+/// More bands are of no use: each takes some memory for each chunk of points.
+const MOST: usize = 256;
+/// One thread inserts the edges from band to band. If there are more than these, and than one more for every
+/// eight points, bands are no gain.
 const MANY_ACROSS: usize = 10_000;
-const POINTS_AN_EDGE: usize = 8;
 /// Triangles that a thread finalizes at a time.
 const CHUNK: usize = 1 << 14;
 
@@ -52,7 +54,7 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         return None;
     }
     let located = Located::new(points).ok()?;
-    let strata = Strata::new(&located, bands);
+    let strata = Strata::new(&located, bands.min(MOST));
     drop(located);
     let (first, last) = (&strata.first, strata.bands.len());
     if last < 2 {
@@ -60,7 +62,7 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
     }
     let ends = strata.ends(points.len(), edges)?;
     let across = strata.across(&ends);
-    if across.len() > MANY_ACROSS + points.len() / POINTS_AN_EDGE {
+    if across.len() > MANY_ACROSS + points.len() / 8 {
         return None;
     }
     let inputs = ends.par_iter().map(|&ends| strata.inputs(ends));
