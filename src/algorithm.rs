@@ -17,12 +17,13 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Algorithm {
-    /// The sweep. Where it swaps more sides than a budget allows that is linear in its work, it is
-    /// abandoned, and divide and conquer goes on; with edges it begins anew.
+    /// The sweep. Where it swaps many sides, it goes on with the paper's heuristics. Where it swaps more
+    /// than a budget allows that is linear in its work, it is abandoned, and divide and conquer goes on; with
+    /// edges it begins anew.
     #[default]
     Auto,
-    /// The sweep of Domiter and Žalik (2008), to its end. Fast on ordinary inputs; O(n^2) on some, such as
-    /// the outline of a square with nothing inside.
+    /// The sweep of Domiter and Žalik (2008), to its end and with the heuristics given. Fast on ordinary
+    /// inputs; O(n^2) on some, such as the outline of a square with nothing inside.
     Sweep,
     /// Divide and conquer for the points (Lee and Schachter 1980; Guibas and Stolfi 1985), then the edges
     /// one by one (Anglada 1997): O(n log n) for the points, whatever they are.

@@ -108,7 +108,7 @@ impl<'p, F> Triangulator<'p, F> {
         self
     }
 
-    /// Uses these heuristics.
+    /// Uses these heuristics. [`Algorithm::Auto`] begins with them.
     #[must_use]
     pub fn heuristics(mut self, heuristics: Heuristics) -> Self {
         self.settings.heuristics = heuristics;

@@ -110,7 +110,7 @@ mod tests {
         let equal = [[7.0, 0.0]; COUNT];
         let mut table = HashTable::default();
         table.begin(Domain::new(&equal));
-        assert!(!table.strayed(16 * COUNT), "as many steps are borne");
+        assert!(!table.strayed(4 * COUNT), "as many steps are borne");
         assert!(table.strayed(1));
 
         // Every other vertex is on the front, at the place of its rank.

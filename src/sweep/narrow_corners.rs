@@ -57,16 +57,16 @@ impl Angle {
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Closes the corners right and left of `p` while they are narrow.
     #[inline(always)]
-    pub(super) fn close_narrow_corners(&mut self, p: VertexId) {
-        self.close_narrow(p, Way::Right);
-        self.close_narrow(p, Way::Left);
+    pub(super) fn close_narrow_corners(&mut self, p: VertexId, corners: Corners) {
+        self.close_narrow(p, Way::Right, corners);
+        self.close_narrow(p, Way::Left, corners);
     }
 
     #[inline(always)]
-    fn close_narrow(&mut self, p: VertexId, way: Way) {
+    fn close_narrow(&mut self, p: VertexId, way: Way, corners: Corners) {
         // One obtuse corner on either side. Otherwise each new vertex beside a long straight stretch
         // would close many corners that the next one opens again.
-        let mut may_be_obtuse = self.heuristics.corners == Corners::Wide;
+        let mut may_be_obtuse = corners == Corners::Wide;
         loop {
             let corner = self.front.beside(p, way);
             let far = self.front.beside(corner, way);

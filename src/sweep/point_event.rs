@@ -63,10 +63,11 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.fabric.probe.count(|c| c.left_cases += 1);
             self.close_corner(p, Way::Left, Why::Point);
         }
-        if self.heuristics.corners != Corners::Off {
-            self.close_narrow_corners(p);
+        let heuristics = self.heuristics();
+        if heuristics.corners != Corners::Off {
+            self.close_narrow_corners(p, heuristics.corners);
         }
-        if self.heuristics.basins {
+        if heuristics.basins {
             self.fill_basins(p);
         }
     }

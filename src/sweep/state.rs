@@ -66,6 +66,16 @@ impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
         }
     }
 
+    /// The heuristics of the next point event: those asked for, or the paper's where these flip too much.
+    #[inline(always)]
+    pub(super) fn heuristics(&self) -> Heuristics {
+        if self.fabric.flip_limit.is_excessive() {
+            Heuristics::PAPER
+        } else {
+            self.heuristics
+        }
+    }
+
     /// Puts `v` on the front between `left` and the node after it.
     #[inline(always)]
     pub(super) fn put_on_front(&mut self, v: VertexId, left: VertexId) {
