@@ -1,6 +1,9 @@
-//! Points without edges, for benchmarks.
+//! Random points without edges, and random segments that do not cross, for benchmarks.
 
+use std::cmp::Ordering;
 use std::f64::consts::TAU;
+
+use sweep_cdt::scalar::Scalar;
 
 use crate::{Input, Random};
 
@@ -67,4 +70,74 @@ pub fn circle(n: usize) -> Input {
 fn points(points: Vec<[f64; 2]>) -> Input {
     let edges = Vec::new();
     Input { points, edges }
+}
+
+/// Half as many segments as points, at random places, in random directions and up to twice as long as they
+/// are apart. One that meets an earlier one is drawn again.
+pub fn segments(points: usize) -> Input {
+    let count = points / 2;
+    let mut random = Random::new(6);
+    let mut grid = Grid::new(count);
+    let mut input = Input::default();
+    while input.edges.len() < count {
+        let [x, y] = [random.unit(), random.unit()];
+        let length = 2.0 * random.unit() / (count as f64).sqrt();
+        let (sin, cos) = (TAU * random.unit()).sin_cos();
+        let ends = [[x, y], [x + length * cos, y + length * sin]];
+        if grid.add(ends) {
+            let first = input.points.len();
+            input.points.extend(ends);
+            input.edges.push([first, first + 1]);
+        }
+    }
+    input
+}
+
+/// Segments in square cells by their first ends; a cell is as wide as a segment may be long.
+struct Grid {
+    width: usize,
+    cells: Vec<Vec<[[f64; 2]; 2]>>,
+}
+
+impl Grid {
+    fn new(segments: usize) -> Grid {
+        let width = (segments.isqrt() / 2).max(1);
+        Grid {
+            width,
+            cells: vec![Vec::new(); width * width],
+        }
+    }
+
+    /// Adds a segment, unless it meets another one.
+    fn add(&mut self, segment: [[f64; 2]; 2]) -> bool {
+        let [column, row] = segment[0].map(|c| self.place(c));
+        // The first ends of two segments that meet are less than two cells apart.
+        let near = |i: usize| i.saturating_sub(2)..self.width.min(i + 3);
+        let is_free = near(row).all(|row| {
+            near(column).all(|column| {
+                let others = &self.cells[row * self.width + column];
+                others.iter().all(|other| !meet(segment, *other))
+            })
+        });
+        if is_free {
+            self.cells[row * self.width + column].push(segment);
+        }
+        is_free
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "0 to 1"
+    )]
+    fn place(&self, coordinate: f64) -> usize {
+        ((coordinate * self.width as f64) as usize).min(self.width - 1)
+    }
+}
+
+/// Whether two segments meet; true of some that only lie on one line.
+fn meet([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let turn = |p: &[f64; 2], q: &[f64; 2], r: &[f64; 2]| f64::orient2d(p, q, r);
+    let is_between = |one: Ordering, other: Ordering| one != other || one == Ordering::Equal;
+    is_between(turn(&a, &b, &c), turn(&a, &b, &d)) && is_between(turn(&c, &d, &a), turn(&c, &d, &b))
 }

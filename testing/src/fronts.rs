@@ -1,11 +1,12 @@
-//! Fronts that are chosen when the program runs.
+//! Fronts that are chosen when the program runs; a run with every step of it, and whether another run takes the
+//! same steps.
 //!
 //! The compiler makes a sweep for each scalar with each front, which takes most of the time that the tests
 //! need to compile. With [`AnyFront`] it makes one for each scalar.
 
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::trace::Event;
+use sweep_cdt::trace::{Event, Trace};
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
 
 /// One of the crate's search structures.
@@ -128,11 +129,90 @@ pub fn triangulate<S: Scalar + Sync>(
     triangulator.triangulate(points, edges)
 }
 
-/// The same, and passes every step to `observer`.
-///
-/// # Errors
-/// As [`Triangulator::triangulate_observed`].
-pub fn observe<S: Scalar>(
+/// The steps of a run and its result.
+#[derive(Clone, Debug)]
+pub struct Steps {
+    heuristics: Heuristics,
+    /// Every step.
+    pub trace: Trace,
+    /// The result.
+    pub result: Result<Triangulation, Error>,
+}
+
+impl Steps {
+    /// Those of this input in these numbers, with the default front.
+    pub fn of<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]], heuristics: Heuristics) -> Steps {
+        let mut trace = Trace::default();
+        let mut observer = |event| trace.events.push(event);
+        let result = observe(
+            points,
+            edges,
+            FrontKind::HashTable,
+            heuristics,
+            &mut observer,
+        );
+        Steps {
+            heuristics,
+            trace,
+            result,
+        }
+    }
+
+    /// Panics unless the same input in other numbers or with another front takes the same steps to the
+    /// same end; `name` says which.
+    pub fn assert_same<S: Scalar>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        front: FrontKind,
+        name: &str,
+    ) {
+        self.compare(edges.len(), name, |observer| {
+            observe(points, edges, front, self.heuristics, observer)
+        });
+    }
+
+    /// The same with a front of any type.
+    pub fn assert_same_with(
+        &self,
+        points: &[[f64; 2]],
+        edges: &[[usize; 2]],
+        front: impl FrontSearch + Clone,
+        name: &str,
+    ) {
+        self.compare(edges.len(), name, |observer| {
+            observe_with(points, edges, front, self.heuristics, observer)
+        });
+    }
+
+    /// Compares the steps of a run, and what it returns, with these.
+    fn compare(
+        &self,
+        edges: usize,
+        name: &str,
+        run: impl FnOnce(&mut dyn FnMut(Event)) -> Result<Triangulation, Error>,
+    ) {
+        let mut expected = self.trace.events.iter();
+        let result = run(&mut |event| {
+            assert_eq!(Some(&event), expected.next(), "{name}: a step (left)");
+        });
+        assert_eq!(expected.next(), None, "{name}: the step after the last one");
+        match (&result, &self.result) {
+            (Ok(here), Ok(there)) => assert!(
+                are_equal(here, there, edges),
+                "{name}: {here:?}, not {there:?}"
+            ),
+            (here, there) => assert_eq!(
+                here.as_ref().err(),
+                there.as_ref().err(),
+                "{name}: the error (left)"
+            ),
+        }
+    }
+}
+
+/// Triangulates with a front, and passes every step to `observer`.
+fn observe<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     front: FrontKind,
@@ -143,10 +223,7 @@ pub fn observe<S: Scalar>(
 }
 
 /// The same with a front of any type.
-///
-/// # Errors
-/// As [`Triangulator::triangulate_observed`].
-pub fn observe_with<S: Scalar>(
+fn observe_with<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     front: impl FrontSearch + Clone,
@@ -156,4 +233,14 @@ pub fn observe_with<S: Scalar>(
     let triangulator = Triangulator::new().front(front).heuristics(heuristics);
     let run = triangulator.triangulate_observed(points, edges, observer)?;
     Ok(run.triangulation)
+}
+
+/// Whether two results of an input with this many edges are equal in everything, numbers of triangles too.
+fn are_equal(here: &Triangulation, there: &Triangulation, edges: usize) -> bool {
+    here.triangles().eq(there.triangles())
+        && (0..here.len()).all(|t| here.neighbors(t) == there.neighbors(t))
+        && here.constrained_edges().eq(there.constrained_edges())
+        && here.hull().eq(there.hull())
+        && here.duplicates().eq(there.duplicates())
+        && (0..edges).all(|e| here.edge_chain(e).eq(there.edge_chain(e)))
 }

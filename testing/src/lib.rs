@@ -15,7 +15,6 @@
 //! docs/testing.md describes the tests that are made of this.
 
 pub mod binary;
-mod boundary;
 pub mod clouds;
 pub mod data;
 pub mod families;
@@ -28,11 +27,9 @@ pub mod oracle;
 pub mod peers;
 mod random;
 pub mod runs;
-mod segments;
-mod steps;
 
-pub use boundary::boundary;
+pub use clouds::segments;
+pub use fronts::Steps;
 pub use input::Input;
+pub use oracle::boundary;
 pub use random::Random;
-pub use segments::segments;
-pub use steps::Steps;

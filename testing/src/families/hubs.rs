@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::family::{Family, points};
+use super::points::{Family, points};
 use crate::Input;
 
-pub(super) const FAMILIES: &[Family] = &[
+pub(super) const HUBS: &[Family] = &[
     Family {
         name: "star at one upper end",
         member: |n| star(n, |n| [n / 2.0, n]),

@@ -3,24 +3,21 @@
 //! They are the attacks on every promise about time. `cargo bench --bench growth` measures how time and
 //! memory grow; the tests compare small members with the oracle.
 
-mod chains;
-mod crowds;
-mod family;
 mod hubs;
 mod outlines;
-mod rows;
+mod points;
 
 use crate::Input;
-pub use family::Family;
+pub use points::Family;
 
 /// All families.
 pub fn all() -> impl Iterator<Item = Family> {
     let parts = [
-        rows::FAMILIES,
-        chains::FAMILIES,
-        outlines::FAMILIES,
-        hubs::FAMILIES,
-        crowds::FAMILIES,
+        points::ROWS,
+        outlines::CHAINS,
+        outlines::OUTLINES,
+        hubs::HUBS,
+        points::CROWDS,
     ];
     parts.into_iter().flatten().copied()
 }

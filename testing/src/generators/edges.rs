@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use robust::{Coord, orient2d};
 
-use super::limits::EDGES;
+use super::bytes::EDGES;
 
 /// How edges join the points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

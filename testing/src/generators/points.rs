@@ -2,10 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 
-use super::each::{Points, each};
-use super::limits::FAR_POINTS;
-use super::numbers::{MAGNITUDES, byte, nudged, small, wide};
-use super::rounded::rounded;
+use super::bytes::{FAR_POINTS, MAGNITUDES, Points, byte, each, nudged, rounded, small, wide};
 
 /// What is special about the points of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -11,9 +11,8 @@ use std::collections::{BTreeSet, HashMap};
 
 use sweep_cdt::Triangulation;
 
-use super::answer::{Answer, found, sorted};
+use super::answer::{Answer, ends, found, sorted};
 use super::graph::representatives;
-use super::links::ends;
 use super::numbers::{Number, Point, in_circle, lowering, orient, sweep};
 use crate::with_integers;
 

@@ -2,24 +2,21 @@
 //!
 //! Nothing here is shared with the crate. The numbers are integers (`numbers`), and each part of the answer
 //! is found by trying everything (`graph`: vertices, pieces of edges, crossings; `definition`: triangles,
-//! hull; `verdict`: all of it). That is slow and short, and meant for a dozen points. For large results
-//! `check` tests side by side what makes a triangulation the canonical one. `naive` judges triangulations
-//! of any program, canonical or not. `answer` takes the crate's result apart, and `links` tests whether its
-//! parts agree with each other.
+//! hull, all of it). That is slow and short, and meant for a dozen points. For large results `check` tests
+//! side by side what makes a triangulation the canonical one. `naive` judges triangulations of any program,
+//! canonical or not. `answer` takes the crate's result apart, and tests whether its parts agree with each
+//! other.
 
 mod answer;
 mod check;
 mod definition;
 mod graph;
-mod links;
 mod naive;
 mod numbers;
-mod verdict;
 
-pub use answer::{Answer, canonical, found, sorted};
+pub use answer::{Answer, boundary, canonical, check_links, found, sorted};
 pub use check::{check, check_answer, check_found, firm_sides};
+pub use definition::{Verdict, crosses, exact_verdict, verdict};
 pub use graph::Graph;
-pub use links::check_links;
 pub use naive::{is_exactly_right, is_right};
 pub use numbers::{Integers, Number, Point, integers};
-pub use verdict::{Verdict, crosses, exact_verdict, verdict};
