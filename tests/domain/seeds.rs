@@ -4,8 +4,7 @@ use sweep_cdt::domain::{DomainError, Seed};
 use sweep_cdt::triangulate;
 use sweep_cdt_testing::Random;
 
-use super::oracle::{Point, faces, holds, is_on_edge};
-use super::rings::{Rings, rings};
+use super::oracle::{Point, Rings, faces, holds, is_on_edge, rings};
 
 /// Rings with room between the points, some of their edges left out, and the points that no edge ends at.
 fn dangling(random: &mut Random) -> Rings {

@@ -1,6 +1,6 @@
 //! The test of imports, tested on made-up trees.
 
-use crate::circles::circles;
+use crate::circles;
 use crate::names::{Tree, arrows};
 
 /// The circles in a tree of files, given by path and text.

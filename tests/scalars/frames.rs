@@ -7,8 +7,8 @@ use sweep_cdt::scalar::{Scalar, Unbounded};
 use sweep_cdt::verify::verify;
 use sweep_cdt::{Counters, Triangulator};
 
-use super::crude::Crude;
-use super::reference::*;
+use super::approximation::Crude;
+use super::*;
 
 /// The work for these points; panics unless the verifier finds the result right.
 fn work<S: Scalar>(points: &[[S; 2]]) -> Work {

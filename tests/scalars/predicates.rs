@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-use super::reference::*;
+use super::*;
 
 #[test]
 fn random_points() {

@@ -8,8 +8,8 @@ use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::triangulate;
 
-use super::crude::Crude;
-use super::reference::*;
+use super::approximation::Crude;
+use super::*;
 
 /// The predicates called directly, and the sweep, whose scale is that of all points.
 fn check_scalar<S: Scalar>(points: &[[S; 2]; 4], exact: &Exact, what: &str) {

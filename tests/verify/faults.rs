@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use sweep_cdt::verify::{Verifier, verify};
 
-use super::case::*;
+use super::*;
 
 /// A fault: its name, a triangulation that has it, and the first violation to be reported.
 type Fault = (&'static str, fn() -> Case, &'static str);

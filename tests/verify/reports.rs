@@ -2,8 +2,8 @@
 
 use sweep_cdt::verify::{Verifier, Violation, verify};
 
-use super::case::*;
 use super::domains;
+use super::*;
 use sweep_cdt_testing::Random;
 
 #[test]
