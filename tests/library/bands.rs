@@ -10,11 +10,10 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
 use sweep_cdt_testing::data::{self, Hard};
 use sweep_cdt_testing::families;
+use sweep_cdt_testing::generators::medium;
 use sweep_cdt_testing::oracle::{Answer, check_links, found};
 use sweep_cdt_testing::runs::convert;
 use sweep_cdt_testing::{Input, Random};
-
-use super::generators::medium;
 
 const BANDS: [usize; 4] = [2, 3, 4, 5];
 

@@ -3,32 +3,31 @@
 //! * `cases`: small named inputs. `hard`: inputs that broke other programs. `random`: generated ones. Each
 //!   goes through `runs` (every scalar with every front and setting of the heuristics) and is compared with
 //!   the oracle of `sweep_cdt_testing`, which is itself tested in `oracle`. `limits`: the largest numbers,
-//!   and what is refused.
-//! * `trace`: the steps of the paper's figures, which are snapshots; the steps are the same for every scalar
-//!   and front, and a replay returns the result.
-//! * `draw`: the sentences of the drawn steps, and one picture of each kind, as snapshots.
-//! * `work`: how much work larger inputs take, as snapshots. `statistics`: what a run reports of itself.
-//! * `bands`: the sweep on all cores.
-//! * `growth`: no family of inputs takes more than its share of work, and none that is abandoned by the
-//!   sweep has another result. `contradictions`: scalars that are not exact end in a panic that says so.
-//! * `fronts`: what a run returns of its front, progress and statistics. `files`: odd files.
+//!   what is refused, and scalars that are not exact, which end in a panic that says so.
+//! * `trace`: the steps of the paper's figures and the sentences of the drawn steps, which are snapshots; the
+//!   steps are the same for every scalar and front, and a replay returns the result.
+//! * `draw`: one picture of each kind, as a snapshot.
+//! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
+//!   work, and none that is abandoned by the sweep has another result.
+//! * `statistics`: what a run reports of itself, its front and its progress. `bands`: the sweep on all cores.
+//!   `files`: odd files.
 //! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
 //! * `scalars`, `domain` and `verify`: the exact predicates, what is inside, and the verifier.
 //!
 //! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin,
-//! `SWEEP_CDT_DOMAINS` how many rings, and `SWEEP_CDT_HARD` names a folder of further hard inputs. docs/testing.md has more.
+//! `SWEEP_CDT_DOMAINS` how many rings, and `SWEEP_CDT_HARD` names a folder of further hard inputs. docs/testing.md
+//! has more.
+//!
+//! Snapshots are plain text in `snapshots/`, to be read with the paper at hand.
+//! `INSTA_UPDATE=always cargo test --test library` writes them anew; then a person must look at what has changed.
 #![cfg(feature = "cli")]
 
 mod bands;
 mod cases;
-mod contradictions;
 #[path = "../domain/mod.rs"]
 mod domain;
 mod draw;
 mod files;
-mod fronts;
-mod generators;
-mod growth;
 mod hard;
 mod limits;
 mod oracle;
@@ -37,10 +36,34 @@ mod random;
 mod runs;
 #[path = "../scalars/mod.rs"]
 mod scalars;
-mod snapshot_names;
-mod snapshots;
 mod statistics;
 mod trace;
 #[path = "../verify/mod.rs"]
 mod verify;
 mod work;
+
+use std::collections::BTreeSet;
+
+use sweep_cdt_testing::data;
+
+/// Compares with the snapshot of this name.
+fn assert_snapshot(name: &str, text: &str) {
+    let mut settings = insta::Settings::new();
+    settings.set_snapshot_path("../../snapshots");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+/// The snapshots in the folder are those that the tests use.
+#[test]
+fn every_snapshot_is_used() {
+    let found: BTreeSet<String> = data::files(&data::path("snapshots"), "snap")
+        .iter()
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
+        .collect();
+    let names = trace::NAMES.iter().chain(work::NAMES);
+    let names = names.chain(draw::NAMES).chain(trace::formats::NAMES);
+    let used: BTreeSet<String> = names.map(|name| (*name).to_owned()).collect();
+    assert_eq!(found, used, "(left: the folder, right: the tests)");
+}

@@ -1,13 +1,11 @@
 //! The oracle itself against another program, and against the local tests of `check`.
 
 use arbitrary::Unstructured;
-use sweep_cdt_testing::generators::{Shape, read_shape};
+use sweep_cdt_testing::generators::{Shape, read_shape, small};
 use sweep_cdt_testing::oracle::{Verdict, check_found, verdict};
 use sweep_cdt_testing::peers;
 
 use sweep_cdt_testing::Random;
-
-use crate::generators::small;
 
 /// The triangles that `spade` finds, each with its lowest vertex first; sorted.
 fn spade_triangles(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Vec<[usize; 3]> {

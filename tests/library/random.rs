@@ -11,9 +11,9 @@ use sweep_cdt::triangulate;
 
 use sweep_cdt_testing::Random;
 
-use crate::generators::{medium, small};
 use sweep_cdt_properties::canonical;
 use sweep_cdt_testing::Input;
+use sweep_cdt_testing::generators::{medium, small};
 use sweep_cdt_testing::minimize;
 use sweep_cdt_testing::oracle::{check, verdict};
 

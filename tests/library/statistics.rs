@@ -1,11 +1,14 @@
-//! What a run reports of itself: numbers, times, memory, progress, and how good its front structure was.
+//! What a [`Run`](sweep_cdt::Run) reports of itself: numbers, times, memory, progress, how good its front structure
+//! was, and what it returns of its settings.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
+use std::fmt::Debug;
 use std::time::{Duration, Instant};
 
-use sweep_cdt::Triangulator;
-use sweep_cdt::front::{Domain, FrontSearch, Linear, SkipList};
-
+use num_bigint::BigInt;
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Counters, Heuristics, Stats, Triangulator};
 use sweep_cdt_testing::Random;
 
 /// The first points of a raster, row by row.
@@ -76,7 +79,7 @@ fn progress_every_few_thousand_points() {
 }
 
 /// How many steps of the walk a structure left, a point.
-fn steps<F: FrontSearch + Clone + Default>(points: &[[f64; 2]]) -> f64 {
+fn steps_a_point<F: FrontSearch + Clone + Default>(points: &[[f64; 2]]) -> f64 {
     let run = Triangulator::new()
         .front(F::default())
         .triangulate_with_stats(points, &[]);
@@ -94,13 +97,13 @@ fn skewed(power: i32) -> Vec<[f64; 2]> {
 #[test]
 fn a_skip_list_leaves_no_steps() {
     for points in [skewed(1), skewed(5), raster(5000)] {
-        assert!(steps::<SkipList>(&points) == 0.0);
+        assert!(steps_a_point::<SkipList>(&points) == 0.0);
     }
 }
 
 #[test]
 fn the_last_node_is_near_where_points_come_in_rows() {
-    assert!(steps::<Linear>(&raster(5000)) < 3.0);
+    assert!(steps_a_point::<Linear>(&raster(5000)) < 3.0);
 }
 
 #[test]
@@ -110,4 +113,173 @@ fn a_domain_is_the_vertices() {
     assert_eq!((domain.len(), domain.is_empty()), (2, false));
     assert_eq!([0, 1].map(|rank| domain.x(rank).to_string()), ["3", "2"]);
     assert!(Domain::new(&[]).is_empty());
+}
+
+/// So many points squared, scattered in a square.
+fn square(side: usize) -> Vec<[f64; 2]> {
+    let at = |i: usize| [i * 7919 % 1009, i * 6007 % 1013].map(|x| x as f64);
+    (0..side * side).map(at).collect()
+}
+
+/// A structure that an earlier run has filled works as a new one does.
+fn assert_forgets<F: FrontSearch + Clone + Debug + Default>() {
+    let [large, small] = [70, 10].map(square);
+    let count = |front: F, points: &[[f64; 2]]| {
+        let triangulator = Triangulator::new().front(front);
+        let run = triangulator.triangulate_with_stats(points, &[]);
+        run.map(|run| (run.stats.counters, run.front))
+            .expect("no edges")
+    };
+    for [first, second] in [[&large, &small], [&small, &large]] {
+        let (_, used) = count(F::default(), first);
+        let (expected, new) = count(F::default(), second);
+        let (found, used) = count(used, second);
+        assert_eq!(found, expected);
+        assert_eq!(format!("{used:?}"), format!("{new:?}"));
+    }
+}
+
+#[test]
+fn every_front_forgets_an_earlier_run() {
+    assert_forgets::<HashTable>();
+    assert_forgets::<SkipList>();
+    assert_forgets::<Linear>();
+}
+
+/// Counts what it is asked.
+#[derive(Clone, Default)]
+struct Counting {
+    begun: usize,
+    searches: usize,
+}
+
+impl FrontSearch for Counting {
+    fn begin(&mut self, _: Domain<'_>) {
+        self.begun += 1;
+    }
+
+    fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
+        self.searches += 1;
+        front.left_end()
+    }
+}
+
+#[test]
+fn the_front_that_was_used_comes_back() {
+    let points = square(5);
+    let triangulator = Triangulator::new().front(Counting::default());
+    let counted = triangulator.triangulate_with_stats(&points, &[]);
+    let observed = triangulator.triangulate_observed(&points, &[], |_| ());
+    for run in [counted, observed] {
+        let front = run.expect("no edges").front;
+        assert_eq!((front.begun, front.searches), (1, points.len() - 1));
+    }
+}
+
+#[test]
+fn settings_hold_in_any_order_and_for_every_kind_of_run() {
+    let points = square(10);
+    let calls = Cell::new(0);
+    let progress = |_, _| calls.set(calls.get() + 1);
+    let first = Triangulator::new().progress(&progress);
+    let first = first.heuristics(Heuristics::OFF).front(Linear::default());
+    let last = Triangulator::new().front(Linear::default());
+    let last = last.heuristics(Heuristics::OFF).progress(&progress);
+    for triangulator in [first, last] {
+        let kinds = [
+            triangulator.triangulate_with_stats(&points, &[]),
+            triangulator.triangulate_observed(&points, &[], |_| ()),
+        ];
+        for run in kinds {
+            let Counters {
+                narrow_corners,
+                basin_triangles,
+                ..
+            } = run.expect("no edges").stats.counters;
+            assert_eq!((narrow_corners, basin_triangles), (0, 0));
+        }
+        triangulator.triangulate(&points, &[]).expect("no edges");
+        assert_eq!(calls.replace(0), 3);
+    }
+}
+
+#[test]
+fn an_observed_run_has_the_statistics_of_any_other() {
+    let (points, edges) = (square(20), [[0, 399], [3, 7]]);
+    let timeless = |stats: Stats| {
+        let times = [stats.initialization, stats.sweeping, stats.finalization];
+        assert!(times.iter().all(|time| !time.is_zero()), "{times:?}");
+        (stats.points, stats.triangles, stats.memory, stats.counters)
+    };
+    let triangulator = Triangulator::new();
+    let counted = triangulator.triangulate_with_stats(&points, &edges);
+    let observed = triangulator.triangulate_observed(&points, &edges, |_| ());
+    let [counted, observed] = [counted, observed].map(|run| run.expect("no edges cross").stats);
+    assert_eq!(timeless(observed), timeless(counted));
+}
+
+/// Sizes that differ so much that only big integers decide, and points on one line and one circle.
+#[test]
+fn signs_from_big_integers_are_counted_as_such() {
+    let points = [
+        [0.0, 0.0],
+        [1e-300, 0.0],
+        [1e200, 0.0],
+        [2e200, 0.0],
+        [0.0, 1e200],
+        [1e200, 1e200],
+    ];
+    let run = Triangulator::new().triangulate_with_stats(&points, &[]);
+    let counters = run.expect("no edges").stats.counters;
+    let big = [counters.orient2d_big, counters.in_circle_big];
+    assert!(big.iter().all(|&count| count > 0), "{counters:?}");
+    let others = counters.orient2d_integers + counters.orient2d_expansions;
+    assert_eq!(counters.orient2d_exact(), others + counters.orient2d_big);
+}
+
+/// Steps along the front for each vertex.
+fn whole_steps_a_point<F: FrontSearch + Clone + Default, S: Scalar>(points: &[[S; 2]]) -> u64 {
+    let triangulator = Triangulator::new().front(F::default());
+    let run = triangulator.triangulate_with_stats(points, &[]);
+    run.expect("no edges").stats.counters.front_steps / points.len() as u64
+}
+
+/// A fifth of the points in a millionth of the width and height: equal intervals would be crowded.
+#[test]
+fn a_crowded_fifth_makes_no_walk_longer() {
+    let mut points = Random::new(1).points(50_000);
+    for point in points.iter_mut().step_by(5) {
+        *point = point.map(|x| 0.5 + 1e-6 * x);
+    }
+    assert!(whole_steps_a_point::<HashTable, _>(&points) < 2);
+}
+
+/// The points that the hash table samples lie all over the width, the others in a tiny part of it.
+#[test]
+fn points_placed_beside_the_sample_make_no_search_long() {
+    const COUNT: usize = 60_000;
+    let sampled = COUNT.div_ceil(4096);
+    let mut points = Random::new(1).points(COUNT);
+    points.sort_by(|a, b| a[1].total_cmp(&b[1]));
+    for (rank, [x, y]) in points.iter_mut().enumerate() {
+        *y *= 1e-9;
+        if rank % sampled != 0 {
+            *x = 0.5 + 1e-9 * *x;
+        }
+    }
+    // First it bears 16 steps a vertex, then it asks for places.
+    assert!(whole_steps_a_point::<HashTable, _>(&points) < 18);
+}
+
+/// A row far from most points, where doubles cannot tell its points apart, and points above it.
+#[test]
+fn points_with_equal_doubles_make_no_search_long() {
+    let far = BigInt::from(1) << 100;
+    let row = |i: i32| [&far + 1000 * i, BigInt::from(0)];
+    let above = |i: i32| [&far + (i * 7919 % 1000) * 1000 + 500, BigInt::from(1 + i)];
+    let near = |i: i32| [i, 10_000 + i * i % 7].map(BigInt::from);
+    let mut points: Vec<[BigInt; 2]> = (0..1000).flat_map(|i| [row(i), above(i)]).collect();
+    points.extend((0..3000).map(near));
+    assert!(whole_steps_a_point::<HashTable, _>(&points) < 18);
+    assert!(whole_steps_a_point::<SkipList, _>(&points) < 18);
 }

@@ -52,7 +52,7 @@ pub(super) fn byte(bytes: &mut Unstructured<'_>) -> Result<u8> {
 }
 
 /// An integer from `-limit` to `limit` out of one byte.
-pub(super) fn small(bytes: &mut Unstructured<'_>, limit: u8) -> Result<f64> {
+pub(super) fn integer(bytes: &mut Unstructured<'_>, limit: u8) -> Result<f64> {
     let values = 2 * u16::from(limit) + 1;
     Ok(f64::from(u16::from(byte(bytes)?) % values) - f64::from(limit))
 }

@@ -5,7 +5,7 @@
 //! edges, so a small change of the bytes is a small change of the input. Where the bytes run out, the list
 //! that they were read for ends. Every sequence of bytes is an input.
 //!
-//! An input has at most [`POINTS`] points, so that every exact check of it ends soon.
+//! An input has at most [`POINTS`] points, so that every exact check of it ends soon. [`medium`] makes larger ones.
 
 mod bytes;
 mod edges;
@@ -17,7 +17,7 @@ pub use bytes::{EDGES, FAR_POINTS, POINTS};
 pub use edges::{Pattern, drop_crossings};
 pub use points::Shape;
 
-use crate::Input;
+use crate::{Input, Random};
 
 /// The input that these bytes stand for.
 pub fn input(bytes: &[u8]) -> Input {
@@ -91,6 +91,50 @@ fn disguise(kind: u8, points: &mut Vec<[f64; 2]>) {
         *points = changed;
         points.extend((kind == 7).then_some([1.0, 0.5]));
     }
+}
+
+/// A small degenerate input out of random bytes, of up to about a dozen points.
+pub fn small(random: &mut Random) -> Input {
+    let mut bytes = random.bytes(5);
+    // The third byte is the number of points.
+    bytes[2] %= 13;
+    let more = 4 + random.below(40);
+    bytes.extend(random.bytes(more));
+    input(&bytes)
+}
+
+/// Uniform points, a lattice, few columns or few rows, with a few long edges and many short ones that
+/// do not cross: hundreds of both, pseudo-polygons full of edges that end in them.
+pub fn medium(random: &mut Random) -> Input {
+    let (width, height) = random.pick(&[(1 << 20, 1 << 20), (9, 9), (40, 15), (3, 200), (200, 3)]);
+    let n = 100 + random.below(300);
+    let mut input = Input::default();
+    for _ in 0..n {
+        input
+            .points
+            .push([random.integer(width), random.integer(height)]);
+    }
+    for _ in 0..random.below(8) {
+        input.edges.push([random.below(n), random.below(n)]);
+    }
+    let tries = random.pick(&[1, 5, 50]);
+    for _ in 0..random.below(n) {
+        let a = random.below(n);
+        let distance = |b: usize| {
+            let [x, y] = [0, 1].map(|i| input.points[a][i] - input.points[b][i]);
+            x.hypot(y)
+        };
+        let others: Vec<usize> = (0..tries)
+            .map(|_| random.below(n))
+            .filter(|&b| b != a)
+            .collect();
+        let nearest = others
+            .into_iter()
+            .min_by(|&b, &c| distance(b).total_cmp(&distance(c)));
+        input.edges.extend(nearest.map(|b| [a, b]));
+    }
+    drop_crossings(&input.points, &mut input.edges);
+    input
 }
 
 /// Bytes that stand for this input, for seeds made of inputs that are known to be hard, if there are any: few points, or small integers; few edges.

@@ -2,7 +2,7 @@
 
 use arbitrary::{Result, Unstructured};
 
-use super::bytes::{FAR_POINTS, MAGNITUDES, Points, byte, each, nudged, rounded, small, wide};
+use super::bytes::{FAR_POINTS, MAGNITUDES, Points, byte, each, integer, nudged, rounded, wide};
 
 /// What is special about the points of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,11 +100,13 @@ pub(super) fn read(
         Shape::Line => line(n, bytes)?,
         Shape::Parabola => {
             let flatness = 2f64.powi(-i32::from(byte(bytes)? & 15));
-            each(n, bytes, |_, b| small(b, 60).map(|x| [x, x * x * flatness]))?
+            each(n, bytes, |_, b| {
+                integer(b, 60).map(|x| [x, x * x * flatness])
+            })?
         }
         Shape::Comb => each(n, bytes, |i, b| {
             let height = if i % 2 == 0 { 100.0 } else { 0.0 };
-            Ok([2.0 * count(i), height + small(b, 12)?])
+            Ok([2.0 * count(i), height + integer(b, 12)?])
         })?,
         Shape::Alternating => each(n, bytes, |i, b| {
             let side = if i % 2 == 0 { 1.0 } else { -1.0 };
@@ -229,7 +231,7 @@ fn on_segments(n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
 }
 
 fn line(n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
-    let step = [small(bytes, 3)?, small(bytes, 3)?];
+    let step = [integer(bytes, 3)?, integer(bytes, 3)?];
     each(n, bytes, |_, b| {
         let place = byte(b)?;
         if place < 32 {
