@@ -43,7 +43,7 @@
 //! makes the bound infinite or NaN. Then the filter decides nothing.
 //!
 //! Gappa checks the inequalities for the constants, the factors of each term and the bound on underflow
-//! (`tests/proofs`). Checked by hand only: the number of factors, the inequality of the two means behind
+//! (`tests/proofs.gappa`). Checked by hand only: the number of factors, the inequality of the two means behind
 //! P <= A (B + C) + B C, and that the error of a sum is at most the sum of the errors of its terms.
 //!
 //! Cost: about 2 ns (orientation) and 4 ns (in circle) for exact doubles, three times that for others.

@@ -20,7 +20,6 @@ pub mod data;
 pub mod families;
 pub mod fronts;
 pub mod generators;
-mod input;
 pub mod minimize;
 pub mod oracle;
 #[cfg(feature = "peers")]
@@ -29,7 +28,7 @@ mod random;
 pub mod runs;
 
 pub use clouds::segments;
+pub use data::Input;
 pub use fronts::Steps;
-pub use input::Input;
 pub use oracle::boundary;
 pub use random::Random;

@@ -2,7 +2,7 @@
 //!
 //! * `cases`: small named inputs. `hard`: inputs that broke other programs. `random`: generated ones. Each
 //!   goes through `runs` (every scalar with every front and setting of the heuristics) and is compared with
-//!   the oracle of `sweep_cdt_testing`, which is itself tested in `oracle`. `limits`: the largest numbers,
+//!   the oracle of `sweep_cdt_testing`, which is itself tested in `random`. `limits`: the largest numbers,
 //!   what is refused, and scalars that are not exact, which end in a panic that says so.
 //! * `trace`: the steps of the paper's figures and the sentences of the drawn steps, which are snapshots; the
 //!   steps are the same for every scalar and front, and a replay returns the result.
@@ -30,7 +30,6 @@ mod draw;
 mod files;
 mod hard;
 mod limits;
-mod oracle;
 mod properties;
 mod random;
 mod runs;

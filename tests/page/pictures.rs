@@ -1,12 +1,103 @@
-//! Pictures to look at, written to the folder that `SWEEP_CDT_SCREENSHOTS` names.
+//! Pictures of single steps, and pictures of the page to look at.
 
 use std::fs;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use sweep_cdt::draw::StepsSheet;
+use sweep_cdt::formats::Graph;
+use sweep_cdt::trace::{Event, Outcome, Vertex};
 
-use super::inputs::{many, scattered};
-use super::{ALL, Browser, assert_quiet, events, page};
+use super::{ALL, Browser, assert_quiet, events, many, page, scattered};
+
+fn sheet(graph: &Graph<f64>, steps: RangeInclusive<usize>) -> String {
+    let mut sheet = Vec::new();
+    StepsSheet::new(graph, &events(graph))
+        .steps(steps)
+        .write(&mut sheet)
+        .expect("memory takes all");
+    String::from_utf8(sheet).expect("text")
+}
+
+fn panels(sheet: &str) -> usize {
+    sheet.matches("class=\"frame\"").count()
+}
+
+#[test]
+fn one_step() {
+    let sheet = sheet(&scattered(), 1..=1);
+    assert_eq!(panels(&sheet), 1);
+    assert!(sheet.contains("Vertex 1 is the next one in sweep order."));
+}
+
+#[test]
+fn several_steps() {
+    let graph = scattered();
+    let last = events(&graph).len();
+    let sheet = sheet(&graph, last - 4..=last + 10);
+    assert_eq!(panels(&sheet), 5);
+    assert!(!sheet.contains("The first"));
+}
+
+#[test]
+fn too_many_steps() {
+    let sheet = sheet(&many(400), ALL);
+    assert_eq!(panels(&sheet), 60);
+    assert!(sheet.contains("The first 60 of "));
+}
+
+/// Of the steps of a test, those with an artificial point say why they show no circle.
+#[test]
+fn circles() {
+    let graph = scattered();
+    let (mut real, mut artificial) = (0, 0);
+    for (step, event) in (1..).zip(events(&graph)) {
+        let Event::Test {
+            side: [a, b],
+            opposite: [p, q],
+            outcome,
+        } = event
+        else {
+            continue;
+        };
+        let sheet = sheet(&graph, step..=step);
+        let has_circle = ["legal", "illegal"]
+            .iter()
+            .any(|class| sheet.contains(&format!("<circle class=\"{class}\"")));
+        let is_excused = sheet.contains("No circle is drawn");
+        let is_real = [a, b, p, q].iter().all(|v| matches!(v, Vertex::Input(_)));
+        if outcome == Outcome::Fixed {
+            assert!(!has_circle && !is_excused, "{event}");
+        } else {
+            assert_eq!([has_circle, is_excused], [is_real, !is_real], "{event}");
+            *(if is_real { &mut real } else { &mut artificial }) += 1;
+        }
+    }
+    assert!(real > 0 && artificial > 0);
+}
+
+/// Whatever the coordinates, all numbers in the file are finite.
+#[test]
+fn extreme_inputs() {
+    for points in [
+        vec![],
+        vec![[1.0, 1.0]],
+        vec![[0.0, 0.0], [0.0, 1.0], [0.0, 2.0]],
+        vec![[-1e308, -1e308], [1e308, -1e308], [0.0, 1e308]],
+        vec![[0.0, 0.0], [5e-324, 0.0], [0.0, 5e-324]],
+    ] {
+        let graph = Graph {
+            points,
+            ..Graph::default()
+        };
+        let sheet = sheet(&graph, ALL);
+        assert!(
+            !sheet.contains("NaN") && !sheet.contains("inf"),
+            "{:?}",
+            graph.points
+        );
+    }
+}
 
 /// The last step with a change of that name, and the last one with these words.
 const FIND: &str = "const lastWith = (wanted) => trace.first + trace.steps.findLastIndex(
@@ -14,6 +105,7 @@ const FIND: &str = "const lastWith = (wanted) => trace.first + trace.steps.findL
   const lastWords = (words) => trace.first + trace.steps.findLastIndex(
     (step) => step[1].includes(words));";
 
+/// Written to the folder that `SWEEP_CDT_SCREENSHOTS` names.
 #[test]
 fn screenshots() {
     let Some(folder) = std::env::var_os("SWEEP_CDT_SCREENSHOTS").map(PathBuf::from) else {

@@ -19,7 +19,9 @@ use sweep_cdt_testing::{Input, Random, Steps, data};
 
 use crate::{assert_snapshot, cases};
 
-const HEURISTICS: [Heuristics; 3] = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
+const OFF: Heuristics = Heuristics::OFF;
+const PAPER: Heuristics = Heuristics::PAPER;
+const HEURISTICS: [Heuristics; 3] = [Heuristics::FAST, PAPER, OFF];
 
 /// The steps of the default scalar and front.
 fn steps(input: &Input, heuristics: Heuristics) -> Steps {
@@ -37,9 +39,6 @@ fn lines(trace: &Trace) -> String {
     trace.write_lines(&mut text).expect("memory takes all");
     String::from_utf8(text).expect("text")
 }
-
-const OFF: Heuristics = Heuristics::OFF;
-const PAPER: Heuristics = Heuristics::PAPER;
 
 /// The basin heuristic alone.
 fn basins() -> Heuristics {

@@ -1,10 +1,12 @@
-//! The answers of other crates to the hard inputs: the verifier must call correct those that are, and
-//! no other.
+//! Results of other programs: the verifier accepts the right ones and refuses the wrong ones.
 //!
-//! Where no four vertices lie on one circle there is only one correct answer, the sweep's, so that a
-//! verdict can be checked by comparing lists. `cargo test --release --test peers -- --nocapture` lists
-//! the wrong answers; a folder with more inputs may be named in `SWEEP_CDT_HARD`. Each answer is asked
-//! for in a process of its own: some never come, and some programs crash.
+//! First answers of other crates to chosen inputs: which are right, and which are known to be wrong. Then their
+//! answers to the hard inputs: the verifier must call correct those that are, and no other. Where no four
+//! vertices lie on one circle there is only one correct answer, the sweep's, so that a verdict can be checked by
+//! comparing lists. `cargo test --release --test peers -- --nocapture` lists the wrong answers; a folder with more
+//! inputs may be named in `SWEEP_CDT_HARD`. Each answer is asked for in a process of its own: some never come,
+//! and some programs crash.
+#![cfg(feature = "cli")]
 
 use std::collections::BTreeMap;
 use std::env::{current_exe, var, var_os};
@@ -13,11 +15,85 @@ use std::process::{Command, Stdio};
 use std::thread::{self, sleep};
 use std::time::{Duration, Instant};
 
-use sweep_cdt::verify::Verifier;
+use num_rational::BigRational;
+use sweep_cdt::verify::{Verifier, Violation, verify};
 use sweep_cdt::{Triangulation, triangulate};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::data::Hard;
-use sweep_cdt_testing::peers::{Answer, PROGRAMS};
+use sweep_cdt_testing::peers::{Answer, PROGRAMS, cdt, delaunator, spade};
+
+/// Points on a Weyl sequence: evenly spread, not on a lattice.
+fn spread(n: usize) -> Vec<[f64; 2]> {
+    let steps = [0.618_033_988_749_894_9, 0.754_877_666_246_692_7];
+    (1..=n)
+        .map(|i| steps.map(|step| (i as f64 * step).fract()))
+        .collect()
+}
+
+fn lattice(n: usize) -> Vec<[f64; 2]> {
+    (0..n * n)
+        .map(|i| [(i % n) as f64, (i / n) as f64])
+        .collect()
+}
+
+#[test]
+fn right_results() {
+    for points in [spread(10), spread(3000), lattice(20)] {
+        verify(&points, &[], &spade(&points, &[]).unwrap()).unwrap();
+        let clockwise = Verifier::new().accept_clockwise(true);
+        clockwise
+            .verify(&points, &[], &delaunator(&points, &[]).unwrap())
+            .unwrap();
+    }
+    for points in [spread(10), spread(100), lattice(20)] {
+        verify(&points, &[], &cdt(&points, &[]).unwrap()).unwrap();
+    }
+    // Parallel edges, longer than the points are far apart.
+    let points = spread(500);
+    let edges: Vec<[usize; 2]> = (0..267).map(|i| [i, i + 233]).collect();
+    verify(&points, &edges, &spade(&points, &edges).unwrap()).unwrap();
+}
+
+/// The three agree up to cocircular points, where each chooses its own way.
+#[test]
+fn choices() {
+    let points = lattice(20);
+    let ours: Vec<[usize; 3]> = triangulate(&points, &[]).unwrap().triangles().collect();
+    let ours = verify(&points, &[], &ours).unwrap();
+    let spades = verify(&points, &[], &spade(&points, &[]).unwrap()).unwrap();
+    assert_eq!(ours.cocircular_sides, 19 * 19);
+    assert_eq!(spades.cocircular_sides, 19 * 19);
+    assert!(ours.is_canonical() && !spades.is_canonical());
+}
+
+/// `delaunator` 1 decides the in-circle test in plain doubles, `cdt` 0.1 misses flips.
+#[test]
+fn wrong_results() {
+    let circle: Vec<[f64; 2]> = spread(300)
+        .iter()
+        .map(|p| (p[0] * std::f64::consts::TAU).sin_cos())
+        .map(|(sin, cos)| [3.0 + cos, 5.0 + sin])
+        .collect();
+    let spread = spread(3000);
+    let results = [
+        (&circle, delaunator(&circle, &[]).unwrap()),
+        (&spread, cdt(&spread, &[]).unwrap()),
+    ];
+    for (points, result) in results {
+        let verifier = Verifier::new().accept_clockwise(true).limit(usize::MAX);
+        let violations = verifier.verify(points, &[], &result).unwrap_err();
+        let is_caught = |v: &Violation| v.name() == "not-delaunay";
+        assert!(violations.list.iter().all(is_caught), "{violations}");
+        let rationals: Vec<[BigRational; 2]> = points
+            .iter()
+            .map(|p| p.map(|x| BigRational::from_float(x).unwrap()))
+            .collect();
+        let exact = verifier.verify(&rationals, &[], &result).unwrap_err();
+        assert_eq!(exact.list, violations.list);
+        let ours: Vec<[usize; 3]> = triangulate(points, &[]).unwrap().triangles().collect();
+        verify(points, &[], &ours).unwrap();
+    }
+}
 
 /// How long a program may take for one input.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -104,7 +180,7 @@ fn ask(program: &str, Input { points, edges }: &Input) -> Answer {
     let text = serde_json::to_string(&(points, edges)).expect("finite numbers");
     fs::write(&question, text).expect("it is written");
     let mut child = Command::new(current_exe().expect("a path"))
-        .args(["--exact", "hard::wrong_answers_and_no_others_are_found"])
+        .args(["--exact", "wrong_answers_and_no_others_are_found"])
         .env(PROGRAM, program)
         .env(INPUT, question)
         .env(ANSWER, &file)

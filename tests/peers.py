@@ -3,7 +3,7 @@
 
     cargo build --release
     pip install numpy scipy triangle
-    python3 tests/peers/peers.py [SECONDS]
+    python3 tests/peers.py [SECONDS]
 
 Reads `tests/data/hard.jsonl` and the folder that SWEEP_CDT_HARD names, runs each program on each input in a
 process of its own (it may crash, and it has SECONDS, 10 by default), writes its triangles to a file, and lets
@@ -23,16 +23,14 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[1]
 # Inputs that no triangulation can be made of.
 HOPELESS = {"nonfinite", "invalid_index", "crossing", "all_collinear", "too_few"}
-
 
 def delaunay_by_scipy(points, _edges):
     from scipy.spatial import Delaunay
 
     return points, Delaunay(points).simplices.tolist()
-
 
 def by_triangle(options):
     def run(points, edges):
@@ -46,7 +44,6 @@ def by_triangle(options):
 
     return run
 
-
 # Name: the package, whether it takes edges, the function, and the extension of what is written.
 PROGRAMS = {
     "scipy": ("scipy", False, delaunay_by_scipy, "json"),
@@ -55,13 +52,11 @@ PROGRAMS = {
     "triangle pcF": ("triangle", True, by_triangle("pcF"), "ele"),
 }
 
-
 def read(path):
     """The points and edges of an input, and what is special about it."""
     content = json.loads(path.read_text())
     points = [[float(x), float(y)] for x, y in content["points"]]
     return points, content["edges"], content.get("expect", "valid")
-
 
 def write(target, points, triangles):
     """Writes a result, numbered from 0; beside an .ele the vertices, to the last bit."""
@@ -73,12 +68,10 @@ def write(target, points, triangles):
     lines = [f"{len(points)} 2 0 0", *(f"{v} {x!r} {y!r}" for v, (x, y) in enumerate(points))]
     target.with_suffix(".node").write_text("\n".join(lines) + "\n")
 
-
 def child(program, source, target):
     """Runs one program on one input, in a process of its own."""
     points, edges, _ = read(pathlib.Path(source))
     write(pathlib.Path(target), *PROGRAMS[program][2](points, edges))
-
 
 def ask(program, source, target, seconds):
     """Why there is no answer, or nothing."""
@@ -94,7 +87,6 @@ def ask(program, source, target, seconds):
     said = run.stderr.strip().splitlines() or [f"status {run.returncode}"]
     return "refuses: " + said[-1]
 
-
 def judge(command, source, target):
     """What the verifier finds, or nothing."""
     run = subprocess.run(
@@ -109,7 +101,6 @@ def judge(command, source, target):
     first = answer["violations"][0]["message"]
     found = answer["violations_found"]
     return f"WRONG: {found} violations ({', '.join(classes)}), the first: {first}"
-
 
 def main():
     command = ROOT / "target/release/sweep-cdt"
@@ -147,7 +138,6 @@ def main():
     print()
     for program, kinds in totals.items():
         print(f"{program}: {', '.join(f'{kind} {count}' for kind, count in sorted(kinds.items()))}")
-
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--child"]:

@@ -2,7 +2,7 @@
 //!
 //! Gappa (Debian package `gappa`) bounds the rounding of floating-point expressions. Melquiond and Pion,
 //! "Formally certified floating-point filters for homogeneous geometric predicates" (2007), checked
-//! filters of this kind with it. Each script in this folder proves one part of the reasoning in
+//! filters of this kind with it. Each script in `tests/proofs.gappa` proves one part of the reasoning in
 //! `src/scalar/filter.rs`; what remains by hand is said there.
 //!
 //! Proof and code cannot drift apart: the constants in the scripts are those of the source text, and
@@ -15,35 +15,34 @@
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-const FILTER: &str = include_str!("../../src/scalar/filter.rs");
-const SCALE: &str = include_str!("../../src/scalar/scale.rs");
-const DOUBLES: &str = include_str!("../../src/scalar/doubles.rs");
+const FILTER: &str = include_str!("../src/scalar/filter.rs");
+const SCALE: &str = include_str!("../src/scalar/scale.rs");
+const DOUBLES: &str = include_str!("../src/scalar/doubles.rs");
 
-/// The scripts, and the constants that each is about.
-const SCRIPTS: [(&str, &str, &[&str]); 6] = [
-    (
-        "orient2d_exact",
-        include_str!("orient2d_exact.gappa"),
-        &["ORIENT2D"],
-    ),
-    (
-        "in_circle_exact",
-        include_str!("in_circle_exact.gappa"),
-        &["IN_CIRCLE"],
-    ),
-    (
-        "orient2d_approx",
-        include_str!("orient2d_approx.gappa"),
-        &["ORIENT2D_APPROX"],
-    ),
-    (
-        "in_circle_approx",
-        include_str!("in_circle_approx.gappa"),
-        &["IN_CIRCLE_APPROX"],
-    ),
-    ("underflow", include_str!("underflow.gappa"), &["UNDERFLOW"]),
-    ("scale", include_str!("scale.gappa"), &["RELATIVE_ERROR"]),
+/// The scripts, each under a line with `###` and its name.
+const SCRIPTS: &str = include_str!("proofs.gappa");
+
+/// The names of the scripts, and the constants that each is about.
+const CONSTANTS: [(&str, &[&str]); 6] = [
+    ("orient2d_exact", &["ORIENT2D"]),
+    ("in_circle_exact", &["IN_CIRCLE"]),
+    ("orient2d_approx", &["ORIENT2D_APPROX"]),
+    ("in_circle_approx", &["IN_CIRCLE_APPROX"]),
+    ("underflow", &["UNDERFLOW"]),
+    ("scale", &["RELATIVE_ERROR"]),
 ];
+
+/// The name of each script, the script, and the constants that it is about.
+fn scripts() -> Vec<(&'static str, &'static str, &'static [&'static str])> {
+    let parts: Vec<&str> = SCRIPTS.split("\n### ").skip(1).collect();
+    assert_eq!(parts.len(), CONSTANTS.len(), "the number of scripts");
+    let script = |(part, (name, constants)): (&'static str, (&'static str, _))| {
+        let (title, script) = part.split_once('\n').expect("a script under its name");
+        assert_eq!(title, name, "the order of the scripts");
+        (name, script, constants)
+    };
+    parts.into_iter().zip(CONSTANTS).map(script).collect()
+}
 
 /// The value of a constant as the source has it, in Gappa's words, which differ for powers of two only.
 fn value(name: &str) -> String {
@@ -113,7 +112,7 @@ fn every_part_is_proved() {
     if !has_gappa() {
         return;
     }
-    for (name, script, constants) in SCRIPTS {
+    for (name, script, constants) in scripts() {
         let constants: Vec<_> = constants.iter().map(|&name| (name, value(name))).collect();
         if let Err(said) = prove(script, &constants) {
             panic!("{name} with {constants:?}:\n{said}");
@@ -126,7 +125,7 @@ fn half_of_any_constant_fails() {
     if !has_gappa() {
         return;
     }
-    for (name, script, constants) in SCRIPTS {
+    for (name, script, constants) in scripts() {
         for &constant in constants {
             let half = format!("({}) / 2", value(constant));
             let result = prove(script, &[(constant, half)]);
@@ -139,7 +138,7 @@ fn half_of_any_constant_fails() {
 fn scripts_are_about_the_code() {
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let source = words(&[FILTER, SCALE].concat());
-    for (name, script, _) in SCRIPTS {
+    for (name, script, _) in scripts() {
         let mut lines = script
             .lines()
             .filter_map(|line| line.strip_prefix("# code: "));
