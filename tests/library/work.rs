@@ -202,6 +202,19 @@ fn work_grows_with_the_input() {
 }
 
 #[test]
+fn where_flips_are_many_the_papers_heuristics_go_on() {
+    let family = families::all().find(|family| family.name == "clusters in clusters");
+    let input = member(family.expect("a family"), 20_000);
+    let runs = [Algorithm::Sweep, Algorithm::Auto].map(|algorithm| run(&input, algorithm));
+    let [(as_set, asked), (changed, auto)] = runs;
+    assert!(!auto.is_divided);
+    assert_eq!(asked.counters.basin_triangles, 0);
+    assert!(auto.counters.basin_triangles > 0);
+    assert!(4 * auto.counters.flips < 3 * asked.counters.flips);
+    assert_eq!(answer(&input, &as_set), answer(&input, &changed));
+}
+
+#[test]
 fn equal_edges_share_their_chain() {
     let n = 2000;
     let points: Vec<[f64; 2]> = (0..n).map(|i| [f64::from(i), 0.0]).collect();
