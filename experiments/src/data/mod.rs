@@ -3,20 +3,13 @@
 //! Only `+ - * /`, square roots and integers make coordinates: these are rounded alike everywhere, sines and
 //! powers are not.
 
-mod adversaries;
 mod contours;
-mod curves;
 mod edges;
-mod outlines;
-mod parcels;
 mod points;
-mod scattered;
-mod terrain;
-mod write;
+
+use std::io::{self, Write};
 
 use sweep_cdt_testing::{Input, Random};
-
-pub use write::write_poly;
 
 /// A kind of input.
 #[derive(Clone, Copy, Debug)]
@@ -45,57 +38,57 @@ pub const KINDS: &[Kind] = &[
     Kind {
         name: "uniform",
         about: "points anywhere in a square",
-        make: scattered::uniform,
+        make: points::uniform,
     },
     Kind {
         name: "integers",
         about: "points anywhere with integers below a million as coordinates",
-        make: scattered::integers,
+        make: points::integers,
     },
     Kind {
         name: "clusters",
         about: "twenty clusters, the widest 512 times as wide as the narrowest",
-        make: scattered::clusters,
+        make: points::clusters,
     },
     Kind {
         name: "power-law",
         about: "one cluster whose density falls with a power of the distance",
-        make: scattered::power_law,
+        make: points::power_law,
     },
     Kind {
         name: "lattice",
         about: "a square lattice, its points in random order",
-        make: scattered::shuffled_lattice,
+        make: points::shuffled_lattice,
     },
     Kind {
         name: "lattice-in-order",
         about: "a square lattice, row by row",
-        make: scattered::lattice,
+        make: points::lattice,
     },
     Kind {
         name: "rows",
         about: "sixteen rows of equal y",
-        make: scattered::rows,
+        make: points::rows,
     },
     Kind {
         name: "columns",
         about: "sixteen columns of equal x",
-        make: scattered::columns,
+        make: points::columns,
     },
     Kind {
         name: "circle",
         about: "points on a circle",
-        make: curves::circle,
+        make: points::circle,
     },
     Kind {
         name: "parabola-up",
         about: "a parabola open above: left and right in turn",
-        make: curves::parabola_up,
+        make: points::parabola_up,
     },
     Kind {
         name: "parabola-right",
         about: "a parabola open to the right",
-        make: curves::parabola_right,
+        make: points::parabola_right,
     },
     Kind {
         name: "comb",
@@ -120,12 +113,12 @@ pub const KINDS: &[Kind] = &[
     Kind {
         name: "outlines",
         about: "rough closed outlines of 256 vertices, nothing inside",
-        make: outlines::outlines,
+        make: edges::outlines,
     },
     Kind {
         name: "parcels",
         about: "parcels of land, with the paper's ratio of points to edges",
-        make: parcels::parcels,
+        make: edges::parcels,
     },
     Kind {
         name: "contours",
@@ -135,21 +128,38 @@ pub const KINDS: &[Kind] = &[
     Kind {
         name: "alternating",
         about: "a row, and above it points near its two ends in turn",
-        make: adversaries::alternating,
+        make: points::alternating,
     },
     Kind {
         name: "above-a-row",
         about: "a row, and points anywhere above it",
-        make: adversaries::above_a_row,
+        make: points::above_a_row,
     },
     Kind {
         name: "outliers",
         about: "the same in a four-millionth of the width, between two points far away",
-        make: adversaries::outliers,
+        make: points::outliers,
     },
     Kind {
         name: "leftwards",
         about: "half a parabola, each point to the left of all before it",
-        make: adversaries::leftwards,
+        make: points::leftwards,
     },
 ];
+
+/// Writes an input as Triangle's `.poly`: points and edges, numbered from 0, and no holes.
+/// Coordinates are the shortest decimals that read as the same doubles.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_poly(input: &Input, out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "{} 2 0 0", input.points.len())?;
+    for (i, [x, y]) in input.points.iter().enumerate() {
+        writeln!(out, "{i} {x:?} {y:?}")?;
+    }
+    writeln!(out, "{} 0", input.edges.len())?;
+    for (i, [a, b]) in input.edges.iter().enumerate() {
+        writeln!(out, "{i} {a} {b}")?;
+    }
+    writeln!(out, "0")
+}
