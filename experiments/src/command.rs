@@ -11,9 +11,8 @@ use crate::contestant::Contestant;
 use crate::data::{KINDS, Kind, write_poly};
 use crate::experiments::{ALL, Experiment, cells};
 use crate::measure::{Cell, Source};
-use crate::plan::Plan;
+use crate::plan::{Plan, Store};
 use crate::runner;
-use crate::store::Store;
 
 /// Compares search structures for the advancing front, heuristics, phases and scalars.
 #[derive(Debug, Parser)]

@@ -21,7 +21,6 @@ mod measure;
 mod plan;
 mod report;
 mod runner;
-mod store;
 
 use std::error::Error;
 use std::ffi::OsString;

@@ -5,9 +5,8 @@ use std::error::Error;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::measure::Cell;
-use crate::plan::Plan;
+use crate::plan::{Plan, Store};
 use crate::report::{self, Method};
-use crate::store::Store;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 

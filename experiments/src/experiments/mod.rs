@@ -1,23 +1,19 @@
 //! The experiments: which cells, which variants, and what is shown of their rows.
 
-mod adversaries;
 mod experiment;
-mod fronts;
-mod heuristics;
-mod scalars;
-mod scaling;
-mod table1;
-mod table2;
+mod paper;
+mod settings;
+mod structures;
 
 pub(crate) use experiment::{Experiment, cells};
 
 /// All experiments.
 pub(crate) const ALL: &[Experiment] = &[
-    fronts::FRONTS,
-    heuristics::HEURISTICS,
-    table1::TABLE_1,
-    table2::TABLE_2,
-    scalars::SCALARS,
-    scaling::SCALING,
-    adversaries::ADVERSARIES,
+    structures::FRONTS,
+    settings::HEURISTICS,
+    paper::TABLE_1,
+    paper::TABLE_2,
+    settings::SCALARS,
+    structures::SCALING,
+    structures::ADVERSARIES,
 ];

@@ -1,4 +1,4 @@
-//! Search structures for the advancing front (section 3.4.1), each a file that may be copied as a start.
+//! Search structures for the advancing front (section 3.4.1); a file of one may be copied as a start.
 //!
 //! | structure | a search costs | file |
 //! |---|---|---|
@@ -16,34 +16,26 @@
 //! and [`Linear`](sweep_cdt::front::Linear), the walk from the last node.
 //!
 //! Why they are right: a structure only says where the sweep's exact walk begins (see
-//! [`FrontSearch`](sweep_cdt::front::FrontSearch)). Each is compared with a list in `tests/fronts.rs`.
+//! [`FrontSearch`](sweep_cdt::front::FrontSearch)). Each is compared with a list in `tests/all/structures.rs`.
 
-mod any;
-mod arena;
 mod b_tree;
 mod bit_set;
 mod finger;
-mod from_end;
-mod mixed;
+mod parts;
 mod rank_table;
 mod sample_tree;
 mod sorted_array;
 mod structure;
 mod treap;
 mod uniform_table;
-mod watched;
-mod words;
-mod x_ranks;
 
-pub use any::AnyFront;
 pub use b_tree::BTree;
 pub use bit_set::BitSet;
 pub use finger::Finger;
-pub use from_end::FromEnd;
 pub use rank_table::RankTable;
 pub use sample_tree::SampleTree;
 pub use sorted_array::SortedArray;
-pub use structure::{Structure, Work};
+pub use structure::{AnyFront, FromEnd, Structure, Work};
+pub(crate) use structure::{Seen, Watched};
 pub use treap::Treap;
 pub use uniform_table::UniformTable;
-pub(crate) use watched::{Seen, Watched};

@@ -3,15 +3,15 @@
 //! Every interval remembers the node that joined in it last. If that has left the front, the nearest
 //! interval on either side that has one is taken.
 //!
-//! Why it is right: ranks are in the order of x ([`super::x_ranks`]), so the node found is near.
+//! Why it is right: ranks are in the order of x ([`super::parts`]), so the node found is near.
 //!
 //! Cost: O(1) expected for a search where the front is spread over the vertices as they are from left to
 //! right; O(n) at worst. The ranks cost a sort once.
 
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
 
+use super::parts::XRanks;
 use super::structure::{Structure, Work};
-use super::x_ranks::XRanks;
 
 /// A hash table with 2 sqrt(n) intervals of equally many x: O(1) expected.
 #[derive(Clone, Debug, Default)]

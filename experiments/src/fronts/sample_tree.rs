@@ -11,8 +11,7 @@ use std::cmp::Ordering;
 
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
 
-use super::arena::{Arena, Branch, Key, LEFT, NONE, RIGHT};
-use super::mixed::mixed;
+use super::parts::{Arena, Branch, Key, LEFT, NONE, RIGHT, mixed};
 use super::structure::{Structure, Work};
 
 /// A splay tree over one in `share` nodes of the front: O(log n) averaged over a run, and a walk.

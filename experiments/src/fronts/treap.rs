@@ -9,8 +9,7 @@
 
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
 
-use super::arena::{Arena, Branch, Key, LEFT, NONE, RIGHT};
-use super::mixed::mixed;
+use super::parts::{Arena, Branch, Key, LEFT, NONE, RIGHT, mixed};
 use super::structure::{Structure, Work};
 
 /// A search tree with random priorities: O(log n) expected.
@@ -143,7 +142,7 @@ impl Structure for Treap {
 mod tests {
     use sweep_cdt::front::{FrontNode, FrontSearch};
 
-    use super::super::arena::{LEFT, NONE, RIGHT};
+    use super::super::parts::{LEFT, NONE, RIGHT};
     use super::Treap;
 
     /// Priorities fall from every node to its children, whatever joined and left before.

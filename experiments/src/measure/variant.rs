@@ -1,13 +1,13 @@
-//! A variant: one way to triangulate an input, which a cell compares with others.
+//! A variant: one way to triangulate an input, which a cell compares with others by what it counts, by the
+//! processor's time, and by a fingerprint of the result.
 
 use std::fmt;
+use std::time::Duration;
 
-use sweep_cdt::{Algorithm, Error, Heuristics, Run, Stats, Triangulator};
+use sweep_cdt::{Algorithm, Error, Heuristics, Run, Stats, Triangulation, Triangulator};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::runs::{Sample, convert};
 
-use super::clock::processor;
-use super::fingerprint::fingerprint;
 use super::row::{Row, Timed};
 use crate::contestant::Contestant;
 use crate::fronts::{Structure, Watched};
@@ -115,6 +115,37 @@ fn take_over<F>(run: &Run<F>, row: &mut Row) {
     row.result = format!("{:016x}", fingerprint(&run.triangulation));
 }
 
+/// The processor's time of this thread so far; `None` where the system does not tell. Unlike the time on the
+/// clock it does not count what other programs take of a shared machine.
+#[cfg(unix)]
+fn processor() -> Option<Duration> {
+    use rustix::time::{ClockId, clock_gettime};
+
+    Duration::try_from(clock_gettime(ClockId::ThreadCPUTime)).ok()
+}
+
+/// The processor's time of this thread so far; `None` where the system does not tell.
+#[cfg(not(unix))]
+fn processor() -> Option<Duration> {
+    None
+}
+
+/// A number that tells results apart: equal for equal sets of triangles, in whatever order they are listed. It
+/// is the sum over the triangles of a hash of their vertices, the smallest first.
+fn fingerprint(result: &Triangulation) -> u64 {
+    let hash = |triangle: [usize; 3]| {
+        let smallest = (0..3).min_by_key(|&i| triangle[i]).expect("three");
+        (0..3).fold(0, |hash: u64, i| {
+            let vertex = triangle[(smallest + i) % 3] as u64 + 1;
+            let hash = (hash ^ vertex).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            hash ^ (hash >> 29)
+        })
+    };
+    result
+        .triangles()
+        .fold(0, |sum, triangle| sum.wrapping_add(hash(triangle)))
+}
+
 #[cfg(test)]
 impl Variant {
     /// One that says it has found this result, on a front of this mean length.
@@ -130,5 +161,35 @@ impl Variant {
             }),
             time: Box::new(|_| Ok(Timed::default())),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fingerprint;
+
+    #[test]
+    fn results_differ_and_orders_do_not() {
+        let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
+        let of = |edges: &[[usize; 2]]| {
+            fingerprint(&sweep_cdt::triangulate(&square, edges).expect("no edges cross"))
+        };
+        assert_eq!(of(&[[0, 2]]), of(&[[2, 0], [0, 1]]));
+        assert_ne!(of(&[[0, 2]]), of(&[[1, 3]]));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn sleep_is_not_counted_and_work_is() {
+        use std::thread::sleep;
+        use std::time::Duration;
+
+        use super::processor;
+
+        let now = || processor().expect("a clock");
+        let start = now();
+        sleep(Duration::from_millis(50));
+        assert!(now() - start < Duration::from_millis(25));
+        while now() - start < Duration::from_millis(30) {}
     }
 }

@@ -1,6 +1,5 @@
 //! The structures, the data and the experiments.
 
-mod alone;
 mod data;
 mod program;
-mod steps;
+mod structures;

@@ -1,4 +1,4 @@
-//! The paper's table 1: nine sets of parcels and contour lines, and its algorithms as ratios to the sweep.
+//! The paper's tables 1 and 2, measured here.
 
 use std::fmt::Write;
 
@@ -8,13 +8,14 @@ use super::experiment::{Experiment, cells, default_structure};
 use crate::measure::{Row, Variant};
 use crate::report::{Shape, View};
 
+/// Table 1: nine sets of parcels and contour lines, and its algorithms as ratios to the sweep.
 pub(super) const TABLE_1: Experiment = Experiment {
     name: "table1",
     about: "The paper's table 1: the sweep and divide and conquer on parcels and contour lines.",
     cells: |quick| {
-        let count = if quick { 3 } else { PAPER.len() };
+        let count = if quick { 3 } else { PAPER_1.len() };
         let cell = |set: &Set| cells(&[set.kind], &[set.points]);
-        PAPER[..count].iter().flat_map(cell).collect()
+        PAPER_1[..count].iter().flat_map(cell).collect()
     },
     variants: |contestants| {
         let structure = default_structure(contestants);
@@ -46,7 +47,7 @@ pub(super) const TABLE_1: Experiment = Experiment {
             shape: Shape::Growth,
         },
     ],
-    remarks: beside_the_paper,
+    remarks: beside_table_1,
 };
 
 const SL: &str = "SL";
@@ -76,7 +77,7 @@ const fn set(
     }
 }
 
-const PAPER: &[Set] = &[
+const PAPER_1: &[Set] = &[
     set(
         "a",
         "parcels",
@@ -134,14 +135,14 @@ const PAPER: &[Set] = &[
 ];
 
 /// The paper's times and those measured, as ratios to the sweep's.
-fn beside_the_paper(rows: &[Row]) -> String {
+fn beside_table_1(rows: &[Row]) -> String {
     let mut text = String::from(
         "## Beside the paper\n\nRatios of times to SL. M-INC and F-S are not measured here. The paper's sets \
          are real and partly tiled, those here are generated with about as many points and edges.\n\n\
          | set | data | points | paper: M-INC | paper: F-S | paper: LS-D&C | here: LS-D&C |\n\
          |---|---|---:|---:|---:|---:|---:|\n",
     );
-    for set in PAPER {
+    for set in PAPER_1 {
         let total = |variant: &str| {
             let mut here = rows.iter().filter(|row| row.size == set.points);
             here.find(|row| row.variant == variant)
@@ -166,6 +167,85 @@ fn beside_the_paper(rows: &[Row]) -> String {
             paper.join(" | "),
             divided / sweep
         );
+    }
+    text
+}
+
+/// Table 2: the time of the three parts of the algorithm (section 3.2).
+pub(super) const TABLE_2: Experiment = Experiment {
+    name: "table2",
+    about: "The paper's table 2: initialization, sweeping and finalization.",
+    cells: |quick| {
+        let sets = if quick { &PAPER_2[..1] } else { PAPER_2 };
+        let sizes: Vec<usize> = sets.iter().map(|set| set.points).collect();
+        cells(&["parcels"], &sizes)
+    },
+    variants: |contestants| {
+        let structure = default_structure(contestants);
+        let variant =
+            |name, heuristics| Variant::sweep(name, structure, Algorithm::Sweep, heuristics);
+        vec![
+            variant("default", Heuristics::FAST),
+            variant("paper's heuristics", Heuristics::PAPER),
+        ]
+    },
+    views: &[View {
+        name: "phases",
+        title: "Time of the parts, nanoseconds a point",
+        about: "Medians of initialization, sweeping and finalization, on the clock.",
+        measure: |row| Some(1e6 * row.total_ms / row.points.max(1) as f64),
+        shape: Shape::Phases,
+    }],
+    remarks: beside_table_2,
+};
+
+/// A row of the paper's table 2: seconds of initialization, sweeping and finalization.
+struct Phases {
+    name: &'static str,
+    points: usize,
+    seconds: [f64; 3],
+}
+
+const PAPER_2: &[Phases] = &[
+    Phases {
+        name: "b",
+        points: 93_048,
+        seconds: [0.2033, 0.1093, 0.0],
+    },
+    Phases {
+        name: "f",
+        points: 1_488_768,
+        seconds: [1.6406, 3.1976, 0.0],
+    },
+    Phases {
+        name: "g",
+        points: 2_444_700,
+        seconds: [3.7343, 5.8853, 0.0053],
+    },
+];
+
+/// Shares of the three parts, the paper's and those measured.
+fn beside_table_2(rows: &[Row]) -> String {
+    let shares = |times: [f64; 3]| {
+        let sum: f64 = times.iter().sum();
+        let parts = times.map(|time| format!("{:.0} %", 100.0 * time / sum));
+        parts.join(" | ")
+    };
+    let mut text = String::from(
+        "## Beside the paper\n\nShares of the whole time.\n\n\
+         | set | points | | initialization | sweeping | finalization |\n\
+         |---|---:|---|---:|---:|---:|\n",
+    );
+    for set in PAPER_2 {
+        let head = format!("| {} | {}", set.name, set.points);
+        let here: Vec<&Row> = rows.iter().filter(|row| row.size == set.points).collect();
+        if !here.is_empty() {
+            let _ = writeln!(text, "{head} | paper | {} |", shares(set.seconds));
+        }
+        for row in here {
+            let times = [row.initialization_ms, row.sweeping_ms, row.finalization_ms];
+            let _ = writeln!(text, "{head} | {} | {} |", row.variant, shares(times));
+        }
     }
     text
 }

@@ -1,9 +1,12 @@
-//! Each structure without a sweep: random nodes join and leave, and a sorted list says where a search ends.
+//! Each structure without a sweep: random nodes join and leave, and a sorted list says where a search ends. In
+//! a sweep every structure takes the same steps to the same triangles, those of the crate's default.
 
+use sweep_cdt::Heuristics;
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
 use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::standard;
-use sweep_cdt_testing::Random;
+use sweep_cdt_testing::data::Hard;
+use sweep_cdt_testing::{Input, Random, Steps, generators};
 
 /// What is on the front, from left to right, and a structure that must know.
 struct Model<'a, F> {
@@ -78,7 +81,7 @@ fn allowed_work(name: &str, nodes: usize) -> f64 {
     }
 }
 
-fn test(points: &[[f64; 2]], longest: usize) {
+fn test_alone(points: &[[f64; 2]], longest: usize) {
     for contestant in standard() {
         let mut random = Random::new(7);
         let mut model = Model {
@@ -133,7 +136,7 @@ fn is_exact(name: &str) -> bool {
 fn a_search_ends_near_its_place() {
     let points = Random::new(1).points(3000);
     for longest in [1, 2, 60, 400] {
-        test(&points, longest);
+        test_alone(&points, longest);
     }
 }
 
@@ -173,5 +176,42 @@ fn equal_and_infinite_x_are_borne_and_the_upper_node_found() {
                 assert!(front.contains(found), "{}", contestant.name());
             }
         }
+    }
+}
+
+/// Hard inputs of more points would take long with every structure.
+const LARGEST: usize = 3000;
+/// Random inputs, and bytes for each.
+const CASES: u64 = 400;
+const BYTES: usize = 160;
+
+fn assert_same_steps(Input { points, edges }: &Input, heuristics: Heuristics, from: &str) {
+    let steps = Steps::of(points, edges, heuristics);
+    for contestant in standard() {
+        let name = format!("{} on {from}", contestant.name());
+        steps.assert_same_with(points, edges, contestant.front().clone(), &name);
+    }
+}
+
+#[test]
+fn on_inputs_that_broke_other_programs() {
+    let hard = Hard::own();
+    let small = || {
+        hard.iter()
+            .filter(|hard| hard.input.points.len() <= LARGEST)
+    };
+    assert!(small().count() > 100, "there are hard inputs");
+    for hard in small() {
+        assert_same_steps(&hard.input, Heuristics::FAST, &hard.name);
+    }
+}
+
+#[test]
+fn on_random_degenerate_inputs() {
+    for seed in 0..CASES {
+        let input = generators::input(&Random::new(seed).bytes(BYTES));
+        let heuristics = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
+        let heuristics = heuristics[(seed % 3) as usize];
+        assert_same_steps(&input, heuristics, &format!("random input {seed}"));
     }
 }
