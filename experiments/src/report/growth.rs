@@ -4,8 +4,7 @@ use plotters::chart::ChartBuilder;
 use plotters::prelude::IntoLogRange;
 use plotters::style::{BLACK, Color, IntoFont, RGBColor, ShapeStyle};
 
-use super::canvas::{Area, DRAWN, FONT, Place, TEXT, TITLE, fill, line, svg, text};
-use super::palette::{LINES, tint};
+use super::canvas::{Area, DRAWN, FONT, LINES, Place, TEXT, TITLE, fill, line, svg, text, tint};
 use super::table::{Entry, distinct, entry};
 use super::view::View;
 use crate::measure::Row;

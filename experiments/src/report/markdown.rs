@@ -1,11 +1,12 @@
-//! The text of a report.
+//! The text of a report: where, with what and how was measured, and the tables.
 
 use std::fmt::Write;
+use std::fs;
+use std::process::Command;
+use std::thread::available_parallelism;
 
-use super::machine::{compiler, machine};
-use super::number::short;
 use super::table::{Entry, Table, distinct};
-use super::view::{Plot, View};
+use super::view::{Plot, View, short};
 use crate::measure::Row;
 
 /// How the rows came about.
@@ -108,4 +109,36 @@ fn markdown(table: &Table) -> String {
         let _ = writeln!(text, "| {} | {} |", line.variant, cells.join(" | "));
     }
     text + "\n"
+}
+
+/// The processor, the system and the compiler, as far as they can be told.
+fn machine() -> String {
+    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = info.lines().find_map(|line| {
+        let (key, value) = line.split_once(':')?;
+        (key.trim() == "model name").then(|| value.trim().to_owned())
+    });
+    let cores = available_parallelism().map_or(1, usize::from);
+    let (system, architecture) = (std::env::consts::OS, std::env::consts::ARCH);
+    let model = model.unwrap_or_else(|| "an unknown processor".to_owned());
+    format!("{model}, {cores} cores, {architecture}, {system}")
+}
+
+/// The compiler of this program.
+fn compiler() -> &'static str {
+    env!("COMPILER")
+}
+
+/// The commit of the sources, if they are in a repository and Git is there.
+pub(crate) fn commit() -> String {
+    let output = Command::new("git")
+        .args(["describe", "--always", "--dirty", "--abbrev=12"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output();
+    match output {
+        Ok(output) if output.status.success() => {
+            String::from_utf8_lossy(&output.stdout).trim().to_owned()
+        }
+        _ => "unknown".to_owned(),
+    }
 }

@@ -1,13 +1,9 @@
 //! The report: tables in Markdown and plots in SVG, of all rows of an experiment.
 
+mod boxes;
 mod canvas;
 mod growth;
-mod machine;
-mod map;
 mod markdown;
-mod number;
-mod palette;
-mod phases;
 mod table;
 mod view;
 
@@ -16,8 +12,7 @@ use std::io;
 use std::path::Path;
 
 use crate::measure::Row;
-pub(crate) use machine::commit;
-pub(crate) use markdown::Method;
+pub(crate) use markdown::{Method, commit};
 use view::Plot;
 pub(crate) use view::{Shape, View};
 
@@ -56,19 +51,19 @@ fn show(view: &View, rows: &[Row]) -> (Vec<table::Table>, Vec<Plot>) {
             let tables = table::by_size(view, rows);
             let plots = tables.iter().map(|table| {
                 let (shown, scale) = if view.shape == Shape::Map {
-                    (table.clone(), map::Scale::of(table))
+                    (table.clone(), boxes::Scale::of(table))
                 } else {
-                    (table.ratios(), map::Scale::Ratios)
+                    (table.ratios(), boxes::Scale::Ratios)
                 };
                 let file = format!("{}-{}", view.name, table.size);
-                plot(file, &table.title, map::draw(&shown, scale))
+                plot(file, &table.title, boxes::map(&shown, scale))
             });
             let plots = plots.collect();
             (tables, plots)
         }
         Shape::Exponents => {
             let table = table::exponents(view, rows);
-            let svg = map::draw(&table, map::Scale::Exponents);
+            let svg = boxes::map(&table, boxes::Scale::Exponents);
             let plot = plot(view.name.to_owned(), &table.title, svg);
             (vec![table], vec![plot])
         }
@@ -78,7 +73,7 @@ fn show(view: &View, rows: &[Row]) -> (Vec<table::Table>, Vec<Plot>) {
             (table::by_data(view, rows), vec![plot])
         }
         Shape::Phases => {
-            let svg = phases::draw(view, rows);
+            let svg = boxes::phases(view, rows);
             let plot = plot(view.name.to_owned(), view.title, svg);
             (table::by_size(view, rows), vec![plot])
         }

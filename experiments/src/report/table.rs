@@ -1,7 +1,6 @@
 //! Tables: a number for each variant and kind of data, or variant and size.
 
-use super::number::size as short_size;
-use super::view::View;
+use super::view::{View, size as short_size};
 use crate::measure::Row;
 
 #[derive(Clone, Debug)]
