@@ -6,12 +6,10 @@ use std::{fs, io};
 use crate::{Fault, plant, root};
 
 /// What of the crate's folder is needed to build a target: all that its manifest names.
-const NEEDED: [&str; 9] = [
+const NEEDED: [&str; 7] = [
     "Cargo.toml",
     "README.md",
-    "benches/growth",
-    "benches/instructions",
-    "benches/memory.rs",
+    "benches",
     "examples",
     "src",
     "testing",
@@ -25,6 +23,9 @@ const NEEDED_OF_FUZZ: [&str; 5] = [
     "planted-faults",
     "properties",
 ];
+
+/// What was built is not copied.
+const BUILT: &str = "target";
 
 /// The source that chooses a fault. Only the copy has it.
 const PLANTED: &str = "planted.rs";
@@ -55,6 +56,9 @@ fn copy_all(from: &Path, to: &Path, inside: &Path, faults: &[Fault]) -> io::Resu
         remove_strangers(from, to)?;
         for entry in fs::read_dir(from)? {
             let name = entry?.file_name();
+            if name == BUILT {
+                continue;
+            }
             copy_all(
                 &from.join(&name),
                 &to.join(&name),

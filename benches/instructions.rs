@@ -1,6 +1,6 @@
 //! How many instructions a triangulation takes, against the numbers of the last recording.
 //!
-//! `cargo bench --bench instructions` fails if one differs by more than 2 % from benches/instructions/counts.txt;
+//! `cargo bench --bench instructions` fails if one differs by more than 2 % from benches/instructions.txt;
 //! `-- --record` writes that file anew. Instructions are counted by `valgrind`, without which the check says so
 //! and passes: first for a process that only makes the input, then for one that triangulates it too. The
 //! difference varies by less than 0.1 %.
@@ -8,19 +8,16 @@
 //! It depends on the compiler, on the machine's instructions and a little on the system's library. These stand
 //! in the first lines of the file; where they are others, the counts are printed and nothing is compared.
 
-mod place;
-
 use std::fs;
 use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
-use place::place;
 use sweep_cdt_testing::{Input, clouds, data, segments};
 
 /// By how much a count may differ.
 const TOLERANCE: f64 = 0.02;
 
-const FILE: &str = "benches/instructions/counts.txt";
+const FILE: &str = "benches/instructions.txt";
 
 /// Makes an input.
 type Make = fn() -> Input;
@@ -108,4 +105,32 @@ fn count(name: &str, times: usize) -> u64 {
         .find_map(|line| line.split_once("Collected : "));
     let count = count.and_then(|(_, count)| count.trim().parse().ok());
     count.unwrap_or_else(|| panic!("no count of instructions in\n{text}"))
+}
+
+/// What the counts depend on beside the code: a line each for the compiler, the machine, the system's library and valgrind; none without valgrind.
+fn place() -> Option<String> {
+    let valgrind = first_line("valgrind", "--version")?;
+    let compiler = first_line("rustc", "--version").unwrap_or_default();
+    let library = first_line("ldd", "--version").unwrap_or_default();
+    let machine = std::env::consts::ARCH;
+    Some(format!(
+        "# {compiler}\n# {machine}{}\n# {library}\n# {valgrind}\n",
+        extensions()
+    ))
+}
+
+/// The extensions that the libraries choose their code by, as far as valgrind has them.
+fn extensions() -> &'static str {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        return " with avx2";
+    }
+    ""
+}
+
+/// The first line that a command prints, if there is such a command.
+fn first_line(command: &str, argument: &str) -> Option<String> {
+    let output = Command::new(command).arg(argument).output().ok()?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    text.lines().next().map(str::to_owned)
 }
