@@ -13,20 +13,22 @@
 //! may be compressed with gzip. The tables are printed; as Markdown and CSV, and with a plot, they are
 //! written to the folder `--output`.
 
+mod crates;
 mod data;
-mod judge;
-mod machine;
 mod measure;
+mod plot;
 mod process;
 mod programs;
 mod report;
-mod stopwatch;
 
 use std::fs;
 use std::path::PathBuf;
+use std::process::Command;
 use std::time::Duration;
 
 use clap::{Parser, Subcommand};
+
+use crate::programs::Program;
 
 /// sweep-cdt beside other programs, whose answers are verified.
 #[derive(Parser)]
@@ -87,7 +89,7 @@ fn main() {
         limit: Duration::from_secs(arguments.limit),
         folder: folder.path(),
     };
-    let machine = machine::describe(&programs, settings.rounds);
+    let machine = describe(&programs, settings.rounds);
     println!("{machine}");
 
     let mut rows = Vec::new();
@@ -104,5 +106,48 @@ fn main() {
     };
     write("peers.md", report::markdown(&machine, &rows));
     write("peers.csv", report::csv(&rows));
-    write("peers.svg", report::plot(&rows));
+    write("peers.svg", plot::plot(&rows));
+}
+
+/// On what, with what and when a run measures, in a few lines: date, machine, compiler, programs with their versions, rounds, arguments.
+fn describe(programs: &[Program], rounds: usize) -> String {
+    let mut versions = Vec::new();
+    for program in programs {
+        let version = format!("{} {}", program.name, program.version);
+        if !versions.contains(&version) {
+            versions.push(version);
+        }
+    }
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    [
+        format!("Date: {}", output("date", &["-u", "+%Y-%m-%d"])),
+        format!("Machine: {}, {cores} cores", processor()),
+        format!(
+            "Compilers: {}; {}",
+            output("rustc", &["-V"]),
+            output("c++", &["--version"])
+        ),
+        format!("Programs: {}", versions.join(", ")),
+        format!("Rounds: {rounds}; arguments: {}", arguments.join(" ")),
+    ]
+    .join("\n")
+}
+
+/// The first line that a command prints.
+fn output(command: &str, arguments: &[&str]) -> String {
+    let output = Command::new(command).args(arguments).output();
+    let bytes = output.map(|output| output.stdout).unwrap_or_default();
+    let text = String::from_utf8_lossy(&bytes);
+    text.lines().next().unwrap_or("unknown").to_owned()
+}
+
+fn processor() -> String {
+    let text = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = text
+        .lines()
+        .find_map(|line| line.strip_prefix("model name"));
+    name.map_or("unknown processor".to_owned(), |name| {
+        name.trim_start_matches([' ', '\t', ':']).to_owned()
+    })
 }

@@ -1,12 +1,12 @@
-//! All programs on one data set, in turn, and what follows from it.
+//! All programs on one data set, in turn, the judgement of their answers, and what follows from it.
 
 use std::path::Path;
 use std::time::Duration;
 
-use sweep_cdt_testing::binary;
+use sweep_cdt::verify::{Verifier, Violation};
+use sweep_cdt_testing::{Input, binary};
 
 use crate::data::{Aim, DataSet, Kind, Of};
-use crate::judge::{Verdict, judge};
 use crate::process::{self, Failure, Sample};
 use crate::programs::{OURS, Program};
 
@@ -149,5 +149,47 @@ impl Row {
             Of::Exact => self.best(true)?.1,
         };
         Some(aim.share * other.time[0])
+    }
+}
+
+/// What an answer is, as the verifier judges it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Verdict {
+    /// The constrained Delaunay triangulation of the input.
+    Delaunay,
+    /// A triangulation with all edges whose other sides are not all Delaunay.
+    Triangulation,
+    /// Neither.
+    Wrong,
+}
+
+/// The worst verdict on the answers to these inputs. `is_inside`: they cover the polygon that the points
+/// bound in their order, and not the hull.
+fn judge(inputs: &[Input], answers: &[Vec<[usize; 3]>], is_inside: bool) -> Verdict {
+    let verdicts = inputs
+        .iter()
+        .zip(answers)
+        .map(|(input, triangles)| judge_one(input, triangles, is_inside));
+    verdicts.max().expect("an input")
+}
+
+fn judge_one(input: &Input, triangles: &[[usize; 3]], is_inside: bool) -> Verdict {
+    let ring = [(0..input.points.len()).collect()];
+    let verifier = Verifier::new().accept_clockwise(true).limit(usize::MAX);
+    let verifier = if is_inside {
+        verifier.boundary(&ring)
+    } else {
+        verifier
+    };
+    match verifier.verify_parallel(&input.points, &input.edges, triangles) {
+        Ok(_) => Verdict::Delaunay,
+        Err(violations) => {
+            let is_delaunay = |violation| matches!(violation, &Violation::NotDelaunay { .. });
+            if violations.list.iter().all(is_delaunay) {
+                Verdict::Triangulation
+            } else {
+                Verdict::Wrong
+            }
+        }
     }
 }

@@ -4,8 +4,8 @@ use std::error::Error;
 
 use plotters::prelude::*;
 
-use super::programs;
-use crate::measure::Row;
+use crate::measure::{Row, Verdict};
+use crate::report::programs;
 
 /// The families with a panel.
 const FAMILIES: [&str; 3] = ["uniform", "segments", "polygons"];
@@ -95,8 +95,7 @@ fn curve(rows: &[&Row], program: &str) -> Vec<(f64, f64)> {
     let point = |row: &&Row| {
         let cell = row.cells.iter().find(|cell| cell.program == program)?;
         let outcome = cell.outcome.ok()?;
-        (outcome.verdict != crate::judge::Verdict::Wrong)
-            .then_some((row.size[0] as f64, outcome.time[0]))
+        (outcome.verdict != Verdict::Wrong).then_some((row.size[0] as f64, outcome.time[0]))
     };
     rows.iter().filter_map(point).collect()
 }

@@ -3,16 +3,13 @@
 //! A program is a command that is called with the file of a data set and, if the answer is wanted, the file
 //! to write it to; it prints nanoseconds and bytes. Crates run in a process of this executable.
 
-mod external;
-mod hull;
-mod inside;
-
 use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
 
 use sweep_cdt_testing::{Input, binary};
 
+use crate::crates::{self, Answer, Stopwatch};
 use crate::data::Kind;
-use crate::stopwatch::Stopwatch;
 
 /// A program.
 pub(crate) struct Program {
@@ -30,7 +27,7 @@ pub(crate) struct Program {
 }
 
 /// Triangulates an input, or says why not.
-type Call = fn(&Input, &mut Stopwatch) -> Result<Vec<[usize; 3]>, String>;
+type Call = fn(&Input, &mut Stopwatch) -> Answer;
 
 /// A crate behind one signature.
 struct Crate {
@@ -51,17 +48,17 @@ pub(crate) const OURS: &str = "sweep-cdt";
 
 #[rustfmt::skip]
 const CRATES: [Crate; 11] = [
-    Crate { name: OURS, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: hull::ours },
-    Crate { name: "spade", package: "spade", kinds: ALL, is_inside: false, is_exact: true, call: hull::spade },
-    Crate { name: "delaunator", package: "delaunator", kinds: POINTS, is_inside: false, is_exact: false, call: hull::delaunator },
-    Crate { name: "cdt", package: "cdt", kinds: POINTS, is_inside: false, is_exact: true, call: hull::cdt },
-    Crate { name: "ghx", package: "ghx_constrained_delaunay", kinds: POINTS, is_inside: false, is_exact: false, call: hull::ghx },
-    Crate { name: "cdt inside", package: "cdt", kinds: POLYGONS, is_inside: true, is_exact: true, call: inside::cdt },
-    Crate { name: "ghx inside", package: "ghx_constrained_delaunay", kinds: POLYGONS, is_inside: true, is_exact: false, call: inside::ghx },
-    Crate { name: "i_triangle", package: "i_triangle", kinds: POLYGONS, is_inside: true, is_exact: true, call: inside::i_triangle },
-    Crate { name: "earcut", package: "earcut", kinds: POLYGONS, is_inside: true, is_exact: false, call: inside::earcut },
-    Crate { name: "earcut refined", package: "earcut", kinds: POLYGONS, is_inside: true, is_exact: false, call: inside::earcut_refined },
-    Crate { name: "poly2tri-rs", package: "poly2tri-rs", kinds: POLYGONS, is_inside: true, is_exact: false, call: inside::poly2tri },
+    Crate { name: OURS, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: crates::ours },
+    Crate { name: "spade", package: "spade", kinds: ALL, is_inside: false, is_exact: true, call: crates::spade },
+    Crate { name: "delaunator", package: "delaunator", kinds: POINTS, is_inside: false, is_exact: false, call: crates::delaunator },
+    Crate { name: "cdt", package: "cdt", kinds: POINTS, is_inside: false, is_exact: true, call: crates::cdt },
+    Crate { name: "ghx", package: "ghx_constrained_delaunay", kinds: POINTS, is_inside: false, is_exact: false, call: crates::ghx },
+    Crate { name: "cdt inside", package: "cdt", kinds: POLYGONS, is_inside: true, is_exact: true, call: crates::cdt_inside },
+    Crate { name: "ghx inside", package: "ghx_constrained_delaunay", kinds: POLYGONS, is_inside: true, is_exact: false, call: crates::ghx_inside },
+    Crate { name: "i_triangle", package: "i_triangle", kinds: POLYGONS, is_inside: true, is_exact: true, call: crates::i_triangle },
+    Crate { name: "earcut", package: "earcut", kinds: POLYGONS, is_inside: true, is_exact: false, call: crates::earcut },
+    Crate { name: "earcut refined", package: "earcut", kinds: POLYGONS, is_inside: true, is_exact: false, call: crates::earcut_refined },
+    Crate { name: "poly2tri-rs", package: "poly2tri-rs", kinds: POLYGONS, is_inside: true, is_exact: false, call: crates::poly2tri },
 ];
 
 /// All programs that can run here; this crate is the first. `folder` takes what is compiled.
@@ -77,14 +74,14 @@ pub(crate) fn all(folder: &Path, python: &Path) -> Vec<Program> {
         is_inside: entry.is_inside,
         is_exact: entry.is_exact,
     });
-    let external = [external::cgal(folder), external::triangle(python)];
+    let external = [cgal(folder), triangle(python)];
     crates.chain(external.into_iter().flatten()).collect()
 }
 
 /// The version of a package in Cargo.lock.
 fn locked_version(package: &str) -> String {
     let name = format!("name = \"{package}\"");
-    let mut lines = include_str!("../../Cargo.lock").lines();
+    let mut lines = include_str!("../Cargo.lock").lines();
     lines.find(|&line| line == name).expect("a dependency");
     let version = lines.next().and_then(|line| line.split('"').nth(1));
     version.expect("a version").to_owned()
@@ -108,6 +105,48 @@ pub(crate) fn run(name: &str, input: &Path, answer: Option<&Path>) {
     }
     let memory = stopwatch.memory.map_or(String::new(), |m| m.to_string());
     println!("{} {memory}", stopwatch.time.as_nanos());
+}
+
+/// CGAL, compiled here if there are a compiler and its headers.
+fn cgal(folder: &Path) -> Option<Program> {
+    let program = folder.join("cgal").to_string_lossy().into_owned();
+    let source = source("cgal.cpp").to_string_lossy().into_owned();
+    let compiler = ["c++", "-O2", "-DNDEBUG", "-frounding-math", "-o"];
+    let libraries = ["-lgmp", "-lmpfr"];
+    let arguments = compiler
+        .into_iter()
+        .chain([program.as_str(), source.as_str()]);
+    output(arguments.chain(libraries))?;
+    Some(Program {
+        name: "CGAL",
+        version: output([program.as_str()].into_iter())?,
+        command: vec![program],
+        kinds: ALL,
+        is_inside: false,
+        is_exact: true,
+    })
+}
+
+/// Triangle, if this Python imports it.
+fn triangle(python: &Path) -> Option<Program> {
+    let python = python.to_string_lossy().into_owned();
+    let script = source("with_triangle.py").to_string_lossy().into_owned();
+    Some(Program {
+        name: "Triangle",
+        version: output([python.as_str(), script.as_str()].into_iter())?,
+        command: vec![python, script],
+        kinds: ALL,
+        is_inside: false,
+        is_exact: true,
+    })
+}
+
+/// What a command prints, if it succeeds.
+fn output<'a>(mut words: impl Iterator<Item = &'a str> + 'a) -> Option<String> {
+    let output = Command::new(words.next()?).args(words).output();
+    let Output { status, stdout, .. } = output.ok()?;
+    let text = String::from_utf8_lossy(&stdout).trim().to_owned();
+    status.success().then_some(text)
 }
 
 /// A file of this package.
