@@ -190,8 +190,8 @@ const PATIENCE: Duration = Duration::from_secs(20);
 /// How often another program runs.
 const RUNS: usize = 3;
 
-/// Nanoseconds a point of another program, the least of three runs; printed as what it is where there are none.
-/// Each runs in a process of its own, which is stopped when it takes too long.
+/// Nanoseconds a point of another program, the least of three runs; printed as what it is where there are
+/// none. Each program runs in a process of its own, which is stopped when it takes too long.
 #[derive(Clone, Copy)]
 enum Time {
     Least(f64),

@@ -8,7 +8,6 @@ use sweep_cdt::formats::{
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Triangulation, triangulate};
 
-use super::reader::source;
 use sweep_cdt_testing::oracle::canonical;
 
 /// Inputs that are written whole have so many points at most.
@@ -233,5 +232,13 @@ pub(super) fn number(token: &str) {
         let near = fraction.approx();
         let is_near = (near - x).abs() <= x.abs() * f64::EPSILON || near.is_infinite();
         assert!(is_near, "{token}: {x} and {near}");
+    }
+}
+
+/// Bytes as a file.
+pub(super) fn source(bytes: &[u8]) -> Source {
+    Source {
+        name: "file".to_owned(),
+        bytes: bytes.to_vec(),
     }
 }

@@ -1,13 +1,33 @@
-//! Files with a generated input and its triangulation, whole and damaged.
+//! What reads bytes, and files with a generated input and its triangulation, whole and damaged.
 
 use std::fmt::Write;
 use std::ops::Range;
 
-use sweep_cdt::formats::{Graph, InputFormat, write_node};
+use sweep_cdt::formats::{Graph, InputFormat, ResultFormat, write_node};
 use sweep_cdt::triangulate;
 
 use super::again;
-use super::reader::Reader;
+
+/// One of the readers.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Reader {
+    Input(InputFormat),
+    Result(ResultFormat),
+    Trace,
+    Numbers,
+}
+
+/// All of them.
+pub(super) const READERS: [Reader; 8] = [
+    Reader::Input(InputFormat::Node),
+    Reader::Input(InputFormat::Poly),
+    Reader::Input(InputFormat::Json),
+    Reader::Result(ResultFormat::Ele),
+    Reader::Result(ResultFormat::Json),
+    Reader::Result(ResultFormat::Obj),
+    Reader::Trace,
+    Reader::Numbers,
+];
 
 /// What damage puts in.
 const TOKENS: [&str; 16] = [

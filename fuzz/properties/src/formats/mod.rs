@@ -6,18 +6,19 @@
 
 mod again;
 mod files;
-mod reader;
-mod traces;
 
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
+use sweep_cdt::Heuristics;
 use sweep_cdt::draw::ViolationsPicture;
 use sweep_cdt::formats::{Coordinate, Graph, Input, ResultFormat, Source, read, read_result};
+use sweep_cdt::trace::Trace;
 use sweep_cdt::verify::Verifier;
 
-use self::reader::{READERS, Reader, source};
+use self::again::source;
+use self::files::{READERS, Reader};
 use crate::reached;
-use sweep_cdt_testing::generators;
+use sweep_cdt_testing::{Steps, generators};
 
 /// The property for the bytes.
 pub fn test(bytes: &[u8]) {
@@ -45,7 +46,7 @@ fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
         ..Graph::default()
     };
     if which >= 192 {
-        traces::run(&graph);
+        run_traced(&graph);
         return Ok(());
     }
     let files = match style >> 2 {
@@ -101,7 +102,7 @@ fn try_reader(reader: Reader, bytes: &[u8]) {
             try_result(format, &main, node.as_ref(), &graph);
             try_result(format, &main, node.as_ref(), &with_fractions(&graph, "3"));
         }
-        Reader::Trace => traces::try_text(&String::from_utf8_lossy(bytes)),
+        Reader::Trace => try_trace(&String::from_utf8_lossy(bytes)),
         Reader::Numbers => {
             let text = String::from_utf8_lossy(bytes);
             text.split_whitespace().take(4).for_each(again::number);
@@ -133,4 +134,39 @@ fn try_result<S: Coordinate>(
         .write(&mut picture)
         .expect("memory takes all that is written");
     again::assert_picture(picture);
+}
+
+/// Reads any text, replays it if it is a trace, and reads it again as it is written.
+fn try_trace(text: &str) {
+    match Trace::parse(text) {
+        Ok(trace) => {
+            assert_trace_reads(&trace);
+            if let Err(error) = trace.replay() {
+                assert!(!error.to_string().is_empty());
+            }
+        }
+        Err(error) => assert!(error.line > 0, "{error}"),
+    }
+}
+
+/// The trace of a run reads as it was written, and its replay returns the result.
+fn run_traced(graph: &Graph<f64>) {
+    let steps = Steps::of(&graph.points, &graph.edges, Heuristics::default());
+    let Steps { trace, result, .. } = steps;
+    assert_trace_reads(&trace);
+    if let Ok(result) = result {
+        assert_eq!(trace.replay(), Ok(result.canonical_triangles()));
+    }
+}
+
+fn assert_trace_reads(trace: &Trace) {
+    let (mut text, mut lines) = (Vec::new(), Vec::new());
+    trace
+        .write_text(&mut text)
+        .and_then(|()| trace.write_lines(&mut lines))
+        .expect("memory takes all that is written");
+    for file in [text, lines] {
+        let file = String::from_utf8(file).expect("traces are text");
+        assert_eq!(Trace::parse(&file).as_ref(), Ok(trace));
+    }
 }

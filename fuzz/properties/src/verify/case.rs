@@ -1,9 +1,148 @@
-//! What is verified.
+//! A triangulation to verify, its changes, and what is certain of it without the verifier.
 
-/// A triangulation to verify.
+use std::collections::BTreeSet;
+
+use sweep_cdt::{Error, triangulate};
+
+use sweep_cdt_testing::oracle::{canonical, check, crosses, firm_sides, is_right, sorted};
+
+/// What is verified.
 #[derive(Debug, Default)]
 pub(super) struct Case {
     pub(super) points: Vec<[f64; 2]>,
     pub(super) edges: Vec<[usize; 2]>,
     pub(super) triangles: Vec<[usize; 3]>,
+}
+
+/// Up to so many points, and twice as many triangles, everything is compared with everything.
+const BY_DEFINITION: usize = 8;
+
+/// Whether the triangulation is right, where that is certain without the verifier.
+pub(super) fn is_certainly_right(case: &Case) -> Option<bool> {
+    let Case {
+        points,
+        edges,
+        triangles,
+    } = case;
+    let mut named = edges.iter().flatten().chain(triangles.iter().flatten());
+    if !points.iter().flatten().all(|x| x.is_finite()) || named.any(|&v| v >= points.len()) {
+        Some(false)
+    } else if points.len() <= BY_DEFINITION && triangles.len() <= 2 * BY_DEFINITION {
+        Some(is_right(points, edges, triangles))
+    } else {
+        by_uniqueness(case)
+    }
+}
+
+/// The right answers to one input differ in sides with four cocircular vertices only, so that all have
+/// as many triangles and all other sides in common.
+fn by_uniqueness(case: &Case) -> Option<bool> {
+    let Case {
+        points,
+        edges,
+        triangles,
+    } = case;
+    let result = match triangulate(points, edges) {
+        Ok(result) => result,
+        Err(Error::CrossingEdges { edges: pair }) => {
+            assert!(crosses(points, edges, pair), "{pair:?} do not cross");
+            return Some(false);
+        }
+        Err(error) => panic!("no reason for: {error}"),
+    };
+    let right = check(points, edges, &result);
+    let given = canonical(&result, triangles);
+    if given == right.triangles {
+        return Some(true);
+    }
+    let (firm, all) = (firm_sides(points, &right), sides(&right.triangles));
+    let may_be_right =
+        firm != all && given.len() == right.triangles.len() && firm.is_subset(&sides(&given));
+    if may_be_right { None } else { Some(false) }
+}
+
+fn sides(triangles: &[[usize; 3]]) -> BTreeSet<[usize; 2]> {
+    let of_one = |&[a, b, c]: &[usize; 3]| [[a, b], [b, c], [c, a]].map(sorted);
+    triangles.iter().flat_map(of_one).collect()
+}
+
+/// How many kinds of change there are.
+const KINDS: u8 = 16;
+
+/// Changes the case as the four bytes say: most changes make a right one wrong.
+pub(super) fn change(case: &mut Case, [kind, which, other, how]: [u8; 4]) {
+    let kind = kind % KINDS;
+    let among = |byte: u8, count: usize| (count > 0).then(|| usize::from(byte) % count);
+    if let Some(t) = among(which, case.triangles.len()) {
+        change_triangle(case, kind, t, other, how);
+    }
+    let n = case.points.len();
+    if let (Some(v), Some(w)) = (among(which, n), among(other, n)) {
+        change_input(case, kind, [v, w], how);
+    }
+}
+
+/// Kinds 0 to 9.
+fn change_triangle(case: &mut Case, kind: u8, t: usize, other: u8, how: u8) {
+    let (n, count) = (case.points.len(), case.triangles.len());
+    let (u, v) = (
+        usize::from(other) % count,
+        usize::from(other).min(n) % (n + 1),
+    );
+    let (i, j) = (usize::from(how % 3), usize::from(how / 3 % 3));
+    let triangles = &mut case.triangles;
+    match kind {
+        // Another corner; one that does not exist if `other` is large.
+        0 => triangles[t][i] = v,
+        1 => drop(triangles.swap_remove(t)),
+        2 => triangles.push(triangles[t]),
+        3 => triangles[t].swap(i, (i + 1) % 3),
+        4 => triangles[t].rotate_left(i),
+        5 => flip(triangles, t, i),
+        // Corners of two triangles exchanged.
+        6 => (triangles[t][i], triangles[u][j]) = (triangles[u][j], triangles[t][i]),
+        // One triangle in the place of another, which harms unless they are the same.
+        7 => triangles[t] = triangles[u],
+        8 => triangles.swap(t, u),
+        // Two vertices change their roles.
+        9 => {
+            let pair = [triangles[t][i], v];
+            for corner in triangles.as_flattened_mut() {
+                if let Some(at) = pair.iter().position(|v| v == corner) {
+                    *corner = pair[1 - at];
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Kinds 10 to 15.
+fn change_input(case: &mut Case, kind: u8, [v, w]: [usize; 2], how: u8) {
+    let axis = usize::from(how & 1);
+    let x = case.points[v][axis];
+    match kind {
+        10 if how & 2 == 0 => case.points[v][axis] = x.next_up(),
+        10 => case.points[v][axis] = x.next_down(),
+        11 => case.points[v] = case.points[w],
+        12 => case.points[v][axis] = [x + 1.0, x - 1.0, 2.0 * x, -x][usize::from(how >> 1 & 3)],
+        13 => case.edges.push([v, w]),
+        14 if !case.edges.is_empty() => drop(case.edges.swap_remove(v % case.edges.len())),
+        15 => {
+            let [p, q] = [v, w].map(|v| case.points[v]);
+            let place = [0, 1].map(|i| f64::midpoint(p[i], q[i]));
+            case.points.push(place);
+        }
+        _ => {}
+    }
+}
+
+/// Replaces side `i` of triangle `t` by the other diagonal of its two triangles, if it has two.
+fn flip(triangles: &mut [[usize; 3]], t: usize, i: usize) {
+    let [a, b, c] = [0, 1, 2].map(|k| triangles[t][(i + k) % 3]);
+    let across = |u: &[usize; 3]| (0..3).find(|&k| [u[k], u[(k + 1) % 3]] == [b, a]);
+    if let Some(u) = triangles.iter().position(|u| across(u).is_some()) {
+        let d = triangles[u][(across(&triangles[u]).unwrap_or(0) + 2) % 3];
+        (triangles[t], triangles[u]) = ([c, a, d], [d, b, c]);
+    }
 }

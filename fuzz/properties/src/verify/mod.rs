@@ -10,16 +10,14 @@
 //! result whose vertices have moved.
 
 mod case;
-mod changes;
 mod domains;
-mod facts;
 mod moved;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Report, Verifier, Violation, Violations, verify};
 
-use self::case::Case;
+use self::case::{Case, change, is_certainly_right};
 use crate::reached;
 use sweep_cdt_testing::oracle::canonical;
 use sweep_cdt_testing::{Input, generators};
@@ -121,7 +119,7 @@ fn changed(count: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
         edges,
     };
     for word in &words[..usize::from(count)] {
-        changes::change(&mut case, *word);
+        change(&mut case, *word);
     }
     Ok(case)
 }
@@ -134,7 +132,7 @@ fn judge(case: &Case, in_parallel: bool) {
         triangles,
     } = case;
     let verdict = verify(points, edges, triangles);
-    if let Some(is_right) = facts::is_certainly_right(case) {
+    if let Some(is_right) = is_certainly_right(case) {
         assert_eq!(verdict.is_ok(), is_right, "{verdict:?} of {case:?}");
     }
     if let (Ok(report), Ok(result)) = (&verdict, triangulate(points, edges)) {

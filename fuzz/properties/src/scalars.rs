@@ -2,12 +2,11 @@
 //!
 //! The predicates of each scalar are another program: expansions of doubles, integers of 128 bits, big
 //! integers, rationals over a common denominator, and for the plainest scalar the textbook's determinants.
-//! One wrong sign changes a step. Some inputs are also scaled to integers (`wholes`), which are stretched,
+//! One wrong sign changes a step. Some inputs are also scaled to integers, which are stretched,
 //! moved far away or divided. The doubles that approximate such coordinates are rounded, which may change
 //! the steps, but not the result.
 
-mod wholes;
-
+use bnum::types::I256;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
@@ -16,7 +15,7 @@ use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation};
 use crate::reached;
 use sweep_cdt_testing::Steps;
 use sweep_cdt_testing::fronts::{self, Choice, FrontKind};
-use sweep_cdt_testing::oracle::found;
+use sweep_cdt_testing::oracle::{self, Integers, found};
 use sweep_cdt_testing::runs::{Archetype, Sample, convert};
 use sweep_cdt_testing::{Input, generators};
 
@@ -52,13 +51,13 @@ fn judge(input: &Input, steps: &Steps, scalar: u8, number: usize) {
         return;
     }
     let Input { points, edges } = input;
-    let whole = wholes::integers(points);
+    let whole = integers(points);
     let expected = &steps.result;
     match scalar % CHOICES {
-        5 => assert_same(&wholes::moved(&whole, number), edges, expected, "moved"),
-        6 => assert_same(&wholes::divided(&whole, number), edges, expected, "divided"),
+        5 => assert_same(&moved(&whole, number), edges, expected, "moved"),
+        6 => assert_same(&divided(&whole, number), edges, expected, "divided"),
         7 => {
-            if let Some(stretched) = wholes::stretched(&whole) {
+            if let Some(stretched) = stretched(&whole) {
                 assert_same(&stretched, edges, expected, "stretched");
             }
         }
@@ -126,4 +125,70 @@ fn assert_same<S: Scalar + Sync>(
         (Err(Error::CrossingEdges { .. }), Err(Error::CrossingEdges { .. })) => {}
         (here, there) => panic!("{name}: {here:?}, not {there:?}"),
     }
+}
+
+/// A point as whole numbers. The changes below, which make numbers that are hard to hold, change no turns or
+/// circles: one positive factor for all coordinates, and one number that is added to all.
+type Whole = [BigInt; 2];
+
+/// The points in the unit that makes them the smallest integers.
+fn integers(points: &[[f64; 2]]) -> Vec<Whole> {
+    let widened = |x: I256| x.to_string().parse().expect("an integer");
+    match oracle::integers(points) {
+        Integers::Small(points) => points.iter().map(|p| p.map(BigInt::from)).collect(),
+        Integers::Medium(points) => points.iter().map(|p| p.map(widened)).collect(),
+        Integers::Big(points) => points,
+    }
+}
+
+/// Rationals far from zero, where they need a bit more than a double or a machine's integer has.
+fn moved(points: &[Whole], number: usize) -> Vec<[BigRational; 2]> {
+    const FAR: [i128; 8] = [
+        1 << 53,
+        -(1 << 53),
+        (1 << 54) + 1,
+        (1 << 61) - 1,
+        -(1 << 62),
+        1 << 63,
+        (1 << 64) + 1,
+        1 << 100,
+    ];
+    let by = BigInt::from(FAR[number % FAR.len()]);
+    each(points, |x| BigRational::from_integer(x + &by))
+}
+
+/// Fractions, reduced or as they are; their denominators are alike or not, and may be below zero.
+fn divided(points: &[Whole], number: usize) -> Vec<[BigRational; 2]> {
+    const DIVISORS: [u64; 8] = [3, 7, 10, 49, 60, 1_000_000_007, (1 << 53) + 1, u64::MAX];
+    let divisor = BigInt::from(DIVISORS[number % DIVISORS.len()]);
+    let style = number / DIVISORS.len();
+    let mut factor = BigInt::from(if style & 1 == 0 { 1 } else { -1 });
+    each(points, |x| {
+        if style & 2 == 0 {
+            return BigRational::new(x.clone(), divisor.clone());
+        }
+        if style & 4 == 0 {
+            factor = 4 - &factor;
+        }
+        BigRational::new_raw(x * &factor, &divisor * &factor)
+    })
+}
+
+/// Over the whole range of `i64`, if they do not need more.
+fn stretched(points: &[Whole]) -> Option<Vec<[i64; 2]>> {
+    let coordinates = || points.iter().flatten();
+    let (low, high) = (coordinates().min()?, coordinates().max()?);
+    let span = (high - low).max(1.into());
+    let factor = BigInt::from(u64::MAX) / span;
+    let stretched = |x: &BigInt| i64::try_from((x - low) * &factor + i64::MIN);
+    let points = points.iter().map(|p| p.each_ref().map(stretched));
+    let points = points.map(|[x, y]| [x, y].map(|x| x.expect("it is in the range")));
+    (factor > BigInt::ZERO).then(|| points.collect())
+}
+
+fn each<T>(points: &[Whole], mut number: impl FnMut(&BigInt) -> T) -> Vec<[T; 2]> {
+    points
+        .iter()
+        .map(|p| p.each_ref().map(&mut number))
+        .collect()
 }

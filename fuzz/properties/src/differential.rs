@@ -8,19 +8,25 @@
 //! Programs get only inputs that they may be expected to accept: numbers of moderate size, no points too
 //! close to each other, edges that have a length and do not cross. They run in this process, so one that
 //! overflows the stack or does not return ends the campaign, which keeps the input.
+//!
+//! With the environment variable `SWEEP_CDT_PEER_FAULTS` set to a folder, each process writes there from time
+//! to time how many faults of each kind it has found, and for the first inputs of each kind a row of the table
+//! of cases, minimized.
 
-mod faults;
-mod quiet;
-
+use std::cell::Cell;
 use std::cmp::Ordering::{Greater, Less};
-use std::collections::BTreeSet;
-use std::panic::catch_unwind;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::io::Write;
+use std::panic::{catch_unwind, set_hook, take_hook};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, Once, OnceLock};
 
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::Verifier;
 
 use crate::reached;
-use quiet::quietly;
+use sweep_cdt_testing::minimize::minimize;
 use sweep_cdt_testing::oracle::{Answer, Graph, Number, Point, check, firm_sides};
 use sweep_cdt_testing::peers::{PROGRAMS, Program};
 use sweep_cdt_testing::{Input, generators, with_integers};
@@ -35,7 +41,7 @@ pub fn test(bytes: &[u8]) {
     for (name, program, takes_edges) in PROGRAMS {
         if is_question(&input, takes_edges) {
             let fault = fault(&input, &answer, program);
-            faults::count(&input, name, fault, &|input| {
+            count(&input, name, fault, &|input| {
                 let answer = right_answer(input).filter(|_| is_question(input, takes_edges))?;
                 self::fault(input, &answer, program)
             });
@@ -125,4 +131,104 @@ fn agrees<N: Number>(
             };
             firm_sides(points, &theirs) == firm_sides(points, answer)
         }
+}
+
+/// So many inputs of a kind are written.
+const SHOWN: u64 = 3;
+/// So many answers pass between two writings of the counts.
+const WRITE: u64 = 4096;
+
+/// How often each program had each fault, or none.
+static COUNTS: Mutex<BTreeMap<(&str, &str), u64>> = Mutex::new(BTreeMap::new());
+
+/// Counts an answer, and shows its fault if `SWEEP_CDT_PEER_FAULTS` asks for it; `again` finds the fault
+/// of smaller inputs.
+fn count(
+    input: &Input,
+    program: &'static str,
+    fault: Option<&'static str>,
+    again: &dyn Fn(&Input) -> Option<&'static str>,
+) {
+    static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
+    let folder =
+        FOLDER.get_or_init(|| std::env::var_os("SWEEP_CDT_PEER_FAULTS").map(PathBuf::from));
+    let (Some(folder), Ok(mut counts)) = (folder, COUNTS.lock()) else {
+        return;
+    };
+    let count = counts
+        .entry((program, fault.unwrap_or("right")))
+        .or_default();
+    *count += 1;
+    // A report that cannot be written must not stop a campaign.
+    if let Some(fault) = fault
+        && *count <= SHOWN
+    {
+        let is_other = |input: &Input| assert_ne!(again(input), Some(fault));
+        let least = quietly(|| minimize(&is_other, input));
+        let _ = show(folder, program, fault, &least);
+    }
+    if counts.values().sum::<u64>() % WRITE == 1 {
+        let rows = counts.iter();
+        let text: String = rows
+            .map(|((program, fault), count)| format!("{program}\t{fault}\t{count}\n"))
+            .collect();
+        let _ = fs::write(folder.join(format!("{}.tsv", std::process::id())), text);
+    }
+}
+
+/// Adds a row to the file of this kind.
+fn show(folder: &Path, program: &str, fault: &str, least: &Input) -> std::io::Result<()> {
+    let name = format!("{program}-{fault}-{}.txt", std::process::id());
+    let mut file = fs::File::options()
+        .append(true)
+        .create(true)
+        .open(folder.join(name))?;
+    writeln!(file, "{least}")
+}
+
+thread_local! {
+    static IS_QUIET: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Calls a function that catches its own panics, which are expected: without the hook, so that they are
+/// neither printed nor end the process.
+///
+/// A fuzz target's process has a panic hook that aborts. One hook around it, set once, that does nothing
+/// on a thread which is asking another program, costs nothing per call, and leaves all other panics as
+/// they are.
+fn quietly<T>(call: impl FnOnce() -> T) -> T {
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let loud = take_hook();
+        set_hook(Box::new(move |panic| {
+            if !IS_QUIET.get() {
+                loud(panic);
+            }
+        }));
+    });
+    let before = IS_QUIET.replace(true);
+    let result = call();
+    IS_QUIET.set(before);
+    result
+}
+
+#[test]
+fn only_other_panics_reach_the_hook() {
+    static HEARD: Mutex<Vec<&str>> = Mutex::new(Vec::new());
+    let loud = take_hook();
+    set_hook(Box::new(move |panic| {
+        match panic.payload().downcast_ref::<&str>() {
+            Some(text @ (&"before" | &"expected" | &"after")) => {
+                HEARD.lock().expect("no panic holds it").push(text);
+            }
+            _ => loud(panic),
+        }
+    }));
+    assert!(catch_unwind(|| panic!("before")).is_err());
+    assert!(quietly(|| catch_unwind(|| panic!("expected"))).is_err());
+    assert!(catch_unwind(|| panic!("after")).is_err());
+    assert_eq!(
+        *HEARD.lock().expect("no panic holds it"),
+        ["before", "after"]
+    );
 }
