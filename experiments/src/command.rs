@@ -1,4 +1,5 @@
-//! The command line.
+//! The command line, and what it asks for: cells of a plan that have not run are run, and the report is
+//! written.
 
 use std::error::Error;
 use std::fs::File;
@@ -6,13 +7,14 @@ use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::contestant::Contestant;
 use crate::data::{KINDS, Kind, write_poly};
-use crate::experiments::{ALL, Experiment, cells};
+use crate::experiments::{self, Experiment, cells};
 use crate::measure::{Cell, Source};
 use crate::plan::{Plan, Store};
-use crate::runner;
+use crate::report::{self, Method};
 
 /// Compares search structures for the advancing front, heuristics, phases and scalars.
 #[derive(Debug, Parser)]
@@ -76,6 +78,17 @@ struct Options {
     merge: bool,
 }
 
+/// All experiments.
+const ALL: &[Experiment] = &[
+    experiments::FRONTS,
+    experiments::HEURISTICS,
+    experiments::TABLE_1,
+    experiments::TABLE_2,
+    experiments::SCALARS,
+    experiments::SCALING,
+    experiments::ADVERSARIES,
+];
+
 fn names() -> String {
     let experiments = ALL.iter().map(|e| format!("  {:12} {}", e.name, e.about));
     let kinds = KINDS
@@ -130,12 +143,12 @@ pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
     let folder = options.out.unwrap_or_else(default);
     if options.merge {
         let (store, commit) = Store::reopen(&folder, &plan)?;
-        return runner::report(&Plan { commit, ..plan }, &store);
+        return write_report(&Plan { commit, ..plan }, &store);
     }
     let store = Store::open(&folder, &plan)?;
     match options.cell {
-        Some(number) => runner::run_cell(&plan, &store, number),
-        None => runner::run(&plan, &store),
+        Some(number) => run_cell(&plan, &store, number),
+        None => run_all(&plan, &store),
     }
 }
 
@@ -172,4 +185,60 @@ fn generate(name: &str, points: usize, seed: u64, output: Option<PathBuf>) -> Re
     });
     write_poly(&input, &mut out)?;
     Ok(out.flush()?)
+}
+
+/// Runs one cell.
+fn run_cell(plan: &Plan, store: &Store, number: usize) -> Result<()> {
+    let cell = plan.cells.get(number).ok_or_else(|| {
+        let last = plan.cells.len() - 1;
+        format!("there is no cell {number}: they are 0 to {last}")
+    })?;
+    let rows = cell.run(&plan.variants, plan.seed, plan.repetitions)?;
+    store.keep(number, &rows)
+}
+
+/// Runs all cells that have not run, shows progress, and writes the report.
+fn run_all(plan: &Plan, store: &Store) -> Result<()> {
+    // Time goes with points; a file is taken for a small input.
+    let weight = |cell: &Cell| cell.size.max(1000) as u64;
+    let bar = ProgressBar::new(plan.cells.iter().map(weight).sum());
+    let style = "{elapsed_precise} {wide_bar} {percent} %, {eta} left: {msg}";
+    bar.set_style(ProgressStyle::with_template(style)?);
+    let (missing, done): (Vec<_>, Vec<_>) = plan
+        .cells
+        .iter()
+        .enumerate()
+        .partition(|&(number, _)| !store.has(number));
+    // What an earlier run has done says nothing about the time that is left.
+    bar.set_position(done.iter().map(|(_, cell)| weight(cell)).sum());
+    bar.reset_eta();
+    for (number, cell) in missing {
+        bar.set_message(Plan::line(cell));
+        run_cell(plan, store, number)?;
+        bar.inc(weight(cell));
+    }
+    bar.finish_and_clear();
+    write_report(plan, store)
+}
+
+/// Gathers the rows of all cells, and writes the report.
+fn write_report(plan: &Plan, store: &Store) -> Result<()> {
+    let rows = store.gather(plan)?;
+    let method = Method {
+        experiment: plan.experiment.name,
+        about: plan.experiment.about,
+        commit: &plan.commit,
+        seed: plan.seed,
+        repetitions: plan.repetitions,
+    };
+    let remarks = (plan.experiment.remarks)(&rows);
+    report::write(
+        &store.folder,
+        &method,
+        plan.experiment.views,
+        &remarks,
+        &rows,
+    )?;
+    println!("{}", store.folder.join("report.md").display());
+    Ok(())
 }

@@ -20,7 +20,6 @@ pub mod fronts;
 mod measure;
 mod plan;
 mod report;
-mod runner;
 
 use std::error::Error;
 use std::ffi::OsString;

@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use sweep_cdt::{Algorithm, Heuristics};
 
-use super::experiment::{Experiment, cells, default_structure};
+use super::{Experiment, cells, default_structure};
 use crate::measure::{Row, Variant};
 use crate::report::{Shape, View};
 
 /// Table 1: nine sets of parcels and contour lines, and its algorithms as ratios to the sweep.
-pub(super) const TABLE_1: Experiment = Experiment {
+pub(crate) const TABLE_1: Experiment = Experiment {
     name: "table1",
     about: "The paper's table 1: the sweep and divide and conquer on parcels and contour lines.",
     cells: |quick| {
@@ -172,7 +172,7 @@ fn beside_table_1(rows: &[Row]) -> String {
 }
 
 /// Table 2: the time of the three parts of the algorithm (section 3.2).
-pub(super) const TABLE_2: Experiment = Experiment {
+pub(crate) const TABLE_2: Experiment = Experiment {
     name: "table2",
     about: "The paper's table 2: initialization, sweeping and finalization.",
     cells: |quick| {

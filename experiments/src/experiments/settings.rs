@@ -4,12 +4,12 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::{Algorithm, Corners, Heuristics};
 
-use super::experiment::{Experiment, TIME, cells, default_structure, no_remarks};
+use super::{Experiment, TIME, cells, default_structure, no_remarks};
 use crate::measure::Variant;
 use crate::report::{Shape, View};
 
 /// The two heuristics of the point event (section 3.4.1, figures 9 and 10), alone and together.
-pub(super) const HEURISTICS: Experiment = Experiment {
+pub(crate) const HEURISTICS: Experiment = Experiment {
     name: "heuristics",
     about: "What do the heuristics of the point event buy: narrow corners and basins?",
     cells: |quick| {
@@ -89,7 +89,7 @@ fn settings() -> Vec<(&'static str, Heuristics)> {
 }
 
 /// The same points in several scalars: integers that all of them hold.
-pub(super) const SCALARS: Experiment = Experiment {
+pub(crate) const SCALARS: Experiment = Experiment {
     name: "scalars",
     about: "What does exact arithmetic in other scalars cost on the same integers?",
     cells: |quick| {

@@ -1,13 +1,13 @@
 //! The experiments that compare search structures: on every kind of data, as the number of points grows, and
 //! on the data that defeats them.
 
-use super::experiment::{Experiment, TIME, cells, no_remarks};
+use super::{Experiment, TIME, cells, no_remarks};
 use crate::contestant::{Contestant, standard};
 use crate::measure::{Row, Variant};
 use crate::report::{Shape, View};
 
 /// Every structure on every kind of data.
-pub(super) const FRONTS: Experiment = Experiment {
+pub(crate) const FRONTS: Experiment = Experiment {
     name: "fronts",
     about: "Which search structure for which data, by how much, and why?",
     cells: |quick| {
@@ -82,7 +82,7 @@ const FRONTS_KINDS: &[&str] = &[
 ];
 
 /// How the work and the time grow with the number of points.
-pub(super) const SCALING: Experiment = Experiment {
+pub(crate) const SCALING: Experiment = Experiment {
     name: "scaling",
     about: "How do work and time grow with the number of points?",
     cells: |quick| {
@@ -143,7 +143,7 @@ const SHOWN: &[&str] = &[
 ];
 
 /// For each structure the data that defeats it: the work of a search as it grows with the number of points.
-pub(super) const ADVERSARIES: Experiment = Experiment {
+pub(crate) const ADVERSARIES: Experiment = Experiment {
     name: "adversaries",
     about: "Which data defeats which structure?",
     cells: |quick| {
