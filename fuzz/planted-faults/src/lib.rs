@@ -16,22 +16,23 @@ use serde::Deserialize;
 /// Names the chosen fault in the environment, by its place in the list of all.
 pub const CHOICE: &str = "SWEEP_CDT_FAULT";
 
-const TABLES: [&str; 13] = [
-    include_str!("../faults/order.toml"),
-    include_str!("../faults/signs.toml"),
+const FILES: [&str; 7] = [
     include_str!("../faults/point.toml"),
     include_str!("../faults/fill.toml"),
-    include_str!("../faults/divide.toml"),
-    include_str!("../faults/bands.toml"),
     include_str!("../faults/edge.toml"),
-    include_str!("../faults/mesh.toml"),
-    include_str!("../faults/front.toml"),
     include_str!("../faults/scalar.toml"),
     include_str!("../faults/trace.toml"),
     include_str!("../faults/verify.toml"),
     include_str!("../faults/formats.toml"),
 ];
 
+/// A file of tables.
+#[derive(Deserialize)]
+struct Tables {
+    table: Vec<Table>,
+}
+
+/// Faults of one kind.
 #[derive(Deserialize)]
 struct Table {
     kind: String,
@@ -62,13 +63,15 @@ pub struct Fault {
 /// If a table cannot be read.
 pub fn faults() -> Vec<Fault> {
     let mut faults = Vec::new();
-    for text in TABLES {
-        let Table { kind, fault } = toml::from_str(text).expect("a table of faults");
-        let of_kind = |fault| Fault {
-            kind: kind.clone(),
-            ..fault
-        };
-        faults.extend(fault.into_iter().map(of_kind));
+    for text in FILES {
+        let Tables { table } = toml::from_str(text).expect("tables of faults");
+        for Table { kind, fault } in table {
+            let of_kind = |fault| Fault {
+                kind: kind.clone(),
+                ..fault
+            };
+            faults.extend(fault.into_iter().map(of_kind));
+        }
     }
     faults
 }
