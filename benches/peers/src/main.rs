@@ -17,7 +17,6 @@ mod crates;
 mod data;
 mod measure;
 mod plot;
-mod process;
 mod programs;
 mod report;
 

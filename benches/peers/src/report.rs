@@ -1,8 +1,7 @@
 //! The tables: as plain text, as Markdown and as CSV.
 
 use crate::data::Kind;
-use crate::measure::{Cell, Outcome, Row, Verdict};
-use crate::process::Failure;
+use crate::measure::{Cell, Failure, Outcome, Row, Verdict};
 use crate::programs::OURS;
 
 /// Of the columns in plain text.

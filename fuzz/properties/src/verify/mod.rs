@@ -10,14 +10,15 @@
 //! result whose vertices have moved.
 
 mod case;
-mod domains;
 mod moved;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Report, Verifier, Violation, Violations, verify};
 
-use self::case::{Case, change, is_certainly_right};
+use self::case::{
+    Case, change, is_certainly_right, judge_hole, judge_part, judge_unused, judge_wound,
+};
 use crate::reached;
 use sweep_cdt_testing::oracle::canonical;
 use sweep_cdt_testing::{Input, generators};
@@ -98,7 +99,7 @@ fn wound(bytes: &mut Unstructured<'_>) -> Result<Case> {
         points,
         edges: Vec::new(),
     };
-    domains::judge_wound(&case);
+    judge_wound(&case);
     Ok(case)
 }
 
@@ -163,11 +164,11 @@ fn judge(case: &Case, in_parallel: bool) {
             "within the hull (left) of {case:?}"
         );
         if verdict.is_ok() {
-            if let Some(verdict) = domains::judge_hole(case, &hull) {
+            if let Some(verdict) = judge_hole(case, &hull) {
                 check_list(case, &verdict);
             }
-            domains::judge_part(case);
-            domains::judge_unused(case, &hull);
+            judge_part(case);
+            judge_unused(case, &hull);
         }
     }
     let chains: Vec<Vec<usize>> = triangles.iter().map(|t| t.to_vec()).collect();
