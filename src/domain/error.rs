@@ -1,6 +1,6 @@
 //! Why a rule says nothing of an input. Every error names the offenders by the caller's own indices.
 
-use super::seed::Seed;
+use std::fmt;
 
 /// Why no domain follows from a rule.
 ///
@@ -67,4 +67,22 @@ pub enum DomainError {
         /// The first such region.
         region: usize,
     },
+}
+
+/// A point that stands for the whole face that it lies in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Seed {
+    /// The hole of this index.
+    Hole(usize),
+    /// The region of this index.
+    Region(usize),
+}
+
+impl fmt::Display for Seed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Seed::Hole(hole) => write!(f, "hole {hole}"),
+            Seed::Region(region) => write!(f, "region {region}"),
+        }
+    }
 }

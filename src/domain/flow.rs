@@ -1,4 +1,4 @@
-//! How often the edges run along each side, one direction against the other.
+//! How often the edges run along each side, one direction against the other, and what that makes of each triangle.
 //!
 //! Every edge is a chain of sides. Each counts as a *flow* along them: +1 in its direction. The flow of a side is
 //! the sum over all edges. For the winding number the flow is what crossing the side changes. For crossing
@@ -9,7 +9,11 @@
 //! zero (even), because that holds for a path around one vertex, and every path is a sum of these. So what a
 //! rule says of a triangle does not depend on the path to it.
 //!
-//! Cost: O(m log m), where m is the sum of the lengths of all chains. Equal edges are walked once.
+//! Depths spread from the hull inwards, from triangle to triangle. The hull is connected, so every triangle is
+//! reached. A triangle is expanded once.
+//!
+//! Cost: O(m log m), where m is the sum of the lengths of all chains. Equal edges are walked once. Depths take O(n),
+//! and the search for the flow of each constrained side.
 
 use super::error::DomainError;
 use crate::Triangulation;
@@ -106,4 +110,74 @@ fn summed<K: Copy + Ord>(mut list: Vec<(K, i32)>) -> Vec<(K, i32)> {
         (same[0].0, sum)
     });
     sums.filter(|&(_, flow)| flow != 0).collect()
+}
+
+/// For each triangle the least number of walls between it and the outside; a wall is a side.
+///
+/// Layer after layer: all that is reached without another wall comes before what lies behind one.
+pub(super) fn layers(result: &Triangulation, is_wall: impl Fn(usize, usize) -> bool) -> Vec<i32> {
+    let mut depths: Vec<Option<i32>> = vec![None; result.len()];
+    let (mut now, mut next) = (Vec::new(), Vec::new());
+    for [t, side] in hull(result) {
+        let layer = if is_wall(t, side) {
+            &mut next
+        } else {
+            &mut now
+        };
+        layer.push(t);
+    }
+    let mut depth = 0;
+    while !(now.is_empty() && next.is_empty()) {
+        while let Some(t) = now.pop() {
+            if depths[t].is_some() {
+                continue;
+            }
+            depths[t] = Some(depth);
+            for side in 0..3 {
+                if let Some(neighbor) = result.neighbor(t, side) {
+                    let layer = if is_wall(t, side) {
+                        &mut next
+                    } else {
+                        &mut now
+                    };
+                    layer.push(neighbor);
+                }
+            }
+        }
+        std::mem::swap(&mut now, &mut next);
+        depth += 1;
+    }
+    complete(depths)
+}
+
+/// For each triangle the sum of the steps on a path to it from outside, where `step` is what is added on the way
+/// into a triangle through one of its sides. The sum must not depend on the path.
+pub(super) fn sums(result: &Triangulation, step: impl Fn(usize, usize) -> i32) -> Vec<i32> {
+    let mut depths: Vec<Option<i32>> = vec![None; result.len()];
+    let mut waiting: Vec<(usize, i32)> = hull(result).map(|[t, side]| (t, step(t, side))).collect();
+    while let Some((t, depth)) = waiting.pop() {
+        if depths[t].is_some() {
+            continue;
+        }
+        depths[t] = Some(depth);
+        for side in 0..3 {
+            if let Some(neighbor) = result.neighbor(t, side) {
+                waiting.push((neighbor, depth - step(t, side)));
+            }
+        }
+    }
+    complete(depths)
+}
+
+/// The triangles on the hull, each with its side there.
+fn hull(result: &Triangulation) -> impl Iterator<Item = [usize; 2]> + '_ {
+    let sides = (0..result.len()).flat_map(|t| [0, 1, 2].map(|side| [t, side]));
+    sides.filter(|&[t, side]| result.neighbor(t, side).is_none())
+}
+
+fn complete(depths: Vec<Option<i32>>) -> Vec<i32> {
+    let depths = depths.into_iter();
+    depths
+        .map(|depth| depth.expect("the triangles are connected"))
+        .collect()
 }

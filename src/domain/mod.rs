@@ -8,36 +8,57 @@
 //! | | inside is | file |
 //! |---|---|---|
 //! | [`Rule::Hull`] | everything | `mod.rs` |
-//! | [`Rule::EvenOdd`] | what a path from outside enters by an odd number of edges | `flow`, `spread` |
-//! | [`Rule::NonZero`] | what the edges go round | `flow`, `spread` |
-//! | [`Triangulation::domain_of_seeds`] | what no hole and no gap of the edges opens | `holes`, `faces`, `locate` |
+//! | [`Rule::EvenOdd`] | what a path from outside enters by an odd number of edges | `flow` |
+//! | [`Rule::NonZero`] | what the edges go round | `flow` |
+//! | [`Triangulation::domain_of_seeds`] | what no hole and no gap of the edges opens | `holes` |
 //!
-//! Why that is right: each file says it of its part. `flow` counts the edges on each side and shows that all paths
-//! to a triangle agree; `spread` follows one of them; `faces` joins what no edge parts, and `holes` asks in which
-//! face a seed is; `loops` collects the boundary.
+//! Why that is right: each file says it of its part. `flow` counts the edges on each side, shows that all paths
+//! to a triangle agree, and follows one of them; `holes` joins what no edge parts, and asks in which face a seed is;
+//! `labels` collects the boundary.
 //!
 //! Cost: O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
 //!
 //! Differs from the paper: it ends with the hull.
 
 mod error;
-mod faces;
 mod flow;
 mod holes;
 mod labels;
-mod locate;
-mod loops;
-mod rule;
-mod seed;
-mod spread;
 
-pub use error::DomainError;
+pub use error::{DomainError, Seed};
 pub use labels::Domain;
-pub use rule::Rule;
-pub use seed::Seed;
 
 use crate::Triangulation;
 use flow::Flow;
+
+/// What of the convex hull is inside.
+///
+/// ```
+/// use sweep_cdt::domain::Rule;
+///
+/// // A square in a square, both counter-clockwise.
+/// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
+/// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+/// let result = sweep_cdt::triangulate(&points, &edges)?;
+/// assert_eq!(result.domain(Rule::Hull)?.inside().len(), 10);
+/// assert_eq!(result.domain(Rule::EvenOdd)?.inside().len(), 8);
+/// assert_eq!(result.domain(Rule::NonZero(&edges))?.inside().len(), 10);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum Rule<'a> {
+    /// All of it.
+    Hull,
+    /// Whatever a path from far away enters by crossing an odd number of edges. The direction of the edges
+    /// does not matter. An edge that is given twice is crossed twice, and so is a place where two edges
+    /// overlap. The edges must form closed chains: at each point an even number of them ends.
+    EvenOdd,
+    /// Whatever the edges go round, more often in one direction than in the other. Each edge runs from its
+    /// first to its second point, and these must be the edges that were triangulated. As many must end at
+    /// each point as start there.
+    NonZero(&'a [[usize; 2]]),
+}
 
 impl Triangulation {
     /// What of the hull is inside, by a [`Rule`].
@@ -57,7 +78,7 @@ impl Triangulation {
     /// ```
     pub fn domain(&self, rule: Rule<'_>) -> Result<Domain<'_>, DomainError> {
         let flow_in = |flow: &Flow, t, side| match self.is_constrained(t, side) {
-            true => flow.of_side(loops::ends(self, t, side)),
+            true => flow.of_side(labels::ends(self, t, side)),
             false => 0,
         };
         let is_odd = |number: i32| number % 2 != 0;
@@ -66,13 +87,13 @@ impl Triangulation {
             Rule::EvenOdd => {
                 let flow = Flow::downwards(self);
                 flow.expect_closed(is_odd)?;
-                let depths = spread::layers(self, |t, side| is_odd(flow_in(&flow, t, side)));
+                let depths = flow::layers(self, |t, side| is_odd(flow_in(&flow, t, side)));
                 Ok(Domain::new(self, depths, is_odd))
             }
             Rule::NonZero(edges) => {
                 let flow = Flow::along(self, edges)?;
                 flow.expect_closed(|flow| flow != 0)?;
-                let depths = spread::sums(self, |t, side| flow_in(&flow, t, side));
+                let depths = flow::sums(self, |t, side| flow_in(&flow, t, side));
                 Ok(Domain::new(self, depths, |winding| winding != 0))
             }
         }
