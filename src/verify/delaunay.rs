@@ -4,11 +4,9 @@
 use std::cmp::Ordering;
 
 use super::chunks::{Progress, Schedule};
-use super::findings::Findings;
-use super::record::Record;
+use super::record::{Findings, Record};
 use super::sides::Sides;
-use super::signs::Tally;
-use super::soup::Soup;
+use super::soup::{Soup, Tally};
 use super::violation::Violation;
 use crate::scalar::Scalar;
 

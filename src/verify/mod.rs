@@ -2,7 +2,7 @@
 //!
 //! It reads points, edges and triangles as bare arrays, made by any program, and decides everything by
 //! exact signs. It shares the signs of [`scalar`](crate::scalar) (filter and exact predicates) with the
-//! sweep, and nothing else. The checks, in this order, each in its own file:
+//! sweep, and nothing else. The checks, in this order, with their files:
 //!
 //! | | check | file |
 //! |---|---|---|
@@ -11,7 +11,7 @@
 //! | 3 | every side of a triangle, as a directed edge, occurs once | `sides` |
 //! | 4 | the sides without a triangle on their right form one closed chain, which never turns right nor back and goes round once | `boundary` |
 //! | 5 | every distinct point is a corner | `points` |
-//! | 6 | the number of triangles is Euler's, 2 n - 2 - h for n points, h of them on the boundary | `euler` |
+//! | 6 | the number of triangles is Euler's, 2 n - 2 - h for n points, h of them on the boundary | `points` |
 //! | 7 | every input edge is a chain of sides | `edges` |
 //! | 8 | every other side between two triangles is *locally Delaunay*: the corner opposite to it in one triangle is not strictly inside the circumcircle of the other | `delaunay` |
 //!
@@ -25,7 +25,7 @@
 //! all points (5).
 //!
 //! *A domain that the caller declares* takes the place of the hull. (4) then asks that the boundary is the
-//! declared one, whichever way its chains run, `domain`, and (5) that the declared sides do not cross and go round each place once or not
+//! declared one, whichever way its chains run, and (5) that the declared sides do not cross and go round each place once or not
 //! at all, `scanline`: so the triangles cover the domain once, and points outside it need no corner.
 //!
 //! *They meet side to side.* Suppose a vertex v lies inside a side of a triangle. The triangles at that
@@ -59,31 +59,21 @@
 mod boundary;
 mod chunks;
 mod delaunay;
-mod domain;
-mod duplicates;
 mod edges;
-mod euler;
-mod findings;
 mod input;
-mod level;
-mod offenders;
 mod points;
 mod record;
 mod report;
 mod scanline;
 mod sides;
-mod signs;
 mod soup;
-mod straight;
 mod turns;
 mod verifier;
 mod violation;
 
-pub use level::Level;
-pub use offenders::Offenders;
-pub use report::{Report, Violations};
+pub use report::{Level, Report, Violations};
 pub use verifier::Verifier;
-pub use violation::Violation;
+pub use violation::{Offenders, Violation};
 
 use crate::scalar::Scalar;
 

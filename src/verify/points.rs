@@ -1,7 +1,7 @@
 //! Check 5: every distinct point is a corner, or lies outside the domain that the caller declared, if that
-//! is one.
+//! is one. Check 6: the number of triangles is Euler's, 2 n - 2 - h for n distinct points, h of them on the hull.
 
-use super::domain::Domain;
+use super::boundary::Domain;
 use super::record::Record;
 use super::scanline;
 use super::soup::Soup;
@@ -35,5 +35,21 @@ pub(super) fn check<S: Scalar>(
     for v in needed {
         let vertex = soup.signs.name(v);
         record.findings.add(Violation::UnusedPoint { vertex });
+    }
+}
+
+/// Checks the count, if nothing else is wrong and the triangles are to fill the hull. It follows from the checks
+/// before it: a second opinion, by nothing but counting.
+pub(super) fn check_count(domain: Option<&Domain>, record: &mut Record) {
+    let report = &record.report;
+    if domain.is_some() || report.triangles == 0 || !record.findings.is_empty() {
+        return;
+    }
+    let expected = 2 * report.distinct_points - 2 - report.boundary_sides;
+    if report.triangles != expected {
+        record.findings.add(Violation::WrongCount {
+            triangles: report.triangles,
+            expected,
+        });
     }
 }

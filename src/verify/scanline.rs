@@ -28,7 +28,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use super::signs::{Signs, Tally};
+use super::soup::{Signs, Tally};
 use crate::scalar::Scalar;
 
 /// A declared side.

@@ -4,8 +4,7 @@ use std::cmp::Ordering;
 
 use super::chunks::{Progress, Schedule};
 use super::record::Record;
-use super::signs::Tally;
-use super::soup::{REJECTED, Soup};
+use super::soup::{REJECTED, Soup, Tally};
 use super::violation::Violation;
 use crate::scalar::Scalar;
 
