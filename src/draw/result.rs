@@ -14,8 +14,7 @@ use super::window::{PIXEL, Window};
 use super::{legend, mesh_style, svg};
 use crate::Triangulation;
 use crate::domain::Domain;
-use crate::formats::Graph;
-use crate::formats::pairs::sorted_pairs;
+use crate::formats::{Graph, sorted_pairs};
 use crate::scalar::Scalar;
 
 /// Up to this many vertices get numbers.

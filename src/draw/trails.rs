@@ -38,7 +38,7 @@ pub(super) fn trails(vertices: usize, edges: &[[usize; 2]]) -> Vec<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::trails;
-    use crate::formats::pairs::sorted_pairs;
+    use crate::formats::sorted_pairs;
 
     #[test]
     fn each_edge_is_walked_once() {

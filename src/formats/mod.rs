@@ -17,17 +17,25 @@
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 
 mod coordinate;
-mod cores;
 mod graph;
-pub(crate) mod pairs;
-mod rational;
 mod read;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError};
+pub(crate) use graph::sorted_pairs;
 pub use graph::{Graph, Region};
 pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
     read, read_result,
 };
 pub use write::{OutputFormat, write, write_domain, write_node};
+
+/// The same work on many parts, with the feature `parallel` on all cores. The results are in the order of the parts.
+fn on_all_cores<P: Send, T: Send>(parts: Vec<P>, work: impl Fn(P) -> T + Sync + Send) -> Vec<T> {
+    #[cfg(feature = "parallel")]
+    if parts.len() > 1 && crate::threads::has_threads() {
+        use rayon::prelude::*;
+        return parts.into_par_iter().map(work).collect();
+    }
+    parts.into_iter().map(work).collect()
+}

@@ -5,8 +5,7 @@ use std::io::{self, Write};
 use crate::draw::plane::places;
 use crate::draw::svg;
 use crate::draw::window::Window;
-use crate::formats::pairs::sorted_pairs;
-use crate::formats::{Graph, Triangles};
+use crate::formats::{Graph, Triangles, sorted_pairs};
 use crate::scalar::Scalar;
 
 /// More lines of a kind than this are left out of a panel, so that a file stays readable.

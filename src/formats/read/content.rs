@@ -8,7 +8,7 @@
 use std::borrow::Cow;
 
 use crate::formats::read::source::{ReadError, Source, quoted};
-use crate::formats::{Coordinate, CoordinateError, cores};
+use crate::formats::{Coordinate, CoordinateError, on_all_cores};
 
 /// The vertices of a file.
 pub(super) struct Vertices<'a> {
@@ -95,7 +95,7 @@ impl<'a> Vertices<'a> {
             pieces.iter().map(point).collect::<Result<Vec<_>, _>>()
         };
         let mut list = Vec::with_capacity(self.coordinates.len());
-        for points in cores::map(self.coordinates.chunks(CHUNK).collect(), points) {
+        for points in on_all_cores(self.coordinates.chunks(CHUNK).collect(), points) {
             list.append(&mut points.map_err(|(error, piece)| (error, self.error(piece, error)))?);
         }
         Ok(list)

@@ -3,7 +3,7 @@
 //! A result that lists its vertices tells so by their coordinates, in whatever order they stand: all of
 //! them must be vertices of the input, exactly. Where one is not, the file may have rounded coordinates.
 //! Then numbers decide, and coordinates only confirm them: each must be the one of the same number,
-//! [rounded](super::rounding). The nearest vertex is never taken for the right one.
+//! rounded ([`is_rounded`]). The nearest vertex is never taken for the right one.
 //!
 //! Cost: one sort of the input's points, and a binary search for each vertex of the file.
 
@@ -12,9 +12,7 @@ use std::cmp::Ordering;
 use num_rational::BigRational;
 
 use crate::formats::read::content::Vertices;
-use crate::formats::read::matched::Matched;
 use crate::formats::read::result_error::ResultError;
-use crate::formats::read::rounding::is_rounded;
 use crate::formats::{Coordinate, Graph};
 use crate::scalar::Scalar;
 
@@ -160,4 +158,91 @@ fn difference<S: Coordinate>(x: &S, y: &S) -> f64 {
     };
     let difference = difference.unwrap_or_else(|| x.approx() - y.approx());
     difference.abs().min(f64::MAX)
+}
+
+/// How the vertices of a result were matched with those of the input.
+#[derive(Clone, Copy, Debug, PartialEq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Matched {
+    /// By coordinates: each vertex of the result is one of the input, exactly.
+    Equal,
+    /// By number: the result has no coordinates.
+    Unplaced,
+    /// By number: each coordinate of the result is that of the input, rounded.
+    Rounded {
+        /// The greatest difference of two coordinates.
+        difference: f64,
+    },
+    /// By number: no coordinate differs by more than the tolerance that was asked for.
+    Near {
+        /// The greatest difference of two coordinates.
+        difference: f64,
+    },
+    /// By number, as was asked for, wherever the vertices are.
+    Asked {
+        /// The greatest difference of two coordinates; of a vertex that only one of the files has there is
+        /// none.
+        difference: f64,
+    },
+}
+
+impl Matched {
+    /// What decided: `coordinates` or `number`.
+    pub fn by(self) -> &'static str {
+        match self {
+            Matched::Equal => "coordinates",
+            _ => "number",
+        }
+    }
+
+    /// The greatest difference of a coordinate of the result from that of the input; `None` where the
+    /// result has none. (At most the largest double.)
+    pub fn difference(self) -> Option<f64> {
+        match self {
+            Matched::Equal => Some(0.0),
+            Matched::Unplaced => None,
+            Matched::Rounded { difference }
+            | Matched::Near { difference }
+            | Matched::Asked { difference } => Some(difference),
+        }
+    }
+
+    /// Its name: the variant in lower case with hyphens.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
+/// The fewest significant digits that a program is taken to have printed.
+const FEWEST: usize = 6;
+/// A double is known from so many digits.
+const MOST: usize = 17;
+
+/// Whether a value is what printing `exact` gives, as this text has it.
+///
+/// Half a unit may be rounded to either side. `exact` is known to one unit in its last place only, if
+/// `is_near` says so.
+///
+/// A program that prints a coordinate with k significant digits moves it by at most half a unit of its
+/// k-th digit. How many digits were printed is seen in the file: as many as stand there, without leading
+/// zeros, but 6 at least, since many programs (`%g`, C++ streams) drop zeros at the end of their 6. So a
+/// number that is written with more digits than 6 must agree in all of them.
+fn is_rounded(exact: f64, is_near: bool, text: &str, value: f64) -> bool {
+    let Some(digits) = digits(text) else {
+        return false;
+    };
+    let digits = digits.clamp(FEWEST, MOST);
+    // Digits that a double has for certain leave room for both ways to round a half. (Next to zero is a
+    // number of other digits.)
+    let either_way = exact.is_normal() && (is_near || digits <= f64::DIGITS as usize);
+    let printed = |exact: f64| format!("{exact:.*e}", digits - 1).parse() == Ok(value);
+    printed(exact) || either_way && (printed(exact.next_up()) || printed(exact.next_down()))
+}
+
+/// How many significant digits are written; `None` for a fraction, which is not rounded.
+fn digits(text: &str) -> Option<usize> {
+    let mantissa = text.split(['e', 'E']).next()?;
+    let digits = mantissa.bytes().filter(u8::is_ascii_digit);
+    (!text.contains('/')).then(|| digits.skip_while(|&digit| digit == b'0').count())
 }

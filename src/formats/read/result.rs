@@ -3,11 +3,10 @@
 use std::collections::HashSet;
 
 use crate::formats::read::content::{Corners, Vertices};
-use crate::formats::read::matched::Matched;
-use crate::formats::read::matching::Matching;
+use crate::formats::read::matching::{Matched, Matching};
 use crate::formats::read::result_error::ResultError;
 use crate::formats::read::source::{ReadError, Source};
-use crate::formats::read::{ele, json, obj};
+use crate::formats::read::{json, obj, triangle};
 use crate::formats::{Coordinate, CoordinateError, Graph};
 use crate::verify::{Offenders, Violation};
 
@@ -105,7 +104,7 @@ impl Matching {
         input: &Graph<S>,
     ) -> Result<Triangles, ResultError> {
         let corners = match format {
-            ResultFormat::Ele => ele::read(source, node)?,
+            ResultFormat::Ele => triangle::read_ele(source, node)?,
             ResultFormat::Json => json::read_triangles(source)?,
             ResultFormat::Obj => obj::read(source)?,
         };

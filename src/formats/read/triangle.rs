@@ -1,4 +1,4 @@
-//! Triangle's `.node` and `.poly`.
+//! Triangle's `.node`, `.poly` and `.ele`.
 //!
 //! ```text
 //! .node    <vertices> 2 <attributes> <markers>        counts; only the first one is needed
@@ -11,16 +11,19 @@
 //!          <hole> <x> <y>                             a point in the hole; numbered from 0 or from 1
 //!          <regions>                                  this line and all after it may be left out
 //!          <region> <x> <y> [attribute] [area]        a point in the region; numbered from 0 or from 1
+//!
+//! .ele     <triangles> 3 <attributes>                 counts; only the first one is needed
+//!          <triangle> <vertex> <vertex> <vertex> [attributes]       numbered from 0 or from 1
 //! ```
 //!
 //! Attributes and markers of vertices and edges are ignored, and so are the areas of regions, which limit
-//! triangles where a mesh is refined. A region without an attribute has 0.
+//! triangles where a mesh is refined. A region without an attribute has 0. The vertices of a `.ele` are numbered
+//! as in the `.node` beside it; without one, from 0 or 1 as the triangles are, as Triangle does.
 
-use crate::formats::read::content::{Edges, Syntax, Vertices};
-use crate::formats::read::records::Records;
-use crate::formats::read::seeds;
+use crate::formats::Coordinate;
+use crate::formats::read::content::{Corners, Edges, Syntax, Vertices};
 use crate::formats::read::source::{ReadError, Source, no_vertex, quoted};
-use crate::formats::read::token_lines::{Line, Lines};
+use crate::formats::read::token_lines::{Line, Lines, Records};
 
 /// Reads a `.node`.
 pub(super) fn read_node(source: &Source) -> Result<Vertices<'_>, ReadError> {
@@ -66,8 +69,8 @@ pub(super) fn read_poly<'a>(
     })?;
 
     // Holes and regions, if the file goes on.
-    let holes = seeds::read_holes(source, &mut lines, vertices.first)?;
-    let (regions, attributes) = seeds::read_regions(source, &mut lines, vertices.first)?;
+    let holes = read_holes(source, &mut lines, vertices.first)?;
+    let (regions, attributes) = read_regions(source, &mut lines, vertices.first)?;
     Ok(Edges {
         vertices,
         edges,
@@ -124,4 +127,117 @@ fn end(line: &mut Line<'_>, vertices: &Vertices<'_>) -> Result<usize, ReadError>
             let (first, count) = (vertices.first, vertices.coordinates.len());
             line.error(no_vertex(number, first, count))
         })
+}
+
+/// Reads a `.ele`; `node` is the `.node` beside it.
+pub(super) fn read_ele<'a>(
+    source: &'a Source,
+    node: Option<&'a Source>,
+) -> Result<Corners<'a>, ReadError> {
+    // The line of counts.
+    let mut lines = Lines::new(source)?;
+    let mut line = lines.expect_line(|| "the number of triangles".to_owned())?;
+    let count = line.index("a number of triangles")?;
+    match line.token() {
+        None | Some(b"3") => {}
+        Some(b"6") => {
+            return Err(line.error(
+                "the triangles have 6 nodes each, and only those of 3 are read: \
+                 write them without Triangle's option -o2",
+            ));
+        }
+        Some(b"4") => {
+            return Err(
+                line.error("the cells have 4 corners, and only triangles are read: split them")
+            );
+        }
+        Some(other) => {
+            return Err(line.error(format!("{} is not 3, the number of corners", quoted(other))));
+        }
+    }
+
+    // The triangles.
+    let records = Records {
+        name: "triangle",
+        number: "a triangle's number",
+        count,
+    };
+    let mut first_triangle = 0;
+    let triangles = records.read(&mut lines, &mut first_triangle, |line| {
+        let mut corner = || line.index("a vertex's number");
+        Ok([corner()?, corner()?, corner()?])
+    })?;
+    if let Some(line) = lines.next_line() {
+        let message = format!("the first line announces only {count} triangles");
+        return Err(line.error(message));
+    }
+
+    // The vertices, whose numbers begin where the `.node` says, or where those of the triangles do.
+    let vertices = node.map(read_node).transpose()?;
+    Ok(Corners {
+        triangles,
+        first: first_triangle,
+        first_vertex: vertices
+            .as_ref()
+            .map_or(first_triangle, |vertices| vertices.first),
+        vertices,
+    })
+}
+
+/// Reads the holes, if the file goes on; they are numbered from 0 or 1, or, if there are none, from `first`.
+fn read_holes<'a>(
+    source: &'a Source,
+    lines: &mut Lines<'a>,
+    mut first: usize,
+) -> Result<Vertices<'a>, ReadError> {
+    let records = Records {
+        name: "hole",
+        number: "a hole's number",
+        count: seed_count(lines, "a number of holes")?,
+    };
+    let coordinates = records.read(lines, &mut first, Line::coordinates)?;
+    Ok(seeds(source, coordinates, first))
+}
+
+/// Reads the regions, likewise, and their attributes. The area that may follow is not read.
+fn read_regions<'a>(
+    source: &'a Source,
+    lines: &mut Lines<'a>,
+    mut first: usize,
+) -> Result<(Vertices<'a>, Vec<f64>), ReadError> {
+    let records = Records {
+        name: "region",
+        number: "a region's number",
+        count: seed_count(lines, "a number of regions")?,
+    };
+    let regions = records.read(lines, &mut first, |line| {
+        Ok((line.coordinates()?, attribute(line)?))
+    })?;
+    let (coordinates, attributes) = regions.into_iter().unzip();
+    Ok((seeds(source, coordinates, first), attributes))
+}
+
+/// The number in the next line, or 0 if there is none.
+fn seed_count(lines: &mut Lines<'_>, what: &str) -> Result<usize, ReadError> {
+    let line = lines.next_line();
+    line.map_or(Ok(0), |mut line| line.index(what))
+}
+
+/// The attribute of a region, or 0 if the line ends.
+fn attribute(line: &mut Line<'_>) -> Result<f64, ReadError> {
+    let Some(token) = line.token() else {
+        return Ok(0.0);
+    };
+    let value = f64::from_text(&String::from_utf8_lossy(token)).ok();
+    let value = value.filter(|value| value.is_finite());
+    value.ok_or_else(|| line.error(format!("{} is not an attribute, a number", quoted(token))))
+}
+
+fn seeds<'a>(source: &'a Source, coordinates: Vec<[&'a [u8]; 2]>, first: usize) -> Vertices<'a> {
+    Vertices {
+        source,
+        syntax: Syntax::Plain,
+        coordinates,
+        first,
+    }
 }

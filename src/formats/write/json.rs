@@ -26,11 +26,10 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::value::RawValue;
 
-use super::places::places;
+use super::rows::places;
 use crate::Triangulation;
 use crate::domain::Domain;
-use crate::formats::pairs::sorted_pairs;
-use crate::formats::{Coordinate, Graph};
+use crate::formats::{Coordinate, Graph, sorted_pairs};
 
 /// Writes the object of the whole hull, one element a line.
 pub(super) fn write<S: Coordinate>(

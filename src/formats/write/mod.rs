@@ -1,14 +1,11 @@
 //! Writers: a [`Graph`] and its [`Triangulation`] in, text out.
 
-mod ele;
 mod json;
-mod obj;
-mod places;
 mod rows;
 
 use std::io::{self, Write};
 
-pub use ele::write_node;
+pub use rows::write_node;
 
 use crate::Triangulation;
 use crate::domain::Domain;
@@ -96,10 +93,10 @@ pub fn write_domain<S: Coordinate>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
-        OutputFormat::Ele => ele::write(graph, domain, out),
+        OutputFormat::Ele => rows::write_ele(graph, domain, out),
         OutputFormat::Node => write_node(graph, out),
         OutputFormat::Json => json::write_domain(graph, domain, out),
-        OutputFormat::Obj => obj::write(graph, domain, out),
+        OutputFormat::Obj => rows::write_obj(graph, domain, out),
         OutputFormat::Svg => ResultPicture::new(graph, domain.triangulation())
             .domain(domain)
             .write(out),

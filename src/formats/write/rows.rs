@@ -1,12 +1,125 @@
-//! Long lists of short lines.
+//! Formats of long lists of short lines: Triangle's `.ele` and the `.node` that it refers to, and Wavefront's `.obj`:
+//! vertices with z = 0, and faces numbered from 1 as that format asks.
 
 use std::io::{self, Write};
 
-use crate::formats::cores;
+use crate::domain::Domain;
+use crate::formats::{Coordinate, Graph, on_all_cores};
+
+/// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions, with the
+/// attributes of these.
+pub(super) fn write_ele<S>(
+    graph: &Graph<S>,
+    domain: &Domain<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let first = graph.first_vertex;
+    let triangles = domain.canonical_triangles();
+    let attributes = attributes(graph, domain, &triangles);
+    let columns = u8::from(!attributes.is_empty());
+    writeln!(out, "{} 3 {columns}", triangles.len())?;
+    write_rows(out, triangles.len(), |t, text| {
+        number(t + first, text);
+        for corner in triangles[t] {
+            text.push(b' ');
+            number(corner + first, text);
+        }
+        if let Some(attribute) = attributes.get(t) {
+            text.push(b' ');
+            attribute.write_text(text);
+        }
+        text.push(b'\n');
+    })
+}
+
+/// The attribute of each triangle in the list, 0 without a region; nothing if there are no regions.
+fn attributes<S>(graph: &Graph<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
+    if !domain.has_regions() {
+        return Vec::new();
+    }
+    let mut attributes = vec![0.0; triangles.len()];
+    for (t, place) in places(domain, triangles).into_iter().enumerate() {
+        let region = domain
+            .region(t)
+            .and_then(|region| graph.regions.get(region));
+        if let (Some((place, _)), Some(region)) = (place, region) {
+            attributes[place] = region.attribute;
+        }
+    }
+    attributes
+}
+
+/// Writes the vertices as a `.node`.
+///
+/// ```
+/// use sweep_cdt::formats::{Graph, write_node};
+///
+/// let graph = Graph { points: vec![[0.5, 2.0]], first_vertex: 1, ..Graph::default() };
+/// let mut text = Vec::new();
+/// write_node(&graph, &mut text)?;
+/// assert_eq!(text, b"1 2 0 0\n1 0.5 2\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_node<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "{} 2 0 0", graph.points.len())?;
+    write_rows(out, graph.points.len(), |vertex, text| {
+        number(vertex + graph.first_vertex, text);
+        for coordinate in &graph.points[vertex] {
+            text.push(b' ');
+            coordinate.write_text(text);
+        }
+        text.push(b'\n');
+    })
+}
+
+/// Writes vertices (rationals rounded to doubles) and the triangles inside.
+pub(super) fn write_obj<S: Coordinate>(
+    graph: &Graph<S>,
+    domain: &Domain<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_rows(out, graph.points.len(), |vertex, text| {
+        text.push(b'v');
+        for coordinate in &graph.points[vertex] {
+            text.push(b' ');
+            coordinate.approx().write_text(text);
+        }
+        text.extend_from_slice(b" 0\n");
+    })?;
+    let triangles = domain.canonical_triangles();
+    write_rows(out, triangles.len(), |t, text| {
+        text.push(b'f');
+        for corner in triangles[t] {
+            text.push(b' ');
+            number(corner + 1, text);
+        }
+        text.push(b'\n');
+    })
+}
+
+/// For each triangle, if it is inside, its place in the canonical list of the domain, and which of its vertices comes
+/// first there.
+pub(super) fn places(domain: &Domain<'_>, canonical: &[[usize; 3]]) -> Vec<Option<(usize, usize)>> {
+    let result = domain.triangulation();
+    let mut places = vec![None; result.len()];
+    for t in domain.inside() {
+        let corners = result.triangle(t);
+        let first = (0..3)
+            .min_by_key(|&i| corners[i])
+            .expect("a triangle has corners");
+        let listed = [0, 1, 2].map(|i| corners[(first + i) % 3]);
+        let place = canonical.binary_search(&listed);
+        places[t] = Some((place.expect("every triangle inside is listed"), first));
+    }
+    places
+}
 
 /// Writes as many rows, each as `row` appends it to a text. The texts of some chunks at a time are made on all
 /// cores and then written.
-pub(super) fn write(
+fn write_rows(
     out: &mut impl Write,
     count: usize,
     row: impl Fn(usize, &mut Vec<u8>) + Sync + Send,
@@ -15,7 +128,7 @@ pub(super) fn write(
     const CHUNKS: usize = 64;
     let starts: Vec<usize> = (0..count).step_by(ROWS).collect();
     for starts in starts.chunks(CHUNKS) {
-        let texts = cores::map(starts.to_vec(), |start| {
+        let texts = on_all_cores(starts.to_vec(), |start| {
             let mut text = Vec::new();
             (start..count.min(start + ROWS)).for_each(|at| row(at, &mut text));
             text
@@ -26,6 +139,6 @@ pub(super) fn write(
 }
 
 /// Appends a number.
-pub(super) fn number(n: usize, text: &mut Vec<u8>) {
+fn number(n: usize, text: &mut Vec<u8>) {
     text.extend_from_slice(itoa::Buffer::new().format(n).as_bytes());
 }
