@@ -1,17 +1,12 @@
 //! Pictures, as SVG, of a result and of what is wrong with one; and of the steps of a trace, as SVG or as
 //! a page for a browser.
 
-mod caption;
-mod circle;
-mod legend;
-mod mesh_style;
-mod palette;
+mod close_up;
 mod panels;
-mod plane;
 mod result;
 mod steps;
+mod style;
 mod svg;
-mod trails;
 mod violations;
 mod window;
 

@@ -1,9 +1,9 @@
-//! Several drawings on one sheet: framed panels in rows, each with its caption below.
+//! Several drawings on one sheet: framed panels in rows, each with its caption below: a title, and a text broken
+//! into lines.
 
 use std::io::{self, Write};
 
-use super::caption;
-use super::palette::MIST;
+use super::style::MIST;
 use super::window::PIXEL;
 
 /// Width of a sheet.
@@ -66,16 +66,85 @@ impl Panels {
         writeln!(out, "<svg class=\"{class}\" {place}>")?;
         draw(out)?;
         writeln!(out, "</svg>\n<rect class=\"frame\" {place}/>")?;
-        caption::write(out, [left, top + height], self.side, title, text)
+        write_caption(out, [left, top + height], self.side, title, text)
     }
 
     fn row(&self) -> i64 {
-        self.tallest + caption::HEIGHT + GAP
+        self.tallest + CAPTION_HEIGHT + GAP
     }
 }
 
 /// The style rules of panels and their captions.
 pub(super) fn rules() -> String {
-    let caption = caption::rules();
+    let caption = caption_rules();
     format!(".frame {{ stroke: {MIST}; stroke-width: 100; fill: none }}\n{caption}")
+}
+
+/// Room for a title and three lines of text.
+const CAPTION_HEIGHT: i64 = 86 * PIXEL;
+const LINE: i64 = 18 * PIXEL;
+/// About the width of a letter.
+const LETTER: i64 = 7 * PIXEL;
+
+/// The style rules of its classes.
+fn caption_rules() -> String {
+    format!(
+        ".title {{ font-size: {}px; font-weight: bold }}\n\
+         .caption {{ font-size: {}px }}\n",
+        15 * PIXEL,
+        13 * PIXEL
+    )
+}
+
+/// Writes a caption with its upper left corner at a place, `width` units wide.
+fn write_caption(
+    out: &mut impl Write,
+    [x, y]: [i64; 2],
+    width: i64,
+    title: &str,
+    text: &str,
+) -> io::Result<()> {
+    let mut baseline = y + LINE;
+    writeln!(
+        out,
+        "<text class=\"title\" x=\"{x}\" y=\"{baseline}\">{title}</text>"
+    )?;
+    let letters = usize::try_from(width / LETTER).unwrap_or(0);
+    for line in wrapped(text, letters) {
+        baseline += LINE;
+        writeln!(
+            out,
+            "<text class=\"caption\" x=\"{x}\" y=\"{baseline}\">{line}</text>"
+        )?;
+    }
+    Ok(())
+}
+
+/// The words of a text in lines of at most `letters` letters; a longer word has a line of its own.
+fn wrapped(text: &str, letters: usize) -> Vec<String> {
+    let length = |text: &str| text.chars().count();
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if length(line) + 1 + length(word) <= letters => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wrapped;
+
+    #[test]
+    fn lines_are_full_and_not_overfull() {
+        assert_eq!(wrapped("", 5), Vec::<String>::new());
+        assert_eq!(wrapped("a bc def", 4), ["a bc", "def"]);
+        assert_eq!(wrapped("a bc def", 3), ["a", "bc", "def"]);
+        assert_eq!(wrapped("–– –– incircle –", 5), ["–– ––", "incircle", "–"]);
+    }
 }

@@ -8,10 +8,9 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use super::plane::{Bounds, places};
-use super::trails::trails;
-use super::window::{PIXEL, Window};
-use super::{legend, mesh_style, svg};
+use super::style::{LEGEND_HEIGHT, mesh_rules, write_legend};
+use super::svg;
+use super::window::{Bounds, PIXEL, Window, places};
 use crate::Triangulation;
 use crate::domain::Domain;
 use crate::formats::{Graph, sorted_pairs};
@@ -91,11 +90,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
             [left + x, MARGIN + y]
         };
         let places: Vec<[i64; 2]> = points.into_iter().map(place).collect();
-        svg::begin(
-            out,
-            [width, height + legend::HEIGHT],
-            &mesh_style::rules(spacing),
-        )?;
+        svg::begin(out, [width, height + LEGEND_HEIGHT], &mesh_rules(spacing))?;
 
         // Lines, from back to front.
         let strokes = |sides: &[[usize; 2]]| {
@@ -145,7 +140,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
                 svg::label(out, places[vertex], vertex + graph.first_vertex)?;
             }
         }
-        legend::write(out, [width / 2, height], &entries)?;
+        write_legend(out, [width / 2, height], &entries)?;
         svg::end(out)
     }
 }
@@ -203,4 +198,56 @@ fn stroke(places: &[[i64; 2]], trail: &[usize]) -> String {
 /// What separates a number from the one before it.
 fn space(number: i64) -> &'static str {
     if number < 0 { "" } else { " " }
+}
+
+/// Long walks that together use each edge once. They start at vertices with an odd number of edges first,
+/// since a walk must begin or end there.
+///
+/// Cost: linear.
+fn trails(vertices: usize, edges: &[[usize; 2]]) -> Vec<Vec<usize>> {
+    let mut at_vertex = vec![Vec::new(); vertices];
+    for (edge, &[a, b]) in edges.iter().enumerate() {
+        at_vertex[a].push(edge);
+        at_vertex[b].push(edge);
+    }
+    let odd = (0..vertices)
+        .filter(|&v| at_vertex[v].len() % 2 == 1)
+        .collect::<Vec<_>>();
+    let mut used = vec![false; edges.len()];
+    let mut trails = Vec::new();
+    for start in odd.into_iter().chain(0..vertices) {
+        loop {
+            let mut trail = vec![start];
+            let mut end = start;
+            while let Some(edge) = at_vertex[end].pop() {
+                if !std::mem::replace(&mut used[edge], true) {
+                    let [a, b] = edges[edge];
+                    end = a + b - end;
+                    trail.push(end);
+                }
+            }
+            if trail.len() == 1 {
+                break;
+            }
+            trails.push(trail);
+        }
+    }
+    trails
+}
+
+#[cfg(test)]
+mod tests {
+    use super::trails;
+    use crate::formats::sorted_pairs;
+
+    #[test]
+    fn each_edge_is_walked_once() {
+        let edges = [[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [4, 5]];
+        let trails = trails(6, &edges);
+        let walked = trails
+            .iter()
+            .flat_map(|trail| trail.windows(2).map(|step| [step[0], step[1]]));
+        assert_eq!(sorted_pairs(walked), edges);
+        assert_eq!(trails.len(), 2);
+    }
 }

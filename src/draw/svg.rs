@@ -1,12 +1,12 @@
-//! The text of an SVG picture: its beginning, its paths and its labels.
+//! The text of an SVG picture: its beginning, its paths, its labels, and circles, the circumcircles of in-circle tests.
 //!
 //! Places are whole numbers of a hundredth of a [`PIXEL`], y downwards.
 
 use std::fmt::Display;
 use std::io::{self, Write};
 
-use super::palette::{INK, PAPER};
-use super::window::PIXEL;
+use super::style::{INK, PAPER};
+use super::window::{PIXEL, Window};
 
 /// A path is ended when its text is this long: some programs refuse much longer attributes.
 const LONGEST_PATH: usize = 100_000;
@@ -78,4 +78,67 @@ pub(super) fn polygon(places: &[[i64; 2]]) -> String {
 pub(super) fn label(out: &mut impl Write, [x, y]: [i64; 2], text: impl Display) -> io::Result<()> {
     let (x, y) = (x + 7 * PIXEL, y - 7 * PIXEL);
     writeln!(out, "<text x=\"{x}\" y=\"{y}\">{text}</text>")
+}
+
+/// Circles with a larger radius are not drawn: they would look straight.
+const LARGEST: i64 = 100_000 * PIXEL;
+
+/// A circle by its centre and radius.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Circle {
+    middle: [f64; 2],
+    pub(super) radius: f64,
+}
+
+impl Circle {
+    /// The circle through three points, computed in doubles; `None` if they are on one line.
+    pub(super) fn through([a, b, c]: [[f64; 2]; 3]) -> Option<Circle> {
+        let [[bx, by], [cx, cy]] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1]]);
+        // Scaled, so that squares of tiny distances do not vanish.
+        let unit = bx.abs().max(by.abs()).max(cx.abs()).max(cy.abs());
+        let [bx, by, cx, cy] = [bx, by, cx, cy].map(|x| x / unit);
+        let area = 2.0 * (bx * cy - by * cx);
+        let (b2, c2) = (bx * bx + by * by, cx * cx + cy * cy);
+        let (x, y) = ((cy * b2 - by * c2) / area, (bx * c2 - cx * b2) / area);
+        let circle = Circle {
+            middle: [a[0] + x * unit, a[1] + y * unit],
+            radius: x.hypot(y) * unit,
+        };
+        circle.radius.is_finite().then_some(circle)
+    }
+
+    /// Draws it, unless it is too large.
+    pub(super) fn write(
+        &self,
+        class: &str,
+        window: &Window,
+        out: &mut impl Write,
+    ) -> io::Result<()> {
+        let ([x, y], r) = (window.place(self.middle), window.length(self.radius));
+        if r >= LARGEST {
+            return Ok(());
+        }
+        writeln!(
+            out,
+            "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>"
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Circle;
+
+    #[test]
+    fn circles_of_any_size() {
+        for unit in [1e-300, 1.0, 1e300] {
+            let corners = [[1.0, 0.0], [5.0, 0.0], [1.0, 3.0]].map(|p| p.map(|x: f64| x * unit));
+            let circle = Circle::through(corners).expect("a triangle");
+            assert!((circle.radius / unit - 2.5).abs() < 1e-12, "{unit:e}");
+            assert!((circle.middle[0] / unit - 3.0).abs() < 1e-12, "{unit:e}");
+            assert!((circle.middle[1] / unit - 1.5).abs() < 1e-12, "{unit:e}");
+        }
+        assert!(Circle::through([[0.0, 0.0], [1.0, 1.0], [3.0, 3.0]]).is_none());
+        assert!(Circle::through([[1.0, 1.0]; 3]).is_none());
+    }
 }

@@ -10,7 +10,6 @@
 mod change;
 mod page;
 mod panel;
-mod part;
 mod scene;
 mod sheet;
 mod story;

@@ -9,21 +9,20 @@ use std::ops::RangeInclusive;
 use serde::Serialize;
 
 use super::change::{Change, changes};
-use super::part::Part;
+use super::scene::Part;
 use super::story::{heading, sentence};
 use super::style::{STYLES, Style};
-use crate::draw::palette;
-use crate::draw::plane::{Bounds, places};
+use crate::draw::style::PAGE_COLOURS;
+use crate::draw::window::{Bounds, places};
 use crate::formats::Graph;
 use crate::scalar::Scalar;
 use crate::trace::Event;
 
 const HTML: &str = include_str!("page.html");
 const CSS: &str = include_str!("page.css");
-const SCRIPTS: [&str; 4] = [
+const SCRIPTS: [&str; 3] = [
     include_str!("scene.js"),
     include_str!("view.js"),
-    include_str!("legend.js"),
     include_str!("page.js"),
 ];
 
@@ -81,10 +80,7 @@ impl<'a, S: Scalar> StepsPage<'a, S> {
     /// Those of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let colour = |(name, value): (&str, &str)| format!("--{name}: {value}; ");
-        let css = format!(
-            ":root {{ {}}}\n{CSS}",
-            palette::OF_PAGE.map(colour).concat()
-        );
+        let css = format!(":root {{ {}}}\n{CSS}", PAGE_COLOURS.map(colour).concat());
         let part = Part::new(self.events, &self.steps, self.most);
         // No sentence or name holds a `<`, so the data cannot end its element.
         let data = serde_json::to_string(&Data::new(self.graph, self.events.len(), &part))?;

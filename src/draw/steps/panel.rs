@@ -5,10 +5,9 @@ use std::io::{self, Write};
 
 use super::change::Change;
 use super::scene::Scene;
-use crate::draw::circle::Circle;
-use crate::draw::plane::Bounds;
 use crate::draw::svg;
-use crate::draw::window::{PIXEL, Window};
+use crate::draw::svg::Circle;
+use crate::draw::window::{Bounds, PIXEL, Window};
 use crate::trace::{Outcome, Vertex};
 
 /// Up to this many points the whole input is drawn; with more, only the surroundings of the step.

@@ -4,14 +4,13 @@ use std::io::{self, Write};
 use std::ops::RangeInclusive;
 
 use super::panel::Panel;
-use super::part::Part;
+use super::scene::Part;
 use super::story::{heading, sentence};
 use super::style::{STYLES, Style};
-use crate::draw::palette::{BLUE, GREY, INK, PAPER};
 use crate::draw::panels::{self, Panels};
-use crate::draw::plane::places;
+use crate::draw::style::{BLUE, GREY, INK, PAPER};
 use crate::draw::svg;
-use crate::draw::window::PIXEL;
+use crate::draw::window::{PIXEL, places};
 use crate::formats::Graph;
 use crate::scalar::Scalar;
 use crate::trace::Event;

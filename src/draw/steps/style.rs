@@ -3,7 +3,7 @@
 
 use serde::Serialize;
 
-use crate::draw::palette::{
+use crate::draw::style::{
     BLUE, GREEN, GREY, INK, OCHRE, ORANGE, PURPLE, SAND, SKY, SLATE, VERMILION,
 };
 use crate::draw::window::{PIXEL, units};

@@ -1,15 +1,14 @@
-//! The sheet of an overview and close-ups.
+//! The picture of what is wrong with a triangulation: an overview with a number at each close-up, then close-ups of
+//! the first violations.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use super::background::Background;
-use super::close_up::CloseUp;
-use super::overview;
-use crate::draw::palette::RED;
-use crate::draw::panels::{self, Panels};
-use crate::draw::plane::Bounds;
-use crate::draw::window::PIXEL;
-use crate::draw::{legend, mesh_style, svg};
+use super::close_up::{Background, CloseUp};
+use super::panels::{self, Panels};
+use super::style::{LEGEND_HEIGHT, RED, mesh_rules, mesh_widths, write_legend};
+use super::svg;
+use super::window::{Bounds, PIXEL, Window};
 use crate::formats::{Graph, Triangles};
 use crate::scalar::Scalar;
 use crate::verify::Violation;
@@ -101,16 +100,16 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
 
         let spacing = Bounds::of(background.points.iter().copied()).spacing(graph.points.len());
         let spacing = spacing * panels.side as f64 / PIXEL as f64;
-        svg::begin(out, [width, height + legend::HEIGHT], &rules(spacing))?;
+        svg::begin(out, [width, height + LEGEND_HEIGHT], &rules(spacing))?;
         let title = match self.found {
             0 => "correct".to_owned(),
             1 => "1 violation".to_owned(),
             found => format!("{found} violations"),
         };
         // The overview, the close-ups, the legend.
-        let window = overview::window(&background, panels.side);
+        let window = overview_window(&background, panels.side);
         panels.write(out, 0, square, "overview", [&title, ""], |out| {
-            overview::draw(&background, &window, &foci, close_ups, out)
+            draw_overview(&background, &window, &foci, close_ups, out)
         })?;
         for (position, (&violation, vertices)) in (1..=close_ups).zip(shown.iter().zip(&foci)) {
             let close_up = CloseUp {
@@ -134,7 +133,7 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
             ("vertex", format!("vertices: {}", graph.points.len())),
             ("wrong", format!("violations: {}", self.found)),
         ];
-        legend::write(out, [width / 2, height], &entries)?;
+        write_legend(out, [width / 2, height], &entries)?;
         svg::end(out)
     }
 }
@@ -149,8 +148,43 @@ fn rules(spacing: f64) -> String {
 .culprit {{ stroke: {RED}; stroke-width: 1000 }}
 .title {{ fill: {RED} }}
 ",
-        mesh_style::rules(SPACING),
-        mesh_style::widths(".overview ", spacing),
+        mesh_rules(SPACING),
+        mesh_widths(".overview ", spacing),
         panels::rules()
     )
+}
+
+/// Draws the overview in a window, with a dot at each of the `foci`: the vertices of a violation. The
+/// first `numbered` of them have close-ups.
+fn draw_overview(
+    background: &Background,
+    window: &Window,
+    foci: &[Vec<usize>],
+    numbered: usize,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    background.draw(window, out)?;
+    let middle = |vertices: &Vec<usize>| {
+        let count = vertices.len() as f64;
+        let points = || vertices.iter().map(|&v| background.points[v]);
+        let mean = |axis: usize| points().map(|point| point[axis] / count).sum();
+        window.place([mean(0), mean(1)])
+    };
+    let places: Vec<[i64; 2]> = foci.iter().map(middle).collect();
+    svg::layer(out, "culprit", places.iter().copied().map(svg::dot))?;
+    // Violations at one place share a label.
+    let mut names: BTreeMap<[i64; 2], Vec<String>> = BTreeMap::new();
+    for (&place, panel) in places.iter().take(numbered).zip(1_usize..) {
+        names.entry(place).or_default().push(panel.to_string());
+    }
+    for (place, panels) in names {
+        svg::label(out, place, panels.join(", "))?;
+    }
+    Ok(())
+}
+
+/// The window of an overview of this size.
+fn overview_window(background: &Background, size: i64) -> Window {
+    let all = Bounds::of(background.points.iter().copied());
+    Window::new(all.squared(all.longer()).with_margin(0.06), size)
 }
