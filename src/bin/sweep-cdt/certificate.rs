@@ -10,8 +10,7 @@ use serde_json::value::RawValue;
 use sha2::{Digest, Sha256};
 use sweep_cdt::formats::{Coordinate, Graph, Source, Triangles};
 
-use crate::shared::report::reached;
-use crate::shared::verification::{Answer, report, violations};
+use crate::shared::verification::{Answer, reached, report, violations};
 
 /// A file by name and contents.
 #[derive(Serialize)]

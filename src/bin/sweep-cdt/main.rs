@@ -6,10 +6,8 @@
 //! line. A reader that closes its end of the pipe early ends it quietly.
 
 mod certificate;
-mod interior;
 mod replay;
 mod shared;
-mod statistics;
 mod trace;
 mod triangulate;
 mod verify;
@@ -19,8 +17,8 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use shared::failure::Failure;
-use shared::printable::{printable, printable_lines};
+use shared::failure::{Failure, printable, printable_lines};
+
 use shared::signals;
 
 /// Exact constrained Delaunay triangulation by a sweep line.

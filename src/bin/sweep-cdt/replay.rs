@@ -5,8 +5,7 @@ use std::io::Write;
 use sweep_cdt::trace::Trace;
 
 use crate::shared::failure::Failure;
-use crate::shared::file_argument::FileArgument;
-use crate::shared::files_read::FilesRead;
+use crate::shared::files::{FileArgument, FilesRead};
 use crate::shared::outputs::print;
 
 /// Rebuild the triangles from a trace

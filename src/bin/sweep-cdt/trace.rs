@@ -11,14 +11,10 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
-use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
-use crate::shared::file_argument::FileArgument;
-use crate::shared::files_read::FilesRead;
-use crate::shared::format;
+use crate::shared::files::{FileArgument, FilesRead, format_of_output, format_parser};
 use crate::shared::input::InputArgs;
-use crate::shared::outputs::Outputs;
-use crate::shared::overwriting;
+use crate::shared::outputs::{Destination, Outputs, refuse_read};
 use crate::shared::settings::Settings;
 
 /// Record every step of the sweep
@@ -37,7 +33,7 @@ pub(crate) struct Trace {
     output: FileArgument,
 
     /// Format of an output whose extension tells none [default for standard output: txt]
-    #[arg(long, value_name = "FORMAT", value_parser = format::parser::<TraceFormat>())]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<TraceFormat>())]
     output_format: Option<TraceFormat>,
 
     /// First step to write, counted from 1
@@ -122,11 +118,11 @@ impl Trace {
             return Err(Failure::Usage(message));
         }
         let text = self.output.is_standard().then_some(TraceFormat::Text);
-        let format = format::of_output(&self.output, self.output_format.or(text))?;
+        let format = format_of_output(&self.output, self.output_format.or(text))?;
         let destination = Destination::of(&self.output)?;
         let mut read = FilesRead::default();
         let input = self.input.read(&mut read, |_| ())?;
-        overwriting::refuse(&read, [&destination])?;
+        refuse_read(&read, [&destination])?;
         let run = Run {
             arguments: self,
             destination,

@@ -10,18 +10,16 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
 
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
-use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
-use crate::shared::files_read::FilesRead;
+use crate::shared::files::FilesRead;
 use crate::shared::input::InputArgs;
 use crate::shared::inside::InsideArgs;
 use crate::shared::output_args::{OutputArgs, Target, add, completed, has_standard};
-use crate::shared::outputs::Outputs;
-use crate::shared::report;
+use crate::shared::outputs::{Destination, Outputs};
+use crate::shared::resources::limit_threads;
 use crate::shared::settings::Settings;
-use crate::shared::threads;
-use crate::shared::verification::verify;
-use crate::statistics;
+use crate::shared::tables::write_statistics;
+use crate::shared::verification::{self, verify};
 
 /// Triangulate points and edges
 ///
@@ -105,7 +103,7 @@ impl Triangulate {
             return Err(Failure::Usage(message.to_owned()));
         }
         if let Some(threads) = self.threads {
-            threads::limit(threads)?;
+            limit_threads(threads)?;
         }
         let mut read = FilesRead::default();
         let input = self.input.read(&mut read, |_| ())?;
@@ -152,14 +150,14 @@ impl Job for Run<'_> {
         if report {
             outputs.add(Destination::standard(), |out| {
                 match stats {
-                    Some(stats) => statistics::write(&stats, out)?,
+                    Some(stats) => write_statistics(&stats, out)?,
                     None if summary => summarize(&given, &result, domain, out)?,
                     None => {}
                 }
                 match verdict {
                     Some(report) => {
                         let (answer, level) = (Ok(report), Level::Delaunay);
-                        report::write_verdict(&answer, level, "the result", given.name, out)
+                        verification::write_verdict(&answer, level, "the result", given.name, out)
                     }
                     None => Ok(()),
                 }

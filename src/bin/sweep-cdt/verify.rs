@@ -9,17 +9,12 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
 
 use crate::certificate::{self, Fingerprint, Subject};
-use crate::interior;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
-use crate::shared::destination::Destination;
 use crate::shared::failure::Failure;
-use crate::shared::files_read::FilesRead;
-use crate::shared::format;
+use crate::shared::files::{FilesRead, format_parser};
 use crate::shared::input::{InputArgs, ResultArgs, ResultFiles};
-use crate::shared::inside::Inside;
-use crate::shared::outputs::Outputs;
-use crate::shared::overwriting;
-use crate::shared::report;
+use crate::shared::inside::{Inside, fitting_rule, verify_interior};
+use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::verification::{self, violations};
 
 /// Verify a triangulation made by any program
@@ -51,7 +46,7 @@ pub(crate) struct Verify {
     ///
     /// Each includes those before it. Violations of higher ones are not reported. The report names the
     /// highest one reached.
-    #[arg(long, value_name = "LEVEL", value_parser = format::parser::<Level>(), default_value = "delaunay")]
+    #[arg(long, value_name = "LEVEL", value_parser = format_parser::<Level>(), default_value = "delaunay")]
     level: Level,
 
     /// Accept triangles that are all clockwise
@@ -132,7 +127,7 @@ impl Verify {
         let certificate = self.certificate.clone().map(Destination::of_path);
         let certificate = certificate.transpose()?;
         let standard = Destination::standard();
-        overwriting::refuse_twice([&standard].into_iter().chain(&svg).chain(&certificate))?;
+        refuse_twice([&standard].into_iter().chain(&svg).chain(&certificate))?;
         let mut read = FilesRead::default();
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
         let input = self
@@ -141,7 +136,7 @@ impl Verify {
         let result = self
             .result
             .load(&mut read, |source| of_result.push(Fingerprint::of(source)))?;
-        overwriting::refuse(&read, svg.iter().chain(&certificate))?;
+        refuse_read(&read, svg.iter().chain(&certificate))?;
         let run = Run {
             arguments: self,
             result,
@@ -196,12 +191,12 @@ impl Job for Run<'_> {
                 let answer = verification::verify(verifier, points, &graph.edges, &triangles.list);
                 let fitting = match &answer {
                     Ok(_) => None,
-                    Err(_) => interior::fitting(&given, verifier, &triangles.list),
+                    Err(_) => fitting_rule(&given, verifier, &triangles.list),
                 };
                 (answer, fitting)
             }
             rule => {
-                let answer = interior::verify(rule, &given, verifier, &triangles.list)?;
+                let answer = verify_interior(rule, &given, verifier, &triangles.list)?;
                 (answer, None)
             }
         };
@@ -240,15 +235,15 @@ impl Job for Run<'_> {
                 Inside::Hull => input.clone(),
                 rule => interior(rule),
             };
-            report::write_verdict(&answer, arguments.level, &result, &verified, out)?;
+            verification::write_verdict(&answer, arguments.level, &result, &verified, out)?;
             if let Some(rule) = fitting {
                 let (interior, name) = (interior(rule), rule.name());
                 writeln!(out, "it is one of {interior}: ask with --domain {name}")?;
             }
-            report::write_matching(triangles.matched, out)?;
+            verification::write_matching(triangles.matched, out)?;
             writeln!(out)?;
-            report::write_counts(verification::report(&answer), out)?;
-            report::write_violations(&answer, graph, &triangles, out)
+            verification::write_counts(verification::report(&answer), out)?;
+            verification::write_violations(&answer, graph, &triangles, out)
         })?;
         outputs.finish()?;
         answer.map(|_| ()).map_err(|_| Failure::Wrong)

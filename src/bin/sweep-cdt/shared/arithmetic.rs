@@ -1,15 +1,21 @@
-//! The arithmetic of a run.
+//! The arithmetic of a run. Rationals are GMP's with the feature `rug`, pure Rust ones otherwise; files are read as
+//! pure Rust ones in both cases, and converted once.
 
+use std::borrow::Cow;
 use std::fmt::Display;
 
 use clap::ValueEnum;
+use num_rational::BigRational;
+#[cfg(not(feature = "rug"))]
+use num_rational::BigRational as Rational;
+#[cfg(feature = "rug")]
+use rug::Rational;
 use sweep_cdt::Error;
 use sweep_cdt::formats::{Coordinate, Graph, Input};
 use sweep_cdt::scalar::Scalar;
 
 use super::failure::Failure;
-use super::memory;
-use super::rationals::{self, exact};
+use super::resources::{has_room, memory_of_triangulation};
 
 /// Arguments that select the arithmetic.
 #[derive(clap::Args)]
@@ -82,7 +88,7 @@ impl ScalarArgs {
             )),
             Input::Rationals(graph) => {
                 refuse_without_memory(name, graph)?;
-                let points = rationals::points(&graph.points);
+                let points = rational_points(&graph.points);
                 job.run(given(name, graph, &points, "rational"))
             }
         }
@@ -90,8 +96,8 @@ impl ScalarArgs {
 }
 
 fn refuse_without_memory<S>(name: &str, graph: &Graph<S>) -> Result<(), Failure> {
-    let bytes = memory::of_triangulation(graph.points.len(), graph.edges.len());
-    if memory::has_room(bytes) {
+    let bytes = memory_of_triangulation(graph.points.len(), graph.edges.len());
+    if has_room(bytes) {
         return Ok(());
     }
     let megabytes = bytes.div_ceil(1_000_000);
@@ -122,4 +128,37 @@ fn refuse_non_finite(name: &str, graph: &Graph<f64>) -> Result<(), Failure> {
             Err(Failure::Error(format!("{name}: {error}")))
         }
     }
+}
+
+/// The exact value of a finite double.
+fn exact(value: f64) -> Rational {
+    #[cfg(not(feature = "rug"))]
+    let exact = Rational::from_float(value);
+    #[cfg(feature = "rug")]
+    let exact = Rational::from_f64(value);
+    exact.expect("others were refused")
+}
+
+/// The points of a file.
+#[cfg(not(feature = "rug"))]
+fn rational_points(points: &[[BigRational; 2]]) -> Cow<'_, [[Rational; 2]]> {
+    Cow::Borrowed(points)
+}
+
+/// The points of a file.
+#[cfg(feature = "rug")]
+fn rational_points(points: &[[BigRational; 2]]) -> Cow<'_, [[Rational; 2]]> {
+    use num_bigint::{BigInt, Sign};
+    use rug::{Integer, integer::Order};
+
+    let integer = |number: &BigInt| {
+        let (sign, digits) = number.to_u64_digits();
+        let size = Integer::from_digits(&digits, Order::Lsf);
+        if sign == Sign::Minus { -size } else { size }
+    };
+    let rational = |x: &BigRational| Rational::from((integer(x.numer()), integer(x.denom())));
+    points
+        .iter()
+        .map(|point| point.each_ref().map(rational))
+        .collect()
 }

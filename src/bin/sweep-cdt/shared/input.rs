@@ -3,9 +3,7 @@
 use sweep_cdt::formats::{Input, InputFormat, ResultFormat, Source, read};
 
 use super::failure::Failure;
-use super::file_argument::FileArgument;
-use super::files_read::FilesRead;
-use super::format;
+use super::files::{FileArgument, FilesRead, format_of_input, format_parser};
 
 /// Arguments that name an input.
 #[derive(clap::Args)]
@@ -15,7 +13,7 @@ pub(crate) struct InputArgs {
     pub(crate) input: FileArgument,
 
     /// Format of the input [default: by its extension]
-    #[arg(long, value_name = "FORMAT", value_parser = format::parser::<InputFormat>())]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
     input_format: Option<InputFormat>,
 }
 
@@ -31,7 +29,7 @@ impl InputArgs {
         files: &mut FilesRead,
         mut show: impl FnMut(&Source),
     ) -> Result<Input, Failure> {
-        let format = format::of_input(&self.input, "--input-format", self.input_format)?;
+        let format = format_of_input(&self.input, "--input-format", self.input_format)?;
         let source = files.load(&self.input)?;
         show(&source);
         // The `.node` beside a `.poly` is loaded only if the `.poly` turns out to need it.
@@ -55,7 +53,7 @@ pub(crate) struct ResultArgs {
     pub(crate) result: FileArgument,
 
     /// Format of the result [default: by its extension]
-    #[arg(long, value_name = "FORMAT", value_parser = format::parser::<ResultFormat>())]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<ResultFormat>())]
     result_format: Option<ResultFormat>,
 }
 
@@ -74,7 +72,7 @@ impl ResultArgs {
         files: &mut FilesRead,
         mut show: impl FnMut(&Source),
     ) -> Result<ResultFiles, Failure> {
-        let format = format::of_input(&self.result, "--result-format", self.result_format)?;
+        let format = format_of_input(&self.result, "--result-format", self.result_format)?;
         let source = files.load(&self.result)?;
         show(&source);
         let node = match format {

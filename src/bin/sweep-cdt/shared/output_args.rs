@@ -9,14 +9,9 @@ use sweep_cdt::formats::{
     Coordinate, Graph, Input, InputFormat, OutputFormat, read, write, write_domain, write_node,
 };
 
-use super::destination::Destination;
 use super::failure::Failure;
-use super::file_argument::FileArgument;
-use super::files_read::FilesRead;
-use super::format;
-use super::identity::Identity;
-use super::outputs::Outputs;
-use super::overwriting;
+use super::files::{FileArgument, FilesRead, Identity, format_of_output, format_parser};
+use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 
 /// Arguments that name outputs.
 #[derive(clap::Args)]
@@ -27,7 +22,7 @@ pub(crate) struct OutputArgs {
     output: Vec<FileArgument>,
 
     /// Format of standard output, and of outputs whose extension tells none
-    #[arg(long, value_name = "FORMAT", value_parser = format::parser::<OutputFormat>())]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<OutputFormat>())]
     output_format: Option<OutputFormat>,
 }
 
@@ -42,13 +37,13 @@ impl OutputArgs {
     pub(crate) fn targets(&self) -> Result<Vec<Target>, Failure> {
         let target = |file| {
             Ok(Target {
-                format: format::of_output(file, self.output_format)?,
+                format: format_of_output(file, self.output_format)?,
                 destination: Destination::of(file)?,
             })
         };
         let targets: Result<Vec<Target>, Failure> = self.output.iter().map(target).collect();
         let targets = targets?;
-        overwriting::refuse_twice(targets.iter().map(|target| &target.destination))?;
+        refuse_twice(targets.iter().map(|target| &target.destination))?;
         Ok(targets)
     }
 }
@@ -98,7 +93,7 @@ pub(crate) fn completed<S: Coordinate>(
             });
         }
     }
-    overwriting::refuse(read, targets.iter().map(|target| &target.destination))?;
+    refuse_read(read, targets.iter().map(|target| &target.destination))?;
     Ok(targets)
 }
 

@@ -1,17 +1,19 @@
-//! The outputs of a run: all of them are written, or none.
+//! The outputs of a run: all of them are written, or none. Where they go is found out before the work begins, and
+//! what would overwrite what it must not is refused before anything is written.
 //!
 //! Files are written whole while they have no names. Then standard output, FIFOs and devices are written,
 //! which nobody can take back. Last, when nothing else can fail, the files get temporary names, and then
 //! their own ones. Should one of them fail even so, the error says which are in place already.
 
-use std::fs::OpenOptions;
+use std::ffi::OsStr;
+use std::fs::{self, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use super::destination::{Destination, Place};
 use super::failure::{Failure, reason};
+use super::files::{FileArgument, FilesRead, Identity, standard_output};
 use super::signals::undivided;
-use super::unnamed::{Out, Unnamed};
+use super::unnamed::{Out, Unnamed, folder};
 
 type Contents<'a> = Box<dyn FnOnce(&mut Out<'_>) -> io::Result<()> + 'a>;
 
@@ -104,4 +106,151 @@ fn half_done(name: &Path, error: &io::Error, done: &[String]) -> Failure {
     }
     let (name, reason, done) = (name.display(), reason(error), done.join(", "));
     Failure::Error(format!("{name}: {reason}; written already: {done}"))
+}
+
+/// An output that can be written.
+pub(crate) struct Destination {
+    /// What messages call it.
+    pub(crate) name: PathBuf,
+    pub(crate) place: Place,
+    /// Which file it is, where the system tells; a device is none.
+    pub(crate) identity: Option<Identity>,
+}
+
+pub(crate) enum Place {
+    Standard,
+    /// A FIFO or a device: it is written to.
+    Stream,
+    /// A file, new or replaced when all outputs are complete.
+    File(Box<Unnamed>),
+}
+
+impl Destination {
+    /// Standard output.
+    pub(crate) fn standard() -> Destination {
+        Destination {
+            name: PathBuf::from("standard output"),
+            place: Place::Standard,
+            identity: standard_output()
+                .filter(|(metadata, _)| !is_device(metadata))
+                .map(|(_, identity)| identity),
+        }
+    }
+
+    /// The place that an argument names.
+    pub(crate) fn of(file: &FileArgument) -> Result<Destination, Failure> {
+        match file {
+            FileArgument::Standard => Ok(Destination::standard()),
+            FileArgument::File(path) => Destination::of_path(path.clone()),
+        }
+    }
+
+    /// Finds out what a path stands for. Directories, read-only files and new ones in folders that are not
+    /// there are refused.
+    pub(crate) fn of_path(name: PathBuf) -> Result<Destination, Failure> {
+        let found = match fs::metadata(&name) {
+            Ok(metadata) => there(&name, &metadata),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => absent(&name),
+            Err(error) => Err(error),
+        };
+        match found {
+            Err(error) => Err(Failure::of_file(&name, &error)),
+            Ok((place, identity)) => Ok(Destination {
+                name,
+                place,
+                identity,
+            }),
+        }
+    }
+
+    pub(crate) fn is_standard(&self) -> bool {
+        matches!(self.place, Place::Standard)
+    }
+
+    pub(crate) fn is_file(&self) -> bool {
+        matches!(self.place, Place::File(_))
+    }
+}
+
+fn there(path: &Path, metadata: &Metadata) -> io::Result<(Place, Option<Identity>)> {
+    let identity = Identity::there(path, metadata)?;
+    if metadata.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    if is_device(metadata) {
+        return Ok((Place::Stream, None));
+    }
+    // What standard output was redirected to is written through it, from where it stands.
+    if standard_output().is_some_and(|(_, standard)| standard == identity) {
+        return Ok((Place::Standard, Some(identity)));
+    }
+    if !metadata.is_file() {
+        return Ok((Place::Stream, Some(identity)));
+    }
+    // Replacing needs no right to write to the file, but who took it away meant the contents.
+    if metadata.permissions().readonly() {
+        return Err(io::Error::other("is read-only"));
+    }
+    OpenOptions::new().write(true).open(path)?;
+    let path = fs::canonicalize(path)?;
+    let file = Unnamed::new(path, Some(metadata.clone()))?;
+    Ok((Place::File(Box::new(file)), Some(identity)))
+}
+
+/// Whether it is a terminal, `/dev/null` or the like. Any number of outputs may go there.
+fn is_device(metadata: &Metadata) -> bool {
+    #[cfg(unix)]
+    return std::os::unix::fs::FileTypeExt::is_char_device(&metadata.file_type());
+    #[cfg(not(unix))]
+    return !metadata.is_file() && !metadata.is_dir();
+}
+
+/// A new file, at the end of the symbolic links if the path is one: they lead somewhere, if to no file.
+fn absent(path: &Path) -> io::Result<(Place, Option<Identity>)> {
+    let mut path = path.to_owned();
+    while let Ok(target) = fs::read_link(&path) {
+        path = folder(&path).join(target);
+    }
+    let name = path.file_name().map(OsStr::to_owned);
+    let name = name.ok_or(io::ErrorKind::NotFound)?;
+    let identity = Identity::new(&folder(&path), name)?;
+    let file = Unnamed::new(path, None)?;
+    Ok((Place::File(Box::new(file)), Some(identity)))
+}
+
+/// Refuses outputs that were read, whatever they are called.
+pub(crate) fn refuse_read<'a>(
+    read: &FilesRead,
+    outputs: impl IntoIterator<Item = &'a Destination>,
+) -> Result<(), Failure> {
+    let was_read =
+        |output: &&Destination| output.identity.as_ref().is_some_and(|file| read.has(file));
+    match outputs.into_iter().find(was_read) {
+        None => Ok(()),
+        Some(output) => Err(Failure::Usage(format!(
+            "{} is an input and would be overwritten",
+            output.name.display()
+        ))),
+    }
+}
+
+/// Refuses two outputs that are one file.
+pub(crate) fn refuse_twice<'a>(
+    outputs: impl IntoIterator<Item = &'a Destination>,
+) -> Result<(), Failure> {
+    let mut seen: Vec<&Destination> = Vec::new();
+    for output in outputs {
+        let is_same = |other: &&&Destination| {
+            output.identity.is_some() && output.identity == other.identity
+                || output.is_standard() && other.is_standard()
+        };
+        if let Some(other) = seen.iter().find(is_same) {
+            let [first, second] = [other, output].map(|output| output.name.display());
+            let message =
+                format!("{first} and {second} are the same file and would both be written");
+            return Err(Failure::Usage(message));
+        }
+        seen.push(output);
+    }
+    Ok(())
 }

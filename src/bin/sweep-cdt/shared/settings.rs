@@ -8,8 +8,7 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Algorithm, Error, Heuristics, Stats, Triangulation, Triangulator};
 
-use super::memory;
-use super::progress::Progress;
+use super::resources::{Progress, has_room, memory_of_bands};
 
 /// Arguments that select how the sweep runs.
 #[derive(clap::Args)]
@@ -123,8 +122,8 @@ impl Settings {
             let run = triangulator.triangulate_with_stats(points, edges)?;
             return Ok((run.triangulation, Some(run.stats)));
         }
-        let bytes = memory::of_bands(points.len(), edges.len());
-        let result = if memory::has_room(bytes) {
+        let bytes = memory_of_bands(points.len(), edges.len());
+        let result = if has_room(bytes) {
             triangulator.triangulate_parallel(points, edges)?
         } else {
             triangulator.triangulate(points, edges)?

@@ -1,11 +1,14 @@
-//! Running the verifier.
+//! Running the verifier, and what it found in words.
 
+use std::io::{self, Write};
 use std::sync::Mutex;
 
+use sweep_cdt::formats::{Coordinate, Graph, Matched, Triangles};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Report, Verifier, Violation, Violations};
+use sweep_cdt::verify::{Level, Report, Verifier, Violation, Violations};
 
-use super::progress::Progress;
+use super::resources::Progress;
+use super::tables::{NAME, NUMBER, rows};
 
 /// The verifier's answer.
 pub(crate) type Answer = Result<Report, Violations>;
@@ -43,4 +46,115 @@ pub(crate) fn violations(answer: &Answer) -> (&[Violation], usize) {
         Ok(_) => (&[], 0),
         Err(violations) => (&violations.list, violations.found),
     }
+}
+
+/// Writes the verdict on a level: one line.
+pub(crate) fn write_verdict(
+    answer: &Answer,
+    level: Level,
+    result: &str,
+    input: &str,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let what = level.title();
+    match answer {
+        Ok(report) => {
+            write!(out, "correct: {result} is {what} of {input}")?;
+            match (level, report.is_canonical()) {
+                (Level::Delaunay, true) => writeln!(out, ", the canonical one"),
+                (Level::Delaunay, false) => writeln!(out, ", not the canonical one"),
+                _ => writeln!(out),
+            }
+        }
+        Err(violations) => {
+            let found = violations.found;
+            let plural = if found == 1 { "" } else { "s" };
+            writeln!(
+                out,
+                "wrong: {result} is not {what} of {input}: {found} violation{plural}"
+            )
+        }
+    }
+}
+
+/// The name of the highest level reached.
+pub(crate) fn reached(report: &Report) -> &'static str {
+    report.level.map_or("none", Level::into)
+}
+
+/// Writes how the vertices of the result were matched with those of the input: one line.
+pub(crate) fn write_matching(matched: Matched, out: &mut impl Write) -> io::Result<()> {
+    let why = match matched {
+        Matched::Unplaced => ": the result has no coordinates",
+        Matched::Rounded { .. } => ", because coordinates are rounded",
+        Matched::Near { .. } => ", within --tolerance",
+        Matched::Asked { .. } => ", because of --by-number",
+        _ => "",
+    };
+    write!(out, "vertices matched by {}{why}", matched.by())?;
+    match matched.difference() {
+        Some(difference) => writeln!(out, ": greatest difference {}", difference.text()),
+        None => writeln!(out),
+    }
+}
+
+/// Writes the counts.
+pub(crate) fn write_counts(report: &Report, out: &mut impl Write) -> io::Result<()> {
+    let size = |number: usize| number as u64;
+    rows(
+        out,
+        &[
+            ("points", size(report.points)),
+            ("distinct points", size(report.distinct_points)),
+            ("edges", size(report.edges)),
+            ("triangles", size(report.triangles)),
+            ("boundary sides", size(report.boundary_sides)),
+            ("constrained sides", size(report.constrained_sides)),
+            ("free sides", size(report.free_sides)),
+            ("cocircular ties", size(report.cocircular_sides)),
+            ("ties not canonical", size(report.uncanonical_sides)),
+        ],
+    )?;
+    writeln!(out, "{:NAME$}{:>NUMBER$}", "highest level", reached(report))?;
+    let all = (report.filtered + report.exact).max(1);
+    for (name, number) in [("by filter", report.filtered), ("exact", report.exact)] {
+        let share = 100.0 * number as f64 / all as f64;
+        writeln!(
+            out,
+            "{:NAME$}{share:>NUMBER$.3} %",
+            format!("signs: {name}")
+        )?;
+    }
+    Ok(())
+}
+
+/// Writes the violations, with all things numbered as in their files and where they are.
+pub(crate) fn write_violations<S: Coordinate>(
+    answer: &Answer,
+    graph: &Graph<S>,
+    triangles: &Triangles,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let (list, found) = violations(answer);
+    for &violation in list {
+        let numbered = triangles.as_numbered(graph, violation);
+        writeln!(out, "\n{}: {numbered}", violation.name())?;
+        let places: Vec<String> = triangles
+            .vertices_of(graph, violation)
+            .into_iter()
+            .map(|v| {
+                let [x, y] = graph.points[v].each_ref().map(S::text);
+                format!("{} ({x}, {y})", v + graph.first_vertex)
+            })
+            .collect();
+        if !places.is_empty() {
+            writeln!(out, "  {}", places.join(", "))?;
+        }
+    }
+    match found - list.len() {
+        0 => {}
+        more if list.is_empty() => writeln!(out, "\n{more} violations are not listed")?,
+        more => writeln!(out, "\nand {more} more")?,
+    }
+    Ok(())
 }

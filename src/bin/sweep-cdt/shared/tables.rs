@@ -1,14 +1,33 @@
-//! The table of `--stats`.
+//! Tables of names and numbers, and that of `--stats`.
 
 use std::io::{self, Write};
 use std::time::Duration;
 
 use sweep_cdt::Stats;
 
-use crate::shared::table::{NAME, NUMBER, rows};
+/// The width of the names.
+pub(crate) const NAME: usize = 26;
+/// The width of the numbers, which end in one column.
+pub(crate) const NUMBER: usize = 12;
+
+/// Writes names and numbers in columns.
+pub(crate) fn rows(out: &mut impl Write, rows: &[(&str, u64)]) -> io::Result<()> {
+    for (name, number) in rows {
+        writeln!(out, "{name:NAME$}{:>NUMBER$}", grouped(*number))?;
+    }
+    Ok(())
+}
+
+/// A number with commas between its thousands.
+fn grouped(number: u64) -> String {
+    if number < 1000 {
+        return number.to_string();
+    }
+    format!("{},{:03}", grouped(number / 1000), number % 1000)
+}
 
 /// Writes the numbers of a run, in groups; the phases are those of the paper's table 2.
-pub(crate) fn write(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write_statistics(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
     let count = stats.counters;
     let size = |number: usize| number as u64;
     rows(
