@@ -14,11 +14,9 @@
 //! Differs from the paper: the table is not updated when a node leaves the front; the search notices it.
 //! Intervals may be quantiles or places.
 
-use super::intervals::Intervals;
+use super::intervals::{Intervals, Places};
 use super::list::{Front, FrontNode};
-use super::patience::Patience;
-use super::places::Places;
-use super::search::{Domain, FrontSearch};
+use super::search::{Domain, FrontSearch, Patience};
 
 /// Intervals of x that remember their last insertion: O(1) expected, O(log n) at worst. The default.
 #[derive(Clone, Debug, Default)]

@@ -24,8 +24,6 @@ mod hash_table;
 mod intervals;
 mod linear;
 mod list;
-mod patience;
-mod places;
 mod search;
 mod skip_list;
 

@@ -9,8 +9,7 @@
 //! for each vertex on the front at one time.
 
 use super::list::{Front, FrontNode};
-use super::patience::Patience;
-use super::search::{Domain, FrontSearch};
+use super::search::{Domain, FrontSearch, Patience};
 use crate::ids::narrow;
 
 /// A skip list by x: O(log n) expected on any front.

@@ -4,9 +4,8 @@ use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
 
-use super::VERSION;
-use super::bad_trace::BadTrace;
 use super::event::Event;
+use super::{BadTrace, VERSION};
 
 const FORMAT: &str = "sweep-cdt trace";
 

@@ -31,7 +31,6 @@
 //! are its fields; words are written the same way. Vertices are numbers, or `"P-1"` and `"P-2"`. A part
 //! of a trace says at which step it begins: `from step 120` in the header, or `"from":120`.
 
-mod bad_trace;
 mod event;
 #[cfg(feature = "formats")]
 mod json_lines;
@@ -39,9 +38,36 @@ mod replay;
 mod text;
 mod whole;
 
-pub use bad_trace::BadTrace;
 pub use event::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 pub use whole::Trace;
 
+use std::fmt;
+
 /// The version of both formats.
 const VERSION: u32 = 3;
+
+/// Why a text is not a trace, or a trace is not that of a run: a line that cannot stand in it, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BadTrace {
+    /// The line; the header is line 1, so that step `k` is line `k + 1`.
+    pub line: usize,
+    /// What is wrong with it.
+    pub message: String,
+}
+
+impl BadTrace {
+    /// For a line that is no step; of a long one only the start is shown.
+    fn no_step(line: usize, text: &str) -> BadTrace {
+        let start: String = text.chars().take(80).collect();
+        let message = format!("is no step: {start:?}");
+        BadTrace { line, message }
+    }
+}
+
+impl fmt::Display for BadTrace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}: {}", self.line, self.message)
+    }
+}
+
+impl std::error::Error for BadTrace {}

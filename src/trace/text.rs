@@ -7,9 +7,8 @@
 use std::fmt;
 use std::io::{self, Write};
 
-use super::VERSION;
-use super::bad_trace::BadTrace;
 use super::event::{Event, Vertex};
+use super::{BadTrace, VERSION};
 
 const HEADER: &str = "sweep-cdt trace";
 

@@ -2,11 +2,10 @@
 
 use std::io::{self, Write};
 
-use super::bad_trace::BadTrace;
 use super::event::Event;
 #[cfg(feature = "formats")]
 use super::json_lines;
-use super::{replay, text};
+use super::{BadTrace, replay, text};
 
 /// The events of a run, or a stretch of them.
 ///

@@ -8,16 +8,14 @@
 
 mod edge;
 mod events;
-mod front;
 mod mesh;
 
 use std::collections::{HashMap, HashSet, VecDeque};
 
-use super::bad_trace::BadTrace;
+use super::BadTrace;
 use super::event::{Event, Vertex};
 use edge::Edge;
-use front::Front;
-use mesh::Mesh;
+use mesh::{Front, Mesh};
 
 /// How far the run has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
