@@ -22,7 +22,7 @@ use num_traits::float::FloatCore;
 use robust::Coord;
 
 use super::doubles::{exponent, power};
-use super::{Scalar, Stage, direct, unbounded, wide};
+use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, integer, unbounded};
 
 impl Scalar for f64 {
     const APPROX_IS_EXACT: bool = true;
@@ -40,11 +40,11 @@ impl Scalar for f64 {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        direct::orient2d([a, b, c])
+        filtered_orient2d([a, b, c])
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        direct::in_circle([a, b, c, d])
+        filtered_in_circle([a, b, c, d])
     }
 
     #[cold]
@@ -59,7 +59,7 @@ impl Scalar for f64 {
             return (sign, Stage::BigIntegers);
         };
         if let Some([a, b, c]) = integers(&points) {
-            return wide::turn(minus(a, c), minus(b, c));
+            return integer::turn(minus(a, c), minus(b, c));
         }
         let [a, b, c] = points.map(|[x, y]| Coord { x, y });
         (sign(robust::orient2d(a, b, c)), Stage::Expansions)
@@ -74,11 +74,11 @@ impl Scalar for f64 {
     ) -> (Ordering, Stage) {
         if let Some(differences) = Differences::of([a, b, c], d) {
             if let Some(rows) = differences.narrow() {
-                return (wide::in_circle_narrow(rows), Stage::Integers);
+                return (integer::in_circle_narrow(rows), Stage::Integers);
             }
             if let Some(rows) = differences.wide() {
                 let rows = rows.map(|row| row.map(i128::from));
-                return (wide::in_circle_middle(rows), Stage::Integers);
+                return (integer::in_circle_middle(rows), Stage::Integers);
             }
         }
         let points = [a, b, c, d];
@@ -88,7 +88,7 @@ impl Scalar for f64 {
             return (sign, Stage::BigIntegers);
         };
         if let Some([a, b, c, d]) = integers(&points) {
-            return wide::in_circle([a, b, c].map(|p| minus(p, d)));
+            return integer::in_circle([a, b, c].map(|p| minus(p, d)));
         }
         let [a, b, c, d] = points.map(|[x, y]| Coord { x, y });
         (sign(robust::incircle(a, b, c, d)), Stage::Expansions)

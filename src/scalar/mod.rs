@@ -16,7 +16,6 @@
 //! | any [`Unbounded`] number (`BigInt`, your own, ...) | filter, then its own arithmetic |
 //! | `rug::Rational` (feature `rug`) | filter, then GMP's arithmetic |
 
-mod direct;
 mod doubles;
 mod f32;
 mod f64;
@@ -24,13 +23,11 @@ pub(crate) mod filter;
 pub(crate) mod frame;
 mod integer;
 mod lattice;
-mod quotient;
 mod rational;
 #[cfg(feature = "rug")]
 mod rug;
 mod scale;
 mod unbounded;
-mod wide;
 mod window;
 
 use std::cmp::Ordering;
@@ -184,4 +181,35 @@ pub enum Stage {
     BigIntegers,
     /// The scalar's own arithmetic.
     Own,
+}
+
+/// [`Scalar::orient2d`] for those who call it directly with a few points: the [`filter`] at the scale of these points,
+/// then the exact stages.
+///
+/// The sweep and the verifier have one scale for all their points, and call the filter themselves.
+fn filtered_orient2d<S: Scalar>(points: [&[S; 2]; 3]) -> Ordering {
+    let (doubles, scale) = scaled(points);
+    let filtered = filter::orient2d(doubles, scale);
+    let filtered = filtered.or_else(|| filter::orient2d_approx(doubles, scale));
+    filtered.unwrap_or_else(|| {
+        let [a, b, c] = points;
+        S::orient2d_exact(a, b, c).0
+    })
+}
+
+/// The same for [`Scalar::in_circle`].
+fn filtered_in_circle<S: Scalar>(points: [&[S; 2]; 4]) -> Ordering {
+    let (doubles, scale) = scaled(points);
+    let filtered = filter::in_circle(doubles, scale);
+    let filtered = filtered.or_else(|| filter::in_circle_approx(doubles, scale));
+    filtered.unwrap_or_else(|| {
+        let [a, b, c, d] = points;
+        S::in_circle_exact(a, b, c, d).0
+    })
+}
+
+fn scaled<S: Scalar, const N: usize>(points: [&[S; 2]; N]) -> ([[f64; 2]; N], Scale) {
+    let mut near = points.map(|[x, y]| [x.approx(), y.approx()]);
+    let scale = Scale::unify(&mut near, S::APPROX_IS_EXACT);
+    (near, scale)
 }

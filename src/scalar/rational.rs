@@ -5,7 +5,7 @@
 //! its square or fourth power, and changes no sign. With a common multiple of the denominators, whichever
 //! sign it has, they become integers, whose determinants need no fractions and hence no
 //! greatest common divisors, and which often are small: decimals or thirds are decided in machine
-//! integers ([`wide`]).
+//! integers ([`integer`]).
 //!
 //! Cost: six or eight conversions to doubles (20 to 300 ns each), and a few microseconds where the
 //! filter decides nothing.
@@ -16,8 +16,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::unbounded::{self, minus};
-use super::{Scalar, Stage, direct, quotient, wide};
+use super::unbounded::{self, minus, near_quotient};
+use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, integer};
 
 impl Scalar for BigRational {
     /// Whether the denominator is not zero, as `new_raw` may make it.
@@ -32,9 +32,9 @@ impl Scalar for BigRational {
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {
         let ([a, b], [c, d]) = ([self.numer(), self.denom()], [other.numer(), other.denom()]);
         Some(if b == d {
-            quotient::of(&(a - c), b)
+            near_quotient(&(a - c), b)
         } else {
-            quotient::of(&(a * d - c * b), &(b * d))
+            near_quotient(&(a * d - c * b), &(b * d))
         })
     }
 
@@ -43,11 +43,11 @@ impl Scalar for BigRational {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        direct::orient2d([a, b, c])
+        filtered_orient2d([a, b, c])
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        direct::in_circle([a, b, c, d])
+        filtered_in_circle([a, b, c, d])
     }
 
     fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
@@ -58,7 +58,7 @@ impl Scalar for BigRational {
         let [a, b, c] = integers(points);
         let rows = [minus(&a, &c), minus(&b, &c)];
         match small(&rows) {
-            Some([a, b]) => wide::turn(a, b),
+            Some([a, b]) => integer::turn(a, b),
             None => (unbounded::turn(&rows[0], &rows[1]), Stage::BigIntegers),
         }
     }
@@ -76,7 +76,7 @@ impl Scalar for BigRational {
         let [a, b, c, d] = integers(points);
         let rows = [a, b, c].map(|p| minus(&p, &d));
         match small(&rows) {
-            Some(rows) => wide::in_circle(rows),
+            Some(rows) => integer::in_circle(rows),
             None => (unbounded::lifted(&rows), Stage::BigIntegers),
         }
     }

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 use rug::{Integer, Rational};
 
-use super::{Scalar, Stage, direct};
+use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d};
 
 impl Scalar for Rational {
     fn approx(&self) -> f64 {
@@ -36,11 +36,11 @@ impl Scalar for Rational {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        direct::orient2d([a, b, c])
+        filtered_orient2d([a, b, c])
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        direct::in_circle([a, b, c, d])
+        filtered_in_circle([a, b, c, d])
     }
 
     fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {

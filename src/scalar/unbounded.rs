@@ -1,5 +1,5 @@
 //! Numbers whose arithmetic is exact and without bounds: big integers, and whatever else says so by
-//! implementing [`Unbounded`].
+//! implementing [`Unbounded`]. And doubles near big integers and quotients of them.
 //!
 //! Why it is right: a sign comes from doubles only if the [filter](super::filter) is certain of it for
 //! the numbers that they approximate, else from the determinant in the number's own arithmetic.
@@ -10,11 +10,11 @@
 use std::cmp::Ordering;
 use std::ops::{Mul, Sub};
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, BigUint, Sign};
 use num_traits::{ToPrimitive, Zero};
 
 use super::doubles::power;
-use super::{Scalar, Stage, direct, quotient};
+use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d};
 
 /// Says that a number's `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a
 /// [`Scalar`].
@@ -59,7 +59,7 @@ impl Unbounded for BigInt {
     const STAGE: Stage = Stage::BigIntegers;
 
     fn near(&self) -> Option<(f64, i64)> {
-        Some(quotient::of_integer(self))
+        Some(near_integer(self))
     }
 }
 
@@ -77,11 +77,11 @@ impl<T: Unbounded> Scalar for T {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        direct::orient2d([a, b, c])
+        filtered_orient2d([a, b, c])
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        direct::in_circle([a, b, c, d])
+        filtered_in_circle([a, b, c, d])
     }
 
     fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
@@ -117,4 +117,49 @@ pub(super) fn lifted<T: Unbounded>(rows: &[[T; 2]; 3]) -> Ordering {
     let cross = |p: &[T; 2], q: &[T; 2]| times(&p[0], &q[1]) - times(&p[1], &q[0]);
     let det = lift(a) * cross(b, c) + lift(b) * cross(c, a) + lift(c) * cross(a, b);
     det.cmp(&T::zero())
+}
+
+/// `(x, power)`, where x * 2^power is near the number, whatever its size.
+fn near_integer(number: &BigInt) -> (f64, i64) {
+    let size = number.magnitude();
+    let surplus = size.bits().saturating_sub(65);
+    let is_rest = size.trailing_zeros().is_some_and(|zeros| zeros < surplus);
+    rounded(
+        number.sign(),
+        &(size >> surplus),
+        is_rest,
+        surplus.cast_signed(),
+    )
+}
+
+/// `(x, power)`, where x * 2^power is near the quotient; the denominator is not zero.
+pub(super) fn near_quotient(numerator: &BigInt, denominator: &BigInt) -> (f64, i64) {
+    let (n, d) = (numerator.magnitude(), denominator.magnitude());
+    let shift = 65 - n.bits().cast_signed() + d.bits().cast_signed();
+    let size = shift.unsigned_abs();
+    let [n, d] = if shift < 0 {
+        [n.clone(), d << size]
+    } else {
+        [n << size, d.clone()]
+    };
+    let whole = &n / &d;
+    let is_rest = &whole * &d != n;
+    let sign = numerator.sign() * denominator.sign();
+    rounded(sign, &whole, is_rest, -shift)
+}
+
+/// A number of at most 66 bits and whether there is a rest, times 2^`power`, with a sign.
+///
+/// Why it is right: as many bits are taken as make a quotient of 64 to 66 bits, rounded down. If anything
+/// is left, the last of these bits is set, which lies below all that a double holds. So rounding to a double
+/// is that of the exact quotient: to the nearest, hence monotone, and off by at most 2^-53 of it.
+///
+/// Cost: that of a division by the denominator with a quotient of two machine words.
+fn rounded(sign: Sign, whole: &BigUint, is_rest: bool, power: i64) -> (f64, i64) {
+    if whole.is_zero() {
+        return (0.0, 0);
+    }
+    let bits = whole.to_u128().expect("few bits") | u128::from(is_rest);
+    let size = bits as f64;
+    (if sign == Sign::Minus { -size } else { size }, power)
 }
