@@ -1,4 +1,17 @@
-//! The format of doubles (IEEE 754, section 3.4): powers of two, exponents, rounding.
+//! Doubles by their exponents: their format (IEEE 754, section 3.4) with powers of two and rounding, and which power of
+//! two the doubles of one input are multiplied by.
+//!
+//! The floating-point [`filter`](super::filter) works on sizes from about 2^-150 to 2^200: below, products
+//! underflow; above, they overflow. Sizes that differ by more than that do not fit in together. So the
+//! numbers that count are those in the fullest window of [`WIDTH`] binary orders of magnitude. Their largest
+//! stays where it is or goes to 1, and what is far outside, such as a "no data" point at the largest
+//! double, costs them nothing. A window above that is at least half as full comes first: x and y may have
+//! units that far apart, and what becomes infinite no longer tells points apart.
+//!
+//! Cost of finding the window: O(n log k) for n numbers of k different exponents.
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 /// The unit roundoff, 2^-53: a sum, difference or product is rounded by at most this part of itself,
 /// unless it underflows.
@@ -13,4 +26,60 @@ pub(crate) const fn power(exponent: i64) -> f64 {
 /// normal; -1023 where it is subnormal or zero.
 pub(crate) const fn exponent(x: f64) -> i64 {
     (x.to_bits() >> 52).cast_signed() - 1023
+}
+
+/// The exponents of a largest number that stays where it is.
+const IN_RANGE: RangeInclusive<i64> = -120..=199;
+/// How many exponents lie between the least and the greatest of a window.
+const WIDTH: i64 = 100;
+
+/// The power of two by which numbers with these exponents are multiplied.
+pub(super) fn shift(exponents: impl Iterator<Item = i64>) -> i64 {
+    let mut counts = BTreeMap::new();
+    for exponent in exponents {
+        *counts.entry(exponent).or_insert(0_usize) += 1;
+    }
+    let counts: Vec<(i64, usize)> = counts.into_iter().collect();
+    // For the window that ends with each exponent how many numbers it holds.
+    let (mut from, mut held) = (0, 0);
+    let mut windows = Vec::with_capacity(counts.len());
+    for &(last, count) in &counts {
+        held += count;
+        while counts[from].0 < last - WIDTH {
+            held -= counts[from].1;
+            from += 1;
+        }
+        windows.push((last, held));
+    }
+    let fullest = windows.iter().map(|&(_, held)| held).max().unwrap_or(0);
+    let chosen = windows.iter().rev().find(|&&(_, held)| 2 * held >= fullest);
+    match chosen {
+        Some((last, _)) if !IN_RANGE.contains(last) => -last,
+        _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shift;
+
+    #[test]
+    fn the_fullest_window_is_moved_unless_it_is_in_range() {
+        for (exponents, expected) in [
+            (&[][..], 0),
+            (&[-120, 199], 0),
+            (&[0, -2, 0, 1023], 0),
+            (&[-110, -130, -130, 80, 150], 0),
+            (&[0, 0, -1000, -1001], 0),
+            (&[0, 0, 1000, 1001], -1001),
+            (&[0, -1000, -1001, -1100], 1000),
+            (&[1000, 1001, 900, -700], -1001),
+            (&[-200, 0, -201, -203], 200),
+            (&[0, 0, 0, 200, 201], -201),
+            (&[30_000, 29_000, 29_001, 29_001, -1], -29_001),
+        ] {
+            let found = shift(exponents.iter().copied());
+            assert_eq!(found, expected, "{exponents:?}");
+        }
+    }
 }

@@ -17,8 +17,8 @@
 
 use std::num::FpCategory;
 
-use super::doubles::{exponent, power};
-use super::{Scalar, Scale, window};
+use super::doubles::{self, exponent, power};
+use super::{Scalar, Scale};
 
 /// How many points are looked at before an axis is moved.
 const SAMPLE: usize = 256;
@@ -117,7 +117,7 @@ fn place(near: &mut [[f64; 2]], axes: [Option<Axis>; 2]) -> Scale {
     let x = x.unwrap_or_else(|| plain(near, 0).collect());
     let y = y.unwrap_or_else(|| plain(near, 1).collect());
     let known = x.iter().chain(&y).filter(|(x, _)| x.is_normal());
-    let mut shift = window::shift(known.map(|&(_, by)| by));
+    let mut shift = doubles::shift(known.map(|&(_, by)| by));
     let mut unit = 1.0;
     if is_plain {
         // Approximations below the normal doubles are scaled together with what they are off by.

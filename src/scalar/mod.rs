@@ -28,7 +28,6 @@ mod rational;
 mod rug;
 mod scale;
 mod unbounded;
-mod window;
 
 use std::cmp::Ordering;
 

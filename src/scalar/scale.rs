@@ -2,7 +2,7 @@
 //!
 //! The filter must not overflow, and underflow must do it no harm. So all doubles of one input are
 //! multiplied by one power of two, the *factor*, where some are below 2^-120 or not below 2^200; the
-//! [window](super::window) of most of them chooses it. No sign changes by that: the orientation
+//! [window](super::doubles) of most of them chooses it. No sign changes by that: the orientation
 //! determinant is multiplied by the factor's square, the in-circle determinant by its fourth power. What
 //! is not below 2^200 afterwards becomes infinite, of which the filter decides nothing.
 //!
@@ -23,9 +23,8 @@
 //!
 //! Cost: one pass over the doubles; a few where some are out of range.
 
-use super::doubles::{U, exponent, power};
+use super::doubles::{self, U, exponent, power};
 use super::lattice::Lattice;
-use super::window;
 
 /// More than 2u / (1 - 2u), by enough for the three roundings of [`Scale::error`].
 const RELATIVE_ERROR: f64 = (2.0 + 16.0 * U) * U;
@@ -93,7 +92,7 @@ impl Scale {
         let sizes = near.iter().flatten().map(|x| x.abs());
         let known = sizes.filter(|&size| size > 0.0 && size < f64::MAX);
         // As far as one factor can.
-        let factor = power(window::shift(known.map(exponent)).clamp(-1022, 1000));
+        let factor = power(doubles::shift(known.map(exponent)).clamp(-1022, 1000));
         let mut keeps_digits = true;
         for x in near.iter_mut().flatten() {
             let scaled = *x * factor;

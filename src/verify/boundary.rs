@@ -1,5 +1,7 @@
-//! Check 4: the boundary is one closed chain that never turns right nor back and goes round once, or it
-//! is the chains that the caller declared.
+//! Checks 4 to 6: the triangles cover the hull, or the domain that the caller declared, once. Check 4: the boundary is one
+//! closed chain that never turns right nor back and goes round once, or it is the chains that the caller declared.
+//! Check 5: every distinct point is a corner, or lies outside the declared domain, if that is one. Check 6: the number
+//! of triangles is Euler's, 2 n - 2 - h for n distinct points, h of them on the hull.
 //!
 //! How rounds are counted: a side *ascends* if its end comes after its start in the order (x, y). A chain
 //! that never turns right nor back turns by less than half a turn at each vertex. The directions that
@@ -15,7 +17,8 @@
 
 use std::cmp::Ordering;
 
-use super::record::Record;
+use super::report::Record;
+use super::scanline;
 use super::sides::Sides;
 use super::soup::Soup;
 use super::violation::Violation;
@@ -182,5 +185,51 @@ impl Domain {
                 record.findings.add(Violation::MissingBoundary { side });
             }
         }
+    }
+}
+
+/// Checks the vertices of rank `used` and above, which are the ones that no triangle names. Without any
+/// triangles that is for check 4 to judge.
+pub(super) fn check_points<S: Scalar>(
+    soup: &Soup<'_, S>,
+    used: u32,
+    domain: Option<&Domain>,
+    record: &mut Record,
+) {
+    let unused = used..soup.vertices();
+    let needed = match domain {
+        Some(domain) => match scanline::inside(&soup.signs, &domain.sides, unused) {
+            Ok(inside) => inside,
+            Err(side) => {
+                // Where something is wrong already, nobody knows what the domain is.
+                if record.findings.is_empty() {
+                    let side = soup.names(side);
+                    record.findings.add(Violation::TangledBoundary { side });
+                }
+                return;
+            }
+        },
+        None if soup.triangles.is_empty() => return,
+        None => unused.collect(),
+    };
+    for v in needed {
+        let vertex = soup.signs.name(v);
+        record.findings.add(Violation::UnusedPoint { vertex });
+    }
+}
+
+/// Checks the count, if nothing else is wrong and the triangles are to fill the hull. It follows from the checks
+/// before it: a second opinion, by nothing but counting.
+pub(super) fn check_count(domain: Option<&Domain>, record: &mut Record) {
+    let report = &record.report;
+    if domain.is_some() || report.triangles == 0 || !record.findings.is_empty() {
+        return;
+    }
+    let expected = 2 * report.distinct_points - 2 - report.boundary_sides;
+    if report.triangles != expected {
+        record.findings.add(Violation::WrongCount {
+            triangles: report.triangles,
+            expected,
+        });
     }
 }

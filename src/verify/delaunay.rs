@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 use super::chunks::{Progress, Schedule};
-use super::record::{Findings, Record};
+use super::report::{Findings, Record};
 use super::sides::Sides;
 use super::soup::{Soup, Tally};
 use super::violation::Violation;

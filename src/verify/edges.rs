@@ -21,7 +21,7 @@
 
 use std::cmp::Ordering;
 
-use super::record::Record;
+use super::report::Record;
 use super::sides::{Sides, range};
 use super::soup::{Soup, Tally};
 use super::violation::Violation;

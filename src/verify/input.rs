@@ -8,7 +8,7 @@
 use std::cmp::Ordering;
 
 use super::boundary::Domain;
-use super::record::Record;
+use super::report::Record;
 use super::soup::{LIMIT, REJECTED, Signs, Soup};
 use super::violation::Violation;
 use crate::scalar::{Scalar, frame};

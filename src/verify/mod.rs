@@ -10,8 +10,8 @@
 //! | 2 | every triangle turns left, strictly | `turns` |
 //! | 3 | every side of a triangle, as a directed edge, occurs once | `sides` |
 //! | 4 | the sides without a triangle on their right form one closed chain, which never turns right nor back and goes round once | `boundary` |
-//! | 5 | every distinct point is a corner | `points` |
-//! | 6 | the number of triangles is Euler's, 2 n - 2 - h for n points, h of them on the boundary | `points` |
+//! | 5 | every distinct point is a corner | `boundary` |
+//! | 6 | the number of triangles is Euler's, 2 n - 2 - h for n points, h of them on the boundary | `boundary` |
 //! | 7 | every input edge is a chain of sides | `edges` |
 //! | 8 | every other side between two triangles is *locally Delaunay*: the corner opposite to it in one triangle is not strictly inside the circumcircle of the other | `delaunay` |
 //!
@@ -61,8 +61,6 @@ mod chunks;
 mod delaunay;
 mod edges;
 mod input;
-mod points;
-mod record;
 mod report;
 mod scanline;
 mod sides;

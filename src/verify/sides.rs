@@ -17,7 +17,7 @@
 
 use std::ops::Range;
 
-use super::record::Record;
+use super::report::Record;
 use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::Scalar;

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::chunks::{Progress, Schedule};
-use super::record::Record;
+use super::report::Record;
 use super::soup::{REJECTED, Soup, Tally};
 use super::violation::Violation;
 use crate::scalar::Scalar;

@@ -6,9 +6,8 @@ use std::fmt;
 use super::chunks::Parallel;
 use super::chunks::{Progress, Schedule, Serial};
 use super::input::{self, Ranked};
-use super::record::Record;
-use super::report::{Level, Report, Violations};
-use super::{boundary, delaunay, edges, points, sides, turns};
+use super::report::{Level, Record, Report, Violations};
+use super::{boundary, delaunay, edges, sides, turns};
 use crate::scalar::Scalar;
 
 /// The verifier with options.
@@ -169,9 +168,9 @@ impl<'a> Verifier<'a> {
         let domain = domain.as_ref();
         boundary::check(&soup, &sides, domain, &mut record);
         // 5. Every point is a corner.
-        points::check(&soup, used, domain, &mut record);
+        boundary::check_points(&soup, used, domain, &mut record);
         // 6. The number of triangles is Euler's.
-        points::check_count(domain, &mut record);
+        boundary::check_count(domain, &mut record);
         // 7. Every edge is a chain of sides, which are then fixed.
         edges::check(&soup, &mut sides, &edges, &mut record);
         // 8. Every free side is locally Delaunay.

@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 use num_rational::BigRational;
 
 use crate::formats::read::content::Vertices;
-use crate::formats::read::result_error::ResultError;
+use crate::formats::read::source::ResultError;
 use crate::formats::{Coordinate, Graph};
 use crate::scalar::Scalar;
 

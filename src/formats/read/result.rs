@@ -4,8 +4,7 @@ use std::collections::HashSet;
 
 use crate::formats::read::content::{Corners, Vertices};
 use crate::formats::read::matching::{Matched, Matching};
-use crate::formats::read::result_error::ResultError;
-use crate::formats::read::source::{ReadError, Source};
+use crate::formats::read::source::{ReadError, ResultError, Source};
 use crate::formats::read::{json, obj, triangle};
 use crate::formats::{Coordinate, CoordinateError, Graph};
 use crate::verify::{Offenders, Violation};
