@@ -1,4 +1,4 @@
-//! The command `sweep-cdt`: one file a subcommand, and what they share.
+//! The command `sweep-cdt`: its subcommands, and what they share.
 //!
 //! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or written,
 //! or with a report where a result is not correct; 2 for wrong usage, which includes outputs that would
@@ -6,7 +6,6 @@
 //! line. A reader that closes its end of the pipe early ends it quietly.
 
 mod certificate;
-mod replay;
 mod shared;
 mod trace;
 mod triangulate;
@@ -17,9 +16,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
-use shared::failure::{Failure, printable, printable_lines};
-
-use shared::signals;
+use shared::failure::{Failure, printable, printable_lines, wait_for_signals};
 
 /// Exact constrained Delaunay triangulation by a sweep line.
 ///
@@ -38,11 +35,11 @@ enum Command {
     Triangulate(triangulate::Triangulate),
     Verify(verify::Verify),
     Trace(trace::Trace),
-    Replay(replay::Replay),
+    Replay(trace::Replay),
 }
 
 fn main() -> ExitCode {
-    signals::wait();
+    wait_for_signals();
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => return refused(&error),

@@ -1,4 +1,5 @@
-//! `sweep-cdt trace`: every step of the sweep, in the paper's words.
+//! `sweep-cdt trace`: every step of the sweep, in the paper's words. And `sweep-cdt replay`: the triangles that a trace
+//! builds.
 
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
@@ -10,11 +11,11 @@ use sweep_cdt::formats::{Coordinate, Graph};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 
+use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, format_of_output, format_parser};
-use crate::shared::input::InputArgs;
-use crate::shared::outputs::{Destination, Outputs, refuse_read};
+use crate::shared::outputs::{Destination, Outputs, print, refuse_read};
 use crate::shared::settings::Settings;
 
 /// Record every step of the sweep
@@ -23,7 +24,7 @@ use crate::shared::settings::Settings;
 /// sweep order, point events, triangles, legalization, edge events, finalization. Vertices and edges
 /// are numbered from 0, however the input numbers them.
 #[derive(clap::Args)]
-#[command(after_long_help = AFTER_HELP)]
+#[command(after_long_help = TRACE_AFTER_HELP)]
 pub(crate) struct Trace {
     #[command(flatten)]
     input: InputArgs,
@@ -51,7 +52,7 @@ pub(crate) struct Trace {
     settings: Settings,
 }
 
-const AFTER_HELP: &str = "\
+const TRACE_AFTER_HELP: &str = "\
 Output:
   .txt     text, to read beside the paper: `point 7: middle case, projected on segment 3 5`
   .jsonl   JSON Lines, for programs
@@ -164,5 +165,43 @@ impl Job for Run<'_> {
             self.format.write(graph, events, first..=last, out)
         })?;
         outputs.finish()
+    }
+}
+
+/// Rebuild the triangles from a trace
+///
+/// Repeats the steps of a trace on an empty mesh, without any geometry, and prints the triangles. If no
+/// run can have made the trace (it is cut short, shuffled or edited), names the first wrong line.
+#[derive(clap::Args)]
+#[command(after_long_help = REPLAY_AFTER_HELP)]
+pub(crate) struct Replay {
+    /// Trace to read, text or JSON Lines; `-` for standard input
+    #[arg(value_name = "TRACE")]
+    trace: FileArgument,
+}
+
+const REPLAY_AFTER_HELP: &str = "\
+Output: one triangle a line, its vertices counter-clockwise from the lowest, numbered from 0. The
+lines are sorted, as in the .json that `sweep-cdt triangulate` writes.
+
+Exit status:
+  0  done   1  no complete trace, or it cannot be read   2  wrong usage";
+
+impl Replay {
+    /// Runs the subcommand.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let source = FilesRead::default().load(&self.trace)?;
+        let text = String::from_utf8_lossy(source.text()?);
+        // Lines may end with carriage returns alone.
+        let text = text.replace("\r\n", "\n").replace('\r', "\n");
+        let trace = sweep_cdt::trace::Trace::parse(&text);
+        let triangles = trace.and_then(|trace| trace.replay()).map_err(|bad| {
+            Failure::Error(format!("{}:{}: {}", source.name, bad.line, bad.message))
+        })?;
+        print(|out| {
+            triangles
+                .iter()
+                .try_for_each(|[a, b, c]| writeln!(out, "{a} {b} {c}"))
+        })
     }
 }

@@ -9,12 +9,11 @@ use sweep_cdt::formats::Coordinate;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
 
+use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::Failure;
 use crate::shared::files::FilesRead;
-use crate::shared::input::InputArgs;
 use crate::shared::inside::InsideArgs;
-use crate::shared::output_args::{OutputArgs, Target, add, completed, has_standard};
 use crate::shared::outputs::{Destination, Outputs};
 use crate::shared::resources::limit_threads;
 use crate::shared::settings::Settings;

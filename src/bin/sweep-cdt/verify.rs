@@ -9,10 +9,10 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
 
 use crate::certificate::{self, Fingerprint, Subject};
+use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::Failure;
 use crate::shared::files::{FilesRead, format_parser};
-use crate::shared::input::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::inside::{Inside, fitting_rule, verify_interior};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::verification::{self, violations};

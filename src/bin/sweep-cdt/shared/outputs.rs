@@ -10,9 +10,8 @@ use std::fs::{self, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use super::failure::{Failure, reason};
+use super::failure::{Failure, reason, undivided};
 use super::files::{FileArgument, FilesRead, Identity, standard_output};
-use super::signals::undivided;
 use super::unnamed::{Out, Unnamed, folder};
 
 type Contents<'a> = Box<dyn FnOnce(&mut Out<'_>) -> io::Result<()> + 'a>;
