@@ -1,7 +1,6 @@
 #![doc = include_str!("crate.md")]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-mod algorithm;
 mod bucket;
 mod chains;
 pub mod domain;
@@ -11,11 +10,11 @@ mod error;
 #[cfg(feature = "formats")]
 pub mod formats;
 pub mod front;
-mod heuristics;
 mod ids;
 mod mesh;
 mod probe;
 pub mod scalar;
+mod settings;
 mod stats;
 mod sweep;
 #[cfg(feature = "parallel")]
@@ -25,9 +24,8 @@ mod triangulation;
 mod triangulator;
 pub mod verify;
 
-pub use algorithm::Algorithm;
 pub use error::Error;
-pub use heuristics::{Corners, Heuristics};
+pub use settings::{Algorithm, Corners, Heuristics};
 pub use stats::{Counters, Stats};
 pub use triangulation::Triangulation;
 pub use triangulator::{Run, Triangulator};

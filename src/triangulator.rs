@@ -2,12 +2,11 @@
 
 use std::fmt;
 
-use crate::algorithm::Algorithm;
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
-use crate::heuristics::Heuristics;
 use crate::probe::{Observer, Probe};
 use crate::scalar::Scalar;
+use crate::settings::{Algorithm, Heuristics};
 use crate::stats::{Recorder, Stats};
 use crate::sweep;
 #[cfg(feature = "parallel")]

@@ -14,7 +14,6 @@ use super::settings::Settings;
 use super::signs::Signs;
 use super::state::Sweep;
 use super::vertices::Vertices;
-use crate::algorithm::Algorithm;
 use crate::chains::ChainNotes;
 use crate::error::Error;
 use crate::front::{Domain, FrontSearch};
@@ -22,6 +21,7 @@ use crate::ids::{OpenId, VertexId, narrow};
 use crate::mesh::{Mesh, Side};
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+use crate::settings::Algorithm;
 use crate::stats::Phase;
 use crate::trace::{Event, Why};
 

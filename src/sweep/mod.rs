@@ -67,12 +67,12 @@ mod stretch;
 mod traversal;
 mod vertices;
 
-use crate::algorithm::Algorithm;
 use crate::error::Error;
 use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+use crate::settings::Algorithm;
 use crate::stats::Phase;
 use crate::triangulation::Triangulation;
 #[cfg(feature = "parallel")]

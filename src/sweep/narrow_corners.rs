@@ -23,11 +23,11 @@ use std::cmp::Ordering::{self, Greater, Less};
 
 use super::state::Sweep;
 use crate::front::{FrontSearch, Way};
-use crate::heuristics::Corners;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+use crate::settings::Corners;
 use crate::trace::Why;
 
 /// Square of the cosine of 110 degrees.

@@ -25,11 +25,11 @@ use std::cmp::Ordering::{Equal, Greater};
 
 use super::state::Sweep;
 use crate::front::{Domain, FrontNode, FrontSearch, LONG_WALK, Way};
-use crate::heuristics::Corners;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+use crate::settings::Corners;
 use crate::trace::{Event, PointCase, Why};
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {

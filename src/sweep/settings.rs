@@ -1,7 +1,6 @@
 //! What the caller chooses, beside the search structure.
 
-use crate::algorithm::Algorithm;
-use crate::heuristics::Heuristics;
+use crate::settings::{Algorithm, Heuristics};
 
 /// Called as `progress(swept, vertices)` at intervals.
 pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;

@@ -14,10 +14,10 @@ use super::incidence::Incidence;
 use super::obstacles::Obstacles;
 use crate::chains::ChainNotes;
 use crate::front::{Front, FrontNode, FrontSearch};
-use crate::heuristics::Heuristics;
 use crate::ids::{OpenId, VertexId};
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+use crate::settings::Heuristics;
 use crate::trace::{Event, Why};
 
 /// The state between two events.

@@ -146,10 +146,9 @@ mod tests {
     use super::super::finalization::name_by_input;
     use super::super::initialization::initialize;
     use super::super::settings::Settings;
-    use crate::algorithm::Algorithm;
     use crate::front::HashTable;
-    use crate::heuristics::Heuristics;
     use crate::ids::VertexId;
+    use crate::settings::{Algorithm, Heuristics};
     use crate::triangulation::Triangulation;
     use crate::verify::verify;
 
