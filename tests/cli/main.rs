@@ -4,7 +4,6 @@
 mod certificate;
 mod errors;
 mod formats;
-mod garbage;
 mod inside;
 mod interiors;
 mod matching;
@@ -15,7 +14,6 @@ mod refuted;
 mod runs;
 #[cfg(target_os = "linux")]
 mod stopped;
-mod tables;
 mod texts;
 mod trace;
 mod verify;
