@@ -103,7 +103,8 @@ impl Triangulation {
     }
 }
 
-/// For each triangle the number of its face, and how many faces there are.
+/// For each triangle the number of its face, and how many faces there are. A face is what is left in one piece of the
+/// hull when it is cut along all edges.
 fn faces(result: &Triangulation) -> (Vec<usize>, usize) {
     const NONE: usize = usize::MAX;
     let mut faces = vec![NONE; result.len()];

@@ -200,7 +200,8 @@ fn space(number: i64) -> &'static str {
     if number < 0 { "" } else { " " }
 }
 
-/// Long walks that together use each edge once. They start at vertices with an odd number of edges first,
+/// Lines of a drawing joined to long strokes, which are shorter to write than their pieces: long walks that
+/// together use each edge once. They start at vertices with an odd number of edges first,
 /// since a walk must begin or end there.
 ///
 /// Cost: linear.

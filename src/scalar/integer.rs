@@ -1,5 +1,6 @@
-//! `i32` and `i64`: exact for every value, in integers as wide as the differences require. These are machine integers of
-//! 64, 128 and 256 bits where they hold the determinant, and big integers where they do not; other scalars use them too.
+//! `i32` and `i64`: exact for every value, in integers as wide as the differences require. These are machine integers
+//! of 64, 128 and 256 bits where they hold the determinant, and big integers where they do not; other scalars use
+//! them too.
 //!
 //! Arguments are differences of coordinates. Why nothing overflows: with differences below 2^k a lift
 //! and a cross product are below 2^(2k+1) and their products, three of which are summed, below

@@ -1,7 +1,9 @@
-//! Checks 4 to 6: the triangles cover the hull, or the domain that the caller declared, once. Check 4: the boundary is one
-//! closed chain that never turns right nor back and goes round once, or it is the chains that the caller declared.
-//! Check 5: every distinct point is a corner, or lies outside the declared domain, if that is one. Check 6: the number
-//! of triangles is Euler's, 2 n - 2 - h for n distinct points, h of them on the hull.
+//! Checks 4 to 6: the triangles cover the hull, or the domain that the caller declared, once.
+//!
+//! Check 4: the boundary is one closed chain that never turns right nor back and goes round once, or it is the
+//! chains that the caller declared. Check 5: every distinct point is a corner, or lies outside the declared domain,
+//! if that is one. Check 6: the number of triangles is Euler's, 2 n - 2 - h for n distinct points, h of them on the
+//! hull.
 //!
 //! How rounds are counted: a side *ascends* if its end comes after its start in the order (x, y). A chain
 //! that never turns right nor back turns by less than half a turn at each vertex. The directions that

@@ -1,5 +1,5 @@
-//! How a run ends early: why a subcommand fails, messages that a terminal shows and does not obey, and what the run does
-//! when it is told to stop.
+//! How a run ends early: why a subcommand fails, messages that a terminal shows and does not obey, and what the run
+//! does when it is told to stop.
 //!
 //! A thread waits for INT, TERM, HUP and QUIT. It prints one `error:` line and lets the signal end the
 //! process as it would have done by itself, so that a shell sees why. Signals that were ignored when the

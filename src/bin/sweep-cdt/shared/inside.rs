@@ -1,7 +1,7 @@
 //! What of the hull is inside, and results that fill this interior in place of the hull.
 //!
-//! The interior comes from a triangulation of the input, which is proven right before anything is concluded from it. Its
-//! boundary and the edges in it are what the verifier then asks of the result.
+//! The interior comes from a triangulation of the input, which is proven right before anything is concluded from
+//! it. Its boundary and the edges in it are what the verifier then asks of the result.
 
 use clap::ValueEnum;
 use sweep_cdt::domain::{Domain, DomainError, Rule};
