@@ -255,5 +255,5 @@ impl<'a, S: Scalar> Signs<'a, S> {
 /// Whether doubles are the coordinates, up to a power of two, which changes no sign. They lie nearer in memory
 /// than the caller's points, which are in any order.
 fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: Scale) -> bool {
-    scale.is_exact() && doubles.iter().flatten().all(|x| x.is_finite())
+    scale.tells_equal() || scale.is_exact() && doubles.iter().flatten().all(|x| x.is_finite())
 }
