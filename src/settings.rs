@@ -1,5 +1,5 @@
-//! Settings of a run, which change the work and never the result: which algorithm triangulates, and which triangles a
-//! point event adds beyond the necessary ones (section 3.4.1, figures 9 and 10).
+//! Settings of a run, which change the work and never the result: which algorithm triangulates, and which
+//! triangles a point event adds beyond the necessary ones (section 3.4.1, figures 9 and 10).
 
 /// The algorithm. All give the same result; they differ in time.
 ///
@@ -90,4 +90,15 @@ impl Default for Heuristics {
     fn default() -> Self {
         Heuristics::FAST
     }
+}
+
+/// Called as `progress(swept, vertices)` at intervals.
+pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;
+
+/// What the caller chooses, beside the search structure.
+#[derive(Clone, Copy)]
+pub(crate) struct Settings<'p> {
+    pub(crate) algorithm: Algorithm,
+    pub(crate) heuristics: Heuristics,
+    pub(crate) progress: Progress<'p>,
 }

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
 use crate::probe::{Observer, Probe};
 use crate::scalar::Scalar;
-use crate::settings::{Algorithm, Heuristics};
+use crate::settings::{Algorithm, Heuristics, Settings};
 use crate::stats::{Recorder, Stats};
 use crate::sweep;
 #[cfg(feature = "parallel")]
@@ -36,7 +36,7 @@ const LEAST: usize = 50_000;
 /// ```
 #[derive(Clone)]
 pub struct Triangulator<'p, F = HashTable> {
-    settings: sweep::Settings<'p>,
+    settings: Settings<'p>,
     front: F,
     #[cfg(feature = "parallel")]
     bands: Option<usize>,
@@ -58,7 +58,7 @@ impl Triangulator<'_> {
     /// The defaults: hash table, fastest heuristics, no progress report.
     pub fn new() -> Self {
         Triangulator {
-            settings: sweep::Settings {
+            settings: Settings {
                 algorithm: Algorithm::default(),
                 heuristics: Heuristics::default(),
                 progress: None,

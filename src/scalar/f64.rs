@@ -22,7 +22,7 @@ use num_traits::float::FloatCore;
 use robust::Coord;
 
 use super::doubles::{exponent, power};
-use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, integer, unbounded};
+use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, integer, unbounded, wide};
 
 impl Scalar for f64 {
     const APPROX_IS_EXACT: bool = true;
@@ -74,11 +74,11 @@ impl Scalar for f64 {
     ) -> (Ordering, Stage) {
         if let Some(differences) = Differences::of([a, b, c], d) {
             if let Some(rows) = differences.narrow() {
-                return (integer::in_circle_narrow(rows), Stage::Integers);
+                return (wide::in_circle_narrow(rows), Stage::Integers);
             }
             if let Some(rows) = differences.wide() {
                 let rows = rows.map(|row| row.map(i128::from));
-                return (integer::in_circle_middle(rows), Stage::Integers);
+                return (wide::in_circle_middle(rows), Stage::Integers);
             }
         }
         let points = [a, b, c, d];

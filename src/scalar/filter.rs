@@ -51,7 +51,6 @@
 use std::cmp::Ordering::{self, Greater, Less};
 
 use super::doubles::U;
-use super::lattice::Lattice;
 use super::scale::{Scale, UNDERFLOW};
 
 const ORIENT2D: f64 = (3.0 + 32.0 * U) * U;
@@ -88,7 +87,7 @@ pub(crate) fn in_circle([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ord
 
 /// The orientation of `a`, `b`, `c` where they lie on so coarse a lattice that it is not rounded.
 pub(crate) fn orient2d_on_lattice([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
-    if scale.lattice() < Lattice::Coarse {
+    if !scale.lattice().has_exact_orient2d() {
         return None;
     }
     let ([ax, ay], [bx, by]) = (minus(a, c), minus(b, c));
@@ -97,7 +96,7 @@ pub(crate) fn orient2d_on_lattice([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Opt
 
 /// The same for the side of the circle through `a`, `b`, `c` on which `d` lies.
 pub(crate) fn in_circle_on_lattice([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
-    if scale.lattice() < Lattice::Coarsest {
+    if !scale.lattice().has_exact_in_circle() {
         return None;
     }
     let (determinant, _) = lifted([minus(a, d), minus(b, d), minus(c, d)]);

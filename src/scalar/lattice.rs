@@ -1,49 +1,62 @@
-//! Inputs on a lattice so coarse that the determinants of doubles are not rounded.
+//! Inputs on a lattice: their determinants are not rounded in doubles if it is coarse, and else take few
+//! integer operations.
 //!
 //! Coordinates that are integers, times one power of two for all, and not too far apart are common: pixels,
-//! rasters, drawings. Nearly all their ties are ties of the determinant in doubles too, once it is known that
-//! this has no error.
+//! rasters, drawings. On a coarse lattice nearly all their ties are ties of the determinant in doubles too,
+//! once it is known that this has no error. On a finer one their differences need no test before they are
+//! taken for integers.
 //!
 //! Why it is right: in units of the lattice all differences of coordinates are integers of at most 2^b in size.
 //! Products of two of them are at most 2^2b, lifts and minors twice that, and the in-circle determinant, the
 //! sum of three products of these, at most 3 * 2^(4b + 2). Integers up to 2^53 are doubles, so with
-//! b = [`IN_CIRCLE`] no step of it is rounded; with b = [`ORIENT2D`] none of the orientation determinant is.
-//! The unit is at least 2^-172, since no coordinate is below 2^-120 in size but zero, so nothing underflows.
+//! b = [`IN_CIRCLE`] no step of it is rounded; with b = [`ORIENT2D`] none of the orientation determinant is;
+//! and with b = [`DIFFERENCES`] no difference is. The unit is at least 2^-172, since no coordinate is below
+//! 2^-120 in size but zero, so nothing underflows.
 //!
 //! Cost: a look at a few points; where they lie on such a lattice, one pass over all.
 
+use std::cmp::Ordering;
+
 use super::doubles::{exponent, power};
+use super::wide;
 
 /// The most bits of differences for which the orientation determinant is exact.
 const ORIENT2D: i64 = 25;
 /// The same for the in-circle determinant.
 const IN_CIRCLE: i64 = 12;
+/// The same for the differences. Five fewer than would do: multiples of 2^-53 below 1, such as many
+/// generators of random numbers return, gain nothing.
+const DIFFERENCES: i64 = 48;
 /// How many points are looked at before all are.
 const SAMPLE: usize = 64;
 
-/// Which determinants of doubles are exact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Lattice {
-    /// None for certain.
-    Fine,
-    /// That of the orientation.
-    Coarse,
-    /// Both.
-    Coarsest,
+/// What is known of the lattice of some points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Lattice {
+    /// No difference of coordinates has more bits, in units of the lattice.
+    bits: i64,
+    /// How many units there are to 1.
+    per_unit: f64,
 }
 
 impl Lattice {
+    /// Nothing is known.
+    pub(super) const UNKNOWN: Lattice = Lattice {
+        bits: i64::MAX,
+        per_unit: 0.0,
+    };
+
     /// That of these points, whose coordinates are zero or from 2^-120 to 2^200 in size.
     pub(super) fn of(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Lattice {
         let sample = (0..points).step_by(points.div_ceil(SAMPLE).max(1));
         match Lattice::of_all(sample.map(&point)) {
-            Lattice::Fine => Lattice::Fine,
+            Lattice::UNKNOWN => Lattice::UNKNOWN,
             _ => Lattice::of_all((0..points).map(point)),
         }
     }
 
     fn of_all(points: impl Iterator<Item = [f64; 2]>) -> Lattice {
-        let mut unit = i64::MAX;
+        let mut unit = 200;
         let mut ranges = [(f64::INFINITY, f64::NEG_INFINITY); 2];
         for point in points {
             for (x, (least, most)) in point.into_iter().zip(&mut ranges) {
@@ -55,42 +68,112 @@ impl Lattice {
                 }
             }
         }
-        let are_within = |bits| {
-            let longest = power(unit.min(200) + bits);
-            ranges.iter().all(|(least, most)| most - least <= longest)
-        };
-        if are_within(IN_CIRCLE) {
-            Lattice::Coarsest
-        } else if are_within(ORIENT2D) {
-            Lattice::Coarse
-        } else {
-            Lattice::Fine
+        let longest = ranges.map(|(least, most)| most - least);
+        let longest = longest.into_iter().fold(power(unit), f64::max);
+        let bits = exponent(longest) - unit + i64::from(longest > power(exponent(longest)));
+        if bits > DIFFERENCES {
+            return Lattice::UNKNOWN;
         }
+        let per_unit = power(-unit);
+        Lattice { bits, per_unit }
+    }
+
+    /// Whether the orientation determinant of doubles is exact.
+    pub(super) fn has_exact_orient2d(self) -> bool {
+        self.bits <= ORIENT2D
+    }
+
+    /// Whether the in-circle determinant of doubles is exact.
+    pub(super) fn has_exact_in_circle(self) -> bool {
+        self.bits <= IN_CIRCLE
+    }
+
+    /// The side of the circle through `a`, `b`, `c` on which `d` lies, from integers.
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the products are integers of at most 2^48"
+    )]
+    pub(super) fn in_circle(self, [a, b, c, d]: [[f64; 2]; 4]) -> Option<Ordering> {
+        if self.bits > DIFFERENCES {
+            return None;
+        }
+        let whole = |i: usize, p: [f64; 2]| ((p[i] - d[i]) * self.per_unit) as i64;
+        let rows = [a, b, c].map(|p| [whole(0, p), whole(1, p)]);
+        let span = rows
+            .as_flattened()
+            .iter()
+            .fold(0, |span, x| span | x.unsigned_abs());
+        Some(if span < 1 << 30 {
+            wide::in_circle_narrow(rows)
+        } else {
+            wide::in_circle_middle(rows.map(|row| row.map(i128::from)))
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Lattice;
+    use num_bigint::BigInt;
+
+    use super::{Lattice, power};
 
     #[test]
     fn the_widest_differences_decide() {
-        for (points, expected) in [
-            (&[[0.0, 0.0], [4096.0, 1.0]][..], Lattice::Coarsest),
-            (&[[0.0, 0.0], [4097.0, 2.0]], Lattice::Coarse),
-            (&[[0.0, 0.0], [4096.0, 0.5]], Lattice::Coarse),
-            (&[[1e15, 0.0], [1e15 + 4096.0, 1.0]], Lattice::Coarsest),
-            (&[[-0.25, 0.0], [8_388_607.75, 0.0]], Lattice::Coarse),
-            (&[[-0.25, 0.0], [8_388_608.0, 0.0]], Lattice::Fine),
-            (&[[0.1, 0.0], [0.2, 0.0]], Lattice::Fine),
-            (&[[0.0, 0.0]], Lattice::Coarsest),
-            (&[], Lattice::Coarsest),
+        for (points, bits) in [
+            (&[[0.0, 0.0], [4096.0, 1.0]][..], Some(12)),
+            (&[[0.0, 0.0], [4097.0, 2.0]], Some(13)),
+            (&[[0.0, 0.0], [4096.0, 0.5]], Some(13)),
+            (&[[1e15, 0.0], [1e15 + 4096.0, 1.0]], Some(12)),
+            (&[[-0.25, 0.0], [8_388_607.75, 0.0]], Some(25)),
+            (&[[-0.25, 0.0], [8_388_608.0, 0.0]], Some(26)),
+            (&[[-1.0, 0.0], [power(48) - 1.0, 0.0]], Some(48)),
+            (&[[-1.0, 0.0], [power(48), 0.0]], None),
+            (&[[0.1, 0.0], [0.2, 0.0]], None),
+            (&[[3.0, -3.0], [3.0, -3.0]], Some(0)),
+            (&[[0.0, 0.0]], Some(0)),
+            (&[], Some(0)),
         ] {
-            assert_eq!(Lattice::of(points.len(), |i| points[i]), expected);
+            let lattice = Lattice::of(points.len(), |i| points[i]);
+            assert_eq!((lattice != Lattice::UNKNOWN).then_some(lattice.bits), bits);
         }
         // Beyond the sample.
         let mut points = vec![[0.0, 1.0]; 1000];
         points[501] = [0.1, 0.0];
-        assert_eq!(Lattice::of(points.len(), |i| points[i]), Lattice::Fine);
+        assert_eq!(Lattice::of(points.len(), |i| points[i]), Lattice::UNKNOWN);
+    }
+
+    /// Random points on lattices of each width, a third of them nearly on one circle, against big integers.
+    #[test]
+    fn the_integers_of_a_lattice_decide() {
+        let mut state = 1_u64;
+        let mut random = |below: i64| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            (state >> 11).cast_signed() % below
+        };
+        let mut ties = 0;
+        for round in 0..20_000 {
+            let width = 1 << (2 + round % 46);
+            let mut points = [(); 4].map(|()| [random(width), random(width)]);
+            if round % 3 == 0 {
+                // A rectangle, with one corner off by at most one unit.
+                let [[x, y], [z, w], ..] = points;
+                points = [[x, y], [z, y], [z, w], [x, (w + random(2)).min(width)]];
+            }
+            let doubles = points.map(|p| p.map(|x| x as f64 / 8.0));
+            let lattice = Lattice::of(4, |i| doubles[i]);
+            let [a, b, c, d] = points.map(|p| p.map(BigInt::from));
+            let minus = |a: &[BigInt; 2]| [&a[0] - &d[0], &a[1] - &d[1]];
+            let [a, b, c] = [minus(&a), minus(&b), minus(&c)];
+            let lift = |a: &[BigInt; 2]| a[0].pow(2) + a[1].pow(2);
+            let cross = |a: &[BigInt; 2], b: &[BigInt; 2]| &a[0] * &b[1] - &a[1] * &b[0];
+            let determinant =
+                lift(&a) * cross(&b, &c) + lift(&b) * cross(&c, &a) + lift(&c) * cross(&a, &b);
+            let expected = determinant.cmp(&BigInt::ZERO);
+            ties += usize::from(expected.is_eq());
+            assert_eq!(lattice.in_circle(doubles), Some(expected), "{points:?}");
+        }
+        assert!(ties > 3000, "{ties}");
     }
 }

@@ -28,6 +28,7 @@ mod rational;
 mod rug;
 mod scale;
 mod unbounded;
+mod wide;
 
 use std::cmp::Ordering;
 

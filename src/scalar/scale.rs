@@ -23,6 +23,8 @@
 //!
 //! Cost: one pass over the doubles; a few where some are out of range.
 
+use std::cmp::Ordering;
+
 use super::doubles::{self, U, exponent, power};
 use super::lattice::Lattice;
 
@@ -39,7 +41,7 @@ pub(crate) struct Scale {
     underflow_if_exact: f64,
     /// Whether coordinates of equal doubles are equal: all doubles are finite and exact.
     tells_equal: bool,
-    /// Which determinants of them are exact.
+    /// What is known of their lattice.
     lattice: Lattice,
     relative: f64,
     absolute: f64,
@@ -50,7 +52,7 @@ impl Scale {
     pub(super) const EXACT: Scale = Scale {
         underflow_if_exact: UNDERFLOW,
         tells_equal: true,
-        lattice: Lattice::Fine,
+        lattice: Lattice::UNKNOWN,
         relative: 0.0,
         absolute: 0.0,
     };
@@ -69,7 +71,7 @@ impl Scale {
         Scale {
             underflow_if_exact: f64::INFINITY,
             tells_equal: false,
-            lattice: Lattice::Fine,
+            lattice: Lattice::UNKNOWN,
             relative: RELATIVE_ERROR,
             absolute: power(-1019) * unit.max(1.0),
         }
@@ -126,9 +128,14 @@ impl Scale {
         self.underflow_if_exact == UNDERFLOW
     }
 
-    /// Which determinants of the doubles are exact.
+    /// What is known of the lattice of the doubles.
     pub(super) fn lattice(self) -> Lattice {
         self.lattice
+    }
+
+    /// The side of the circle through the first three on which the last lies, if a known lattice holds them.
+    pub(crate) fn in_circle_by_integers(self, points: [[f64; 2]; 4]) -> Option<Ordering> {
+        self.lattice.in_circle(points)
     }
 
     /// What underflow adds to a determinant of exact doubles; infinite if they are not, so that such a

@@ -10,7 +10,6 @@ use std::sync::Arc;
 use super::edges::Edges;
 use super::fabric::Fabric;
 use super::located::Located;
-use super::settings::Settings;
 use super::signs::Signs;
 use super::state::Sweep;
 use super::vertices::Vertices;
@@ -21,7 +20,7 @@ use crate::ids::{OpenId, VertexId, narrow};
 use crate::mesh::{Mesh, Side};
 use crate::probe::Probe;
 use crate::scalar::Scalar;
-use crate::settings::Algorithm;
+use crate::settings::{Algorithm, Settings};
 use crate::stats::Phase;
 use crate::trace::{Event, Why};
 

@@ -60,7 +60,6 @@ mod order;
 mod point_event;
 mod pseudo_polygons;
 mod rests;
-mod settings;
 mod signs;
 mod state;
 mod stretch;
@@ -72,13 +71,12 @@ use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
-use crate::settings::Algorithm;
+use crate::settings::{Algorithm, Progress, Settings};
 use crate::stats::Phase;
 use crate::triangulation::Triangulation;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
 use flip_limit::FlipLimit;
-pub(crate) use settings::Settings;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
 const CHECK: u32 = 16;
@@ -114,7 +112,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
 
     /// Sweeps, and completes the hull. Returns how many vertices lie within it: fewer than there are if the
     /// budget of flips is spent, and none if divide and conquer must begin anew.
-    fn sweep_to_hull(&mut self, progress: settings::Progress<'_>) -> Result<usize, Error> {
+    fn sweep_to_hull(&mut self, progress: Progress<'_>) -> Result<usize, Error> {
         let n = self.fabric.signs.vertices.len();
         let swept = self.sweep(progress)?;
         if swept < n {
@@ -133,7 +131,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
 
     /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Ends
     /// early when the budget of flips is spent. Returns how many vertices have been swept.
-    fn sweep(&mut self, progress: settings::Progress<'_>) -> Result<usize, Error> {
+    fn sweep(&mut self, progress: Progress<'_>) -> Result<usize, Error> {
         self.fabric.probe.begin(Phase::Sweeping);
         let n = self.fabric.signs.vertices.len();
         for v in (0..n).map(VertexId::at) {

@@ -17,7 +17,7 @@ use super::artificial::{self, Artificial};
 use super::vertices::Vertices;
 use crate::ids::{VertexId, narrow};
 use crate::probe::Probe;
-use crate::scalar::{Scalar, Scale, filter};
+use crate::scalar::{Scalar, Scale, Stage, filter};
 
 /// The exact signs, by rank. A probe that the caller passes counts how they were decided.
 #[derive(Debug)]
@@ -231,7 +231,9 @@ impl<'a, S: Scalar> Signs<'a, S> {
             probe.count(|c| c.in_circle_filtered += 1);
             return sign;
         }
-        let (sign, stage) = if are_coordinates(doubles, scale) {
+        let (sign, stage) = if let Some(sign) = scale.in_circle_by_integers(doubles) {
+            (sign, Stage::Integers)
+        } else if are_coordinates(doubles, scale) {
             let [a, b, c, d] = &doubles;
             f64::in_circle_exact(a, b, c, d)
         } else {

@@ -8,7 +8,6 @@ use std::sync::Arc;
 use super::super::divide_and_conquer::Part;
 use super::super::edges::Edges;
 use super::super::initialization::begin;
-use super::super::settings::Settings;
 use super::super::vertices::Vertices;
 use crate::chains::ChainNotes;
 use crate::error::Error;
@@ -16,6 +15,7 @@ use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Mesh;
 use crate::scalar::Scalar;
+use crate::settings::Settings;
 
 /// A band before the sweep.
 #[derive(Debug)]

@@ -12,7 +12,6 @@ use super::super::divide_and_conquer::Seam;
 use super::super::edges::Edges;
 use super::super::fabric::Fabric;
 use super::super::flip_limit::FlipLimit;
-use super::super::settings::Settings;
 use super::super::signs::Signs;
 use super::super::state::Sweep;
 use super::band::Swept;
@@ -20,6 +19,7 @@ use crate::error::Error;
 use crate::front::FrontSearch;
 use crate::ids::{VertexId, narrow};
 use crate::scalar::Scalar;
+use crate::settings::Settings;
 
 /// Joins the bands, of which there are at least two, into the state of a sweep whose hull is complete. `None` if
 /// that takes too many flips.

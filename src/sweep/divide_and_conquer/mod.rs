@@ -145,10 +145,9 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 mod tests {
     use super::super::finalization::name_by_input;
     use super::super::initialization::initialize;
-    use super::super::settings::Settings;
     use crate::front::HashTable;
     use crate::ids::VertexId;
-    use crate::settings::{Algorithm, Heuristics};
+    use crate::settings::{Algorithm, Heuristics, Settings};
     use crate::triangulation::Triangulation;
     use crate::verify::verify;
 
