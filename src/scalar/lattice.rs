@@ -88,26 +88,25 @@ impl Lattice {
         self.bits <= IN_CIRCLE
     }
 
-    /// The side of the circle through `a`, `b`, `c` on which `d` lies, from integers.
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "the products are integers of at most 2^48"
-    )]
-    pub(super) fn in_circle(self, [a, b, c, d]: [[f64; 2]; 4]) -> Option<Ordering> {
-        if self.bits > DIFFERENCES {
-            return None;
-        }
-        let whole = |i: usize, p: [f64; 2]| ((p[i] - d[i]) * self.per_unit) as i64;
-        let rows = [a, b, c].map(|p| [whole(0, p), whole(1, p)]);
-        let span = rows
-            .as_flattened()
-            .iter()
-            .fold(0, |span, x| span | x.unsigned_abs());
-        Some(if span < 1 << 30 {
-            wide::in_circle_narrow(rows)
-        } else {
-            wide::in_circle_middle(rows.map(|row| row.map(i128::from)))
-        })
+    /// The side of the circle through the first three on which the last lies, if the lattice is known.
+    #[inline(always)]
+    pub(super) fn in_circle(self, points: [[f64; 2]; 4]) -> Option<Ordering> {
+        (self.bits <= DIFFERENCES).then(|| in_circle(points, self.per_unit))
+    }
+}
+
+/// The side of the circle through `a`, `b`, `c` on which `d` lies, from integers.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the products are integers of at most 2^48"
+)]
+fn in_circle([a, b, c, d]: [[f64; 2]; 4], per_unit: f64) -> Ordering {
+    let rows = [a, b, c].map(|p| [0, 1].map(|i| ((p[i] - d[i]) * per_unit) as i64));
+    let sizes = rows.as_flattened().iter().map(|x| x.unsigned_abs());
+    if sizes.fold(0, |span, size| span | size) < 1 << 30 {
+        wide::in_circle_narrow(rows)
+    } else {
+        wide::in_circle_middle(rows.map(|row| row.map(i128::from)))
     }
 }
 

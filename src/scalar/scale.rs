@@ -134,6 +134,7 @@ impl Scale {
     }
 
     /// The side of the circle through the first three on which the last lies, if a known lattice holds them.
+    #[inline(always)]
     pub(crate) fn in_circle_by_integers(self, points: [[f64; 2]; 4]) -> Option<Ordering> {
         self.lattice.in_circle(points)
     }

@@ -7,7 +7,7 @@
 //! a stretch of the sweep that needs far more flips is noticed soon. Ordinary inputs need a small part of
 //! it. When it is spent, divide and conquer takes over ([`crate::Algorithm::Auto`]).
 //!
-//! The *excess* is what the sweep flips beyond three for each vertex. Where it grows, the sweep goes on with
+//! The *excess* is what the sweep flips beyond four for each vertex. Where it grows, the sweep goes on with
 //! the paper's heuristics; when it is gone, with the caller's again. Wide corners flip least on most data.
 //! But where points crowd in clusters within clusters they flip two to four times as much as the paper's
 //! corners and basins.
@@ -33,7 +33,7 @@ const FOR_HULL: u64 = 2;
 /// The reserve: half a flip for each vertex, and these.
 const RESERVE: u64 = 1000;
 /// Flips for each vertex that are no excess.
-const COMMON: u64 = 3;
+const COMMON: u64 = 4;
 /// The part of the reserve that the excess must reach for the paper's heuristics: a later change helps less.
 const FOR_PAPER: u64 = 8;
 
