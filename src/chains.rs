@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::error::Error;
 use crate::ids::narrow;
 
-/// How many vertices the edges may pass through, all together.
-const LIMIT: usize = 1 << 28;
+/// How many vertices the edges may pass through, all together; the tests of this file need less memory.
+const LIMIT: usize = if cfg!(test) { 1 << 10 } else { 1 << 28 };
 
 /// What the insertion of the edges notes. Vertices are input indices.
 #[derive(Debug, Default)]
@@ -137,5 +137,39 @@ impl Chains {
             Ok(at) => &self.inside[self.split[at].1 as usize..self.split[at].2 as usize],
             Err(_) => &[],
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::{ChainNotes, LIMIT, narrow};
+    use crate::error::Error;
+
+    #[test]
+    fn more_vertices_than_can_be_held_are_an_error() {
+        let limit = Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
+        let mut notes = ChainNotes::new(Arc::new(vec![[0, 1]; 2]));
+        for vertex in 0..narrow(LIMIT) {
+            assert_eq!(notes.pass(vertex % 2, vertex), Ok(()));
+        }
+        assert_eq!(notes.pass(0, 7), limit);
+        assert_eq!(notes.pass(1, 7), limit);
+        assert_eq!(notes.finish().inside.len(), LIMIT);
+    }
+
+    #[cfg(feature = "parallel")]
+    #[test]
+    fn those_of_all_bands_count() {
+        let notes = |count| {
+            let mut notes = ChainNotes::new(Arc::new(vec![[0, 1]]));
+            (0..count).for_each(|vertex| notes.pass(0, vertex).expect("few"));
+            notes
+        };
+        let half = narrow(LIMIT / 2);
+        assert_eq!(notes(half).append(notes(half)), Ok(()));
+        let limit = Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
+        assert_eq!(notes(half).append(notes(half + 1)), limit);
     }
 }
