@@ -11,7 +11,7 @@ mod damage;
 use std::cell::Cell;
 
 use sweep_cdt::trace::{Event, PointCase, Trace, Vertex, Why};
-use sweep_cdt::{Heuristics, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Heuristics, Triangulation, Triangulator};
 
 use damage::{Damage, Kind};
 
@@ -163,7 +163,9 @@ fn judge_counts(
         assert!(done < all, "{done} of {all}");
         reports.set(reports.get() + 1);
     };
+    // A run with a trace keeps to its heuristics, whatever they flip.
     let run = Triangulator::new()
+        .algorithm(Algorithm::Sweep)
         .heuristics(heuristics)
         .progress(&progress)
         .triangulate_with_stats(points, edges)
