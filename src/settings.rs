@@ -36,6 +36,9 @@ pub enum Algorithm {
 /// Without them the front undulates, and many badly shaped triangles are made and flipped later.
 /// Both test angles in plain floating point; whether a triangle may be made at all is decided exactly.
 ///
+/// [`Algorithm::Auto`] begins with them. Where they flip more than four sides a vertex for a while, it goes on
+/// with [`Heuristics::PAPER`] until that is over.
+///
 /// ```
 /// use sweep_cdt::{Heuristics, Triangulator};
 ///

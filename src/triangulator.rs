@@ -107,7 +107,7 @@ impl<'p, F> Triangulator<'p, F> {
         self
     }
 
-    /// Uses these heuristics. [`Algorithm::Auto`] begins with them.
+    /// Uses these heuristics; see there what [`Algorithm::Auto`] makes of them.
     #[must_use]
     pub fn heuristics(mut self, heuristics: Heuristics) -> Self {
         self.settings.heuristics = heuristics;

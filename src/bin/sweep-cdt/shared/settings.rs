@@ -26,18 +26,18 @@ pub(crate) struct Settings {
     #[arg(long, value_enum, default_value_t = Preset::Fast)]
     heuristics: Preset,
 
-    /// Switch off the pi/2 heuristic
+    /// Switch off the pi/2 heuristic (algorithm auto: until flips are many)
     #[arg(long)]
     no_narrow_corners: bool,
 
-    /// Switch off the basin heuristic
+    /// Switch off the basin heuristic (algorithm auto: until flips are many)
     #[arg(long)]
     no_basins: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Method {
-    /// The sweep; divide and conquer where the sweep would take too long
+    /// The sweep, where flips are many with the paper's heuristics; divide and conquer where it would take too long
     Auto,
     /// The sweep, to its end; traces always show the sweep
     Sweep,
