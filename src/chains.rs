@@ -115,6 +115,11 @@ impl ChainNotes {
 }
 
 impl Chains {
+    /// The memory of the ends.
+    pub(crate) fn into_ends(self) -> Vec<[u32; 2]> {
+        self.ends
+    }
+
     /// How many edges there are.
     pub(crate) fn len(&self) -> usize {
         self.ends.len()

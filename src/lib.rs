@@ -13,6 +13,7 @@ pub mod front;
 mod ids;
 mod mesh;
 mod probe;
+mod repeater;
 pub mod scalar;
 mod settings;
 mod stats;
@@ -25,6 +26,7 @@ mod triangulator;
 pub mod verify;
 
 pub use error::Error;
+pub use repeater::Repeater;
 pub use settings::{Algorithm, Corners, Heuristics};
 pub use stats::{Counters, Stats};
 pub use triangulation::Triangulation;

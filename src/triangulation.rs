@@ -25,7 +25,7 @@ use crate::verify::{Report, Violations, verify};
 /// assert_eq!(result.edge_chain(0).collect::<Vec<_>>(), [2, 0]);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Triangulation {
     pub(crate) triangles: Vec<Triangle>,
     pub(crate) hull: Vec<u32>,

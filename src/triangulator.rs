@@ -5,10 +5,11 @@ use std::fmt;
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
 use crate::probe::{Observer, Probe};
+use crate::repeater::Repeater;
 use crate::scalar::Scalar;
 use crate::settings::{Algorithm, Heuristics, Settings};
 use crate::stats::{Recorder, Stats};
-use crate::sweep;
+use crate::sweep::{self, Memory};
 #[cfg(feature = "parallel")]
 use crate::threads::has_threads;
 use crate::trace::Event;
@@ -176,7 +177,7 @@ impl<F: FrontSearch + Clone + Send> Triangulator<'_, F> {
     }
 }
 
-impl<F: FrontSearch + Clone> Triangulator<'_, F> {
+impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
     /// The constrained Delaunay triangulation of `points` with `edges`, as [`crate::triangulate`].
     ///
     /// # Errors
@@ -188,6 +189,11 @@ impl<F: FrontSearch + Clone> Triangulator<'_, F> {
     ) -> Result<Triangulation, Error> {
         let (triangulation, _, ()) = self.run(points, edges, ())?;
         Ok(triangulation)
+    }
+
+    /// The same for many inputs, one after the other, in the same memory.
+    pub fn repeater(self) -> Repeater<'p, F> {
+        Repeater::new(self.settings, self.front)
     }
 
     /// The same, with statistics; counting costs a few per cent of the time.
@@ -242,6 +248,7 @@ impl<F: FrontSearch + Clone> Triangulator<'_, F> {
             // Only the sweep has steps.
             settings.algorithm = Algorithm::Sweep;
         }
-        sweep::run(points, edges, settings, self.front.clone(), probe)
+        let memory = &mut Memory::default();
+        sweep::run(points, edges, settings, self.front.clone(), probe, memory)
     }
 }

@@ -92,11 +92,22 @@ impl Front {
     /// # Panics
     /// If the vertices and these two cannot be numbered in 32 bits.
     pub fn new(vertices: usize) -> Front {
+        let mut front = Front {
+            nodes: Vec::new(),
+            left_end: VertexId::default(),
+        };
+        front.begin(vertices);
+        front
+    }
+
+    /// Becomes [`Front::new`] of so many vertices.
+    pub(crate) fn begin(&mut self, vertices: usize) {
         let (left_end, right_end) = (VertexId::at(vertices), VertexId::at(vertices + 1));
-        let mut nodes = vec![Neighbors::OFF_FRONT; vertices + 2];
-        nodes[left_end.index()].next = right_end;
-        nodes[right_end.index()].prev = left_end;
-        Front { nodes, left_end }
+        self.left_end = left_end;
+        self.nodes.clear();
+        self.nodes.resize(vertices + 2, Neighbors::OFF_FRONT);
+        self.nodes[left_end.index()].next = right_end;
+        self.nodes[right_end.index()].prev = left_end;
     }
 
     /// The artificial left end P-1, which is always on the front; its x is minus infinity.

@@ -23,7 +23,7 @@ use crate::ids::narrow;
 use crate::ids::{OpenId, TriangleId, VertexId};
 
 /// The triangles and the open sides.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Mesh {
     triangles: Vec<Triangle>,
     /// For each open side the triangle's side below it, or [`Side::NO_TRIANGLE`].
@@ -33,13 +33,11 @@ pub(crate) struct Mesh {
 }
 
 impl Mesh {
-    /// An empty mesh with room for `triangles` and with `open` open sides that border on no triangle.
-    pub(crate) fn new(triangles: usize, open: usize) -> Mesh {
-        Mesh {
-            triangles: Vec::with_capacity(triangles),
-            open: vec![Side::NO_TRIANGLE; open],
-            removed: Vec::new(),
-        }
+    /// Becomes an empty mesh with room for `triangles` and with `open` open sides that border on no triangle.
+    pub(crate) fn begin(&mut self, triangles: usize, open: usize) {
+        self.clear();
+        self.triangles.reserve_exact(triangles);
+        self.renew_open(open);
     }
 
     /// Removes all triangles.
@@ -234,9 +232,15 @@ impl Mesh {
         self.open.resize(open, Side::NO_TRIANGLE);
     }
 
-    /// Hands out the triangles.
-    pub(crate) fn into_triangles(self) -> Vec<Triangle> {
-        self.triangles
+    /// Hands out the triangles, and is empty afterwards.
+    pub(crate) fn take_triangles(&mut self) -> Vec<Triangle> {
+        std::mem::take(&mut self.triangles)
+    }
+
+    /// Takes the memory of these triangles for those to come.
+    pub(crate) fn reuse(&mut self, triangles: Vec<Triangle>) {
+        self.triangles = triangles;
+        self.clear();
     }
 
     /// Bytes held.

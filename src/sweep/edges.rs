@@ -24,65 +24,76 @@ pub(super) struct Edges {
 }
 
 impl Edges {
-    /// Lists the edges of an input of `points` points at their upper ends. Returns with the list the
-    /// ends of each edge, upper one first, as input indices of the vertices.
-    pub(super) fn new(
+    /// Lists the edges of an input of `points` points at their upper ends. Sets `ends` to the ends of each edge,
+    /// upper one first, as input indices of the vertices, and uses the memory of `ranks`.
+    pub(super) fn set(
+        &mut self,
         vertices: &Vertices,
         points: usize,
         edges: &[[usize; 2]],
-    ) -> Result<(Edges, Vec<[u32; 2]>), Error> {
+        ends: &mut Vec<[u32; 2]>,
+        ranks: &mut Vec<VertexId>,
+    ) -> Result<(), Error> {
+        ends.clear();
         if edges.is_empty() {
-            return Ok((Edges::default(), Vec::new()));
+            self.clear();
+            return Ok(());
         }
-        let ranks = vertices.ranks(points);
-        let mut ends: Vec<[VertexId; 2]> = Vec::with_capacity(edges.len());
+        vertices.rank(points, ranks);
+        ends.reserve_exact(edges.len());
         for (edge, &[a, b]) in edges.iter().enumerate() {
             let rank = |vertex: usize| match ranks.get(vertex) {
                 Some(&rank) => Ok(rank),
                 None => Err(Error::EdgeOutOfRange { edge, vertex }),
             };
             let (a, b) = (rank(a)?, rank(b)?);
-            ends.push([a.max(b), a.min(b)]);
+            ends.push([a.max(b), a.min(b)].map(VertexId::number));
         }
         let numbered = ends.iter().enumerate();
-        let list = Edges::list(
+        self.list(
             vertices.len(),
-            numbered.map(|(edge, &ends)| (narrow(edge), ends)),
+            numbered.map(|(edge, ends)| (narrow(edge), ends.map(VertexId::new))),
         );
-        let ends = ends
-            .into_iter()
-            .map(|ends| ends.map(|v| vertices.input_index(v)))
-            .collect();
-        Ok((list, ends))
+        for ends in ends {
+            *ends = ends.map(|rank| vertices.input_index(VertexId::new(rank)));
+        }
+        Ok(())
     }
 
     /// Lists edges, each with its input index and its ends, upper one first, at the upper ones of so many
     /// vertices.
     pub(super) fn list(
+        &mut self,
         vertices: usize,
         edges: impl DoubleEndedIterator<Item = (u32, [VertexId; 2])> + Clone,
-    ) -> Edges {
+    ) {
+        self.clear();
         if edges.clone().next().is_none() {
-            return Edges::default();
+            return;
         }
-        let mut first = vec![0_u32; vertices + 1];
+        let Edges { first, list } = self;
+        first.resize(vertices + 1, 0);
         for (_, [upper, _]) in edges.clone() {
             first[upper.index()] += 1;
         }
         // Counts become the ends of the ranges. Each edge is put in before the end of its range, which
         // moves down, so that at last it is the start.
         let mut sum = 0;
-        for count in &mut first {
+        for count in &mut *first {
             sum += *count;
             *count = sum;
         }
-        let mut list = vec![(VertexId::default(), 0); sum as usize];
+        list.resize(sum as usize, (VertexId::default(), 0));
         for (edge, [upper, lower]) in edges.rev() {
             let place = &mut first[upper.index()];
             *place -= 1;
             list[*place as usize] = (lower, edge);
         }
-        Edges { first, list }
+    }
+
+    fn clear(&mut self) {
+        self.first.clear();
+        self.list.clear();
     }
 
     /// The edges with upper end `v`, as lower ends and input indices.

@@ -4,8 +4,10 @@
 //! this. The state of the whole sweep ([`super::state`]) contains it and adds the front and the edges.
 
 use std::cmp::Ordering;
+use std::mem::take;
 
 use super::flip_limit::FlipLimit;
+use super::memory::Memory;
 use super::signs::Signs;
 use super::stretch::Stretch;
 use crate::ids::{TriangleId, VertexId};
@@ -27,15 +29,20 @@ pub(super) struct Fabric<'a, S, P> {
 }
 
 impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
-    /// These triangles, with the signs of their vertices. `has_budget` if the work may be abandoned.
-    pub(super) fn new(mesh: Mesh, signs: Signs<'a, S>, has_budget: bool, probe: P) -> Self {
+    /// The triangles of `memory`, with the signs of their vertices. `has_budget` if the work may be abandoned.
+    pub(super) fn new(
+        signs: Signs<'a, S>,
+        has_budget: bool,
+        probe: P,
+        memory: &mut Memory,
+    ) -> Self {
         let flip_limit = FlipLimit::new(signs.vertices.len(), has_budget);
         Fabric {
-            mesh,
+            mesh: take(&mut memory.mesh),
             signs,
-            suspects: Vec::new(),
+            suspects: take(&mut memory.suspects),
             flip_limit,
-            stretch: Stretch::default(),
+            stretch: take(&mut memory.stretch),
             probe,
         }
     }

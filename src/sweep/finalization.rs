@@ -23,14 +23,15 @@
 //! Differs from the paper: the lower hull (figures 15b and c) needs no pass, since sides with an
 //! artificial end are legalized all along (see [`super::artificial`]).
 
-use std::collections::VecDeque;
+use std::mem::take;
 
 use super::flip_limit::contradiction;
+use super::memory::Memory;
 use super::signs::Signs;
 use super::state::Sweep;
 use crate::front::FrontSearch;
 use crate::ids::{OpenId, TriangleId, VertexId, narrow};
-use crate::mesh::{Mesh, Side, Triangle};
+use crate::mesh::{Side, Triangle};
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::stats::Phase;
@@ -55,44 +56,59 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// triangles are passed to `name`, which does what [`name_by_input`] does.
     pub(super) fn finalize(
         mut self,
-        name: impl FnOnce(&mut [Triangle], &Signs<'_, S>) -> Vec<TriangleId>,
+        memory: &mut Memory,
+        name: impl FnOnce(&mut [Triangle], &Signs<'_, S>, &mut Vec<TriangleId>),
     ) -> (Triangulation, F, P) {
-        let memory = self.memory();
-        self.fabric.probe.note(|stats| stats.memory = memory);
-        let hull = self.hull();
-        let mesh = std::mem::replace(&mut self.fabric.mesh, Mesh::new(0, 0));
-        let mut triangles = mesh.into_triangles();
-        let artificial = name(&mut triangles, &self.fabric.signs);
-        self.remove_artificial(&mut triangles, artificial);
+        let bytes = self.memory();
+        self.fabric.probe.note(|stats| stats.memory = bytes);
+        let mut hull = take(&mut memory.hull);
+        hull.clear();
+        self.list_hull(&mut hull);
+        let mut triangles = self.fabric.mesh.take_triangles();
+        let mut artificial = take(&mut memory.artificial);
+        artificial.clear();
+        name(&mut triangles, &self.fabric.signs, &mut artificial);
+        self.remove_artificial(&mut triangles, &artificial);
         self.fabric.report(|_| Event::Finished {
             triangles: narrow(triangles.len()),
         });
-
+        if triangles.is_empty() {
+            hull.clear();
+        }
         let result = Triangulation {
-            hull: if triangles.is_empty() {
-                Vec::new()
-            } else {
-                hull
-            },
+            hull,
             triangles,
-            duplicates: self.fabric.signs.vertices.duplicates,
-            chains: self.chains.finish(),
+            duplicates: take(&mut self.fabric.signs.vertices.duplicates),
+            chains: take(&mut self.chains).finish(),
         };
-        let mut probe = self.fabric.probe;
-        probe.begin(Phase::Finished);
-        (result, self.search, probe)
+        self.fabric.probe.begin(Phase::Finished);
+        if memory.is_kept {
+            memory.artificial = artificial;
+            memory.mesh = self.fabric.mesh;
+            memory.order.approx = self.fabric.signs.vertices.approx;
+            memory.order.input = self.fabric.signs.vertices.input;
+            memory.suspects = self.fabric.suspects;
+            memory.stretch = self.fabric.stretch;
+            memory.edges = self.edges;
+            memory.front = Some(self.front);
+            memory.list = self.list;
+            memory.obstacles = self.obstacles;
+            memory.chain = self.chain;
+            memory.incidence = self.incidence;
+        }
+        (result, self.search, self.fabric.probe)
     }
 
-    /// All vertices on the hull, counter-clockwise from the leftmost, as input indices.
-    fn hull(&self) -> Vec<u32> {
+    /// Lists all vertices on the hull, counter-clockwise from the leftmost, as input indices.
+    fn list_hull(&self, hull: &mut Vec<u32>) {
         let artificial = self.fabric.signs.artificial;
         let (left, right) = (artificial.left, artificial.right);
         let (first, last) = (self.front.next(left), self.front.prev(right));
         if first == right {
-            return Vec::new();
+            return;
         }
         let (mesh, vertices) = (&self.fabric.mesh, &self.fabric.signs.vertices);
-        let mut hull = vec![vertices.input_index(first)];
+        hull.push(vertices.input_index(first));
         // The lower hull: around P-1 from the front down to P-2, then around P-2 up to the front.
         let mut side = mesh.below(OpenId::segment(left));
         let mut pivot = left;
@@ -117,13 +133,12 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             hull.push(vertices.input_index(at));
             at = self.front.prev(at);
         }
-        hull
     }
 
     /// Removes these triangles, which are artificial and ascend; the last triangle takes the place of each.
-    fn remove_artificial(&mut self, triangles: &mut Vec<Triangle>, artificial: Vec<TriangleId>) {
-        let mut artificial = VecDeque::from(artificial);
-        while let Some(t) = artificial.pop_front() {
+    fn remove_artificial(&mut self, triangles: &mut Vec<Triangle>, mut artificial: &[TriangleId]) {
+        while let Some((&t, others)) = artificial.split_first() {
+            artificial = others;
             loop {
                 let record = triangles[t.index()];
                 self.fabric.report(|name| Event::Removed {
@@ -141,24 +156,24 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 }
                 // What has come here may be artificial, too.
                 let from = TriangleId::at(triangles.len());
-                if artificial.back() != Some(&from) {
-                    break;
+                match artificial.split_last() {
+                    Some((&last, others)) if last == from => artificial = others,
+                    _ => break,
                 }
-                artificial.pop_back();
             }
         }
     }
 }
 
 /// Turns ranks into input indices in real triangles, the first of which has number `first`, and puts the hull
-/// across their open sides. Returns the artificial ones.
+/// across their open sides. Adds the artificial ones to the list.
 #[inline]
 pub(super) fn name_by_input<S: Scalar>(
     triangles: &mut [Triangle],
     first: usize,
     signs: &Signs<'_, S>,
-) -> Vec<TriangleId> {
-    let mut artificial = Vec::new();
+    artificial: &mut Vec<TriangleId>,
+) {
     for (t, triangle) in (first..).zip(triangles) {
         if triangle.vertices().iter().any(|&v| signs.is_artificial(v)) {
             artificial.push(TriangleId::at(t));
@@ -173,7 +188,6 @@ pub(super) fn name_by_input<S: Scalar>(
             }
         }
     }
-    artificial
 }
 
 /// Sets what lies across `side`, if that is the side of a triangle.

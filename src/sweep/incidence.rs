@@ -18,15 +18,18 @@ pub(super) struct Incidence {
 }
 
 impl Incidence {
-    /// The table of all `vertices` vertices, artificial ones excluded.
-    pub(super) fn new(mesh: &Mesh, vertices: usize) -> Incidence {
-        let mut table = Incidence {
-            opposite: vec![Side::NOTHING; vertices],
-        };
+    /// Makes the table of all `vertices` vertices, artificial ones excluded.
+    pub(super) fn make(&mut self, mesh: &Mesh, vertices: usize) {
+        self.clear();
+        self.opposite.resize(vertices, Side::NOTHING);
         for t in (0..mesh.len()).map(TriangleId::at) {
-            table.note(mesh, t);
+            self.note(mesh, t);
         }
-        table
+    }
+
+    /// Forgets the table.
+    pub(super) fn clear(&mut self) {
+        self.opposite.clear();
     }
 
     /// Whether the table has been made.

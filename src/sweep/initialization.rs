@@ -5,11 +5,12 @@
 //!
 //! Differs from the paper: see [`super::vertices`], [`super::edges`] and [`super::artificial`].
 
+use std::mem::take;
 use std::sync::Arc;
 
-use super::edges::Edges;
 use super::fabric::Fabric;
 use super::located::Located;
+use super::memory::Memory;
 use super::signs::Signs;
 use super::state::Sweep;
 use super::vertices::Vertices;
@@ -17,7 +18,7 @@ use crate::chains::ChainNotes;
 use crate::error::Error;
 use crate::front::{Domain, FrontSearch};
 use crate::ids::{OpenId, VertexId, narrow};
-use crate::mesh::{Mesh, Side};
+use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::settings::{Algorithm, Settings};
@@ -31,6 +32,7 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
     settings: Settings<'_>,
     search: F,
     mut probe: P,
+    memory: &mut Memory,
 ) -> Result<Sweep<'a, S, F, P>, Error> {
     probe.begin(Phase::Initialization);
     // Vertices and edges; too many or wrong ones are refused.
@@ -41,7 +43,9 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
         });
     }
     let located = Located::new(points)?;
-    let vertices = Vertices::new(&located, 0..narrow(points.len()));
+    let order = take(&mut memory.order);
+    let inputs = 0..narrow(points.len());
+    let vertices = Vertices::new(&located, inputs, order, &mut memory.sort);
     drop(located);
     if edges.len() > LIMIT {
         return Err(Error::TooManyEdges {
@@ -49,30 +53,35 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
             limit: LIMIT,
         });
     }
-    let (edges, ends) = Edges::new(&vertices, points.len(), edges)?;
+    let mut ends = take(&mut memory.ends);
+    let Memory {
+        edges: list, ranks, ..
+    } = &mut *memory;
+    list.set(&vertices, points.len(), edges, &mut ends, ranks)?;
+    memory.initialized();
     let chains = ChainNotes::new(Arc::new(ends));
-    let sweep = begin(points, vertices, edges, chains, settings, search, probe);
+    let sweep = begin(points, vertices, chains, settings, search, probe, memory);
     Ok(sweep)
 }
 
-/// The state with the first triangle of these vertices, their edges listed.
+/// The state with the first triangle of these vertices; `memory` lists their edges.
 pub(super) fn begin<'a, S: Scalar, F: FrontSearch, P: Probe>(
     points: &'a [[S; 2]],
     vertices: Vertices,
-    edges: Edges,
     chains: ChainNotes,
     settings: Settings<'_>,
     mut search: F,
     probe: P,
+    memory: &mut Memory,
 ) -> Sweep<'a, S, F, P> {
     search.begin(Domain::new(&vertices.approx));
     // There is an open side for each vertex, the segment of the front that starts there.
     let n = vertices.len();
-    let mesh = Mesh::new(2 * n + 2, n + 2);
+    memory.mesh.begin(2 * n + 2, n + 2);
     let signs = Signs::new(points, vertices);
     let has_budget = settings.algorithm == Algorithm::Auto;
-    let fabric = Fabric::new(mesh, signs, has_budget, probe);
-    let mut sweep = Sweep::new(fabric, edges, chains, settings.heuristics, search);
+    let fabric = Fabric::new(signs, has_budget, probe, memory);
+    let mut sweep = Sweep::new(fabric, chains, settings.heuristics, search, memory);
     sweep.report_order(n);
     if n > 0 {
         sweep.first_triangle();

@@ -28,6 +28,7 @@
 //! | when the sweep is abandoned | [`flip_limit`] |
 //! | the net under it: divide and conquer | [`divide_and_conquer`] |
 //! | the sweep on all cores | `bands` (feature `parallel`) |
+//! | memory for many runs | [`memory`] |
 //!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
 //! settings of the heuristics [`crate::Heuristics`].
@@ -54,6 +55,7 @@ mod incidence;
 mod initialization;
 mod legalization;
 mod located;
+mod memory;
 mod narrow_corners;
 mod obstacles;
 mod order;
@@ -77,23 +79,27 @@ use crate::triangulation::Triangulation;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
 use flip_limit::FlipLimit;
+pub(crate) use memory::Memory;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
 const CHECK: u32 = 16;
 const REPORT: u32 = 4096;
 
 /// Runs the three parts of section 3.2, or divide and conquer in place of the first two. The search
-/// structure and the probe come back with the result.
+/// structure and the probe come back with the result, the memory if it is kept.
 pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     settings: Settings<'_>,
     search: F,
     probe: P,
+    memory: &mut Memory,
 ) -> Result<(Triangulation, F, P), Error> {
-    let mut sweep = initialization::initialize(points, edges, settings, search, probe)?;
+    let mut sweep = initialization::initialize(points, edges, settings, search, probe, memory)?;
     sweep.triangulate(settings)?;
-    Ok(sweep.finalize(|triangles, signs| finalization::name_by_input(triangles, 0, signs)))
+    Ok(sweep.finalize(memory, |triangles, signs, artificial| {
+        finalization::name_by_input(triangles, 0, signs, artificial);
+    }))
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {

@@ -17,15 +17,17 @@ use crate::bucket::bucket;
 use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
 
-/// So few points are sorted fast by comparison too.
+/// So few points are sorted fast by comparison too, those far away included.
 const FEW: usize = 4096;
+/// So few points have one key.
+const ONE_KEY: usize = 20;
 /// How many of more points are looked at to find the middle half of them.
 const SAMPLE: usize = 256;
 /// What is outside the middle half by more than this many times its height is far outside.
 const REACH: f64 = 8.0;
 
 /// The distinct points in sweep order.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Order {
     /// Their approximated coordinates, with room for the two artificial points.
     pub(super) approx: Vec<[f64; 2]>,
@@ -39,33 +41,46 @@ pub(super) struct Order {
 type Site = ([f64; 2], u32);
 
 /// A point with its coarse key.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Keyed {
     key: u32,
     input: u32,
 }
 
+/// Working memory of the sort.
+#[derive(Debug, Default)]
+pub(super) struct Workspace {
+    keyed: Vec<Keyed>,
+    sorted: Vec<Keyed>,
+    /// How often each digit occurs, and then where it begins.
+    places: [Vec<u32>; 2],
+    /// A run of equal keys.
+    sites: Vec<Site>,
+}
+
 /// Sorts and merges the points with these input indices, which ascend; `approx` gives the approximated
-/// coordinates of a point by its input index.
+/// coordinates of a point by its input index. The memory of `order` is used again.
 pub(super) fn sort<S: Scalar>(
     points: &[[S; 2]],
     inputs: impl ExactSizeIterator<Item = u32> + Clone,
     approx: impl Fn(u32) -> [f64; 2],
     scale: Scale,
+    mut order: Order,
+    workspace: &mut Workspace,
 ) -> Order {
-    let keyed = sort_by_key(inputs, &approx);
+    workspace.sort_by_key(inputs, &approx);
+    let Workspace { keyed, sites, .. } = workspace;
 
     // Gather in a loop of its own: independent cache misses overlap.
-    let mut sorted = Vec::with_capacity(keyed.len() + 2);
-    sorted.extend(keyed.iter().map(|item| approx(item.input)));
-    let mut order = Order {
-        approx: sorted,
-        input: keyed.iter().map(|item| item.input).collect(),
-        duplicates: Vec::new(),
-    };
+    order.approx.clear();
+    order.approx.reserve_exact(keyed.len() + 2);
+    let gathered = keyed.iter().map(|item| approx(item.input));
+    order.approx.extend(gathered);
+    order.input.clear();
+    order.input.extend(keyed.iter().map(|item| item.input));
+    order.duplicates.clear();
 
     // Runs of equal keys, sorted exactly. What is equal has one key. The others move up to what is kept.
-    let mut sites: Vec<Site> = Vec::new();
     let (mut from, mut kept) = (0, 0);
     for run in keyed.chunk_by(|a, b| a.key == b.key) {
         let to = from + run.len();
@@ -102,51 +117,61 @@ fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Or
     axis(1).then_with(|| axis(0))
 }
 
-/// The points by a coarse key that never decreases with y.
-///
-/// There are four to sixteen keys for each point, so runs of equal keys are short where y is spread. The
-/// keys are sorted in two counting passes, each by half of their bits.
-fn sort_by_key(
-    inputs: impl ExactSizeIterator<Item = u32> + Clone,
-    approx: impl Fn(u32) -> [f64; 2],
-) -> Vec<Keyed> {
-    let points = inputs.len();
-    let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
-    let keys = 1_usize << (2 * half);
-    let (low, high) = range(&inputs, |input| approx(input)[1]);
-    // Neither differences nor products nor the bucket decrease where y grows.
-    let factor = keys as f64 / (high - low);
-    let key = |y: f64| narrow(bucket((y - low) * factor, keys));
-    // Keys, and how often each digit occurs: the lower and the upper half of their bits.
-    let mut counts = [0, half].map(|shift| (shift, vec![0_u32; 1 << half]));
-    let digit = |key: u32, shift| (key >> shift) as usize & ((1 << half) - 1);
-    let mut keyed: Vec<Keyed> = inputs
-        .map(|input| {
+impl Workspace {
+    /// Puts the points into `keyed` by a coarse key that never decreases with y.
+    ///
+    /// There are four to sixteen keys for each point, so runs of equal keys are short where y is spread. The
+    /// keys are sorted in two counting passes, each by half of their bits. Few points have one key.
+    fn sort_by_key(
+        &mut self,
+        inputs: impl ExactSizeIterator<Item = u32> + Clone,
+        approx: impl Fn(u32) -> [f64; 2],
+    ) {
+        let points = inputs.len();
+        self.keyed.clear();
+        if points <= ONE_KEY {
+            self.keyed
+                .extend(inputs.map(|input| Keyed { key: 0, input }));
+            return;
+        }
+        let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
+        let keys = 1_usize << (2 * half);
+        let (low, high) = range(&inputs, |input| approx(input)[1]);
+        // Neither differences nor products nor the bucket decrease where y grows.
+        let factor = keys as f64 / (high - low);
+        let key = |y: f64| narrow(bucket((y - low) * factor, keys));
+        // Keys, and how often each digit occurs: the lower and the upper half of their bits.
+        let [lower, upper] = &mut self.places;
+        for counts in [&mut *lower, &mut *upper] {
+            counts.clear();
+            counts.resize(1 << half, 0);
+        }
+        let digit = |key: u32, shift| (key >> shift) as usize & ((1 << half) - 1);
+        self.keyed.extend(inputs.map(|input| {
             let key = key(approx(input)[1]);
-            for (shift, counts) in &mut counts {
-                counts[digit(key, *shift)] += 1;
-            }
+            lower[digit(key, 0)] += 1;
+            upper[digit(key, half)] += 1;
             Keyed { key, input }
-        })
-        .collect();
+        }));
 
-    // The lower half first; each pass keeps the order of equal digits.
-    let mut sorted = vec![Keyed::default(); points];
-    for (shift, mut places) in counts {
-        // Counts become the places where the digits begin.
-        let mut sum = 0;
-        for place in &mut places {
-            sum += *place;
-            *place = sum - *place;
+        // The lower half first; each pass keeps the order of equal digits.
+        self.sorted.clear();
+        self.sorted.resize(points, Keyed::default());
+        for (shift, places) in [(0, lower), (half, upper)] {
+            // Counts become the places where the digits begin.
+            let mut sum = 0;
+            for place in &mut *places {
+                sum += *place;
+                *place = sum - *place;
+            }
+            for item in &self.keyed {
+                let place = &mut places[digit(item.key, shift)];
+                self.sorted[*place as usize] = *item;
+                *place += 1;
+            }
+            std::mem::swap(&mut self.keyed, &mut self.sorted);
         }
-        for item in &keyed {
-            let place = &mut places[digit(item.key, shift)];
-            sorted[*place as usize] = *item;
-            *place += 1;
-        }
-        std::mem::swap(&mut keyed, &mut sorted);
     }
-    keyed
 }
 
 /// The range over which keys are spread: that of all y, but for those far outside that of the middle half.

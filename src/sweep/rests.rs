@@ -22,7 +22,6 @@
 //! Differs from the paper: it does not speak of vertices on edges.
 
 use super::edges::Rest;
-use super::incidence::Incidence;
 use super::state::Sweep;
 use crate::error::Error;
 use crate::front::FrontSearch;
@@ -34,7 +33,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     pub(super) fn insert_rests(&mut self) -> Result<(), Error> {
         if !self.rests.is_empty() && !self.incidence.is_made() {
             let vertices = self.fabric.signs.vertices.len();
-            self.incidence = Incidence::new(&self.fabric.mesh, vertices);
+            self.incidence.make(&self.fabric.mesh, vertices);
         }
         while let Some(&Rest { from, .. }) = self.rests.peek() {
             self.list.clear();

@@ -7,10 +7,13 @@
 //!   far;
 //! - the front runs from P-1 to P-2 and is strictly x-monotone.
 
+use std::mem::take;
+
 use super::corner::Corner;
 use super::edges::{Edges, Rests};
 use super::fabric::Fabric;
 use super::incidence::Incidence;
+use super::memory::Memory;
 use super::obstacles::Obstacles;
 use crate::chains::ChainNotes;
 use crate::front::{Front, FrontNode, FrontSearch};
@@ -43,26 +46,36 @@ pub(super) struct Sweep<'a, S, F, P> {
 }
 
 impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
-    /// These triangles, and no vertex on the front yet.
+    /// These triangles, the edges that `memory` lists, and no vertex on the front yet.
     pub(super) fn new(
         fabric: Fabric<'a, S, P>,
-        edges: Edges,
         chains: ChainNotes,
         heuristics: Heuristics,
         search: F,
+        memory: &mut Memory,
     ) -> Self {
+        let vertices = fabric.signs.vertices.len();
+        let front = match memory.front.take() {
+            Some(mut front) => {
+                front.begin(vertices);
+                front
+            }
+            None => Front::new(vertices),
+        };
+        let mut incidence = take(&mut memory.incidence);
+        incidence.clear();
         Sweep {
-            front: Front::new(fabric.signs.vertices.len()),
             fabric,
+            front,
             search,
             heuristics,
-            edges,
+            edges: take(&mut memory.edges),
             chains,
             rests: Rests::new(),
-            incidence: Incidence::default(),
-            list: Vec::new(),
-            obstacles: Obstacles::default(),
-            chain: Vec::new(),
+            incidence,
+            list: take(&mut memory.list),
+            obstacles: take(&mut memory.obstacles),
+            chain: take(&mut memory.chain),
         }
     }
 

@@ -8,7 +8,7 @@
 //! Differs from the paper: as the sort does.
 
 use super::located::Located;
-use super::order::{self, Order};
+use super::order::{self, Order, Workspace};
 use crate::ids::VertexId;
 use crate::scalar::{Scalar, Scale};
 
@@ -25,10 +25,13 @@ pub(super) struct Vertices {
 }
 
 impl Vertices {
-    /// Sorts and merges the points with these input indices, which ascend; their number was checked.
+    /// Sorts and merges the points with these input indices, which ascend; their number was checked. The memory
+    /// of `order` and `workspace` is used again.
     pub(super) fn new<S: Scalar>(
         located: &Located<'_, S>,
         inputs: impl ExactSizeIterator<Item = u32> + Clone,
+        order: Order,
+        workspace: &mut Workspace,
     ) -> Vertices {
         let Order {
             approx,
@@ -39,6 +42,8 @@ impl Vertices {
             inputs,
             |input| located.near(input),
             located.scale,
+            order,
+            workspace,
         );
         Vertices {
             approx,
@@ -67,16 +72,16 @@ impl Vertices {
         self.input[v.index()]
     }
 
-    /// For each of `points` input points the rank of its vertex.
-    pub(super) fn ranks(&self, points: usize) -> Vec<VertexId> {
-        let mut ranks = vec![VertexId::default(); points];
+    /// Sets `ranks` to the ranks of the vertices of so many input points.
+    pub(super) fn rank(&self, points: usize, ranks: &mut Vec<VertexId>) {
+        ranks.clear();
+        ranks.resize(points, VertexId::default());
         for (rank, &input) in self.input.iter().enumerate() {
             ranks[input as usize] = VertexId::at(rank);
         }
         for &(duplicate, representative) in &self.duplicates {
             ranks[duplicate as usize] = ranks[representative as usize];
         }
-        ranks
     }
 
     /// Bytes held.

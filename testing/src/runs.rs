@@ -1,16 +1,17 @@
 //! The table of runs: every scalar with every front and every setting of the heuristics, and every scalar
-//! with divide and conquer, and in bands.
+//! with divide and conquer, in bands, and in memory that all inputs before it have used.
 //!
 //! A new front is a variant of [`FrontKind`], a new scalar one line in [`all`] and a [`Sample`] that says how
 //! it is made of a double.
 
+use std::cell::RefCell;
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, ToPrimitive};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Algorithm, Error, Heuristics};
+use sweep_cdt::{Algorithm, Error, Heuristics, Repeater, Triangulator};
 
 use crate::Input;
 use crate::fronts::{Choice, FrontKind, triangulate};
@@ -23,7 +24,7 @@ type Call = fn(&Input, Choice) -> Option<Outcome>;
 /// One way to triangulate.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Scalar, front and heuristics, or scalar and algorithm, or scalar and bands.
+    /// Scalar, front and heuristics, or scalar and algorithm, bands or memory.
     pub name: String,
     choice: Choice,
     call: Call,
@@ -78,6 +79,11 @@ pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
         },
         call: call::<S>,
     });
+    runs.push(Run {
+        name: format!("{scalar}, memory kept"),
+        choice: Choice::default(),
+        call: call_in_kept_memory::<S>,
+    });
     #[cfg(feature = "parallel")]
     for bands in 2..=5 {
         runs.push(Run {
@@ -96,6 +102,19 @@ fn call<S: Sample>(input: &Input, choice: Choice) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
     let result = triangulate(&points, &input.edges, choice);
     Some(result.map(|result| found(&result, points.len(), input.edges.len())))
+}
+
+thread_local! {
+    /// The memory that runs of this thread keep, whatever their scalar.
+    static REPEATER: RefCell<Repeater<'static>> = RefCell::new(Triangulator::new().repeater());
+}
+
+fn call_in_kept_memory<S: Sample>(input: &Input, _: Choice) -> Option<Outcome> {
+    let points = convert::<S>(&input.points)?;
+    Some(REPEATER.with_borrow_mut(|repeater| {
+        let result = repeater.triangulate(&points, &input.edges)?;
+        Ok(found(result, points.len(), input.edges.len()))
+    }))
 }
 
 /// Points in another scalar, if it can hold all of their coordinates.

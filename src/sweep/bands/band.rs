@@ -6,8 +6,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::super::divide_and_conquer::Part;
-use super::super::edges::Edges;
 use super::super::initialization::begin;
+use super::super::memory::Memory;
 use super::super::vertices::Vertices;
 use crate::chains::ChainNotes;
 use crate::error::Error;
@@ -59,9 +59,18 @@ impl<S: Scalar> Shared<'_, S> {
         settings: Settings<'_>,
     ) -> Result<Swept, Error> {
         let within = self.within(place.clone());
-        let edges = Edges::list(vertices.len(), within.iter().copied());
+        let mut memory = Memory::default();
+        memory.edges.list(vertices.len(), within.iter().copied());
         let chains = ChainNotes::new(Arc::clone(&self.inputs));
-        let mut sweep = begin(self.points, vertices, edges, chains, settings, search, ());
+        let mut sweep = begin(
+            self.points,
+            vertices,
+            chains,
+            settings,
+            search,
+            (),
+            &mut memory,
+        );
         sweep.triangulate(settings)?;
         let part = sweep.enclose(
             place.len(),

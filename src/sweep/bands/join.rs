@@ -9,9 +9,9 @@
 //! flips may be many, so they have a budget ([`super::super::flip_limit`]).
 
 use super::super::divide_and_conquer::Seam;
-use super::super::edges::Edges;
 use super::super::fabric::Fabric;
 use super::super::flip_limit::FlipLimit;
+use super::super::memory::Memory;
 use super::super::signs::Signs;
 use super::super::state::Sweep;
 use super::band::Swept;
@@ -44,10 +44,13 @@ pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
     }
     let n = whole.vertices.len();
     whole.mesh.renew_open(n + 2);
-    let edges = Edges::list(n, across.iter().copied());
-
+    let mut memory = Memory {
+        mesh: whole.mesh,
+        ..Memory::default()
+    };
+    memory.edges.list(n, across.iter().copied());
     let signs = Signs::new(points, whole.vertices);
-    let mut fabric = Fabric::new(whole.mesh, signs, true, ());
+    let mut fabric = Fabric::new(signs, true, (), &mut memory);
     let seam = if whole.chains.is_empty() {
         Seam::Carved
     } else {
@@ -62,7 +65,13 @@ pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
         return Ok(None);
     }
     fabric.flip_limit = FlipLimit::new(n, false);
-    let mut sweep = Sweep::new(fabric, edges, whole.chains, settings.heuristics, search);
+    let mut sweep = Sweep::new(
+        fabric,
+        whole.chains,
+        settings.heuristics,
+        search,
+        &mut memory,
+    );
     sweep.hand_over(part.first);
     sweep.insert_all()?;
     sweep.insert_rests()?;

@@ -24,6 +24,7 @@ use rayon::prelude::*;
 use super::finalization::name_by_input;
 use super::initialization::LIMIT;
 use super::located::Located;
+use super::memory::Memory;
 use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::scalar::Scalar;
@@ -97,10 +98,15 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         .ok()?;
     drop(shared);
     let sweep = join::join(points, swept, &across, settings, search.clone()).ok()??;
-    let (triangulation, ..) = sweep.finalize(|triangles, signs| {
+    let mut memory = Memory::default();
+    let (triangulation, ..) = sweep.finalize(&mut memory, |triangles, signs, artificial| {
+        let name = |(i, chunk): (usize, &mut [_])| {
+            let mut artificial = Vec::new();
+            name_by_input(chunk, i * CHUNK, signs, &mut artificial);
+            artificial
+        };
         let chunks = triangles.par_chunks_mut(CHUNK).enumerate();
-        let name = |(i, chunk): (usize, &mut [_])| name_by_input(chunk, i * CHUNK, signs);
-        chunks.flat_map_iter(name).collect()
+        artificial.par_extend(chunks.flat_map_iter(name));
     });
     Some(triangulation)
 }

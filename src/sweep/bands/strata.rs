@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use rayon::prelude::*;
 
 use super::super::located::Located;
+use super::super::order::{Order, Workspace};
 use super::super::vertices::Vertices;
 use super::cut::cut;
 use crate::ids::{VertexId, narrow};
@@ -26,7 +27,10 @@ impl Strata {
     pub(super) fn new<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Strata {
         let sorted: Vec<Vertices> = cut(located, bands)
             .into_par_iter()
-            .map(|inputs| Vertices::new(located, inputs.iter().copied()))
+            .map(|inputs| {
+                let inputs = inputs.iter().copied();
+                Vertices::new(located, inputs, Order::default(), &mut Workspace::default())
+            })
             .collect();
         let mut bands: Vec<Vertices> = Vec::new();
         for vertices in sorted {

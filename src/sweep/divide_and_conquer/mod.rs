@@ -26,10 +26,9 @@ mod merge;
 
 use super::fabric::Fabric;
 use super::flip_limit::FlipLimit;
-use super::incidence::Incidence;
 use super::state::Sweep;
 use crate::error::Error;
-use crate::front::{Front, FrontSearch};
+use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -77,7 +76,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.chains.clear();
         self.rests.clear();
         let lower = (swept > 0).then(|| self.enclose(swept, self.fabric.signs.artificial.left));
-        self.front = Front::new(n);
+        self.front.begin(n);
         if lower.is_none() {
             self.fabric.mesh.clear();
         }
@@ -101,7 +100,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             return Ok(());
         }
         let n = self.fabric.signs.vertices.len();
-        self.incidence = Incidence::new(&self.fabric.mesh, n);
+        self.incidence.make(&self.fabric.mesh, n);
         for v in (0..n).map(VertexId::at) {
             if !self.edges.at(v).is_empty() {
                 self.list_edges(v);

@@ -1,0 +1,80 @@
+//! Many inputs, one after the other, in the same memory.
+
+use std::fmt;
+
+use crate::error::Error;
+use crate::front::{FrontSearch, HashTable};
+use crate::scalar::Scalar;
+use crate::settings::Settings;
+use crate::sweep::{self, Memory};
+use crate::triangulation::Triangulation;
+
+/// Triangulates one input after the other, and keeps its memory from each to the next.
+///
+/// The results are those of [`Triangulator::triangulate`](crate::Triangulator::triangulate), which makes this
+/// with [`Triangulator::repeater`](crate::Triangulator::repeater). Once the memory is as large as the inputs
+/// need, a call allocates next to nothing. That saves a tenth to a quarter of the time of a small polygon. The
+/// memory stays as large as the largest input needed, about 100 bytes a point, until the repeater is dropped.
+///
+/// ```
+/// let mut repeater = sweep_cdt::Triangulator::new().repeater();
+/// let mut triangles = 0;
+/// for corners in 3..10 {
+///     let polygon: Vec<_> = (0..corners).map(|i| [i, i * i]).collect();
+///     let boundary: Vec<_> = (0..corners as usize).map(|i| [i, (i + 1) % polygon.len()]).collect();
+///     triangles += repeater.triangulate(&polygon, &boundary)?.len();
+/// }
+/// assert_eq!(triangles, 1 + 2 + 3 + 4 + 5 + 6 + 7);
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+pub struct Repeater<'p, F = HashTable> {
+    settings: Settings<'p>,
+    /// The search structure as it was given.
+    front: F,
+    /// The one that the last run has left.
+    search: Option<F>,
+    memory: Memory,
+    result: Triangulation,
+}
+
+impl<'p, F> Repeater<'p, F> {
+    pub(crate) fn new(settings: Settings<'p>, front: F) -> Self {
+        Repeater {
+            settings,
+            front,
+            search: None,
+            memory: Memory::kept(),
+            result: Triangulation::default(),
+        }
+    }
+}
+
+impl<F: FrontSearch + Clone> Repeater<'_, F> {
+    /// The constrained Delaunay triangulation of `points` with `edges`, as [`crate::triangulate`]. It is
+    /// overwritten by the next call; clone what you want to keep.
+    ///
+    /// # Errors
+    /// See [`Error`]. After one the memory is allocated anew.
+    pub fn triangulate<S: Scalar>(
+        &mut self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+    ) -> Result<&Triangulation, Error> {
+        self.memory.recycle(std::mem::take(&mut self.result));
+        let search = self.search.take().unwrap_or_else(|| self.front.clone());
+        let run = sweep::run(points, edges, self.settings, search, (), &mut self.memory);
+        let (result, search, ()) = run?;
+        (self.result, self.search) = (result, Some(search));
+        Ok(&self.result)
+    }
+}
+
+impl<F: fmt::Debug> fmt::Debug for Repeater<'_, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Repeater")
+            .field("algorithm", &self.settings.algorithm)
+            .field("heuristics", &self.settings.heuristics)
+            .field("front", &self.front)
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,72 @@
+//! The memory that one run leaves for the next.
+//!
+//! A run takes its arrays from a [`Memory`]. If that is kept, the run puts them back at its end, with whatever
+//! they hold: the next run clears what it takes. Otherwise the memory is empty at the start, and what only the
+//! initialization works with is freed at its end.
+//!
+//! Cost: nothing for a single run. A run that finds memory of its size neither asks the system for pages nor
+//! frees any: a tenth of the time among a hundred thousand points, a fifth among ten.
+//!
+//! Differs from the paper: it does not speak of memory.
+
+use super::corner::Corner;
+use super::edges::Edges;
+use super::incidence::Incidence;
+use super::obstacles::Obstacles;
+use super::order::{Order, Workspace};
+use super::stretch::Stretch;
+use crate::front::Front;
+use crate::ids::{TriangleId, VertexId};
+use crate::mesh::{Mesh, Side};
+use crate::triangulation::Triangulation;
+
+/// Arrays for the next run.
+#[derive(Debug, Default)]
+pub(crate) struct Memory {
+    pub(super) is_kept: bool,
+    /// Working memory of the initialization: of the sort, and for each input point the rank of its vertex.
+    pub(super) sort: Workspace,
+    pub(super) ranks: Vec<VertexId>,
+    /// The vertices.
+    pub(super) order: Order,
+    /// The edges: their list, and their ends as input indices.
+    pub(super) edges: Edges,
+    pub(super) ends: Vec<[u32; 2]>,
+    /// The state between two events, and its working memory.
+    pub(super) mesh: Mesh,
+    pub(super) front: Option<Front>,
+    pub(super) suspects: Vec<Side>,
+    pub(super) stretch: Stretch,
+    pub(super) list: Vec<(VertexId, u32)>,
+    pub(super) obstacles: Obstacles,
+    pub(super) chain: Vec<Corner>,
+    pub(super) incidence: Incidence,
+    /// Finalization: the hull as input indices, and the artificial triangles.
+    pub(super) hull: Vec<u32>,
+    pub(super) artificial: Vec<TriangleId>,
+}
+
+impl Memory {
+    /// Memory for many runs, none of it taken yet.
+    pub(crate) fn kept() -> Memory {
+        Memory {
+            is_kept: true,
+            ..Memory::default()
+        }
+    }
+
+    /// The initialization is over.
+    pub(super) fn initialized(&mut self) {
+        if !self.is_kept {
+            (self.sort, self.ranks) = Default::default();
+        }
+    }
+
+    /// Takes back a result that nobody needs any more.
+    pub(crate) fn recycle(&mut self, result: Triangulation) {
+        self.mesh.reuse(result.triangles);
+        self.hull = result.hull;
+        self.order.duplicates = result.duplicates;
+        self.ends = result.chains.into_ends();
+    }
+}
