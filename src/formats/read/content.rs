@@ -132,7 +132,10 @@ impl Syntax {
             Syntax::Json if piece.starts_with(b"\"") => {
                 serde_json::from_slice::<String>(piece).map_or("".into(), Cow::Owned)
             }
-            _ => String::from_utf8_lossy(piece),
+            _ => match std::str::from_utf8(piece) {
+                Ok(text) => text.into(),
+                Err(_) => String::from_utf8_lossy(piece),
+            },
         }
     }
 }

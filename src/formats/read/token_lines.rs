@@ -2,6 +2,8 @@
 //! ends with a line feed, a carriage return or both. And numbered records, one a line: vertices, edges and
 //! triangles.
 
+use std::ops::Range;
+
 use crate::formats::on_all_cores;
 use crate::formats::read::source::{ReadError, Source, quoted, split_line};
 
@@ -241,14 +243,14 @@ impl Records {
             if at + records > self.count {
                 break;
             }
-            known.push((lines.skip(chunk, count), at));
+            known.push((lines.skip(chunk, count), at..at + records));
             at += records;
         }
         let is_all = !known.is_empty() && known.len() == chunks.len();
-        let read_chunk = |(mut lines, at): (Lines<'a>, usize)| {
-            let mut records = Vec::new();
+        let read_chunk = |(mut lines, places): (Lines<'a>, Range<usize>)| {
+            let mut records = Vec::with_capacity(places.len());
             while let Some(mut line) = lines.next_line() {
-                self.check_number(&mut line, at + records.len(), &mut { first })?;
+                self.check_number(&mut line, places.start + records.len(), &mut { first })?;
                 records.push(read(&mut line)?);
             }
             Ok(records)
