@@ -21,11 +21,27 @@ pub(super) struct Located<'a, S> {
 impl<'a, S: Scalar> Located<'a, S> {
     /// Finds doubles and scale of the points.
     pub(super) fn new(points: &'a [[S; 2]]) -> Result<Located<'a, S>, Error> {
+        Located::find(points, || points.iter().all(is_plain))
+    }
+
+    /// The same, on all threads of the current pool where nothing is stored.
+    #[cfg(feature = "parallel")]
+    pub(super) fn new_parallel(points: &'a [[S; 2]]) -> Result<Located<'a, S>, Error>
+    where
+        S: Sync,
+    {
+        use rayon::prelude::*;
+        Located::find(points, || points.par_iter().all(is_plain))
+    }
+
+    /// `are_plain` tells whether all points are.
+    fn find(
+        points: &'a [[S; 2]],
+        are_plain: impl FnOnce() -> bool,
+    ) -> Result<Located<'a, S>, Error> {
         let is_finite = |p: &[S; 2]| p[0].is_finite() && p[1].is_finite();
-        // What is in range is finite.
-        let is_plain = |p: &[S; 2]| is_in_range(approximate(p));
         let mut stored: Vec<[f64; 2]> = Vec::new();
-        let scale = if S::APPROX_IS_EXACT && points.iter().all(is_plain) {
+        let scale = if S::APPROX_IS_EXACT && are_plain() {
             Scale::exact(points.len(), |i| approximate(&points[i]))
         } else {
             if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
@@ -49,6 +65,11 @@ impl<'a, S: Scalar> Located<'a, S> {
             None => approximate(&self.points[input as usize]),
         }
     }
+}
+
+/// Whether the doubles of a point need no factor; then they are finite, too.
+fn is_plain<S: Scalar>(point: &[S; 2]) -> bool {
+    is_in_range(approximate(point))
 }
 
 fn approximate<S: Scalar>(point: &[S; 2]) -> [f64; 2] {

@@ -7,8 +7,8 @@
 //! Why it is right: there is one triangulation of the points and edges (the canonical rule), and every step
 //! leads to that of what has been joined so far.
 //!
-//! Cost: that of the sweep, divided among the threads, and O(n) to join n vertices. One thread alone finds the
-//! scale, legalizes along the gaps and inserts the edges from band to band.
+//! Cost: that of the sweep, divided among the threads, and O(n) to join n vertices. One thread alone
+//! legalizes along the gaps and inserts the edges from band to band.
 //!
 //! Differs from the paper: it knows one thread.
 
@@ -54,7 +54,7 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
     if points.len() + bands > LIMIT || edges.len() > LIMIT {
         return None;
     }
-    let located = Located::new(points).ok()?;
+    let located = Located::new_parallel(points).ok()?;
     let strata = Strata::new(&located, bands.min(MOST));
     drop(located);
     let (first, last) = (&strata.first, strata.bands.len());
