@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 
-use super::{Scalar, Stage, unbounded, wide};
+use super::{Scalar, Stage, all_doubles, unbounded, wide};
 
 /// The difference of two points; it always fits.
 fn minus(a: &[i64; 2], b: &[i64; 2]) -> [i128; 2] {
@@ -19,6 +19,12 @@ fn minus(a: &[i64; 2], b: &[i64; 2]) -> [i128; 2] {
 impl Scalar for i64 {
     fn approx(&self) -> f64 {
         *self as f64
+    }
+
+    fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+        all_doubles(points, |x| {
+            (x.unsigned_abs() <= 1 << 53).then(|| x.approx())
+        })
     }
 
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {

@@ -112,6 +112,26 @@ pub trait Scalar: Sized {
     /// may become infinite, and smaller ones may lose digits as doubles do or become zero.
     fn approx(&self) -> f64;
 
+    /// Doubles that are exactly the coordinates of these points, all of them multiplied by one positive number;
+    /// `None` where there are none, or the type cannot tell at little cost.
+    ///
+    /// Such a number changes no sign. So the sweep triangulates these doubles in place of the points, and the exact
+    /// stages of `f64` decide what the filter leaves open. It does not ask where
+    /// [`APPROX_IS_EXACT`](Scalar::APPROX_IS_EXACT) has told.
+    ///
+    /// ```
+    /// use num_rational::BigRational;
+    /// use sweep_cdt::scalar::Scalar;
+    ///
+    /// let [third, fifth] = [3, 5].map(|n: i32| BigRational::new(1.into(), n.into()));
+    /// assert_eq!(Scalar::as_doubles(&[[third, fifth]]), Some(vec![[5.0, 3.0]]));
+    /// assert_eq!(Scalar::as_doubles(&[[1_i64 << 60, 0], [1, 0]]), None);
+    /// ```
+    fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+        let _ = points;
+        None
+    }
+
     /// A double and a power of two, `(x, power)` for x * 2^power, near the difference to another value;
     /// `None` where the type knows no better one than [`approx`](Scalar::approx) gives.
     ///
@@ -181,6 +201,12 @@ pub enum Stage {
     BigIntegers,
     /// The scalar's own arithmetic.
     Own,
+}
+
+/// The points with each coordinate as the double that `double` gives, if it gives one for all of them.
+fn all_doubles<S>(points: &[[S; 2]], double: impl Fn(&S) -> Option<f64>) -> Option<Vec<[f64; 2]>> {
+    let doubles = points.iter().map(|[x, y]| Some([double(x)?, double(y)?]));
+    doubles.collect()
 }
 
 /// [`Scalar::orient2d`] for those who call it directly with a few points: the [`filter`] at the scale of these points,

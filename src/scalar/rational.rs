@@ -13,11 +13,11 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::unbounded::{self, minus, near_quotient};
-use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, integer};
+use super::{Scalar, Stage, all_doubles, filtered_in_circle, filtered_orient2d, integer};
 
 impl Scalar for BigRational {
     /// Whether the denominator is not zero, as `new_raw` may make it.
@@ -27,6 +27,15 @@ impl Scalar for BigRational {
 
     fn approx(&self) -> f64 {
         double(self).unwrap_or_else(|| self.to_f64().expect("a finite number has a double near it"))
+    }
+
+    fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+        let unit = odd_unit(points.as_flattened())?;
+        if unit == 1 {
+            all_doubles(points, double)
+        } else {
+            all_doubles(points, |x| whole(x, unit))
+        }
     }
 
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {
@@ -94,6 +103,38 @@ fn double(number: &BigRational) -> Option<f64> {
     } else {
         None
     }
+}
+
+/// The least common multiple of the odd parts of all denominators: times this number, all are whole but for
+/// powers of two. `None` if it or a denominator is large, negative or zero.
+fn odd_unit(numbers: &[BigRational]) -> Option<u64> {
+    let mut unit = 1;
+    for number in numbers {
+        let (odd, _) = small_denominator(number)?;
+        let odd = u64::try_from(odd).ok()?;
+        if unit % odd != 0 {
+            let least = Ratio::new(unit, odd);
+            unit = unit.checked_mul(*least.denom())?;
+        }
+    }
+    Some(unit)
+}
+
+/// The odd part of the denominator, and the power of two in it.
+fn small_denominator(number: &BigRational) -> Option<(u128, u32)> {
+    let denominator = number.denom().to_u128().filter(|&size| size > 0)?;
+    let zeros = denominator.trailing_zeros();
+    Some((denominator >> zeros, zeros))
+}
+
+/// The double that equals the number times `unit`, a multiple of the odd part of its denominator, if there is
+/// one of moderate size.
+fn whole(number: &BigRational, unit: u64) -> Option<f64> {
+    let (odd, zeros) = small_denominator(number)?;
+    let factor = (u128::from(unit) / odd).cast_signed();
+    let product = number.numer().to_i128()?.checked_mul(factor)?;
+    let is_double = product.unsigned_abs() >> product.trailing_zeros().min(127) < 1 << 53;
+    is_double.then(|| product as f64 / (1_u128 << zeros) as f64)
 }
 
 /// The points in doubles, if these equal them.

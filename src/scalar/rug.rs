@@ -8,11 +8,15 @@ use std::cmp::Ordering;
 
 use rug::{Integer, Rational};
 
-use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d};
+use super::{Scalar, Stage, all_doubles, filtered_in_circle, filtered_orient2d};
 
 impl Scalar for Rational {
     fn approx(&self) -> f64 {
         self.to_f64()
+    }
+
+    fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+        all_doubles(points, |x| Some(x.approx()).filter(|double| x == double))
     }
 
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {

@@ -14,7 +14,7 @@ use num_bigint::{BigInt, BigUint, Sign};
 use num_traits::{ToPrimitive, Zero};
 
 use super::doubles::power;
-use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d};
+use super::{Scalar, Stage, all_doubles, filtered_in_circle, filtered_orient2d};
 
 /// Says that a number's `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a
 /// [`Scalar`].
@@ -53,10 +53,19 @@ pub trait Unbounded:
         let is_certain = (power(-1000)..f64::MAX).contains(&near.abs()) || self.is_zero();
         is_certain.then_some((near, 0))
     }
+
+    /// The double that equals the number, if there is one and the type can tell at little cost.
+    fn double(&self) -> Option<f64> {
+        None
+    }
 }
 
 impl Unbounded for BigInt {
     const STAGE: Stage = Stage::BigIntegers;
+
+    fn double(&self) -> Option<f64> {
+        (self.bits() <= 53).then(|| self.to_f64())?
+    }
 
     fn near(&self) -> Option<(f64, i64)> {
         Some(near_integer(self))
@@ -66,6 +75,10 @@ impl Unbounded for BigInt {
 impl<T: Unbounded> Scalar for T {
     fn approx(&self) -> f64 {
         self.to_f64().expect("a number has a double near it")
+    }
+
+    fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+        all_doubles(points, Self::double)
     }
 
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {

@@ -72,6 +72,7 @@ impl Edges {
             return;
         }
         let Edges { first, list } = self;
+        first.reserve_exact(vertices + 1);
         first.resize(vertices + 1, 0);
         for (_, [upper, _]) in edges.clone() {
             first[upper.index()] += 1;
@@ -83,6 +84,7 @@ impl Edges {
             sum += *count;
             *count = sum;
         }
+        list.reserve_exact(sum as usize);
         list.resize(sum as usize, (VertexId::default(), 0));
         for (edge, [upper, lower]) in edges.rev() {
             let place = &mut first[upper.index()];

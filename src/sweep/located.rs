@@ -1,6 +1,8 @@
 //! The points as doubles, all on one scale: what the sort and the filter see of them.
 //!
-//! Doubles of moderate size that are the coordinates are not stored once more.
+//! Doubles of moderate size that are the coordinates are not stored once more. Where the numbers of another scalar
+//! are such doubles, up to one factor ([`Scalar::as_doubles`]), these stand for them in all that follows, exact
+//! stages included.
 //!
 //! Cost: a few passes over the points.
 //!
@@ -43,6 +45,12 @@ impl<'a, S: Scalar> Located<'a, S> {
         let mut stored: Vec<[f64; 2]> = Vec::new();
         let scale = if S::APPROX_IS_EXACT && are_plain() {
             Scale::exact(points.len(), |i| approximate(&points[i]))
+        } else if !S::APPROX_IS_EXACT
+            && let Some(doubles) = S::as_doubles(points)
+            && doubles.iter().all(|&point| is_in_range(point))
+        {
+            stored = doubles;
+            Scale::exact(points.len(), |i| stored[i])
         } else {
             if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
                 return Err(Error::NonFiniteCoordinate { vertex });

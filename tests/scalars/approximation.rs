@@ -221,3 +221,68 @@ impl<const MOVES: bool> Zero for Crude<MOVES> {
         self.0.is_zero()
     }
 }
+
+/// Doubles in place of points are these, all times one positive number.
+fn check_doubles<S: Scalar>(numbers: &[(S, &BigRational)], expected: bool)
+where
+    S: Clone,
+{
+    let points: Vec<[S; 2]> = numbers
+        .iter()
+        .map(|(x, _)| [x.clone(), numbers[0].0.clone()])
+        .collect();
+    let doubles = S::as_doubles(&points);
+    assert_eq!(doubles.is_some(), expected, "{}", numbers[0].1);
+    let Some(doubles) = doubles else { return };
+    let (first, exact) = (rational(doubles[0][1]), numbers[0].1);
+    assert!(
+        &first * exact > BigRational::zero(),
+        "the first is not zero"
+    );
+    for ([x, _], (_, number)) in doubles.into_iter().zip(numbers) {
+        assert_eq!(rational(x) * exact, &first * *number);
+    }
+}
+
+#[test]
+fn doubles_stand_for_numbers_up_to_one_factor() {
+    let mut random = Random::new(12);
+    let mut whole = |bits: u64| i64::try_from(random.bits() >> (64 - bits)).expect("small") + 1;
+    for _ in 0..300 {
+        let numbers: Vec<i64> = (0..8).map(|i| whole(40) * (i % 3 - 1)).collect();
+        let numbers: Vec<i64> = std::iter::once(7).chain(numbers).collect();
+        for unit in [1_i64, 3, 1000, 1 << 40, 3 << 50, 7 * 11 * 13] {
+            let unit = BigInt::from(unit);
+            let exact = |x: &i64| BigRational::new(BigInt::from(*x), unit.clone());
+            let exact: Vec<BigRational> = numbers.iter().map(exact).collect();
+            let rationals: Vec<_> = exact.iter().map(|x| (x.clone(), x)).collect();
+            check_doubles(&rationals, true);
+        }
+        let exact: Vec<BigRational> = numbers
+            .iter()
+            .map(|&x| BigRational::from(BigInt::from(x)))
+            .collect();
+        let integers: Vec<_> = numbers.iter().copied().zip(&exact).collect();
+        check_doubles(&integers, true);
+        let integers: Vec<_> = numbers
+            .iter()
+            .map(|&x| BigInt::from(x))
+            .zip(&exact)
+            .collect();
+        check_doubles(&integers, true);
+    }
+    // What needs 54 bits, and what has no small unit.
+    let large = (1_i64 << 53) + 1;
+    let exact = BigRational::from(BigInt::from(large));
+    check_doubles(&[(large, &exact)], false);
+    check_doubles(&[(BigInt::from(large), &exact)], false);
+    check_doubles(&[(exact.clone(), &exact)], false);
+    let primes = [4_294_967_291_i64, 4_294_967_279, 4_294_967_231].map(|p| rational_of(1, p));
+    check_doubles(&primes.each_ref().map(|x| (x.clone(), x)), false);
+    let raw = BigRational::new_raw(BigInt::from(1), BigInt::zero());
+    assert_eq!(Scalar::as_doubles(&[[raw.clone(), raw]]), None);
+}
+
+fn rational_of(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(BigInt::from(numerator), BigInt::from(denominator))
+}
