@@ -54,6 +54,18 @@ pub enum Error {
         /// How many there may be.
         limit: usize,
     },
+    /// More pairs of edges cross than can be listed.
+    #[error("more than {limit} pairs of edges cross")]
+    TooManyCrossings {
+        /// How many there may be.
+        limit: usize,
+    },
+    /// Edges that are split at their crossings still cross, since rounding bends them each time.
+    #[error("edges still cross after {limit} rounds of splitting and rounding")]
+    TooManyRounds {
+        /// How many rounds there may be.
+        limit: usize,
+    },
     /// The edges pass through more vertices than can be held, each edge counted with each vertex inside it.
     /// Equal edges count once.
     #[error("the edges pass through more than {limit} vertices, all together")]

@@ -3,6 +3,7 @@
 
 mod bucket;
 mod chains;
+pub mod crossings;
 pub mod domain;
 #[cfg(feature = "formats")]
 pub mod draw;

@@ -60,6 +60,8 @@ impl<S> Graph<S> {
             },
             Error::TooManyPoints { .. }
             | Error::TooManyEdges { .. }
+            | Error::TooManyCrossings { .. }
+            | Error::TooManyRounds { .. }
             | Error::TooManyVerticesOnEdges { .. } => error,
         }
     }

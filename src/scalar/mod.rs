@@ -32,6 +32,7 @@ mod wide;
 
 use std::cmp::Ordering;
 
+pub(crate) use rational::integers;
 pub(crate) use scale::{Scale, is_in_range};
 pub use unbounded::Unbounded;
 

@@ -64,7 +64,7 @@ impl Scalar for BigRational {
         if let Some([a, b, c]) = doubles(points) {
             return f64::orient2d_exact(&a, &b, &c);
         }
-        let [a, b, c] = integers(points);
+        let ([a, b, c], _) = integers(points);
         let rows = [minus(&a, &c), minus(&b, &c)];
         match small(&rows) {
             Some([a, b]) => integer::turn(a, b),
@@ -82,7 +82,7 @@ impl Scalar for BigRational {
         if let Some([a, b, c, d]) = doubles(points) {
             return f64::in_circle_exact(&a, &b, &c, &d);
         }
-        let [a, b, c, d] = integers(points);
+        let ([a, b, c, d], _) = integers(points);
         let rows = [a, b, c].map(|p| minus(&p, &d));
         match small(&rows) {
             Some(rows) => integer::in_circle(rows),
@@ -150,8 +150,10 @@ fn doubles<const N: usize>(points: [&[BigRational; 2]; N]) -> Option<[[f64; 2]; 
     Some(result)
 }
 
-/// The points times a common multiple of their denominators (not always the least).
-fn integers<const N: usize>(points: [&[BigRational; 2]; N]) -> [[BigInt; 2]; N] {
+/// The points times a common multiple of their denominators (not always the least), and that number.
+pub(crate) fn integers<const N: usize>(
+    points: [&[BigRational; 2]; N],
+) -> ([[BigInt; 2]; N], BigInt) {
     let mut unit = BigInt::one();
     for denominator in points.iter().flat_map(|p| p.iter()).map(BigRational::denom) {
         if !(&unit % denominator).is_zero() {
@@ -163,7 +165,8 @@ fn integers<const N: usize>(points: [&[BigRational; 2]; N]) -> [[BigInt; 2]; N] 
             };
         }
     }
-    points.map(|p| [0, 1].map(|i| p[i].numer() * (&unit / p[i].denom())))
+    let integers = points.map(|p| [0, 1].map(|i| p[i].numer() * (&unit / p[i].denom())));
+    (integers, unit)
 }
 
 /// The same numbers in 128 bits, if they fit.

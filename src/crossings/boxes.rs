@@ -1,0 +1,180 @@
+//! Pairs of edges whose boxes meet: all that may cross.
+//!
+//! The boxes stand in an order in which neighbours lie near each other, and each range of that order that is halved
+//! again and again has a box around its boxes (a tree of boxes, in an array). An edge looks for those after it in
+//! the order: it passes over all ranges whose box it does not meet.
+//!
+//! ```text
+//!           1                The ranges by number. Range k has the halves 2k and 2k + 1, so that the one to
+//!       2       3            the right of a range and all its halves is found by its number alone.
+//!     4   5   6   7
+//! ```
+//!
+//! Why it is right: boxes are made of doubles near the coordinates, which are monotone ([`Scalar::approx`]), and are only
+//! compared. So boxes of edges with a point in common meet, however large, small or close the coordinates are. A
+//! range that is passed over holds no box that meets that of the edge.
+//!
+//! Cost: O(n log n) to build, with one selection for each range; for each edge O(log n) where boxes are spread, and all
+//! that meet it.
+
+use crate::error::Error;
+use crate::scalar::Scalar;
+
+/// A range is not halved if its halves would have fewer boxes.
+const LEAST: usize = 4;
+
+/// An upright box: its lower left and its upper right corner.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl Bounds {
+    /// The box around nothing, which meets no other.
+    const NOTHING: Bounds = Bounds {
+        low: [f64::INFINITY; 2],
+        high: [f64::NEG_INFINITY; 2],
+    };
+
+    /// The box around two.
+    fn and(self, other: Bounds) -> Bounds {
+        Bounds {
+            low: [0, 1].map(|i| self.low[i].min(other.low[i])),
+            high: [0, 1].map(|i| self.high[i].max(other.high[i])),
+        }
+    }
+
+    fn meets(&self, other: &Bounds) -> bool {
+        (0..2).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
+    }
+
+    /// Twice its middle along an axis, as far as doubles tell: it is used to sort only.
+    fn middle(&self, axis: usize) -> f64 {
+        self.low[axis] / 2.0 + self.high[axis] / 2.0
+    }
+}
+
+/// The boxes of the edges, in their tree.
+#[derive(Debug)]
+pub(super) struct Boxes {
+    /// Each edge with its box, in the order of the tree.
+    list: Vec<(usize, Bounds)>,
+    /// The box around each range, by number.
+    around: Vec<Bounds>,
+    /// How often the whole is halved.
+    height: u32,
+}
+
+impl Boxes {
+    /// Those of edges whose ends exist, among points that are finite.
+    pub(super) fn new<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Boxes {
+        let place = |v: usize| {
+            let near = points[v].each_ref().map(S::approx);
+            Bounds {
+                low: near,
+                high: near,
+            }
+        };
+        let of_edge = |&[a, b]: &[usize; 2]| place(a).and(place(b));
+        let mut boxes = Boxes {
+            list: edges.iter().map(of_edge).enumerate().collect(),
+            around: Vec::new(),
+            height: (edges.len() / LEAST).checked_ilog2().unwrap_or(0),
+        };
+        boxes.around = vec![Bounds::NOTHING; 2 << boxes.height];
+        for number in 1..boxes.around.len() {
+            let (from, to) = boxes.range(number);
+            let range = &mut boxes.list[from..to];
+            let around = range
+                .iter()
+                .fold(Bounds::NOTHING, |all, (_, one)| all.and(*one));
+            boxes.around[number] = around;
+            if number >> boxes.height == 0 {
+                let half = boxes.range(2 * number).1 - from;
+                let size = [0, 1].map(|i| around.high[i] - around.low[i]);
+                let axis = usize::from(size[1] > size[0]);
+                let middle = |(_, one): &(usize, Bounds)| one.middle(axis);
+                boxes.list[from..to]
+                    .select_nth_unstable_by(half, |a, b| middle(a).total_cmp(&middle(b)));
+            }
+        }
+        boxes
+    }
+
+    /// Where a range begins and ends in the order.
+    fn range(&self, number: usize) -> (usize, usize) {
+        let depth = number.ilog2();
+        let place = number - (1 << depth);
+        let cut = |place: usize| {
+            // The product may be wider than a position.
+            let cut = (self.list.len() as u128 * place as u128) >> depth;
+            usize::try_from(cut).expect("a position")
+        };
+        (cut(place), cut(place + 1))
+    }
+
+    /// Passes each pair of edges whose boxes meet, once, to `report`, until that returns an error.
+    pub(super) fn pairs(
+        &self,
+        mut report: impl FnMut([usize; 2]) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        for (position, &(edge, bounds)) in self.list.iter().enumerate() {
+            let mut number = 1;
+            loop {
+                let (from, to) = self.range(number);
+                let is_of_use = to > position + 1 && self.around[number].meets(&bounds);
+                if is_of_use && number >> self.height == 0 {
+                    number *= 2;
+                    continue;
+                }
+                if is_of_use {
+                    for &(other, at) in &self.list[from.max(position + 1)..to] {
+                        if at.meets(&bounds) {
+                            report([edge, other])?;
+                        }
+                    }
+                }
+                // The range to the right of this one, or of the smallest one around it that has such a neighbour.
+                number = (number >> number.trailing_ones()) + 1;
+                if number == 1 {
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Boxes;
+
+    #[test]
+    fn every_pair_that_meets_is_found_once() {
+        for count in (0..40).chain([100, 257]) {
+            let coordinate =
+                |i: usize, by: usize| f64::from(u8::try_from(i * by % 61).expect("61"));
+            let end = |i| [coordinate(i, 17), coordinate(i, 23)];
+            let points: Vec<[f64; 2]> = (0..2 * count).map(end).collect();
+            let edges: Vec<[usize; 2]> = (0..count).map(|e| [2 * e, 2 * e + 1]).collect();
+            let meet = |e: usize, f: usize| {
+                (0..2).all(|i| {
+                    let [a, b, c, d] = [2 * e, 2 * e + 1, 2 * f, 2 * f + 1].map(|v| points[v][i]);
+                    a.max(b) >= c.min(d) && c.max(d) >= a.min(b)
+                })
+            };
+            let pairs = (0..count).flat_map(|f| (0..f).map(move |e| [e, f]));
+            let expected: Vec<_> = pairs.filter(|&[e, f]| meet(e, f)).collect();
+            let mut found = Vec::new();
+            let boxes = Boxes::new(&points, &edges);
+            let reported = boxes.pairs(|[e, f]| {
+                found.push([e.min(f), e.max(f)]);
+                Ok(())
+            });
+            assert_eq!(reported, Ok(()));
+            found.sort_unstable_by_key(|&[e, f]| [f, e]);
+            assert_eq!(found, expected, "{count} edges");
+        }
+    }
+}

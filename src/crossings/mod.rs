@@ -1,0 +1,146 @@
+//! Edges that cross: all pairs of them, and the same edges split where they cross.
+//!
+//! A triangulation takes no edges that cross at a point that is no vertex (the paper says nothing of them), and
+//! [`Error::CrossingEdges`] names one such pair. [`crossings`] lists all pairs, each with its exact point, and [`split`]
+//! makes vertices of these points. Edges that touch or cross at a vertex, pass through vertices, overlap or have no length
+//! are no errors, and are not listed.
+//!
+//! | | file |
+//! |---|---|
+//! | pairs of edges whose boxes meet | `boxes` |
+//! | coordinates as fractions, and back; where two lines meet | `exact` |
+//! | which points are equal | `vertices` |
+//! | edges split at their crossings, exactly or rounded | `split` |
+//!
+//! Why it is right: boxes of two edges that cross have a point in common, so that no pair is left out. Each pair is
+//! decided by four exact signs: the ends of each edge lie on different sides of the other one. Then the edges have one
+//! point in common, inside both. It is computed as a pair of fractions, and is listed unless a vertex equals it.
+//!
+//! Cost: O((n + k) log n) for n edges of which k pairs have boxes that meet, plus some microseconds for each pair that
+//! crosses. For edges that are short beside the whole, or far apart, k is about as many as cross. At worst, where
+//! all boxes meet (long parallel diagonals), k is n²/2. A crossing takes about 400 bytes.
+
+mod boxes;
+mod exact;
+mod split;
+mod vertices;
+
+use std::cmp::Ordering;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use crate::error::Error;
+use crate::scalar::Scalar;
+use boxes::Boxes;
+use exact::meeting;
+use vertices::Vertices;
+
+pub use exact::Exact;
+pub use split::{Split, split};
+
+/// How many crossings may be listed; the tests of this crate's files need less memory.
+const LIMIT: usize = if cfg!(test) { 100 } else { 1 << 22 };
+
+/// Two edges that cross, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Crossing {
+    /// The two edges by their positions in the list of edges, lower one first.
+    pub edges: [usize; 2],
+    /// The point inside both, exactly.
+    pub point: [BigRational; 2],
+}
+
+impl Crossing {
+    /// The doubles nearest to the coordinates of the point; infinite where these are too large.
+    pub fn near(&self) -> [f64; 2] {
+        let near = |x: &BigRational| x.to_f64().expect("a fraction has a double near it");
+        self.point.each_ref().map(near)
+    }
+}
+
+/// All pairs of `edges` that cross at a point that is none of `points`, sorted.
+///
+/// There are none for exactly those inputs that [`triangulate`](crate::triangulate) does not refuse with
+/// [`Error::CrossingEdges`]. An edge that is given twice has its crossings twice.
+///
+/// # Errors
+/// [`Error`]: a coordinate that is not finite, an edge with an end that is no point, or more than 4,194,304 crossings.
+///
+/// ```
+/// let points = [[0.0, 0.0], [3.0, 1.0], [0.0, 1.0], [3.0, 0.0], [9.0, 9.0]];
+/// let found = sweep_cdt::crossings::crossings(&points, &[[0, 1], [1, 4], [2, 3]])?;
+/// assert_eq!(found.len(), 1);
+/// assert_eq!(found[0].edges, [0, 2]);
+/// assert_eq!(found[0].point.each_ref().map(|x| x.to_string()), ["3/2", "1/2"]);
+/// assert_eq!(found[0].near(), [1.5, 0.5]);
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+pub fn crossings<S: Exact>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+) -> Result<Vec<Crossing>, Error> {
+    let vertices = Vertices::new(points)?;
+    vertices.check(edges)?;
+    find(points, &vertices, edges)
+}
+
+/// The same for edges whose ends exist, among points that are finite.
+fn find<S: Exact>(
+    points: &[[S; 2]],
+    vertices: &Vertices<S>,
+    edges: &[[usize; 2]],
+) -> Result<Vec<Crossing>, Error> {
+    let mut found = Vec::new();
+    Boxes::new(points, edges).pairs(|pair| {
+        let ends = pair.map(|edge| edges[edge].map(|v| &points[v]));
+        if !cross(ends) {
+            return Ok(());
+        }
+        let point = meeting(ends);
+        if vertices.has(&point) {
+            return Ok(());
+        }
+        if found.len() == LIMIT {
+            return Err(Error::TooManyCrossings { limit: LIMIT });
+        }
+        let edges = [pair[0].min(pair[1]), pair[0].max(pair[1])];
+        found.push(Crossing { edges, point });
+        Ok(())
+    })?;
+    found.sort_unstable_by_key(|crossing| crossing.edges);
+    Ok(found)
+}
+
+/// Whether two edges have a point in common that is inside both, and no other.
+fn cross<S: Scalar>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> bool {
+    let are_apart =
+        |one: Ordering, other: Ordering| one != Ordering::Equal && one == other.reverse();
+    are_apart(S::orient2d(a, b, c), S::orient2d(a, b, d))
+        && are_apart(S::orient2d(c, d, a), S::orient2d(c, d, b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LIMIT, crossings};
+    use crate::error::Error;
+
+    #[test]
+    fn more_crossings_than_can_be_held_are_an_error() {
+        // So many rows and ten columns.
+        let grid = |rows: u32| {
+            let row = |i| [[-1.0, f64::from(i)], [10.0, f64::from(i)]];
+            let column = |i| [[f64::from(i), -1.0], [f64::from(i), f64::from(rows)]];
+            let ends: Vec<_> = (0..rows)
+                .map(row)
+                .chain((0..10).map(column))
+                .flatten()
+                .collect();
+            let edges: Vec<_> = (0..ends.len()).step_by(2).map(|v| [v, v + 1]).collect();
+            crossings(&ends, &edges).map(|found| found.len())
+        };
+        assert_eq!(grid(10), Ok(LIMIT));
+        assert_eq!(grid(11), Err(Error::TooManyCrossings { limit: LIMIT }));
+    }
+}

@@ -1,0 +1,240 @@
+//! Edges split where they cross, so that the crossing points become vertices.
+//!
+//! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the scalar
+//! (a fraction is its own); and both pieces go through that point from now on. A piece that is bent so may cross others,
+//! which the next round finds. The end is reached when none cross: then the pieces are an input that has a triangulation.
+//!
+//! ```text
+//!      a     d                 a     d
+//!       \   /                   \   /            The edges a-b and c-d go through v, a double near the place
+//!        \ /                     \ /             where they cross. It may be an end of one of them, or any
+//!        /.\      becomes         v              other point: then that is used.
+//!       /   \                    / \
+//!      c     b                  c   b
+//! ```
+//!
+//! *Why it ends.* Rounding is monotone and keeps the ends, so a rounded crossing lies in the box of the piece. Hence a
+//! chain never turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common,
+//! so each round gives some chain a new vertex, and there are only so many numbers in a box. In practice there are few
+//! rounds, and a limit of [`ROUNDS`] turns what would take too long into an error. Fractions need one.
+//!
+//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a new
+//! vertex by its rounding, and the points between two vertices by a mean of what these move by. All vertices lie
+//! in the box of the edge, so a *unit* of an edge, along x or y, is the distance of the numbers around the larger one (in
+//! size) of its ends' coordinates. A vertex is `d` units away from its edge if some point of the edge differs from it by at
+//! most `d` units in each coordinate, and `d` is the least such number. The [`displacement`](Split::displacement) is the
+//! greatest of them. It is at most half the number of rounds.
+//!
+//! Cost: that of finding the crossings, in each round, and a sort of the new vertices.
+//!
+//! Differs from snap rounding (Hobby 1999): vertices do not attract edges that pass near them. Exact signs need no
+//! room around a vertex, and so fewer edges move.
+
+use std::cmp::Ordering;
+use std::ops::Range;
+
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use super::exact::{Exact, distance};
+use super::find;
+use super::vertices::Vertices;
+use crate::error::Error;
+use crate::triangulation::Triangulation;
+
+/// After so many rounds edges must not cross any more.
+const ROUNDS: usize = 100;
+
+/// An input whose edges are split where they cross: [`points`](Split::points) and [`edges`](Split::edges) are what is to be
+/// triangulated.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Split<S> {
+    /// The points given, and then those where edges cross, each once.
+    pub points: Vec<[S; 2]>,
+    /// The pieces of the edges, as positions in `points`: those of one edge follow each other from its first end to its
+    /// second. Of equal points the first one stands for all.
+    pub edges: Vec<[usize; 2]>,
+    /// For each piece the edge that it is a piece of. Each edge has at least one.
+    pub pieces_of: Vec<usize>,
+    /// How many rounds of splitting and rounding it took: none if no edges cross, one if nothing is rounded.
+    pub rounds: usize,
+    /// By how many units in the last place an edge moved at most; zero if nothing is rounded. A unit is the distance of
+    /// the numbers around the largest coordinate of the edge, along x and y each. At most half of `rounds`.
+    pub displacement: f64,
+}
+
+impl<S> Split<S> {
+    /// Where the pieces of edge `e` stand in `edges`.
+    pub fn pieces(&self, e: usize) -> Range<usize> {
+        let first = |e| self.pieces_of.partition_point(|&of| of < e);
+        first(e)..first(e + 1)
+    }
+
+    /// The vertices along edge `e`, from its first end to its second, in the triangulation of the pieces: where they
+    /// cross others, and where they pass through vertices. One, where the ends are equal.
+    ///
+    /// # Panics
+    /// If there is no edge `e`, or if `result` is that of other edges.
+    pub fn chain(&self, e: usize, result: &Triangulation) -> Vec<usize> {
+        let mut chain = vec![self.edges[self.pieces(e).start][0]];
+        for piece in self.pieces(e) {
+            let mut part: Vec<usize> = result.edge_chain(piece).collect();
+            if part.last() == chain.last() {
+                part.reverse();
+            }
+            chain.extend(&part[1..]);
+        }
+        chain
+    }
+}
+
+/// The same edges, split where they cross at points that are none of `points`; these become vertices.
+///
+/// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, and what then crosses
+/// is split again, until nothing does. So [`triangulate`](crate::triangulate) does not refuse the
+/// result with [`Error::CrossingEdges`].
+///
+/// # Errors
+/// [`Error`]: as [`crossings`](super::crossings()), or that edges still cross after 100 rounds.
+///
+/// ```
+/// use sweep_cdt::{crossings::split, triangulate};
+///
+/// let points = [[0.0, 0.0], [3.0, 1.0], [0.0, 1.0], [3.0, 0.0]];
+/// let edges = [[0, 1], [2, 3]];
+/// let split = split(&points, &edges)?;
+/// assert_eq!(split.points[4..], [[1.5, 0.5]]);
+/// assert_eq!(split.edges, [[0, 4], [4, 1], [2, 4], [4, 3]]);
+/// assert_eq!((split.rounds, split.displacement), (1, 0.0));
+///
+/// let result = triangulate(&split.points, &split.edges)?;
+/// assert_eq!(split.chain(1, &result), [2, 4, 3]);
+/// assert!(result.verify(&split.points, &split.edges).is_ok());
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<S>, Error> {
+    let mut vertices = Vertices::new(points)?;
+    vertices.check(edges)?;
+    let mut points = points.to_vec();
+    let number = |vertices: &mut Vertices<S>, points: &mut Vec<[S; 2]>, v: usize| {
+        let point = points[v].clone();
+        vertices.number(point, points)
+    };
+    let mut chains: Vec<Vec<usize>> = Vec::with_capacity(edges.len());
+    for ends in edges {
+        chains.push(ends.map(|v| number(&mut vertices, &mut points, v)).to_vec());
+    }
+    for rounds in 0..=ROUNDS {
+        let pieces = pieces(&chains);
+        let found = find(&points, &vertices, &pieces)?;
+        if found.is_empty() {
+            let displacement = displacement(&points, &chains);
+            return Ok(finished(points, &chains, rounds, displacement));
+        }
+        // Each piece with a vertex that it goes through from now on.
+        let mut cuts: Vec<(usize, usize)> = Vec::new();
+        for crossing in found {
+            let place = crossing.point.each_ref().map(S::nearest);
+            let vertex = vertices.number(place, &mut points);
+            let bent = crossing.edges.into_iter();
+            let bent = bent.filter(|&piece| !pieces[piece].contains(&vertex));
+            cuts.extend(bent.map(|piece| (piece, vertex)));
+        }
+        cuts.sort_unstable_by(|&(piece, v), &(other, w)| {
+            let along = || along(&points, pieces[piece], v, w);
+            piece.cmp(&other).then_with(along)
+        });
+        cuts.dedup();
+        for chain in &mut chains {
+            *chain = cut(chain, &pieces, &cuts);
+        }
+    }
+    Err(Error::TooManyRounds { limit: ROUNDS })
+}
+
+/// All pairs of neighbours in the chains, lower one first, sorted, each once.
+fn pieces(chains: &[Vec<usize>]) -> Vec<[usize; 2]> {
+    let pairs = chains.iter().flat_map(|chain| chain.windows(2));
+    let mut pieces: Vec<[usize; 2]> = pairs.map(|pair| sorted([pair[0], pair[1]])).collect();
+    pieces.sort_unstable();
+    pieces.dedup();
+    pieces
+}
+
+fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
+    [a.min(b), a.max(b)]
+}
+
+/// The order of two vertices along a piece. Neither x nor y turns back along it, so that comparing both is enough.
+fn along<S: Exact>(points: &[[S; 2]], [a, b]: [usize; 2], v: usize, w: usize) -> Ordering {
+    let compare = |v: usize, w: usize, i: usize| points[v][i].compare(&points[w][i]);
+    let forward = |i: usize| match compare(a, b, i) {
+        Ordering::Less => compare(v, w, i),
+        _ => compare(w, v, i),
+    };
+    forward(0).then_with(|| forward(1))
+}
+
+/// A chain with the new vertices of its pieces. The cuts are sorted by their pieces, and along them.
+fn cut(chain: &[usize], pieces: &[[usize; 2]], cuts: &[(usize, usize)]) -> Vec<usize> {
+    let mut longer = vec![chain[0]];
+    for pair in chain.windows(2) {
+        let piece = pieces.binary_search(&sorted([pair[0], pair[1]]));
+        let piece = piece.expect("all neighbours are listed");
+        let first = |piece| cuts.partition_point(|&(of, _)| of < piece);
+        let vertices = cuts[first(piece)..first(piece + 1)].iter().map(|&(_, v)| v);
+        if pair[0] < pair[1] {
+            longer.extend(vertices);
+        } else {
+            longer.extend(vertices.rev());
+        }
+        longer.push(pair[1]);
+    }
+    longer
+}
+
+/// The greatest distance of a vertex from the edge whose chain it is on, in units of that edge.
+fn displacement<S: Exact>(points: &[[S; 2]], chains: &[Vec<usize>]) -> f64 {
+    let mut greatest = 0.0_f64;
+    for chain in chains {
+        let [first, inner @ .., last] = &chain[..] else {
+            continue;
+        };
+        let ends = [first, last].map(|&v| &points[v]);
+        if inner.is_empty() {
+            continue;
+        }
+        let unit = |i: usize| {
+            let units = ends.map(|end| end[i].spacing());
+            let [one, other] = units;
+            one.max(other)
+        };
+        let units: [BigRational; 2] = [unit(0), unit(1)];
+        for &v in inner {
+            let moved = distance(&points[v], ends, &units);
+            greatest = greatest.max(moved.to_f64().unwrap_or(f64::INFINITY));
+        }
+    }
+    greatest
+}
+
+fn finished<S>(
+    points: Vec<[S; 2]>,
+    chains: &[Vec<usize>],
+    rounds: usize,
+    displacement: f64,
+) -> Split<S> {
+    let (mut edges, mut pieces_of) = (Vec::new(), Vec::new());
+    for (edge, chain) in chains.iter().enumerate() {
+        edges.extend(chain.windows(2).map(|pair| [pair[0], pair[1]]));
+        pieces_of.resize(edges.len(), edge);
+    }
+    Split {
+        points,
+        edges,
+        pieces_of,
+        rounds,
+        displacement,
+    }
+}

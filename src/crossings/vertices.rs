@@ -1,0 +1,85 @@
+//! Which points are equal: of equal ones the first stands for all, as in a [`crate::Triangulation`].
+//!
+//! Cost: O(n log n) comparisons for n points.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+
+use super::exact::Exact;
+use crate::error::Error;
+
+/// A place as a key.
+#[derive(Clone, Debug)]
+struct Place<S>([S; 2]);
+
+impl<S: Exact> Ord for Place<S> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let by = |i: usize| self.0[i].compare(&other.0[i]);
+        by(0).then_with(|| by(1))
+    }
+}
+
+impl<S: Exact> PartialOrd for Place<S> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<S: Exact> PartialEq for Place<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl<S: Exact> Eq for Place<S> {}
+
+/// The different places of points, each with the first point there.
+#[derive(Debug)]
+pub(super) struct Vertices<S> {
+    at: BTreeMap<Place<S>, usize>,
+    points: usize,
+}
+
+impl<S: Exact> Vertices<S> {
+    /// Those of points that are finite.
+    pub(super) fn new(points: &[[S; 2]]) -> Result<Vertices<S>, Error> {
+        let is_finite = |point: &[S; 2]| point.iter().all(S::is_finite);
+        if let Some(vertex) = points.iter().position(|point| !is_finite(point)) {
+            return Err(Error::NonFiniteCoordinate { vertex });
+        }
+        // Of equal keys the last one stays.
+        let numbered = points.iter().enumerate().rev();
+        Ok(Vertices {
+            at: numbered
+                .map(|(v, point)| (Place(point.clone()), v))
+                .collect(),
+            points: points.len(),
+        })
+    }
+
+    /// Refuses edges with an end that is no point.
+    pub(super) fn check(&self, edges: &[[usize; 2]]) -> Result<(), Error> {
+        for (edge, ends) in edges.iter().enumerate() {
+            if let Some(&vertex) = ends.iter().find(|&&vertex| vertex >= self.points) {
+                return Err(Error::EdgeOutOfRange { edge, vertex });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a point equals this exactly.
+    pub(super) fn has(&self, point: &[BigRational; 2]) -> bool {
+        let near = Place(point.each_ref().map(S::nearest));
+        self.at.contains_key(&near) && near.0.each_ref().map(S::to_fraction) == *point
+    }
+
+    /// The first point that equals this one; it is added to `points` if there is none.
+    pub(super) fn number(&mut self, point: [S; 2], points: &mut Vec<[S; 2]>) -> usize {
+        *self.at.entry(Place(point)).or_insert_with_key(|place| {
+            points.push(place.0.clone());
+            points.len() - 1
+        })
+    }
+}
