@@ -1,8 +1,8 @@
-//! Pairs of edges whose boxes meet: all that may cross.
+//! Upright boxes, and which of them meet: pairs of edges that may cross, and vertices that a piece may pass.
 //!
 //! The boxes stand in an order in which neighbours lie near each other, and each range of that order that is halved
-//! again and again has a box around its boxes (a tree of boxes, in an array). An edge looks for those after it in
-//! the order: it passes over all ranges whose box it does not meet.
+//! again and again has a box around its boxes (a tree of boxes, in an array). Who looks for the boxes that meet a
+//! given one passes over all ranges whose box does not.
 //!
 //! ```text
 //!           1                The ranges by number. Range k has the halves 2k and 2k + 1, so that the one to
@@ -11,11 +11,11 @@
 //! ```
 //!
 //! Why it is right: boxes are made of doubles near the coordinates, which are monotone ([`Scalar::approx`]), and are only
-//! compared. So boxes of edges with a point in common meet, however large, small or close the coordinates are. A
-//! range that is passed over holds no box that meets that of the edge.
+//! compared. So boxes of what has a point in common meet, however large, small or close the coordinates are. A
+//! range that is passed over holds no box that meets the given one.
 //!
-//! Cost: O(n log n) to build, with one selection for each range; for each edge O(log n) where boxes are spread, and all
-//! that meet it.
+//! Cost: O(n log n) to build, with one selection for each range; for each search O(log n) where boxes are spread, and all
+//! that it finds.
 
 use crate::error::Error;
 use crate::scalar::Scalar;
@@ -25,7 +25,7 @@ const LEAST: usize = 4;
 
 /// An upright box: its lower left and its upper right corner.
 #[derive(Clone, Copy, Debug)]
-struct Bounds {
+pub(super) struct Bounds {
     low: [f64; 2],
     high: [f64; 2],
 }
@@ -37,7 +37,13 @@ impl Bounds {
         high: [f64::NEG_INFINITY; 2],
     };
 
-    /// The box around two.
+    /// The box around two points.
+    pub(super) fn of<S: Scalar>(points: [&[S; 2]; 2]) -> Bounds {
+        let [a, b] = points.map(|point| point.each_ref().map(S::approx));
+        Bounds { low: a, high: a }.and(Bounds { low: b, high: b })
+    }
+
+    /// The box around two boxes.
     fn and(self, other: Bounds) -> Bounds {
         Bounds {
             low: [0, 1].map(|i| self.low[i].min(other.low[i])),
@@ -49,16 +55,16 @@ impl Bounds {
         (0..2).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
     }
 
-    /// Twice its middle along an axis, as far as doubles tell: it is used to sort only.
+    /// Its middle along an axis, as far as doubles tell: it is used to sort only.
     fn middle(&self, axis: usize) -> f64 {
         self.low[axis] / 2.0 + self.high[axis] / 2.0
     }
 }
 
-/// The boxes of the edges, in their tree.
+/// Boxes in their tree.
 #[derive(Debug)]
 pub(super) struct Boxes {
-    /// Each edge with its box, in the order of the tree.
+    /// Each box with its position in the list that was given, in the order of the tree.
     list: Vec<(usize, Bounds)>,
     /// The box around each range, by number.
     around: Vec<Bounds>,
@@ -67,28 +73,19 @@ pub(super) struct Boxes {
 }
 
 impl Boxes {
-    /// Those of edges whose ends exist, among points that are finite.
-    pub(super) fn new<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Boxes {
-        let place = |v: usize| {
-            let near = points[v].each_ref().map(S::approx);
-            Bounds {
-                low: near,
-                high: near,
-            }
-        };
-        let of_edge = |&[a, b]: &[usize; 2]| place(a).and(place(b));
+    /// The tree of these boxes.
+    pub(super) fn new(list: impl Iterator<Item = Bounds>) -> Boxes {
+        let list: Vec<(usize, Bounds)> = list.enumerate().collect();
+        let height = (list.len() / LEAST).checked_ilog2().unwrap_or(0);
         let mut boxes = Boxes {
-            list: edges.iter().map(of_edge).enumerate().collect(),
-            around: Vec::new(),
-            height: (edges.len() / LEAST).checked_ilog2().unwrap_or(0),
+            list,
+            around: vec![Bounds::NOTHING; 2 << height],
+            height,
         };
-        boxes.around = vec![Bounds::NOTHING; 2 << boxes.height];
         for number in 1..boxes.around.len() {
             let (from, to) = boxes.range(number);
-            let range = &mut boxes.list[from..to];
-            let around = range
-                .iter()
-                .fold(Bounds::NOTHING, |all, (_, one)| all.and(*one));
+            let range = boxes.list[from..to].iter();
+            let around = range.fold(Bounds::NOTHING, |all, (_, one)| all.and(*one));
             boxes.around[number] = around;
             if number >> boxes.height == 0 {
                 let half = boxes.range(2 * number).1 - from;
@@ -114,41 +111,62 @@ impl Boxes {
         (cut(place), cut(place + 1))
     }
 
-    /// Passes each pair of edges whose boxes meet, once, to `report`, until that returns an error.
+    /// Passes each pair of boxes that meet, once, to `report`, until that returns an error.
     pub(super) fn pairs(
         &self,
         mut report: impl FnMut([usize; 2]) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        for (position, &(edge, bounds)) in self.list.iter().enumerate() {
-            let mut number = 1;
-            loop {
-                let (from, to) = self.range(number);
-                let is_of_use = to > position + 1 && self.around[number].meets(&bounds);
-                if is_of_use && number >> self.height == 0 {
-                    number *= 2;
-                    continue;
-                }
-                if is_of_use {
-                    for &(other, at) in &self.list[from.max(position + 1)..to] {
-                        if at.meets(&bounds) {
-                            report([edge, other])?;
-                        }
-                    }
-                }
-                // The range to the right of this one, or of the smallest one around it that has such a neighbour.
-                number = (number >> number.trailing_ones()) + 1;
-                if number == 1 {
-                    break;
-                }
-            }
+        for (position, &(one, bounds)) in self.list.iter().enumerate() {
+            self.search(position + 1, &bounds, |other| report([one, other]))?;
         }
         Ok(())
+    }
+
+    /// The positions of the boxes that meet this one.
+    pub(super) fn meeting(&self, bounds: &Bounds) -> Vec<usize> {
+        let mut found = Vec::new();
+        let all = self.search(0, bounds, |one| {
+            found.push(one);
+            Ok(())
+        });
+        all.expect("no error is reported");
+        found
+    }
+
+    /// Passes each box from position `first` of the order on that meets this one to `report`, until that returns an
+    /// error.
+    fn search(
+        &self,
+        first: usize,
+        bounds: &Bounds,
+        mut report: impl FnMut(usize) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let mut number = 1;
+        loop {
+            let (from, to) = self.range(number);
+            let is_of_use = first < to && self.around[number].meets(bounds);
+            if is_of_use && number >> self.height == 0 {
+                number *= 2;
+                continue;
+            }
+            if is_of_use {
+                let range = self.list[from.max(first)..to].iter();
+                for (one, _) in range.filter(|(_, at)| at.meets(bounds)) {
+                    report(*one)?;
+                }
+            }
+            // The range to the right of this one, or of the smallest one around it that has such a neighbour.
+            number = (number >> number.trailing_ones()) + 1;
+            if number == 1 {
+                return Ok(());
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Boxes;
+    use super::{Bounds, Boxes};
 
     #[test]
     fn every_pair_that_meets_is_found_once() {
@@ -167,7 +185,10 @@ mod tests {
             let pairs = (0..count).flat_map(|f| (0..f).map(move |e| [e, f]));
             let expected: Vec<_> = pairs.filter(|&[e, f]| meet(e, f)).collect();
             let mut found = Vec::new();
-            let boxes = Boxes::new(&points, &edges);
+            let bounds = edges
+                .iter()
+                .map(|edge| Bounds::of(edge.map(|v| &points[v])));
+            let boxes = Boxes::new(bounds);
             let reported = boxes.pairs(|[e, f]| {
                 found.push([e.min(f), e.max(f)]);
                 Ok(())

@@ -22,7 +22,7 @@ use crate::scalar::{Scalar, integers};
 /// let third = BigRational::new(1.into(), 3.into());
 /// assert_eq!(f64::nearest(&third), 1.0 / 3.0);
 /// assert_ne!(f64::nearest(&third).to_fraction(), third);
-/// assert_eq!(1.0.spacing(), f64::EPSILON.to_fraction());
+/// assert_eq!(1.0.around(), [1.0 - f64::EPSILON / 2.0, 1.0 + f64::EPSILON]);
 /// ```
 pub trait Exact: Scalar + Clone {
     /// The value; asked for finite ones only.
@@ -33,8 +33,9 @@ pub trait Exact: Scalar + Clone {
     /// It must not fall where the fraction grows, and must be the fraction if that is a value of this type.
     fn nearest(fraction: &BigRational) -> Self;
 
-    /// How far values of this size are apart: a unit in the last place. Zero, if every fraction is a value.
-    fn spacing(&self) -> BigRational;
+    /// The nearest values below and above; twice the value itself, if every fraction is a value. Where there is none
+    /// above or below, the value itself stands for it.
+    fn around(&self) -> [Self; 2];
 }
 
 impl Exact for f64 {
@@ -46,16 +47,8 @@ impl Exact for f64 {
         fraction.to_f64().expect("a fraction has a double near it")
     }
 
-    fn spacing(&self) -> BigRational {
-        let size = self.abs();
-        let above = size.next_up();
-        // Above the largest double there is none.
-        let spacing = if above.is_finite() {
-            above - size
-        } else {
-            size - size.next_down()
-        };
-        spacing.to_fraction()
+    fn around(&self) -> [f64; 2] {
+        [self.next_down(), self.next_up()].map(|x| x.clamp(f64::MIN, f64::MAX))
     }
 }
 
@@ -68,9 +61,16 @@ impl Exact for BigRational {
         fraction.clone()
     }
 
-    fn spacing(&self) -> BigRational {
-        BigRational::zero()
+    fn around(&self) -> [BigRational; 2] {
+        [self.clone(), self.clone()]
     }
+}
+
+/// How far values of this size are apart, away from zero: a unit in the last place. Zero, if every fraction is a value.
+pub(super) fn spacing<S: Exact>(value: &S) -> BigRational {
+    let [below, above] = value.around().map(|x| x.to_fraction());
+    let value = value.to_fraction();
+    (above - &value).max(value - below)
 }
 
 /// The point where the line through the first two points meets that through the others. They are not parallel.

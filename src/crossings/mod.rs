@@ -7,9 +7,10 @@
 //!
 //! | | file |
 //! |---|---|
-//! | pairs of edges whose boxes meet | `boxes` |
+//! | boxes that meet: edges that may cross | `boxes` |
 //! | coordinates as fractions, and back; where two lines meet | `exact` |
 //! | which points are equal | `vertices` |
+//! | the points that round to a vertex, and whether a piece passes there | `cells` |
 //! | edges split at their crossings, exactly or rounded | `split` |
 //!
 //! Why it is right: boxes of two edges that cross have a point in common, so that no pair is left out. Each pair is
@@ -21,6 +22,7 @@
 //! all boxes meet (long parallel diagonals), k is n²/2. A crossing takes about 400 bytes.
 
 mod boxes;
+mod cells;
 mod exact;
 mod split;
 mod vertices;
@@ -32,11 +34,13 @@ use num_traits::ToPrimitive;
 
 use crate::error::Error;
 use crate::scalar::Scalar;
-use boxes::Boxes;
+use boxes::{Bounds, Boxes};
 use exact::meeting;
 use vertices::Vertices;
 
 pub use exact::Exact;
+#[cfg(feature = "formats")]
+pub(crate) use split::joined;
 pub use split::{Split, split};
 
 /// How many crossings may be listed; the tests of this crate's files need less memory.
@@ -93,7 +97,10 @@ fn find<S: Exact>(
     edges: &[[usize; 2]],
 ) -> Result<Vec<Crossing>, Error> {
     let mut found = Vec::new();
-    Boxes::new(points, edges).pairs(|pair| {
+    let bounds = edges
+        .iter()
+        .map(|edge| Bounds::of(edge.map(|v| &points[v])));
+    Boxes::new(bounds).pairs(|pair| {
         let ends = pair.map(|edge| edges[edge].map(|v| &points[v]));
         if !cross(ends) {
             return Ok(());

@@ -1,34 +1,36 @@
 //! Edges split where they cross, so that the crossing points become vertices.
 //!
 //! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the scalar
-//! (a fraction is its own); and both pieces go through that point from now on. A piece that is bent so may cross others,
-//! which the next round finds. The end is reached when none cross: then the pieces are an input that has a triangulation.
+//! (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices that it passes
+//! ([`cells`](super::cells)), the new ones among them. A piece that is bent so may cross others, which the next round finds. The
+//! end is reached when none cross: then the pieces are an input that has a triangulation.
 //!
 //! ```text
 //!      a     d                 a     d
 //!       \   /                   \   /            The edges a-b and c-d go through v, a double near the place
 //!        \ /                     \ /             where they cross. It may be an end of one of them, or any
-//!        /.\      becomes         v              other point: then that is used.
+//!        /.\      becomes         v              other vertex.
 //!       /   \                    / \
 //!      c     b                  c   b
 //! ```
 //!
-//! *Why it ends.* Rounding is monotone and keeps the ends, so a rounded crossing lies in the box of the piece. Hence a
-//! chain never turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common,
-//! so each round gives some chain a new vertex, and there are only so many numbers in a box. In practice there are few
-//! rounds, and a limit of [`ROUNDS`] turns what would take too long into an error. Fractions need one.
+//! *Why it ends.* Rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a
+//! chain never turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common, so
+//! each round gives some chain a new vertex, and there are only so many numbers in a box. Numbers with equal spacing
+//! need one round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing crosses. Doubles
+//! are closer to each other near zero, which may take more. A limit of [`ROUNDS`] turns what would take too long into an error.
 //!
-//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a new
-//! vertex by its rounding, and the points between two vertices by a mean of what these move by. All vertices lie
+//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a place that
+//! becomes a vertex by its rounding, and the points between two vertices by a mean of what these move by. All vertices lie
 //! in the box of the edge, so a *unit* of an edge, along x or y, is the distance of the numbers around the larger one (in
 //! size) of its ends' coordinates. A vertex is `d` units away from its edge if some point of the edge differs from it by at
 //! most `d` units in each coordinate, and `d` is the least such number. The [`displacement`](Split::displacement) is the
 //! greatest of them. It is at most half the number of rounds.
 //!
-//! Cost: that of finding the crossings, in each round, and a sort of the new vertices.
+//! Cost: that of finding the crossings and of finding the vertices that pieces pass, in each round.
 //!
-//! Differs from snap rounding (Hobby 1999): vertices do not attract edges that pass near them. Exact signs need no
-//! room around a vertex, and so fewer edges move.
+//! Differs from snap rounding: input points stay where they are, and edges that cross nothing are bent only if others
+//! cross.
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -36,7 +38,8 @@ use std::ops::Range;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use super::exact::{Exact, distance};
+use super::cells::passed;
+use super::exact::{Exact, distance, spacing};
 use super::find;
 use super::vertices::Vertices;
 use crate::error::Error;
@@ -77,16 +80,25 @@ impl<S> Split<S> {
     /// # Panics
     /// If there is no edge `e`, or if `result` is that of other edges.
     pub fn chain(&self, e: usize, result: &Triangulation) -> Vec<usize> {
-        let mut chain = vec![self.edges[self.pieces(e).start][0]];
-        for piece in self.pieces(e) {
-            let mut part: Vec<usize> = result.edge_chain(piece).collect();
-            if part.last() == chain.last() {
-                part.reverse();
-            }
-            chain.extend(&part[1..]);
-        }
-        chain
+        joined(self.pieces(e), &self.edges, result)
     }
+}
+
+/// The vertices along some of the edges that were triangulated, each of which begins where the one before ends.
+pub(crate) fn joined(
+    pieces: Range<usize>,
+    edges: &[[usize; 2]],
+    result: &Triangulation,
+) -> Vec<usize> {
+    let mut chain = vec![edges[pieces.start][0]];
+    for piece in pieces {
+        let mut part: Vec<usize> = result.edge_chain(piece).collect();
+        if part.last() == chain.last() {
+            part.reverse();
+        }
+        chain.extend(&part[1..]);
+    }
+    chain
 }
 
 /// The same edges, split where they cross at points that are none of `points`; these become vertices.
@@ -132,20 +144,19 @@ pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<
             let displacement = displacement(&points, &chains);
             return Ok(finished(points, &chains, rounds, displacement));
         }
-        // Each piece with a vertex that it goes through from now on.
-        let mut cuts: Vec<(usize, usize)> = Vec::new();
+        let mut on_edges = chains.concat();
         for crossing in found {
             let place = crossing.point.each_ref().map(S::nearest);
-            let vertex = vertices.number(place, &mut points);
-            let bent = crossing.edges.into_iter();
-            let bent = bent.filter(|&piece| !pieces[piece].contains(&vertex));
-            cuts.extend(bent.map(|piece| (piece, vertex)));
+            on_edges.push(vertices.number(place, &mut points));
         }
+        on_edges.sort_unstable();
+        on_edges.dedup();
+        // Each piece with a vertex that it goes through from now on.
+        let mut cuts = passed(&points, &pieces, &on_edges);
         cuts.sort_unstable_by(|&(piece, v), &(other, w)| {
             let along = || along(&points, pieces[piece], v, w);
             piece.cmp(&other).then_with(along)
         });
-        cuts.dedup();
         for chain in &mut chains {
             *chain = cut(chain, &pieces, &cuts);
         }
@@ -206,8 +217,7 @@ fn displacement<S: Exact>(points: &[[S; 2]], chains: &[Vec<usize>]) -> f64 {
             continue;
         }
         let unit = |i: usize| {
-            let units = ends.map(|end| end[i].spacing());
-            let [one, other] = units;
+            let [one, other] = ends.map(|end| spacing(&end[i]));
             one.max(other)
         };
         let units: [BigRational; 2] = [unit(0), unit(1)];

@@ -162,6 +162,16 @@ impl Background {
         }
     }
 
+    /// Edges alone, among these points.
+    pub(super) fn of_edges(points: Vec<[f64; 2]>, edges: &[[usize; 2]]) -> Background {
+        let layers = [
+            ("hull", Vec::new()),
+            ("side", Vec::new()),
+            ("edge", edges.to_vec()),
+        ];
+        Background { points, layers }
+    }
+
     /// Draws the lines, clipped to the window.
     pub(super) fn draw(&self, window: &Window, out: &mut impl Write) -> io::Result<()> {
         for (class, lines) in &self.layers {

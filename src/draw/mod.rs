@@ -1,7 +1,8 @@
-//! Pictures, as SVG, of a result and of what is wrong with one; and of the steps of a trace, as SVG or as
+//! Pictures, as SVG, of a result, of what is wrong with one, and of edges that cross; and of the steps of a trace, as SVG or as
 //! a page for a browser.
 
 mod close_up;
+mod crossings;
 mod panels;
 mod result;
 mod steps;
@@ -10,6 +11,7 @@ mod svg;
 mod violations;
 mod window;
 
+pub use crossings::CrossingsPicture;
 pub use result::ResultPicture;
 pub use steps::{StepsPage, StepsSheet};
 pub use violations::ViolationsPicture;

@@ -139,7 +139,7 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
 }
 
 /// The style rules, for vertices in the overview that are about `spacing` pixels apart.
-fn rules(spacing: f64) -> String {
+pub(super) fn rules(spacing: f64) -> String {
     format!(
         "{}{}{}.wrong {{ stroke: {RED}; stroke-width: 350 }}
 .absent {{ stroke: {RED}; stroke-width: 350; stroke-dasharray: 900 700 }}
@@ -154,9 +154,9 @@ fn rules(spacing: f64) -> String {
     )
 }
 
-/// Draws the overview in a window, with a dot at each of the `foci`: the vertices of a violation. The
+/// Draws the overview in a window, with a dot at each of the `foci`: the points of a violation. The
 /// first `numbered` of them have close-ups.
-fn draw_overview(
+pub(super) fn draw_overview(
     background: &Background,
     window: &Window,
     foci: &[Vec<usize>],
@@ -184,7 +184,7 @@ fn draw_overview(
 }
 
 /// The window of an overview of this size.
-fn overview_window(background: &Background, size: i64) -> Window {
+pub(super) fn overview_window(background: &Background, size: i64) -> Window {
     let all = Bounds::of(background.points.iter().copied());
     Window::new(all.squared(all.longer()).with_margin(0.06), size)
 }

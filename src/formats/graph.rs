@@ -11,6 +11,9 @@ pub struct Graph<S> {
     pub points: Vec<[S; 2]>,
     /// The edges, as positions in `points`.
     pub edges: Vec<[usize; 2]>,
+    /// For each edge the edge of the file that it is a piece of, in order, where edges were
+    /// [split](crate::crossings::split) at their crossings. Empty, if they are those of the file.
+    pub pieces_of: Vec<usize>,
     /// Points that stand for the holes they lie in.
     pub holes: Vec<[S; 2]>,
     /// Points that stand for the regions they lie in.
@@ -35,6 +38,11 @@ pub struct Region<S> {
 }
 
 impl<S> Graph<S> {
+    /// The numbers that the file gives to edges.
+    pub(crate) fn edges_as_numbered(&self, edges: [usize; 2]) -> [usize; 2] {
+        edges.map(|edge| edge.saturating_add(self.first_edge))
+    }
+
     /// The same error with vertices and edges numbered as in the file.
     ///
     /// ```
@@ -56,7 +64,7 @@ impl<S> Graph<S> {
                 vertex: vertex_number(vertex),
             },
             Error::CrossingEdges { edges } => Error::CrossingEdges {
-                edges: edges.map(edge_number),
+                edges: self.edges_as_numbered(edges),
             },
             Error::TooManyPoints { .. }
             | Error::TooManyEdges { .. }

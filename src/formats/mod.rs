@@ -8,6 +8,7 @@
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
 //! | `obj` | vertices and triangles | vertices and triangles (Wavefront) |
 //! | `svg` | | a picture |
+//! | `csv` | | edges that cross; `json` holds them too |
 //!
 //! Readers take bytes, never panic on any of them, and name the line that is wrong. A byte order mark is
 //! skipped; lines end with a line feed, a carriage return or both. Writers list triangles in
@@ -28,7 +29,7 @@ pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
     read, read_result,
 };
-pub use write::{OutputFormat, write, write_domain, write_node};
+pub use write::{CrossingsFormat, OutputFormat, write, write_crossings, write_domain, write_node};
 
 /// The same work on many parts, with the feature `parallel` on all cores. The results are in the order of the parts.
 fn on_all_cores<P: Send, T: Send>(parts: Vec<P>, work: impl Fn(P) -> T + Sync + Send) -> Vec<T> {

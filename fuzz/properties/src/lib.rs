@@ -2,11 +2,12 @@
 //!
 //! Each module named as a fuzz target in `fuzz/fuzz_targets` is one property, a function that panics where
 //! the property does not hold. `sweep_cdt_testing` turns the bytes into degenerate inputs and judges the
-//! results. All of this runs without a fuzzer too: the crate's own tests give each property its [`seeds`]
+//! results. [`crossings`] is a part of `valid`. All of this runs without a fuzzer too: the crate's own tests give each property its [`seeds`]
 //! and random bytes. [`reached`] counts for a campaign what the inputs provoke.
 
 pub mod bits;
 pub mod canonical;
+pub mod crossings;
 pub mod differential;
 pub mod formats;
 pub mod fronts;

@@ -1,4 +1,5 @@
-//! Every structured input gives the right triangulation or the right error.
+//! Every structured input gives the right triangulation or the right error. Where edges cross, all that cross are
+//! listed, and split where they do they have a right triangulation ([`crossings`]).
 //!
 //! Three judges: the verifier of the crate, which shares the signs of `src/scalar` (filter and exact
 //! predicates) with the sweep and nothing else; [`check`], which shares no code with the crate and tests
@@ -7,7 +8,7 @@
 
 use sweep_cdt::{Error, triangulate};
 
-use crate::reached;
+use crate::{crossings, reached};
 use sweep_cdt_testing::oracle::{check, crosses, verdict};
 use sweep_cdt_testing::{Input, generators};
 
@@ -38,6 +39,7 @@ pub fn judge(input: &Input) {
         }
         Err(Error::CrossingEdges { edges: pair }) => {
             assert!(crosses(points, edges, *pair), "{pair:?} do not cross");
+            crossings::judge(input);
             None
         }
         Err(error) => panic!("no reason for: {error}"),

@@ -1,11 +1,12 @@
 //! The command `sweep-cdt`: its subcommands, and what they share.
 //!
 //! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or written,
-//! or with a report where a result is not correct; 2 for wrong usage, which includes outputs that would
+//! or with a report where a result is not correct or edges cross; 2 for wrong usage, which includes outputs that would
 //! overwrite what they must not. A signal ends the run as it would have done by itself, after one `error:`
 //! line. A reader that closes its end of the pipe early ends it quietly.
 
 mod certificate;
+mod crossings;
 mod shared;
 mod trace;
 mod triangulate;
@@ -34,6 +35,7 @@ struct Cli {
 enum Command {
     Triangulate(triangulate::Triangulate),
     Verify(verify::Verify),
+    Crossings(crossings::Crossings),
     Trace(trace::Trace),
     Replay(trace::Replay),
 }
@@ -47,6 +49,7 @@ fn main() -> ExitCode {
     let (name, outcome) = match cli.command {
         Command::Triangulate(command) => ("triangulate", command.run()),
         Command::Verify(command) => ("verify", command.run()),
+        Command::Crossings(command) => ("crossings", command.run()),
         Command::Trace(command) => ("trace", command.run()),
         Command::Replay(command) => ("replay", command.run()),
     };

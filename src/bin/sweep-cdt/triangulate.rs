@@ -17,6 +17,7 @@ use crate::shared::inside::InsideArgs;
 use crate::shared::outputs::{Destination, Outputs};
 use crate::shared::resources::limit_threads;
 use crate::shared::settings::Settings;
+use crate::shared::splitting::{SplitArgs, Splitting};
 use crate::shared::tables::write_statistics;
 use crate::shared::verification::{self, verify};
 
@@ -37,6 +38,9 @@ pub(crate) struct Triangulate {
 
     #[command(flatten)]
     output: OutputArgs,
+
+    #[command(flatten)]
+    split: SplitArgs,
 
     /// Print counts, times and memory as a table
     #[arg(long)]
@@ -78,7 +82,7 @@ Output, with the triangles always in the same order:
   .node    Triangle's vertices, numbered as the input
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0. With --inside also the boundary, and the
-           region of each triangle
+           region of each triangle. With --split-crossings also the chain of each edge of the input
   .obj     vertices and triangles for 3D programs; z is 0
   .svg     a picture: triangles grey, edges blue, hull (or border) orange
   Outputs appear when all are complete; a run that fails changes no file. No file is overwritten that
@@ -91,6 +95,7 @@ Examples:
   sweep-cdt triangulate terrain.poly -o terrain.svg
   sweep-cdt triangulate terrain.poly -o terrain.ele -o terrain.json --stats
   sweep-cdt triangulate polygon.json --inside even-odd -o polygon.obj
+  sweep-cdt triangulate streets.poly --split-crossings -o streets.json --verify
   generate | sweep-cdt triangulate - --input-format json -o - --output-format obj | view";
 
 impl Triangulate {
@@ -106,12 +111,21 @@ impl Triangulate {
         }
         let mut read = FilesRead::default();
         let input = self.input.read(&mut read, |_| ())?;
+        let name = self.input.name();
+        let (input, splitting) = if self.split.is_asked() {
+            let input = self.scalar.convert(&name, input)?;
+            let (input, splitting) = self.split.apply(&name, input)?;
+            (input, Some(splitting))
+        } else {
+            (input, None)
+        };
         let run = Run {
             arguments: self,
             targets,
             read: &read,
+            splitting,
         };
-        self.scalar.apply(&self.input.name(), &input, run)
+        self.scalar.apply(&name, &input, run)
     }
 }
 
@@ -120,6 +134,7 @@ struct Run<'a> {
     arguments: &'a Triangulate,
     targets: Vec<Target>,
     read: &'a FilesRead,
+    splitting: Option<Splitting>,
 }
 
 impl Job for Run<'_> {
@@ -130,7 +145,10 @@ impl Job for Run<'_> {
         let (result, stats) = arguments
             .settings
             .triangulate(points, &graph.edges, arguments.stats)
-            .map_err(|error| given.refused(error))?;
+            .map_err(|error| {
+                let advice = SplitArgs::advice(&error);
+                given.failure(format!("{}{advice}", graph.as_numbered(error)))
+            })?;
         // A result that is wrong ends the run here, before anything is written.
         let verdict = if arguments.verify {
             let triangles: Vec<[usize; 3]> = result.triangles().collect();
@@ -148,6 +166,9 @@ impl Job for Run<'_> {
         add(&mut outputs, targets, graph, &result, domain)?;
         if report {
             outputs.add(Destination::standard(), |out| {
+                if let Some(splitting) = &self.splitting {
+                    splitting.write(given.name, out)?;
+                }
                 match stats {
                     Some(stats) => write_statistics(&stats, out)?,
                     None if summary => summarize(&given, &result, domain, out)?,

@@ -108,6 +108,7 @@ fn graph<S: Coordinate>(content: &Edges<'_>) -> Result<Graph<S>, (CoordinateErro
     Ok(Graph {
         points: content.vertices.points()?,
         edges: Vec::new(),
+        pieces_of: Vec::new(),
         holes: content.holes.points()?,
         regions: regions
             .map(|(seed, &attribute)| Region { seed, attribute })

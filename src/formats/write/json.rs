@@ -10,6 +10,7 @@
 //! | `hull` | vertex on the border | the vertex; counter-clockwise from the leftmost one |
 //! | `duplicates` | vertex equal to an earlier one | the vertex and the first one equal to it |
 //! | `chains` | input edge | the vertices along it, upper end first |
+//! | `split` | edge before edges were split at their crossings, if they were | the vertices along it, from its first to its second |
 //!
 //! Of a domain only the triangles inside are listed, with their constrained sides, and beyond the domain is `null`.
 //! There are two members more:
@@ -28,6 +29,7 @@ use serde_json::value::RawValue;
 
 use super::rows::places;
 use crate::Triangulation;
+use crate::crossings::joined;
 use crate::domain::Domain;
 use crate::formats::{Coordinate, Graph, sorted_pairs};
 
@@ -87,7 +89,18 @@ fn write_members<S: Coordinate>(
     member(out, "constrained", sorted_pairs(domain.constrained_edges()))?;
     member(out, "hull", result.hull())?;
     member(out, "duplicates", result.duplicates())?;
-    member(out, "chains", chains)
+    member(out, "chains", chains)?;
+    if graph.pieces_of.is_empty() {
+        return Ok(());
+    }
+    let split = graph.pieces_of.chunk_by(|a, b| a == b);
+    let mut first = 0;
+    let split = split.map(|pieces| {
+        let range = first..first + pieces.len();
+        first = range.end;
+        joined(range, &graph.edges, result)
+    });
+    member(out, "split", split)
 }
 
 fn member<T: Serialize>(
@@ -105,7 +118,7 @@ fn member<T: Serialize>(
 }
 
 /// A finite coordinate as it stands in JSON: a number, or a string with a fraction.
-fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
+pub(super) fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
     let text = value.text();
     let text = if text.contains('/') {
         format!("\"{text}\"")

@@ -1,10 +1,12 @@
 //! Writers: a [`Graph`] and its [`Triangulation`] in, text out.
 
+mod crossings;
 mod json;
 mod rows;
 
 use std::io::{self, Write};
 
+pub use crossings::{CrossingsFormat, write_crossings};
 pub use rows::write_node;
 
 use crate::Triangulation;

@@ -4,10 +4,11 @@
 //! is found by trying everything (`graph`: vertices, pieces of edges, crossings; `definition`: triangles,
 //! hull, all of it). That is slow and short, and meant for a dozen points. For large results `check` tests
 //! side by side what makes a triangulation the canonical one. `naive` judges triangulations of any program,
-//! canonical or not. `answer` takes the crate's result apart, and tests whether its parts agree with each
-//! other.
+//! canonical or not. [`arrangement`] has edges that cross, in fractions. `answer` takes the crate's result apart, and
+//! tests whether its parts agree with each other.
 
 mod answer;
+pub mod arrangement;
 mod check;
 mod definition;
 mod graph;

@@ -11,7 +11,9 @@ use num_rational::BigRational as Rational;
 #[cfg(feature = "rug")]
 use rug::Rational;
 use sweep_cdt::Error;
-use sweep_cdt::formats::{Coordinate, Graph, Input};
+use sweep_cdt::crossings::Exact;
+use sweep_cdt::domain::{DomainError, Seed};
+use sweep_cdt::formats::{Coordinate, Graph, Input, Region};
 use sweep_cdt::scalar::Scalar;
 
 use super::failure::Failure;
@@ -83,9 +85,9 @@ impl ScalarArgs {
                     job.run(given(name, graph, &graph.points, "f64"))
                 }
             }
-            Input::Rationals(_) if matches!(self.scalar, Some(Kind::F64)) => Err(Failure::Error(
-                format!("{name}: has fractions, which --scalar f64 refuses"),
-            )),
+            Input::Rationals(_) if matches!(self.scalar, Some(Kind::F64)) => {
+                Err(has_fractions(name))
+            }
             Input::Rationals(graph) => {
                 refuse_without_memory(name, graph)?;
                 let points = rational_points(&graph.points);
@@ -93,6 +95,50 @@ impl ScalarArgs {
             }
         }
     }
+
+    /// The input called `name`, as rationals if these are asked for.
+    pub(crate) fn convert(&self, name: &str, input: Input) -> Result<Input, Failure> {
+        match (input, self.scalar) {
+            (Input::Doubles(graph), Some(Kind::Rational)) => {
+                refuse_non_finite(name, &graph)?;
+                Ok(Input::Rationals(rational_graph(name, graph)?))
+            }
+            (Input::Rationals(_), Some(Kind::F64)) => Err(has_fractions(name)),
+            (input, _) => Ok(input),
+        }
+    }
+}
+
+fn has_fractions(name: &str) -> Failure {
+    Failure::Error(format!("{name}: has fractions, which --scalar f64 refuses"))
+}
+
+/// The same graph, whose points are finite, with the exact values of its doubles.
+fn rational_graph(name: &str, graph: Graph<f64>) -> Result<Graph<BigRational>, Failure> {
+    let seeds = (0..).map(Seed::Hole).zip(&graph.holes);
+    let regions = graph.regions.iter().map(|region| &region.seed);
+    let seeds = seeds.chain((0..).map(Seed::Region).zip(regions));
+    let is_wrong = |(_, seed): &(Seed, &[f64; 2])| !seed.iter().all(|x| x.is_finite());
+    if let Some((seed, _)) = seeds.into_iter().find(is_wrong) {
+        let error = graph.domain_as_numbered(DomainError::SeedNotFinite { seed });
+        return Err(Failure::Error(format!("{name}: {error}")));
+    }
+    let rational = |point: &[f64; 2]| point.map(|x| x.to_fraction());
+    let region = |region: &Region<f64>| Region {
+        seed: rational(&region.seed),
+        attribute: region.attribute,
+    };
+    Ok(Graph {
+        points: graph.points.iter().map(rational).collect(),
+        holes: graph.holes.iter().map(rational).collect(),
+        regions: graph.regions.iter().map(region).collect(),
+        edges: graph.edges,
+        pieces_of: graph.pieces_of,
+        first_vertex: graph.first_vertex,
+        first_edge: graph.first_edge,
+        first_hole: graph.first_hole,
+        first_region: graph.first_region,
+    })
 }
 
 fn refuse_without_memory<S>(name: &str, graph: &Graph<S>) -> Result<(), Failure> {

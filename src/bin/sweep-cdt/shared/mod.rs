@@ -8,6 +8,7 @@ pub(crate) mod inside;
 pub(crate) mod outputs;
 pub(crate) mod resources;
 pub(crate) mod settings;
+pub(crate) mod splitting;
 pub(crate) mod tables;
 pub(crate) mod unnamed;
 pub(crate) mod verification;

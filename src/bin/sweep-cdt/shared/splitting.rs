@@ -1,0 +1,103 @@
+//! Edges split at their crossings before they are triangulated.
+
+use std::io::{self, Write};
+
+use sweep_cdt::Error;
+use sweep_cdt::crossings::{Exact, split};
+use sweep_cdt::formats::{Coordinate, Graph, Input};
+
+use super::failure::Failure;
+
+/// Arguments that ask for it.
+#[derive(clap::Args)]
+pub(crate) struct SplitArgs {
+    /// Make vertices of the points where edges cross
+    ///
+    /// The vertices of the input keep their numbers, the new ones follow. The edges of the output are the
+    /// pieces, in order; the list `split` of a .json has the vertices along each edge of the input. Rationals
+    /// are split exactly. Doubles are rounded to the nearest ones, and while edges cross that are bent by that,
+    /// they are split again; each edge then goes through all vertices within its rounding. A line says by how
+    /// much an edge moved at most: in units in the last place, each of them the distance of the doubles around
+    /// the largest coordinate of the edge, along x and y.
+    #[arg(long)]
+    split_crossings: bool,
+}
+
+/// What the splitting came to.
+pub(crate) struct Splitting {
+    vertices: usize,
+    edges: [usize; 2],
+    rounds: usize,
+    displacement: f64,
+}
+
+impl SplitArgs {
+    /// Whether it is asked for.
+    pub(crate) fn is_asked(&self) -> bool {
+        self.split_crossings
+    }
+
+    /// The input called `name` with its edges split.
+    pub(crate) fn apply(&self, name: &str, input: Input) -> Result<(Input, Splitting), Failure> {
+        Ok(match input {
+            Input::Doubles(graph) => {
+                let (graph, splitting) = divided(name, graph)?;
+                (Input::Doubles(graph), splitting)
+            }
+            Input::Rationals(graph) => {
+                let (graph, splitting) = divided(name, graph)?;
+                (Input::Rationals(graph), splitting)
+            }
+        })
+    }
+
+    /// What edges that cross are refused with.
+    pub(crate) fn advice(error: &Error) -> &'static str {
+        match error {
+            Error::CrossingEdges { .. } => {
+                " (`sweep-cdt crossings` lists all that do, --split-crossings makes vertices of them)"
+            }
+            _ => "",
+        }
+    }
+}
+
+fn divided<S: Coordinate + Exact>(
+    name: &str,
+    graph: Graph<S>,
+) -> Result<(Graph<S>, Splitting), Failure> {
+    let split = split(&graph.points, &graph.edges)
+        .map_err(|error| Failure::Error(format!("{name}: {}", graph.as_numbered(error))))?;
+    let splitting = Splitting {
+        vertices: split.points.len() - graph.points.len(),
+        edges: [graph.edges.len(), split.edges.len()],
+        rounds: split.rounds,
+        displacement: split.displacement,
+    };
+    let graph = Graph {
+        points: split.points,
+        edges: split.edges,
+        pieces_of: split.pieces_of,
+        ..graph
+    };
+    Ok((graph, splitting))
+}
+
+impl Splitting {
+    /// Writes it: one line.
+    pub(crate) fn write(&self, name: &str, out: &mut impl Write) -> io::Result<()> {
+        let Splitting {
+            vertices,
+            edges: [edges, pieces],
+            rounds,
+            displacement,
+        } = self;
+        write!(out, "{name}: {edges} edges split into {pieces}, ")?;
+        write!(out, "new vertices {vertices}, rounds {rounds}, ")?;
+        let displacement = displacement.text();
+        writeln!(
+            out,
+            "greatest displacement {displacement} units in the last place"
+        )
+    }
+}
