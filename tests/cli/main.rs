@@ -2,6 +2,7 @@
 #![cfg(feature = "cli")]
 
 mod certificate;
+mod crossings;
 mod errors;
 mod formats;
 mod inside;

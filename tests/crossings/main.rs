@@ -13,7 +13,7 @@ use sweep_cdt_properties::crossings::{Rounded, judge};
 use sweep_cdt_testing::{Input, Random, minimize};
 
 /// Tried of them, unless `SWEEP_CDT_CROSSINGS` says otherwise.
-const CASES: u64 = 600;
+const CASES: u64 = 150;
 
 /// The kinds of points.
 const KINDS: [(&str, fn(&mut Random) -> [f64; 2]); 8] = [

@@ -11,7 +11,7 @@ use sweep_cdt_testing::oracle::arrangement::{self, Exact, fractions, is_nearest}
 use sweep_cdt_testing::oracle::{check_answer, found};
 
 /// So many edges are split: each may cross all others, and the judge tries everything.
-const EDGES: usize = 12;
+const EDGES: usize = 10;
 
 /// What a split in doubles came to.
 #[derive(Clone, Copy, Debug, Default)]

@@ -39,8 +39,8 @@ pub(crate) struct Crossings {
 
 const AFTER_HELP: &str = "\
 Output, sorted by edges, which are numbered as the input numbers them:
-  .csv     edge,other,x,y,near_x,near_y: two edges, their common point exactly (a double or a
-           fraction), and the nearest doubles
+  .csv     edge,other,x,y,near_x,near_y: two edges, their common point exactly (a fraction, if
+           it is not whole), and the nearest doubles
   .json    {\"crossings\": [{\"edges\": [i, j], \"point\": [x, y], \"near\": [x, y]}, ...]}; fractions as
            strings: \"1/3\"
   Without -o they are printed, a line each.

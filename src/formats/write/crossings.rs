@@ -1,14 +1,15 @@
 //! Lists of edges that cross, as CSV or JSON.
 //!
-//! Edges are numbered as in their file. `x` and `y` are exact: a double, or a fraction. `near_x` and `near_y` are the nearest
+//! Edges are numbered as in their file. `x` and `y` are exact: a whole number that is a double, or a
+//! fraction. `near_x` and `near_y` are the nearest
 //! doubles.
 //!
 //! ```text
 //! edge,other,x,y,near_x,near_y
-//! 1,3,1/3,0.5,0.3333333333333333,0.5
+//! 1,3,1/3,1/2,0.3333333333333333,0.5
 //!
 //! {"crossings": [
-//! {"edges":[1,3],"point":["1/3",0.5],"near":[0.3333333333333333,0.5]}]}
+//! {"edges":[1,3],"point":["1/3","1/2"],"near":[0.3333333333333333,0.5]}]}
 //! ```
 
 use std::io::{self, Write};
@@ -40,7 +41,7 @@ struct Element {
     edges: [usize; 2],
     point: [Box<RawValue>; 2],
     /// `null` beyond the doubles.
-    near: [f64; 2],
+    near: [Option<Box<RawValue>>; 2],
 }
 
 /// Writes a list of edges of `graph` that cross, numbered as in its file.
@@ -84,7 +85,9 @@ pub fn write_crossings<S>(
                 let element = Element {
                     edges: graph.edges_as_numbered(crossing.edges),
                     point: crossing.point.each_ref().map(json_coordinate),
-                    near: crossing.near(),
+                    near: crossing
+                        .near()
+                        .map(|x| x.is_finite().then(|| json_coordinate(&x))),
                 };
                 serde_json::to_writer(&mut *out, &element)?;
             }

@@ -74,7 +74,7 @@ pub fn is_nearest(double: f64, exact: &BigRational) -> bool {
     let Some(distance) = off(double) else {
         return false;
     };
-    let is_even = double.to_bits() % 2 == 0;
+    let is_even = double.to_bits().is_multiple_of(2);
     [double.next_down(), double.next_up()]
         .into_iter()
         .filter_map(off)
