@@ -8,15 +8,22 @@
 //! prints how far edges moved.
 
 use std::cell::Cell;
+use std::cmp::Ordering;
 
+use num_rational::BigRational;
+use sweep_cdt::crossings::{Exact, crossings, split};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Error, triangulate};
 use sweep_cdt_properties::crossings::{Rounded, judge};
 use sweep_cdt_testing::{Input, Random, minimize};
 
 /// Tried of them, unless `SWEEP_CDT_CROSSINGS` says otherwise.
 const CASES: u64 = 150;
 
-/// The kinds of points.
-const KINDS: [(&str, fn(&mut Random) -> [f64; 2]); 8] = [
+/// A kind of points, and its name.
+type Kind = (&'static str, fn(&mut Random) -> [f64; 2]);
+
+const KINDS: [Kind; 8] = [
     ("lattice", |random| [random.integer(3), random.integer(3)]),
     ("thirds", |random| {
         [random.integer(6) / 3.0, random.integer(6) / 7.0]
@@ -95,4 +102,100 @@ fn random_edges_are_listed_and_split() {
         crossing > cases / 3,
         "edges of only {crossing} inputs cross"
     );
+}
+
+#[test]
+fn many_edges_through_one_point_give_one_vertex() {
+    let ends = |i: u32| [[0.0, f64::from(i)], [3.0, 7.0 - f64::from(i)]];
+    let mut points: Vec<[f64; 2]> = (0..8).flat_map(ends).collect();
+    let edges: Vec<[usize; 2]> = (0..8).map(|e| [2 * e, 2 * e + 1]).collect();
+    assert_eq!(crossings(&points, &edges).expect("valid").len(), 28);
+    let found = split(&points, &edges).expect("valid");
+    assert_eq!(found.points[16..], [[1.5, 3.5]]);
+    assert_eq!((found.edges.len(), found.displacement), (16, 0.0));
+    // Where the point is a vertex, nothing crosses, and nothing is split.
+    points.push([1.5, 3.5]);
+    assert_eq!(crossings(&points, &edges), Ok(Vec::new()));
+    let found = split(&points, &edges).expect("valid");
+    assert_eq!((found.edges, found.rounds), (edges, 0));
+}
+
+#[test]
+fn all_edges_among_the_points_of_a_lattice_are_split() {
+    // Tenths are not doubles, and the spacing of doubles changes among them.
+    for [from, step] in [
+        [0.0, 0.1],
+        [0.9, 0.1],
+        [2f64.powi(52), 1.0],
+        [-1e-3, 1.0 / 1700.0],
+    ] {
+        let at = |i: u32| from + f64::from(i) * step;
+        let points: Vec<_> = (0..16).map(|i| [at(i % 4), at(i / 4)]).collect();
+        let edges: Vec<_> = (0..16).flat_map(|w| (0..w).map(move |v| [v, w])).collect();
+        let split = split(&points, &edges).expect("few rounds");
+        let result = triangulate(&split.points, &split.edges).expect("no pieces cross");
+        assert!(result.verify(&split.points, &split.edges).is_ok());
+        println!(
+            "{from} {step}: {} pieces, {} rounds, {} units",
+            split.edges.len(),
+            split.rounds,
+            split.displacement
+        );
+        assert!(split.rounds <= 2 && split.points.len() > 100);
+    }
+}
+
+#[test]
+fn what_is_wrong_is_named() {
+    let points = [[0.0, 0.0], [1.0, f64::NAN]];
+    let vertex = Error::NonFiniteCoordinate { vertex: 1 };
+    assert_eq!(crossings(&points, &[[0, 0]]), Err(vertex));
+    assert_eq!(split(&points, &[[0, 0]]).unwrap_err(), vertex);
+    let missing = Error::EdgeOutOfRange { edge: 1, vertex: 9 };
+    assert_eq!(crossings(&points[..1], &[[0, 0], [0, 9]]), Err(missing));
+    assert_eq!(split(&points[..1], &[[0, 0], [0, 9]]).unwrap_err(), missing);
+}
+
+/// A double that is wrong about what is rounded to it: nothing but itself.
+#[derive(Clone, Debug)]
+struct Wrong(f64);
+
+impl Scalar for Wrong {
+    fn approx(&self) -> f64 {
+        self.0
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        self.0.compare(&other.0)
+    }
+
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+        let [a, b, c] = [a, b, c].map(|point| point.each_ref().map(Scalar::approx));
+        f64::orient2d(&a, &b, &c)
+    }
+
+    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
+        unreachable!("nothing is triangulated")
+    }
+}
+
+impl Exact for Wrong {
+    fn to_fraction(&self) -> BigRational {
+        self.0.to_fraction()
+    }
+
+    fn nearest(fraction: &BigRational) -> Wrong {
+        Wrong(f64::nearest(fraction))
+    }
+
+    fn around(&self) -> [Wrong; 2] {
+        [self.clone(), self.clone()]
+    }
+}
+
+#[test]
+fn rounding_that_does_not_end_is_an_error() {
+    let points = [[0.0, 0.0], [3.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|p| p.map(Wrong));
+    let outcome = split(&points, &[[0, 1], [2, 3]]);
+    assert_eq!(outcome.unwrap_err(), Error::TooManyRounds { limit: 100 });
 }
