@@ -32,7 +32,8 @@ pub enum Error {
         /// Its end that is out of range (the first one of two).
         vertex: usize,
     },
-    /// Two edges cross at a point inside both of them that is not a vertex.
+    /// Two edges cross at a point inside both of them that is not a vertex. [`crossings`](crate::crossings) lists all
+    /// that do, and splits them.
     #[error("edges {} and {} cross", edges[0], edges[1])]
     CrossingEdges {
         /// The two edges, lower index first.

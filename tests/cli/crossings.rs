@@ -108,7 +108,7 @@ fn edges_are_split_and_the_result_is_verified() {
     let folder = folder(&[("a.poly", POLY), ("b.json", THIRDS)]);
     let line = |name: &str, displacement: &str| {
         format!(
-            "{name}: 4 edges split into 10, new vertices 3, rounds 1, \
+            "{name}: 4 edges split into 11, new vertices 3, rounds 1, \
              greatest displacement {displacement} units in the last place\n"
         )
     };
