@@ -19,7 +19,7 @@
 //!
 //! Cost: O((n + k) log n) for n edges of which k pairs have boxes that meet, plus some microseconds for each pair that
 //! crosses. For edges that are short beside the whole, or far apart, k is about as many as cross. At worst, where
-//! all boxes meet (long parallel diagonals), k is n²/2. A crossing takes about 400 bytes.
+//! all boxes meet (long parallel diagonals), k is n²/2. A crossing of doubles takes some 300 bytes.
 
 mod boxes;
 mod cells;

@@ -1,7 +1,7 @@
 //! Edges split where they cross, so that the crossing points become vertices.
 //!
 //! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the scalar
-//! (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices that it passes
+//! (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices of edges that it passes
 //! ([`cells`](super::cells)), the new ones among them. A piece that is bent so may cross others, which the next round finds. The
 //! end is reached when none cross: then the pieces are an input that has a triangulation.
 //!
@@ -103,8 +103,8 @@ pub(crate) fn joined(
 
 /// The same edges, split where they cross at points that are none of `points`; these become vertices.
 ///
-/// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, and what then crosses
-/// is split again, until nothing does. So [`triangulate`](crate::triangulate) does not refuse the
+/// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, each edge goes through
+/// all vertices of edges to which a point of it is rounded, and what then crosses is split again, until nothing does. So [`triangulate`](crate::triangulate) does not refuse the
 /// result with [`Error::CrossingEdges`].
 ///
 /// # Errors
