@@ -10,12 +10,12 @@
 //!     4   5   6   7
 //! ```
 //!
-//! Why it is right: boxes are made of doubles near the coordinates, which are monotone ([`Scalar::approx`]), and are only
-//! compared. So boxes of what has a point in common meet, however large, small or close the coordinates are. A
-//! range that is passed over holds no box that meets the given one.
+//! Why it is right: boxes are made of doubles near the coordinates, which are monotone ([`Scalar::approx`]), and
+//! are only compared. So boxes of what has a point in common meet, however large, small or close the coordinates
+//! are. A range that is passed over holds no box that meets the given one.
 //!
-//! Cost: O(n log n) to build, with one selection for each range; for each search O(log n) where boxes are spread, and all
-//! that it finds.
+//! Cost: O(n log n) to build, with one selection for each range; for each search O(log n) where boxes are spread,
+//! and all that it finds.
 
 use crate::error::Error;
 use crate::scalar::Scalar;

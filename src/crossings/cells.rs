@@ -1,7 +1,8 @@
 //! Which vertices a piece passes: those to which a point of it is rounded.
 //!
-//! The *cell* of a vertex is what is rounded to it: an upright box, half of the way to the numbers around it in x and y.
-//! Its sides belong to it where a number halfway is rounded to the vertex. Of a fraction it is the point alone.
+//! The *cell* of a vertex is what is rounded to it: an upright box, half of the way to the numbers around it in x
+//! and y. Its sides belong to it where a number halfway is rounded to the vertex. Of a fraction it is the point
+//! alone.
 //!
 //! Why it is right: a piece passes where a part of it is in the cell along x, a part along y, and these parts have
 //! something in common. Each is a range of fractions. Before that four exact signs exclude most vertices: if all
@@ -88,8 +89,8 @@ fn passes<S: Exact>([a, b]: [&[S; 2]; 2], point: &[S; 2]) -> bool {
     from.0 < to.0 || from.0 == to.0 && from.1 && to.1
 }
 
-/// The part of the way from `a` to `b`, 0 to 1, where a coordinate is rounded to `value`; beyond both ends too. `None` if it
-/// is nowhere.
+/// The part of the way from `a` to `b`, 0 to 1, where a coordinate is rounded to `value`; beyond both ends too.
+/// `None` if it is nowhere.
 fn part<S: Exact>([a, b]: [&S; 2], value: &S) -> Option<Part> {
     let middle = value.to_fraction();
     let cell = value.around().map(|other| {

@@ -1,9 +1,10 @@
 //! Coordinates as fractions, and back; and where two lines meet.
 //!
-//! Why it is right: every finite double is a fraction whose denominator is a power of two. The point where two lines meet
-//! is computed in whole numbers, over one denominator for all four points, and made a fraction in lowest terms at
-//! the end. Rounding is to the nearest double, and of two that are equally near to the one whose last bit is zero
-//! (`num-rational`), subnormal ones included. So it is monotone, and a fraction that is a double stays as it is.
+//! Why it is right: every finite double is a fraction whose denominator is a power of two. The point where two
+//! lines meet is computed in whole numbers, over one denominator for all four points, and made a fraction in lowest
+//! terms at the end. Rounding is to the nearest double, and of two that are equally near to the one whose last bit
+//! is zero (`num-rational`), subnormal ones included. So it is monotone, and a fraction that is a double stays as
+//! it is.
 //!
 //! Cost: some microseconds for a point; more where exponents differ much.
 

@@ -1,9 +1,9 @@
 //! Edges that cross: all pairs of them, and the same edges split where they cross.
 //!
 //! A triangulation takes no edges that cross at a point that is no vertex (the paper says nothing of them), and
-//! [`Error::CrossingEdges`] names one such pair. [`crossings`] lists all pairs, each with its exact point, and [`split`]
-//! makes vertices of these points. Edges that touch or cross at a vertex, pass through vertices, overlap or have no length
-//! are no errors, and are not listed.
+//! [`Error::CrossingEdges`] names one such pair. [`crossings`] lists all pairs, each with its exact point, and
+//! [`split`] makes vertices of these points. Edges that touch or cross at a vertex, pass through vertices, overlap
+//! or have no length are no errors, and are not listed.
 //!
 //! | | file |
 //! |---|---|

@@ -1,9 +1,10 @@
 //! Edges split where they cross, so that the crossing points become vertices.
 //!
-//! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the scalar
-//! (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices of edges that it passes
-//! ([`cells`](super::cells)), the new ones among them. A piece that is bent so may cross others, which the next round finds. The
-//! end is reached when none cross: then the pieces are an input that has a triangulation.
+//! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the
+//! scalar (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices of edges
+//! that it passes ([`cells`](super::cells)), the new ones among them. A piece that is bent so may cross others,
+//! which the next round finds. The end is reached when none cross: then the pieces are an input that has a
+//! triangulation.
 //!
 //! ```text
 //!      a     d                 a     d
@@ -14,18 +15,19 @@
 //!      c     b                  c   b
 //! ```
 //!
-//! *Why it ends.* Rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a
-//! chain never turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common, so
-//! each round gives some chain a new vertex, and there are only so many numbers in a box. Numbers with equal spacing
-//! need one round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing crosses. Doubles
-//! are closer to each other near zero, which may take more. A limit of [`ROUNDS`] turns what would take too long into an error.
+//! *Why it ends.* Rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a chain
+//! never turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common, so
+//! each round gives some chain a new vertex, and there are only so many numbers in a box. Numbers with equal
+//! spacing need one round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing
+//! crosses. Doubles are closer to each other near zero, which may take more. A limit of [`ROUNDS`] turns what would
+//! take too long into an error.
 //!
-//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a place that
-//! becomes a vertex by its rounding, and the points between two vertices by a mean of what these move by. All vertices lie
-//! in the box of the edge, so a *unit* of an edge, along x or y, is the distance of the numbers around the larger one (in
-//! size) of its ends' coordinates. A vertex is `d` units away from its edge if some point of the edge differs from it by at
-//! most `d` units in each coordinate, and `d` is the least such number. The [`displacement`](Split::displacement) is the
-//! greatest of them. It is at most half the number of rounds.
+//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a place
+//! that becomes a vertex by its rounding, and the points between two vertices by a mean of what these move by. All
+//! vertices lie in the box of the edge, so a *unit* of an edge, along x or y, is the distance of the numbers around
+//! the larger one (in size) of its ends' coordinates. A vertex is `d` units away from its edge if some point of the
+//! edge differs from it by at most `d` units in each coordinate, and `d` is the least such number. The
+//! [`displacement`](Split::displacement) is the greatest of them. It is at most half the number of rounds.
 //!
 //! Cost: that of finding the crossings and of finding the vertices that pieces pass, in each round.
 //!
@@ -48,8 +50,8 @@ use crate::triangulation::Triangulation;
 /// After so many rounds edges must not cross any more.
 const ROUNDS: usize = 100;
 
-/// An input whose edges are split where they cross: [`points`](Split::points) and [`edges`](Split::edges) are what is to be
-/// triangulated.
+/// An input whose edges are split where they cross: [`points`](Split::points) and [`edges`](Split::edges) are what
+/// is to be triangulated.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Split<S> {
@@ -103,9 +105,9 @@ pub(crate) fn joined(
 
 /// The same edges, split where they cross at points that are none of `points`; these become vertices.
 ///
-/// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, each edge goes through
-/// all vertices of edges to which a point of it is rounded, and what then crosses is split again, until nothing does. So [`triangulate`](crate::triangulate) does not refuse the
-/// result with [`Error::CrossingEdges`].
+/// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, each edge goes
+/// through all vertices of edges to which a point of it is rounded, and what then crosses is split again, until
+/// nothing does. So [`triangulate`](crate::triangulate) does not refuse the result with [`Error::CrossingEdges`].
 ///
 /// # Errors
 /// [`Error`]: as [`crossings`](super::crossings()), or that edges still cross after 100 rounds.
