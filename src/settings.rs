@@ -29,6 +29,11 @@ pub enum Algorithm {
     /// Divide and conquer for the points (Lee and Schachter 1980; Guibas and Stolfi 1985), then the edges
     /// one by one (Anglada 1997): O(n log n) for the points, whatever they are.
     DivideAndConquer,
+    /// Randomized incremental insertion with jump and walk for the points (Mücke, Saias and Zhu 1996), then the
+    /// edges one by one (Anglada 1997): the paper's M-INC, for comparison. Expected O(n^(4/3)) for n points that
+    /// are evenly spread; O(n^2) on some inputs.
+    #[cfg(feature = "comparison")]
+    Incremental,
 }
 
 /// Settings of the two heuristics of the point event: they change the work, never the result.

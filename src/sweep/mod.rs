@@ -44,6 +44,8 @@ mod artificial;
 mod bands;
 mod basins;
 mod chain;
+#[cfg(feature = "comparison")]
+mod comparison;
 mod corner;
 mod divide_and_conquer;
 mod edge_event;
@@ -108,6 +110,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
         let swept = match settings.algorithm {
             Algorithm::DivideAndConquer => 0,
             Algorithm::Auto | Algorithm::Sweep => self.sweep_to_hull(settings.progress)?,
+            #[cfg(feature = "comparison")]
+            Algorithm::Incremental => self.insert_at_random()?,
         };
         if swept < self.fabric.signs.vertices.len() {
             self.divide_and_conquer(swept)?;

@@ -16,6 +16,31 @@ use crate::ids::{OpenId, narrow};
 /// So few corners are near each other in any order.
 const FEW: usize = 4096;
 
+/// Marsaglia's xorshift: the same numbers in every run and on every machine.
+#[derive(Debug)]
+pub(super) struct Random(u32);
+
+impl Random {
+    pub(super) fn new() -> Random {
+        Random(0x2545_F491)
+    }
+
+    /// A number below `n`.
+    pub(super) fn below(&mut self, n: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 17;
+        self.0 ^= self.0 << 5;
+        self.0 as usize % n
+    }
+
+    /// Puts a list into random order.
+    pub(super) fn shuffle<T>(&mut self, list: &mut [T]) {
+        for i in (1..list.len()).rev() {
+            list.swap(i, self.below(i + 1));
+        }
+    }
+}
+
 /// Positions are those in the stretch.
 #[derive(Debug, Default)]
 pub(super) struct Stretch {
@@ -35,13 +60,7 @@ impl Stretch {
         let len = narrow(corners);
         self.order.clear();
         self.order.extend(1..len - 1);
-        let mut random = 0x2545_F491_u32;
-        for i in (1..self.order.len()).rev() {
-            random ^= random << 13;
-            random ^= random >> 17;
-            random ^= random << 5;
-            self.order.swap(i, random as usize % (i + 1));
-        }
+        Random::new().shuffle(&mut self.order);
         // The last half of them from left to right, then the half before, and so on.
         let mut end = self.order.len();
         while end > FEW {

@@ -1,5 +1,5 @@
 //! The table of runs: every scalar with every front and every setting of the heuristics, and every scalar
-//! with divide and conquer, in bands, and in memory that all inputs before it have used.
+//! with the other algorithms, in bands, and in memory that all inputs before it have used.
 //!
 //! A new front is a variant of [`FrontKind`], a new scalar one line in [`all`] and a [`Sample`] that says how
 //! it is made of a double.
@@ -43,6 +43,12 @@ const HEURISTICS: &[(&str, Heuristics)] = &[
     ("off", Heuristics::OFF),
 ];
 
+/// The algorithms beside the sweep, with their names.
+pub const ALGORITHMS: [(&str, Algorithm); 2] = [
+    ("divide and conquer", Algorithm::DivideAndConquer),
+    ("incremental", Algorithm::Incremental),
+];
+
 /// All runs; the first is the one that callers get who choose nothing.
 pub fn all() -> Vec<Run> {
     let mut runs = with::<f64>("f64");
@@ -71,14 +77,16 @@ pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
             });
         }
     }
-    runs.push(Run {
-        name: format!("{scalar}, divide and conquer"),
-        choice: Choice {
-            algorithm: Algorithm::DivideAndConquer,
-            ..Choice::default()
-        },
-        call: call::<S>,
-    });
+    for (name, algorithm) in ALGORITHMS {
+        runs.push(Run {
+            name: format!("{scalar}, {name}"),
+            choice: Choice {
+                algorithm,
+                ..Choice::default()
+            },
+            call: call::<S>,
+        });
+    }
     runs.push(Run {
         name: format!("{scalar}, memory kept"),
         choice: Choice::default(),

@@ -32,7 +32,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// Both ends of a ghost's hull side, counter-clockwise around the hull.
-    pub(super) fn ends(&self, ghost: Side) -> [VertexId; 2] {
+    pub(in crate::sweep) fn ends(&self, ghost: Side) -> [VertexId; 2] {
         let [_, b, a] = self.mesh.around(ghost);
         [a, b]
     }
@@ -87,7 +87,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// A triangle with its ghosts; the hull side of the first one starts at its first vertex.
-    fn triangle(&mut self, [a, b, c]: [VertexId; 3]) -> [Side; 3] {
+    pub(in crate::sweep) fn triangle(&mut self, [a, b, c]: [VertexId; 3]) -> [Side; 3] {
         let ghosts = self.ring([a, b, c]);
         self.mesh.add([c, a, b], ghosts);
         ghosts

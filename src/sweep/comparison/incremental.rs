@@ -1,0 +1,164 @@
+//! Randomized incremental insertion, the paper's M-INC: points in random order, located by jump and walk (Mücke,
+//! Saias and Zhu 1996), and legalized by Lawson's flips.
+//!
+//! The triangulation begins with the first two vertices in sweep order and the first one off their line. Ghosts
+//! surround it ([`super::super::divide_and_conquer`]), so a vertex outside the hull is inserted like one within.
+//!
+//! ```text
+//!    jump: of some triangles drawn at random,       insertion:      a                  a
+//!    the one nearest to p is the start.                           / | \              / | \
+//!    walk: across a side that has p strictly                     /  |  \     ->     /  p  \
+//!    on its other side, until there is none,                    / p |   \          / /  \  \
+//!    or until a ghost is reached.                              b----------c       b----------c
+//! ```
+//!
+//! Why the walk ends: lifted to the paraboloid, and lowered where four lie on one circle ([`super::super::signs`]),
+//! the triangulation is a convex surface. Where the walk crosses a side, the plane of the triangle beyond it lies
+//! higher above the new vertex than that of the one before. So no triangle is visited twice.
+//!
+//! Why the insertion is right: the triangle found becomes three. All other sides were legal, so only those
+//! opposite the new vertex can be illegal, and [`Fabric::legalize_fan`] flips them. A vertex on a side makes a
+//! triangle without area there. It lies inside the circle beyond that side, so the side is flipped. On the hull
+//! the triangle found is the ghost, and the triangle without area lies on the inner side. A ghost is flipped
+//! where its hull side has the vertex strictly outside: by the rule for a side with an artificial end.
+//!
+//! Cost: expected O(n^(4/3)) for n points that are evenly spread: O(n^(1/3)) draws and steps for each, and a
+//! constant number of flips for any points. Where points crowd, the walks are longer: O(n) each at worst.
+//!
+//! Differs from Mücke, Saias and Zhu: triangles are drawn in place of vertices, as in Shewchuk's Triangle, which
+//! the paper compares with.
+
+use std::cmp::Ordering::{Equal, Less};
+
+use super::super::fabric::Fabric;
+use super::super::flip_limit::contradiction;
+use super::super::state::Sweep;
+use super::super::stretch::Random;
+use crate::error::Error;
+use crate::front::{Front, FrontSearch};
+use crate::ids::{TriangleId, VertexId};
+use crate::mesh::Side;
+use crate::probe::Probe;
+use crate::scalar::Scalar;
+use crate::stats::Phase;
+
+impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+    /// Triangulates by insertion, and then inserts the edges; afterwards the hull is complete. Returns how many
+    /// vertices lie within it: all, or none if they all lie on one line.
+    pub(in crate::sweep) fn insert_at_random(&mut self) -> Result<usize, Error> {
+        let n = self.fabric.signs.vertices.len();
+        let Some(off_line) = self.fabric.first_off_line() else {
+            return Ok(0);
+        };
+        self.fabric.probe.begin(Phase::Sweeping);
+        self.front = Front::new(n);
+        self.fabric.mesh.clear();
+        self.fabric.mesh.renew_open(n + 2);
+        self.fabric.first_triangle(off_line);
+        let random = &mut Random::new();
+        let mut order: Vec<VertexId> = (2..n)
+            .map(VertexId::at)
+            .filter(|&v| v != off_line)
+            .collect();
+        random.shuffle(&mut order);
+        let mut draws = 1;
+        for (inserted, &p) in (3..).zip(&order) {
+            while (draws + 1_usize).pow(3) <= inserted {
+                draws += 1;
+            }
+            let start = self.fabric.nearest_of(draws, p, random);
+            let found = self.fabric.walk(start, p);
+            self.fabric.insert(p, found);
+        }
+        let start = self.fabric.lowest_ghost();
+        self.hand_over(start);
+        self.insert_all()?;
+        Ok(n)
+    }
+}
+
+impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+    /// The first two vertices and the first one off their line, with ghosts around them.
+    fn first_triangle(&mut self, off_line: VertexId) {
+        let [a, b] = [0, 1].map(VertexId::at);
+        let corners = if self.orient2d([a, b, off_line]) == Less {
+            [a, off_line, b]
+        } else {
+            [a, b, off_line]
+        };
+        self.triangle(corners);
+    }
+
+    /// Of so many triangles drawn at random, the one nearest to `p` by its first vertex, in plain floating point.
+    fn nearest_of(&self, draws: usize, p: VertexId, random: &mut Random) -> TriangleId {
+        let [px, py] = self.signs.approx(p);
+        let mut nearest = (f64::INFINITY, TriangleId::new(0));
+        for _ in 0..draws {
+            let t = TriangleId::at(random.below(self.mesh.len()));
+            let [x, y] = self.signs.approx(self.mesh.get(t).vertex(0));
+            // No number for the vertex of the ghosts.
+            let square = (x - px) * (x - px) + (y - py) * (y - py);
+            if square < nearest.0 {
+                nearest = (square, t);
+            }
+        }
+        nearest.1
+    }
+
+    /// The triangle with `p` in it or on its border, or the ghost of a hull side that has `p` strictly outside or
+    /// on it.
+    fn walk(&mut self, start: TriangleId, p: VertexId) -> TriangleId {
+        // The side crossed last, as one of the triangle entered. At first none is.
+        let inner = self.hull_side(start).map(|side| self.mesh.across(side));
+        let mut entered = inner.unwrap_or(Side::new(start, 0));
+        let mut tested = 0;
+        // No triangle is visited twice.
+        for steps in 0..=self.mesh.len() {
+            let mut on = None;
+            let mut crossed = None;
+            if !self.signs.is_artificial(self.mesh.opposite(entered)) {
+                let sides = [entered, entered.next(), entered.prev()];
+                crossed = sides.into_iter().skip(tested).find(|&side| {
+                    let [_, a, b] = self.mesh.around(side);
+                    let turn = self.orient2d([a, b, p]);
+                    if turn == Equal {
+                        on = Some(side);
+                    }
+                    turn == Less
+                });
+            }
+            let Some(crossed) = crossed else {
+                self.probe.count(|c| c.front_steps += steps as u64);
+                return on.map_or(entered, |side| self.mesh.across(side)).triangle();
+            };
+            (entered, tested) = (self.mesh.across(crossed), 1);
+        }
+        contradiction()
+    }
+
+    /// The hull side of a ghost; `None` for any other triangle.
+    fn hull_side(&self, t: TriangleId) -> Option<Side> {
+        let mut sides = [0, 1, 2].map(|i| Side::new(t, i)).into_iter();
+        sides.find(|&side| self.signs.is_artificial(self.mesh.opposite(side)))
+    }
+
+    /// Makes three of triangle `t`, around `p`, and legalizes them.
+    fn insert(&mut self, p: VertexId, t: TriangleId) {
+        let [a, b, c] = self.mesh.get(t).vertices();
+        let [_, ca, ab] = [0, 1, 2].map(|i| Side::new(t, i));
+        let [across_ca, across_ab] = [ca, ab].map(|side| self.mesh.across(side));
+        // Triangle t becomes p b c.
+        self.mesh.set_opposite(Side::new(t, 0), p);
+        let u = self.mesh.add([p, c, a], [across_ca, Side::NOTHING, ca]);
+        let pa = Side::new(u, 1);
+        let w = self.mesh.add([p, a, b], [across_ab, ab, pa]);
+        self.legalize_fan(w, a);
+    }
+
+    /// The ghost of the hull side that starts at the lowest vertex.
+    fn lowest_ghost(&self) -> Side {
+        let ghosts = (0..self.mesh.len()).filter_map(|t| self.hull_side(TriangleId::at(t)));
+        let mut at_lowest = ghosts.filter(|&ghost| self.ends(ghost)[0] == VertexId::new(0));
+        at_lowest.next().unwrap_or_else(|| contradiction())
+    }
+}
