@@ -34,6 +34,10 @@ pub enum Algorithm {
     /// are evenly spread; O(n^2) on some inputs.
     #[cfg(feature = "comparison")]
     Incremental,
+    /// The sweep of Žalik (2005) for the points, without artificial points and with the heuristics given, then the
+    /// edges one by one, for comparison. O(n^2) on some inputs.
+    #[cfg(feature = "comparison")]
+    Sweep2005,
 }
 
 /// Settings of the two heuristics of the point event: they change the work, never the result.

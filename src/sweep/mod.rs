@@ -112,6 +112,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
             Algorithm::Auto | Algorithm::Sweep => self.sweep_to_hull(settings.progress)?,
             #[cfg(feature = "comparison")]
             Algorithm::Incremental => self.insert_at_random()?,
+            #[cfg(feature = "comparison")]
+            Algorithm::Sweep2005 => self.sweep_without_artificial()?,
         };
         if swept < self.fabric.signs.vertices.len() {
             self.divide_and_conquer(swept)?;

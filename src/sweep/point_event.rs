@@ -36,6 +36,13 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Adds vertex `p`, the next one in sweep order.
     pub(super) fn point_event(&mut self, p: VertexId) {
         let (left, is_above) = self.segment_under(p);
+        self.add_above(p, left, is_above);
+        self.apply_heuristics(p);
+    }
+
+    /// Joins `p` to the front on the segment that starts at `left`; `is_above` if it lies above that.
+    #[inline(always)]
+    pub(super) fn add_above(&mut self, p: VertexId, left: VertexId, is_above: bool) {
         let right = self.front.next(left);
 
         self.fabric.report(|name| Event::Point {
@@ -58,11 +65,16 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.put_on_front(p, left);
         self.fabric.legalize_fan(t, right);
 
-        // The second triangle of the left case, and those of the heuristics.
+        // The second triangle of the left case.
         if is_above {
             self.fabric.probe.count(|c| c.left_cases += 1);
             self.close_corner(p, Way::Left, Why::Point);
         }
+    }
+
+    /// The triangles that the heuristics add beside `p`, the node of the front swept last.
+    #[inline(always)]
+    pub(super) fn apply_heuristics(&mut self, p: VertexId) {
         let heuristics = self.heuristics();
         if heuristics.corners != Corners::Off {
             self.close_narrow_corners(p, heuristics.corners);
@@ -75,7 +87,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// The left end of the front segment under the projection of `p`: the last node whose x is at most
     /// that of `p`, and whether it is equal. The search structure says where to start.
     #[inline(always)]
-    fn segment_under(&mut self, p: VertexId) -> (VertexId, bool) {
+    pub(super) fn segment_under(&mut self, p: VertexId) -> (VertexId, bool) {
         let signs = &self.fabric.signs;
         let start = self.search.locate(signs.search_x(p), &self.front);
         assert!(

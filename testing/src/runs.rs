@@ -44,9 +44,10 @@ const HEURISTICS: &[(&str, Heuristics)] = &[
 ];
 
 /// The algorithms beside the sweep, with their names.
-pub const ALGORITHMS: [(&str, Algorithm); 2] = [
+pub const ALGORITHMS: [(&str, Algorithm); 3] = [
     ("divide and conquer", Algorithm::DivideAndConquer),
     ("incremental", Algorithm::Incremental),
+    ("sweep of 2005", Algorithm::Sweep2005),
 ];
 
 /// All runs; the first is the one that callers get who choose nothing.

@@ -5,6 +5,7 @@
 //! | the paper's | what | file |
 //! |---|---|---|
 //! | M-INC | randomized incremental insertion | [`incremental`] |
+//! | section 3.1 | the sweep without artificial points | [`sweep_2005`] |
 //!
 //! Each triangulates the points. Then the edges are inserted one by one (Anglada 1997) by the code of the edge
 //! event, in the order of the sweep. So the results are the same, and of several crossings the same is found.
@@ -13,6 +14,7 @@
 //! line, which are not among the signs of a [`Scalar`].
 
 mod incremental;
+mod sweep_2005;
 
 use std::cmp::Ordering::Equal;
 

@@ -41,7 +41,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// The artificial triangles of the lower hull as ghosts, counter-clockwise; the one between those of P-1
     /// and those of P-2 retires.
-    fn lower_ghosts(&mut self) -> Vec<Side> {
+    pub(in crate::sweep) fn lower_ghosts(&mut self) -> Vec<Side> {
         let artificial = self.fabric.signs.artificial;
         let mesh = &mut self.fabric.mesh;
         let mut ghosts = Vec::new();

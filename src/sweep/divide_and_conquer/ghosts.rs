@@ -25,7 +25,7 @@ use crate::scalar::Scalar;
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// A ghost for the hull side from `a` to `b`.
-    pub(super) fn add_ghost(&mut self, a: VertexId, b: VertexId) -> Side {
+    pub(in crate::sweep) fn add_ghost(&mut self, a: VertexId, b: VertexId) -> Side {
         let ghost = self.signs.artificial.left;
         let t = self.mesh.add([ghost, b, a], [Side::NOTHING; 3]);
         Side::new(t, 0)
@@ -48,7 +48,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// Makes two ghosts neighbours: the hull side of `after` starts where that of `before` ends.
-    pub(super) fn join_ghosts(&mut self, before: Side, after: Side) {
+    pub(in crate::sweep) fn join_ghosts(&mut self, before: Side, after: Side) {
         self.mesh.connect(before.prev(), after.next());
     }
 

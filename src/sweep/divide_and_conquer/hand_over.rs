@@ -78,7 +78,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// Artificial triangles take the place of these ghosts: those `left` of the lowest vertex, which run down
     /// to it, and those `right` of it, which run up to the last vertex of the front.
-    fn close_lower_hull(
+    pub(in crate::sweep) fn close_lower_hull(
         &mut self,
         left: &[Side],
         right: &[Side],
