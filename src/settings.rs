@@ -34,6 +34,10 @@ pub enum Algorithm {
     /// are evenly spread; O(n^2) on some inputs.
     #[cfg(feature = "comparison")]
     Incremental,
+    /// Fortune's sweep line (1987) for the points, then the edges one by one: the paper's F-S, for comparison. Its
+    /// beach line is kept in floating point; exact signs judge what comes of it. O(n^2) on some inputs.
+    #[cfg(feature = "comparison")]
+    Fortune,
     /// The sweep of Žalik (2005) for the points, without artificial points and with the heuristics given, then the
     /// edges one by one, for comparison. O(n^2) on some inputs.
     #[cfg(feature = "comparison")]

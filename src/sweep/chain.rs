@@ -94,7 +94,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// Closes one corner; returns the open side that replaces its two.
-    fn fill_ear(&mut self, [a, b, c]: [Corner; 3], why: Why) -> OpenId {
+    pub(super) fn fill_ear(&mut self, [a, b, c]: [Corner; 3], why: Why) -> OpenId {
         let joined = [a, b].map(|corner| self.mesh.has_below(corner.open));
         // If a triangle is joined at the first side, the chord takes over the number of that side.
         let chord = if joined[0] {

@@ -28,6 +28,7 @@
 //! | when the sweep is abandoned | [`flip_limit`] |
 //! | the net under it: divide and conquer | [`divide_and_conquer`] |
 //! | the sweep on all cores | `bands` (feature `parallel`) |
+//! | other algorithms of section 4, and the sweep of 2005 | `comparison` (feature `comparison`) |
 //! | memory for many runs | [`memory`] |
 //!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
@@ -112,6 +113,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
             Algorithm::Auto | Algorithm::Sweep => self.sweep_to_hull(settings.progress)?,
             #[cfg(feature = "comparison")]
             Algorithm::Incremental => self.insert_at_random()?,
+            #[cfg(feature = "comparison")]
+            Algorithm::Fortune => self.sweep_beach_line()?,
             #[cfg(feature = "comparison")]
             Algorithm::Sweep2005 => self.sweep_without_artificial()?,
         };

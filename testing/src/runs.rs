@@ -44,9 +44,10 @@ const HEURISTICS: &[(&str, Heuristics)] = &[
 ];
 
 /// The algorithms beside the sweep, with their names.
-pub const ALGORITHMS: [(&str, Algorithm); 3] = [
+pub const ALGORITHMS: [(&str, Algorithm); 4] = [
     ("divide and conquer", Algorithm::DivideAndConquer),
     ("incremental", Algorithm::Incremental),
+    ("fortune", Algorithm::Fortune),
     ("sweep of 2005", Algorithm::Sweep2005),
 ];
 

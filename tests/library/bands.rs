@@ -12,7 +12,7 @@ use sweep_cdt_testing::data::{self, Hard};
 use sweep_cdt_testing::families;
 use sweep_cdt_testing::generators::medium;
 use sweep_cdt_testing::oracle::{Answer, check_links, found};
-use sweep_cdt_testing::runs::convert;
+use sweep_cdt_testing::runs::{ALGORITHMS, convert};
 use sweep_cdt_testing::{Input, Random};
 
 const BANDS: [usize; 4] = [2, 3, 4, 5];
@@ -129,7 +129,8 @@ fn other_settings() {
     for seed in 0..40 {
         let random = &mut Random::new(seed);
         let Input { points, edges } = medium(random);
-        for algorithm in [Algorithm::Sweep, Algorithm::DivideAndConquer] {
+        let others = ALGORITHMS.map(|(_, algorithm)| algorithm);
+        for algorithm in [Algorithm::Sweep].into_iter().chain(others) {
             let triangulator = Triangulator::new()
                 .algorithm(algorithm)
                 .heuristics(random.pick(&[Heuristics::PAPER, Heuristics::OFF]));

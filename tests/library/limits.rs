@@ -10,6 +10,7 @@ use sweep_cdt::verify::{Violation, verify};
 use sweep_cdt::{Algorithm, Error, Triangulation, Triangulator, triangulate};
 use sweep_cdt_testing::Random;
 use sweep_cdt_testing::oracle::{exact_verdict, found};
+use sweep_cdt_testing::runs::ALGORITHMS;
 
 /// Runs points of a scalar and compares with the oracle's integers.
 fn agrees<S: Scalar>(points: &[[S; 2]], integers: &[[BigInt; 2]], edges: &[[usize; 2]]) {
@@ -220,11 +221,11 @@ fn blamed<const KIND: u8>(algorithm: Algorithm) -> usize {
 #[test]
 fn every_run_ends() {
     let mut all = 0;
-    for algorithm in [
-        Algorithm::Auto,
-        Algorithm::Sweep,
-        Algorithm::DivideAndConquer,
-    ] {
+    let others = ALGORITHMS.map(|(_, algorithm)| algorithm);
+    for algorithm in [Algorithm::Auto, Algorithm::Sweep]
+        .into_iter()
+        .chain(others)
+    {
         let blamed = [
             blamed::<ALWAYS_INSIDE>(algorithm),
             blamed::<RANDOM_CIRCLES>(algorithm),

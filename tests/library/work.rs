@@ -6,6 +6,7 @@
 use sweep_cdt::{Algorithm, Counters, Error, Heuristics, Stats, Triangulation, Triangulator};
 use sweep_cdt_testing::families::{self, Family};
 use sweep_cdt_testing::oracle::{Answer, check, found};
+use sweep_cdt_testing::runs::ALGORITHMS;
 use sweep_cdt_testing::{Input, Random, data};
 
 use crate::assert_snapshot;
@@ -130,7 +131,8 @@ fn small_members_are_right() {
     for family in families::all() {
         println!("{}", family.name);
         let input = member(family, 100);
-        for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
+        let others = ALGORITHMS.map(|(_, algorithm)| algorithm);
+        for algorithm in [Algorithm::Auto].into_iter().chain(others) {
             let (result, _) = run(&input, algorithm);
             check(&input.points, &input.edges, &result);
         }
@@ -138,16 +140,19 @@ fn small_members_are_right() {
 }
 
 #[test]
-fn both_algorithms_agree_on_every_family() {
+fn all_algorithms_agree_on_every_family() {
     for family in families::all() {
         println!("{}", family.name);
         let input = member(family, 3000);
-        let [here, there] = [Algorithm::Sweep, Algorithm::DivideAndConquer].map(|algorithm| {
+        let by = |algorithm| {
             let (result, stats) = run(&input, algorithm);
             assert_eq!(stats.is_divided, algorithm == Algorithm::DivideAndConquer);
             answer(&input, &result)
-        });
-        assert_eq!(here, there);
+        };
+        let here = by(Algorithm::Sweep);
+        for (name, algorithm) in ALGORITHMS {
+            assert_eq!(here, by(algorithm), "{name}");
+        }
     }
 }
 
@@ -214,6 +219,46 @@ fn where_flips_are_many_the_papers_heuristics_go_on() {
     assert_eq!(answer(&input, &as_set), answer(&input, &changed));
 }
 
+/// Mücke, Saias and Zhu: where points are evenly spread, the walk has about as many steps as triangles are
+/// drawn, the cube root of the points. A point is inserted with three flips or fewer, on average over the orders.
+#[test]
+fn walks_to_random_points_are_short() {
+    for n in [1000, 30_000] {
+        let points = Random::new(2).points(n);
+        let edges = Vec::new();
+        let (_, stats) = run(&Input { points, edges }, Algorithm::Incremental);
+        let [steps, flips] =
+            [stats.counters.front_steps, stats.counters.flips].map(|count| count as f64 / n as f64);
+        assert!(steps < 1.3 * (n as f64).cbrt(), "{steps} steps, {n} points");
+        assert!(flips < 3.1, "{flips} flips, {n} points");
+    }
+}
+
+/// Of what floating point chooses for Fortune's sweep line, exact signs must mend next to nothing.
+#[test]
+fn a_beach_line_leaves_few_sides_to_flip() {
+    let points = Random::new(3).points(10_000);
+    let edges = Vec::new();
+    let (_, stats) = run(&Input { points, edges }, Algorithm::Fortune);
+    let Counters {
+        flips, front_steps, ..
+    } = stats.counters;
+    assert!(!stats.is_divided);
+    assert!(flips < 10, "{flips} flips");
+    assert!(front_steps < 100_000, "{front_steps} steps");
+}
+
+/// On an arch that opens upwards every point is on the lower hull.
+#[test]
+fn the_sweep_of_2005_has_no_artificial_points() {
+    let arch = (-500..=500).map(|i: i32| [f64::from(i), f64::from(i * i) + f64::from(i) / 2e3]);
+    let (points, edges) = (arch.collect(), Vec::new());
+    let input = Input { points, edges };
+    let [with, without] = [Algorithm::Sweep, Algorithm::Sweep2005]
+        .map(|algorithm| run(&input, algorithm).1.counters.symbolic);
+    assert!(with > 1000 && without < 10, "{with} and {without} tests");
+}
+
 #[test]
 fn equal_edges_share_their_chain() {
     let n = 2000;
@@ -228,7 +273,7 @@ fn equal_edges_share_their_chain() {
 }
 
 #[test]
-fn both_algorithms_name_the_same_crossing() {
+fn all_algorithms_name_the_same_crossing() {
     let mut crossings = 0;
     for seed in 0..2000 {
         let random = &mut Random::new(seed);
@@ -239,11 +284,14 @@ fn both_algorithms_name_the_same_crossing() {
         let edges: Vec<_> = (0..6)
             .map(|_| [random.below(12), random.below(12)])
             .collect();
-        let [here, there] = [Algorithm::Sweep, Algorithm::DivideAndConquer].map(|algorithm| {
+        let by = |algorithm| {
             let triangulator = Triangulator::new().algorithm(algorithm);
             triangulator.triangulate(&points, &edges).err()
-        });
-        assert_eq!(here, there, "seed {seed}");
+        };
+        let here = by(Algorithm::Sweep);
+        for (name, algorithm) in ALGORITHMS {
+            assert_eq!(here, by(algorithm), "{name}, seed {seed}");
+        }
         crossings += usize::from(matches!(here, Some(Error::CrossingEdges { .. })));
     }
     assert!(crossings > 500, "{crossings} crossings");

@@ -16,6 +16,7 @@ use sweep_cdt_testing::Random;
 use sweep_cdt_testing::oracle::{
     Answer, check_found, check_links, crosses, firm_sides, found, sorted,
 };
+use sweep_cdt_testing::runs::ALGORITHMS;
 use sweep_cdt_testing::{Input, generators};
 
 /// The property for the choices and the input that the bytes stand for.
@@ -71,7 +72,7 @@ fn answer_by(input: &Input, heuristics: Heuristics) -> Option<Answer> {
     }
 }
 
-/// Divide and conquer gives the same answer, and of several crossings it names the same one as the sweep.
+/// The other algorithms give the same answer, and of several crossings they name the same one as the sweep.
 fn judge_algorithms(input: &Input, here: Option<&Answer>) {
     let Input { points, edges } = input;
     let by = |algorithm| {
@@ -79,10 +80,13 @@ fn judge_algorithms(input: &Input, here: Option<&Answer>) {
         let result = run.triangulate(points, edges);
         result.map(|result| found(&result, points.len(), edges.len()))
     };
-    let there = by(Algorithm::DivideAndConquer);
-    assert_eq!(there.as_ref().ok(), here, "divide and conquer");
-    if let Err(error) = there {
-        assert_eq!(by(Algorithm::Sweep), Err(error), "the sweep names others");
+    for (name, algorithm) in ALGORITHMS {
+        let there = by(algorithm);
+        assert_eq!(there.as_ref().ok(), here, "{name}");
+        if let Err(error) = there {
+            let swept = by(Algorithm::Sweep);
+            assert_eq!(swept, Err(error), "{name}: the sweep names others");
+        }
     }
 }
 

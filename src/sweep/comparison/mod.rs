@@ -5,14 +5,16 @@
 //! | the paper's | what | file |
 //! |---|---|---|
 //! | M-INC | randomized incremental insertion | [`incremental`] |
+//! | F-S | Fortune's sweep line | [`fortune`], [`beach_line`] |
 //! | section 3.1 | the sweep without artificial points | [`sweep_2005`] |
 //!
 //! Each triangulates the points. Then the edges are inserted one by one (Anglada 1997) by the code of the edge
 //! event, in the order of the sweep. So the results are the same, and of several crossings the same is found.
 //!
-//! Not here: Fortune's sweep line, the paper's F-S. It compares parabolas and the tops of circles with the sweep
-//! line, which are not among the signs of a [`Scalar`].
+//! Points on one line have no triangle to begin with, and divide and conquer links them up.
 
+mod beach_line;
+mod fortune;
 mod incremental;
 mod sweep_2005;
 

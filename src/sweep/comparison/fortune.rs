@@ -1,0 +1,188 @@
+//! Fortune's sweep line (1987), the paper's F-S: the beach line moves up over the points, and a triangle is made
+//! where an arc vanishes.
+//!
+//! ```text
+//!     \          a /\ c         /       The *chain* runs through the sites of the arcs, from left to right.
+//!      \   b  _.-'    `-._     /        A new site p is tied to the site a of the arc above it: a becomes
+//!        `---'            `---'         a, p, a. Where the arc of b vanishes between those of a and c, the
+//!    ~~~~~~~ sweep line ~~~~~~~         triangle a, b, c is made, and b leaves the chain.
+//! ```
+//!
+//! Which arc lies above a site, and when an arc vanishes, are signs of parabolas and of circles against the sweep
+//! line. They are not among those of a [`Scalar`], and do not follow from them. So, as in the paper's comparison,
+//! floating point chooses ([`super::beach_line`]). Exact signs judge what comes of it:
+//! - a triangle is made only where the chain turns strictly left, so all triangles are counter-clockwise;
+//! - when no such corner is left, the chain must be a convex polygon around the points: its sites rise in sweep
+//!   order and then fall, no corner turns left, and the lowest and the highest turn strictly right;
+//! - then all sides are legalized. Few must be flipped: ties, and where floating point chose wrong.
+//!
+//! Why it is right: triangles are joined to the chain at whole sides, so together they are a disk. Its boundary
+//! is a convex polygon, and all its triangles are counter-clockwise. So each point of the polygon is covered once:
+//! that is a triangulation. Legalization leads to the same from any triangulation. Where the chain is no convex
+//! polygon, divide and conquer begins anew.
+//!
+//! Cost: O(n log n) for n points that are evenly spread. The walks along the beach line, and the flips where
+//! floating point chooses wrong, may be O(n^2) for others.
+//!
+//! Differs from Fortune: triangles in place of the Voronoi diagram; the exact signs.
+
+use std::cmp::Ordering::{Greater, Less};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use super::super::corner::Corner;
+use super::super::fabric::Fabric;
+use super::super::state::Sweep;
+use super::beach_line::{BeachLine, top};
+use crate::error::Error;
+use crate::front::{Front, FrontSearch};
+use crate::ids::VertexId;
+use crate::mesh::Side;
+use crate::probe::Probe;
+use crate::scalar::Scalar;
+use crate::stats::Phase;
+use crate::trace::Why;
+
+/// An arc that will vanish: the height of the sweep line, the arc, and how often its neighbours had changed.
+type Vanishing = Reverse<(u64, u32, u32)>;
+
+/// A number that grows with the height.
+fn key(height: f64) -> u64 {
+    let bits = height.to_bits();
+    let negative = bits >> 63 == 1;
+    if negative { !bits } else { bits | 1 << 63 }
+}
+
+impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+    /// Sweeps with a beach line, and then inserts the edges; afterwards the hull is complete. Returns how many
+    /// vertices lie within it: all, or none if they all lie on one line or no triangulation has come of it.
+    pub(in crate::sweep) fn sweep_beach_line(&mut self) -> Result<usize, Error> {
+        let n = self.fabric.signs.vertices.len();
+        if self.fabric.first_off_line().is_none() {
+            return Ok(0);
+        }
+        self.fabric.probe.begin(Phase::Sweeping);
+        self.front = Front::new(n);
+        self.fabric.mesh.clear();
+        self.fabric.mesh.renew_open(n + 2);
+        let line = self.fabric.beach_line();
+        if !self.fabric.is_convex(&line) {
+            return Ok(0);
+        }
+        self.fabric.legalize_all();
+        let start = self.fabric.ghosts_around(&line);
+        self.fabric.mesh.forget_open(n + 2);
+        self.hand_over(start);
+        self.insert_all()?;
+        Ok(n)
+    }
+}
+
+impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+    /// The beach line after all points, and all circles, have been swept; the triangles are in the mesh.
+    fn beach_line(&mut self) -> BeachLine {
+        let n = self.signs.vertices.len();
+        let mut line = BeachLine::new(&self.signs.vertices.approx[..n]);
+        let mut events: BinaryHeap<Vanishing> = BinaryHeap::new();
+        for p in (1..n).map(VertexId::at) {
+            let site = self.signs.approx(p);
+            while let Some(&Reverse(event)) = events.peek()
+                && event.0 <= key(site[1])
+            {
+                events.pop();
+                self.vanish(event, &mut line, &mut events);
+            }
+            let (left, steps) = line.above(site, &self.signs.vertices.approx);
+            self.probe.count(|c| c.front_steps += steps);
+            // Both sides of the side to p are one open side.
+            let right = line.cut(left, p, self.mesh.add_open());
+            for arc in [left, right] {
+                self.foresee(arc, &mut line, &mut events);
+            }
+        }
+        while let Some(Reverse(event)) = events.pop() {
+            self.vanish(event, &mut line, &mut events);
+        }
+        line
+    }
+
+    /// Notes when an arc with new neighbours will vanish, if it will.
+    fn foresee(&mut self, arc: u32, line: &mut BeachLine, events: &mut BinaryHeap<Vanishing>) {
+        let changes = line.change(arc);
+        if let Some(corner) = line.corner(arc) {
+            let sites = corner.map(|(site, _)| site);
+            if sites[0] != sites[2] && self.orient2d(sites) == Greater {
+                let height = top(sites.map(|v| self.signs.approx(v)));
+                events.push(Reverse((key(height), arc, changes)));
+            }
+        }
+    }
+
+    /// Makes the triangle of an arc that vanishes, unless its neighbours have changed.
+    fn vanish(
+        &mut self,
+        (_, arc, changes): (u64, u32, u32),
+        line: &mut BeachLine,
+        events: &mut BinaryHeap<Vanishing>,
+    ) {
+        if !line.is_as_after(arc, changes) {
+            return;
+        }
+        if let Some(corner) = line.corner(arc) {
+            let corner = corner.map(|(vertex, open)| Corner { vertex, open });
+            let open = self.fill_ear(corner, Why::Point);
+            // All sides are tested at the end.
+            self.suspects.clear();
+            for neighbor in line.remove(arc, open) {
+                self.foresee(neighbor, line, events);
+            }
+        }
+    }
+
+    /// Whether the chain of all sites is a convex polygon, from the lowest site on the left up and on the right
+    /// down to it, with a triangle at each side.
+    fn is_convex(&mut self, line: &BeachLine) -> bool {
+        let chain: Vec<VertexId> = line.sites().map(|(site, _)| site).collect();
+        let sides = chain.len() - 1;
+        let highest = VertexId::at(self.signs.vertices.len() - 1);
+        let rising = chain.iter().take_while(|&&v| v != highest).count();
+        if chain[sides] != chain[0] || rising == chain.len() {
+            return false;
+        }
+        let (up, down) = chain.split_at(rising);
+        let is_monotone = up.is_sorted_by(|a, b| a < b) && down.is_sorted_by(|a, b| a > b);
+        let has_triangles = || {
+            line.sites()
+                .take(sides)
+                .all(|(_, open)| self.mesh.has_below(open))
+        };
+        if !is_monotone || !has_triangles() {
+            return false;
+        }
+        (0..sides).all(|i| {
+            let before = if i == 0 { sides - 1 } else { i - 1 };
+            let turn = self.orient2d([chain[before], chain[i], chain[i + 1]]);
+            turn == Less || turn != Greater && i != 0 && i != rising
+        })
+    }
+
+    /// Ghosts around the chain of all sites. Returns that of the hull side that starts at the lowest.
+    fn ghosts_around(&mut self, line: &BeachLine) -> Side {
+        let chain: Vec<_> = line.sites().collect();
+        let mut ghosts = Vec::with_capacity(chain.len());
+        // The chain is clockwise around the hull.
+        for pair in chain.windows(2) {
+            let [(b, open), (a, _)] = [pair[0], pair[1]];
+            let ghost = self.add_ghost(a, b);
+            self.mesh.connect(ghost, self.mesh.below(open));
+            ghosts.push(ghost);
+        }
+        let mut after = ghosts[ghosts.len() - 1];
+        let start = after;
+        for &ghost in &ghosts {
+            self.join_ghosts(ghost, after);
+            after = ghost;
+        }
+        start
+    }
+}
