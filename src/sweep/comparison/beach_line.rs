@@ -1,16 +1,17 @@
 //! The beach line of Fortune's sweep (Fortune 1987): the sites whose parabolas are seen from the sweep line, from
 //! left to right.
 //!
-//! The points between a site and the sweep line that are nearer to the site lie above a parabola. A site may have
-//! several *arcs*. A new site cuts the arc that it lies under in two, with its own arc between. Where an arc
-//! shrinks to nothing, a circle through its site and those of its neighbours touches the sweep line.
+//! The points that are nearer to a site than to the sweep line lie below a parabola. The upper border of all these
+//! regions is the beach line. A site may have several *arcs* of it. A new site cuts the arc below it in two, and
+//! gets its own arc between. Where an arc shrinks to nothing, the circle through its site and those of its
+//! neighbours touches the sweep line.
 //!
 //! All is computed in plain floating point, and decides nothing: see [`super::fortune`].
 //!
 //! Cost: a look into a table with about sqrt(n) intervals of x, and a walk from there, of O(1) arcs where points
 //! are evenly spread.
 //!
-//! Differs from Fortune: none; his program has such a table, too.
+//! No differences: Fortune's program has such a table, too.
 
 use crate::bucket::bucket;
 use crate::ids::{OpenId, VertexId, narrow};
@@ -66,8 +67,8 @@ impl BeachLine {
         }
     }
 
-    /// The arc above a new site, and the steps of the walk to it.
-    pub(super) fn above(&mut self, p: [f64; 2], sites: &[[f64; 2]]) -> (u32, u64) {
+    /// The arc below a new site, and the steps of the walk to it.
+    pub(super) fn below(&mut self, p: [f64; 2], sites: &[[f64; 2]]) -> (u32, u64) {
         let place = bucket((p[0] - self.least) * self.per_x, self.found.len());
         let mut at = self.found[place];
         let mut steps = 0;

@@ -2,13 +2,13 @@
 //! where an arc vanishes.
 //!
 //! ```text
-//!     \          a /\ c         /       The *chain* runs through the sites of the arcs, from left to right.
-//!      \   b  _.-'    `-._     /        A new site p is tied to the site a of the arc above it: a becomes
-//!        `---'            `---'         a, p, a. Where the arc of b vanishes between those of a and c, the
-//!    ~~~~~~~ sweep line ~~~~~~~         triangle a, b, c is made, and b leaves the chain.
+//!           p                            The *chain* runs through the sites of the arcs, from left to right.
+//!           |           a . . . c        On the left the new site p is tied to a, whose arc lies below it: a
+//!      .--- a           \      /         becomes a, p, a. On the right the arc of b vanishes between those of
+//!     b      `--- c      `- b -'         a and c: the triangle a, b, c is made, and b leaves the chain.
 //! ```
 //!
-//! Which arc lies above a site, and when an arc vanishes, are signs of parabolas and of circles against the sweep
+//! Which arc lies below a site, and when an arc vanishes, are signs of parabolas and of circles against the sweep
 //! line. They are not among those of a [`Scalar`], and do not follow from them. So, as in the paper's comparison,
 //! floating point chooses ([`super::beach_line`]). Exact signs judge what comes of it:
 //! - a triangle is made only where the chain turns strictly left, so all triangles are counter-clockwise;
@@ -19,7 +19,8 @@
 //! Why it is right: triangles are joined to the chain at whole sides, so together they are a disk. Its boundary
 //! is a convex polygon, and all its triangles are counter-clockwise. So each point of the polygon is covered once:
 //! that is a triangulation. Legalization leads to the same from any triangulation. Where the chain is no convex
-//! polygon, divide and conquer begins anew.
+//! polygon, divide and conquer begins anew: where many points are nearly on a line, such as along the sides of a
+//! hexagon, or where doubles are infinite.
 //!
 //! Cost: O(n log n) for n points that are evenly spread. The walks along the beach line, and the flips where
 //! floating point chooses wrong, may be O(n^2) for others.
@@ -92,7 +93,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 events.pop();
                 self.vanish(event, &mut line, &mut events);
             }
-            let (left, steps) = line.above(site, &self.signs.vertices.approx);
+            let (left, steps) = line.below(site, &self.signs.vertices.approx);
             self.probe.count(|c| c.front_steps += steps);
             // Both sides of the side to p are one open side.
             let right = line.cut(left, p, self.mesh.add_open());

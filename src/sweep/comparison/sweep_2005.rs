@@ -2,19 +2,18 @@
 //! real, and the lower hull is kept beside the advancing front.
 //!
 //! A point event whose projection falls on the front is that of the sweep. Beyond an end of the front, or above
-//! it, come the cases that P-1 and P-2 are there to avoid. The figures show them on the right; on the left all is
-//! mirrored.
+//! it, come the cases that P-1 and P-2 are there to avoid:
 //!
 //! ```text
-//!    beside a hull that is seen:               above the line of the hull:
-//!             end                                  inner                 Both: the new side u-p or
-//!    inner --' / `-.                                   `-.     . p       end-p is the last one of the
-//!            /     `-. p                                  `-end          lower hull, and p is the new
-//!          u1 ---- .-'      The sides end-u1 and               \         end of the front.
-//!           `-u2 -'         u1-u2 are seen from p.              u1
+//!    inner --- end . . . . p       inner . . . . . p     On the left the sides end-u1 and u1-u2 are seen from
+//!               |    .  . .            \    .  ' .       p and make triangles with it. On the right none is
+//!               |  .  . .               \.' .  '         seen, and the corner at `end` is closed. Then p is
+//!               u1  . .                  end             the end of the front, and a new side of the hull
+//!              /  . .                   /                leads to it: u2-p or end-p. At the left end of the
+//!            u2 .                      u1                front all is mirrored.
 //! ```
 //!
-//! Why it is right: the hull is convex and `p` lies on or outside it, so the sides that `p` has strictly outside
+//! Why it is right: the hull is convex and `p` is not in it, so the sides that `p` has strictly outside
 //! follow each other from `end` down. With `p` they make triangles. If there is none, `p` lies above the line of
 //! the last side or on it, and the front at `end` lies above that line. So the corner between `inner`, `end` and
 //! `p` turns strictly inward, and it is closed. After either case every side of front and hull has a triangle.
