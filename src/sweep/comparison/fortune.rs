@@ -36,7 +36,7 @@ use super::super::fabric::Fabric;
 use super::super::state::Sweep;
 use super::beach_line::{BeachLine, top};
 use crate::error::Error;
-use crate::front::{Front, FrontSearch};
+use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -63,7 +63,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             return Ok(0);
         }
         self.fabric.probe.begin(Phase::Sweeping);
-        self.front = Front::new(n);
+        self.front.begin(n);
         self.fabric.mesh.clear();
         self.fabric.mesh.renew_open(n + 2);
         let line = self.fabric.beach_line();

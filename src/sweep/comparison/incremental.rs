@@ -35,7 +35,7 @@ use super::super::flip_limit::contradiction;
 use super::super::state::Sweep;
 use super::super::stretch::Random;
 use crate::error::Error;
-use crate::front::{Front, FrontSearch};
+use crate::front::FrontSearch;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -51,7 +51,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             return Ok(0);
         };
         self.fabric.probe.begin(Phase::Sweeping);
-        self.front = Front::new(n);
+        self.front.begin(n);
         self.fabric.mesh.clear();
         self.fabric.mesh.renew_open(n + 2);
         self.fabric.first_triangle(off_line);
