@@ -69,8 +69,8 @@ pub struct Counters {
     pub cocircular: u64,
     /// Sides swapped by the legalization.
     pub flips: u64,
-    /// Steps along the front after the search structure's answer (3.4.1). Without a front, steps of the walk
-    /// from triangle to triangle.
+    /// Steps along the front after the search structure's answer (3.4.1). Without a front, steps of the
+    /// walk from triangle to triangle or along the beach line.
     pub front_steps: u64,
     /// Point events of the left case (figure 8).
     pub left_cases: u64,

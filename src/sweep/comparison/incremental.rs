@@ -54,7 +54,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.front.begin(n);
         self.fabric.mesh.clear();
         self.fabric.mesh.renew_open(n + 2);
-        self.fabric.first_triangle(off_line);
+        self.fabric.triangle_of_first(off_line);
         let random = &mut Random::new();
         let mut order: Vec<VertexId> = (2..n)
             .map(VertexId::at)
@@ -79,7 +79,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// The first two vertices and the first one off their line, with ghosts around them.
-    fn first_triangle(&mut self, off_line: VertexId) {
+    fn triangle_of_first(&mut self, off_line: VertexId) {
         let [a, b] = [0, 1].map(VertexId::at);
         let corners = if self.orient2d([a, b, off_line]) == Less {
             [a, off_line, b]
