@@ -144,6 +144,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 mod tests {
     use super::super::finalization::name_by_input;
     use super::super::initialization::initialize;
+    use super::super::memory::Memory;
     use crate::front::HashTable;
     use crate::ids::VertexId;
     use crate::settings::{Algorithm, Heuristics, Settings};
@@ -158,7 +159,9 @@ mod tests {
 
     /// The triangulation whose sweep is abandoned after so many vertices.
     fn after(swept: usize, points: &[[f64; 2]]) -> Triangulation {
-        let sweep = initialize(points, &[], SETTINGS, HashTable::default(), ());
+        let mut memory = Memory::default();
+        let front = HashTable::default();
+        let sweep = initialize(points, &[], SETTINGS, front, (), &mut memory);
         let mut sweep = sweep.expect("valid points");
         for v in (1..swept).map(VertexId::at) {
             sweep.point_event(v);
@@ -167,7 +170,9 @@ mod tests {
             sweep.complete_hull();
         }
         sweep.divide_and_conquer(swept).expect("no edges");
-        let (triangulation, ..) = sweep.finalize(|list, signs| name_by_input(list, 0, signs));
+        let (triangulation, ..) = sweep.finalize(&mut memory, |list, signs, artificial| {
+            name_by_input(list, 0, signs, artificial);
+        });
         triangulation
     }
 
