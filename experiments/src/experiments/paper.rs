@@ -144,8 +144,8 @@ const PAPER_1: &[Set] = &[
 /// The paper's times and those measured, as ratios to the sweep's.
 fn beside_table_1(rows: &[Row]) -> String {
     let mut text = String::from(
-        "## Beside the paper\n\nRatios of times to SL. All sort the points here, M-INC too, and insert them in \
-         another order. The paper's sets are real and partly tiled, those here are \
+        "## Beside the paper\n\nRatios of times to SL. All sort the points here: M-INC too, which then takes \
+         them in random order. The paper's sets are real and partly tiled, those here are \
          generated with about as many points and edges.\n\n\
          | set | data | points | paper: M-INC | paper: F-S | paper: LS-D&C | here: M-INC | here: F-S | \
          here: LS-D&C | here: SL of 2005 |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
