@@ -11,6 +11,8 @@ mod error;
 #[cfg(feature = "formats")]
 pub mod formats;
 pub mod front;
+#[cfg(feature = "generate")]
+pub mod generate;
 mod ids;
 mod mesh;
 mod probe;

@@ -3,14 +3,13 @@
 
 use std::error::Error;
 use std::fs::File;
-use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
+use sweep_cdt::generate::{KINDS, Kind};
 
 use crate::contestant::Contestant;
-use crate::data::{KINDS, Kind, write_poly};
 use crate::experiments::{self, Experiment, cells};
 use crate::measure::{Cell, Source};
 use crate::plan::{Plan, Store};
@@ -20,28 +19,10 @@ use crate::report::{self, Method};
 #[derive(Debug, Parser)]
 #[command(name = "sweep-cdt-experiments", after_help = names())]
 pub(crate) struct Command {
-    #[command(subcommand)]
-    what: Option<What>,
     /// The experiment.
-    name: Option<String>,
+    name: String,
     #[command(flatten)]
     options: Options,
-}
-
-#[derive(Debug, Subcommand)]
-enum What {
-    /// Writes an input as Triangle's `.poly`.
-    Generate {
-        /// What kind of input.
-        kind: String,
-        /// About how many points.
-        points: usize,
-        #[arg(long, default_value_t = 1)]
-        seed: u64,
-        /// The file; otherwise it is printed.
-        #[arg(short, long)]
-        output: Option<PathBuf>,
-    },
 }
 
 #[derive(Debug, Args)]
@@ -109,18 +90,7 @@ type Result<T> = std::result::Result<T, Box<dyn Error>>;
 /// # Errors
 /// Each is a line for the user.
 pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
-    if let Some(What::Generate {
-        kind,
-        points,
-        seed,
-        output,
-    }) = command.what
-    {
-        return generate(&kind, points, seed, output);
-    }
-    let name = command
-        .name
-        .ok_or("name an experiment; --help lists them")?;
+    let name = command.name;
     let experiment = ALL.iter().find(|experiment| experiment.name == name);
     let experiment = experiment.ok_or(format!("no experiment {name}; --help lists them"))?;
     let options = command.options;
@@ -175,16 +145,6 @@ fn chosen_cells(experiment: &Experiment, options: &Options) -> Result<Vec<Cell>>
 
 fn kind(name: &str) -> Result<Kind> {
     Ok(Kind::named(name).ok_or(format!("no kind of data {name}; --help lists them"))?)
-}
-
-fn generate(name: &str, points: usize, seed: u64, output: Option<PathBuf>) -> Result<()> {
-    let input = kind(name)?.input(points, seed);
-    let mut out: BufWriter<Box<dyn Write>> = BufWriter::new(match output {
-        Some(path) => Box::new(File::create(path)?),
-        None => Box::new(std::io::stdout()),
-    });
-    write_poly(&input, &mut out)?;
-    Ok(out.flush()?)
 }
 
 /// Runs one cell.

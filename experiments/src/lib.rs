@@ -14,7 +14,6 @@
 
 mod command;
 mod contestant;
-pub mod data;
 mod experiments;
 pub mod fronts;
 mod measure;

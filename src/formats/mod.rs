@@ -3,7 +3,7 @@
 //! | name | read | written |
 //! |---|---|---|
 //! | `node` | vertices ([Triangle]'s format) | vertices |
-//! | `poly` | vertices, edges, and seeds of holes and regions (Triangle's format) | |
+//! | `poly` | vertices, edges, and seeds of holes and regions (Triangle's format) | the same |
 //! | `json` | an object with `points` and `edges`, or with `triangles` and maybe `points` | all of them and more |
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
 //! | `obj` | vertices and triangles | vertices and triangles (Wavefront) |
@@ -29,7 +29,9 @@ pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
     read, read_result,
 };
-pub use write::{CrossingsFormat, OutputFormat, write, write_crossings, write_domain, write_node};
+pub use write::{
+    CrossingsFormat, OutputFormat, write, write_crossings, write_domain, write_graph, write_node,
+};
 
 /// The same work on many parts, with the feature `parallel` on all cores. The results are in the order of the parts.
 fn on_all_cores<P: Send, T: Send>(parts: Vec<P>, work: impl Fn(P) -> T + Sync + Send) -> Vec<T> {

@@ -3,13 +3,14 @@
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
+use sweep_cdt::generate::Random;
 use sweep_cdt::scalar::Scalar;
 
-use crate::{Input, Random};
+use crate::Input;
 
 /// Uniform points in the unit square.
 pub fn uniform(n: usize) -> Input {
-    points(Random::new(1).points(n))
+    Input::generated("uniform", n, 1)
 }
 
 /// Normal distributions around 100 uniform centres.
@@ -39,21 +40,12 @@ pub fn power_law(n: usize) -> Input {
 
 /// A square lattice, row by row.
 pub fn lattice(n: usize) -> Input {
-    points(rows(n))
+    Input::generated("lattice-in-order", n, 4)
 }
 
 /// A square lattice in random order.
 pub fn shuffled_lattice(n: usize) -> Input {
-    let mut lattice = rows(n);
-    Random::new(4).shuffle(&mut lattice);
-    points(lattice)
-}
-
-fn rows(n: usize) -> Vec<[f64; 2]> {
-    let width = n.isqrt();
-    (0..width * width)
-        .map(|i| [(i % width) as f64, (i / width) as f64])
-        .collect()
+    Input::generated("lattice", n, 4)
 }
 
 /// Points on the unit circle, as far as doubles can be, in random order.

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use serde_json::Value;
-use sweep_cdt::formats::{self, InputFormat, Source};
+use sweep_cdt::formats::{self, Graph, InputFormat, Source};
+use sweep_cdt::generate::Kind;
 
 /// Points and edges, as [`sweep_cdt::triangulate`] takes them.
 #[derive(Clone, Debug, Default)]
@@ -17,7 +18,22 @@ pub struct Input {
     pub edges: Vec<[usize; 2]>,
 }
 
+impl From<Graph<f64>> for Input {
+    fn from(Graph { points, edges, .. }: Graph<f64>) -> Input {
+        Input { points, edges }
+    }
+}
+
 impl Input {
+    /// The generated data of this kind.
+    ///
+    /// # Panics
+    /// If there is no such kind.
+    pub fn generated(kind: &str, n: usize, seed: u64) -> Input {
+        let kind = Kind::named(kind).expect("a kind of data");
+        kind.graph(n, seed).into()
+    }
+
     /// Reads `"0 0, 1.5 2, -3 1e300"` and `"0 1, 2 0"`.
     pub fn parse(points: &str, edges: &str) -> Input {
         Input {
@@ -124,10 +140,7 @@ pub fn poly(path: &Path) -> Input {
 pub fn poly_of(name: String, bytes: Vec<u8>) -> Input {
     let source = Source { name, bytes };
     match formats::read(InputFormat::Poly, &source, None) {
-        Ok(formats::Input::Doubles(graph)) => Input {
-            points: graph.points,
-            edges: graph.edges,
-        },
+        Ok(formats::Input::Doubles(graph)) => graph.into(),
         Ok(formats::Input::Rationals(_)) => panic!("{}: fractions", source.name),
         Err(error) => panic!("{error}"),
     }

@@ -24,11 +24,10 @@ pub mod minimize;
 pub mod oracle;
 #[cfg(feature = "peers")]
 pub mod peers;
-mod random;
 pub mod runs;
 
 pub use clouds::segments;
 pub use data::Input;
 pub use fronts::Steps;
 pub use oracle::boundary;
-pub use random::Random;
+pub use sweep_cdt::generate::Random;

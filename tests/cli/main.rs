@@ -5,6 +5,7 @@ mod certificate;
 mod crossings;
 mod errors;
 mod formats;
+mod generate;
 mod inside;
 mod interiors;
 mod matching;

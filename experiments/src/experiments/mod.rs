@@ -4,8 +4,9 @@ mod paper;
 mod settings;
 mod structures;
 
+use sweep_cdt::generate::Kind;
+
 use crate::contestant::Contestant;
-use crate::data::Kind;
 use crate::measure::{Cell, Row, Source, Variant};
 use crate::report::{Shape, View};
 

@@ -6,9 +6,9 @@ mod variant;
 use std::error::Error;
 use std::path::PathBuf;
 
+use sweep_cdt::generate::Kind;
 use sweep_cdt_testing::{Input, data};
 
-use crate::data::Kind;
 pub(crate) use row::Row;
 pub(crate) use variant::Variant;
 
@@ -55,7 +55,7 @@ impl Cell {
         repetitions: usize,
     ) -> Result<Vec<Row>, Box<dyn Error>> {
         let input = match &self.source {
-            Source::Kind(kind) => kind.input(self.size, seed),
+            Source::Kind(kind) => kind.graph(self.size, seed).into(),
             Source::File(path) => data::poly(path),
         };
         let mut rows: Vec<Row> = Vec::new();
@@ -109,7 +109,7 @@ impl Cell {
 #[cfg(test)]
 mod tests {
     use super::{Cell, Source, Variant};
-    use crate::data::KINDS;
+    use sweep_cdt::generate::KINDS;
 
     const CELL: Cell = Cell {
         source: Source::Kind(KINDS[0]),

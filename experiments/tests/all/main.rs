@@ -1,5 +1,4 @@
-//! The structures, the data and the experiments.
+//! The structures and the experiments.
 
-mod data;
 mod program;
 mod structures;

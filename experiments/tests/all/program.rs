@@ -5,7 +5,9 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use sweep_cdt::formats::{InputFormat, write_graph};
 use sweep_cdt::front::{Front, FrontNode, FrontSearch};
+use sweep_cdt::generate::Kind;
 use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::{Contestant, run};
 
@@ -201,9 +203,10 @@ fn what_cannot_be_done_is_said() {
 fn a_file_of_ones_own_is_a_cell() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("mine.poly");
-    let generate = ["generate", "segments", "200", "--seed", "5", "-o"];
-    let status = Command::new(PROGRAM).args(generate).arg(&file).status();
-    assert!(status.expect("the program runs").success());
+    let segments = Kind::named("segments").expect("a kind").graph(200, 5);
+    let mut text = Vec::new();
+    write_graph(InputFormat::Poly, &segments, &mut text).expect("memory takes all");
+    fs::write(&file, text).expect("a file");
     let out = folder.path().join("out");
     let arguments = [
         &["fronts"],

@@ -7,6 +7,7 @@
 
 mod certificate;
 mod crossings;
+mod generate;
 mod shared;
 mod trace;
 mod triangulate;
@@ -38,6 +39,7 @@ enum Command {
     Crossings(crossings::Crossings),
     Trace(trace::Trace),
     Replay(trace::Replay),
+    Generate(generate::Generate),
 }
 
 fn main() -> ExitCode {
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Command::Crossings(command) => ("crossings", command.run()),
         Command::Trace(command) => ("trace", command.run()),
         Command::Replay(command) => ("replay", command.run()),
+        Command::Generate(command) => ("generate", command.run()),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

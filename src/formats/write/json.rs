@@ -12,7 +12,7 @@
 //! | `chains` | input edge | the vertices along it, upper end first |
 //! | `split` | edge before edges were split at their crossings, if they were | the vertices along it, from its first to its second |
 //!
-//! Of a domain only the triangles inside are listed, with their constrained sides, and beyond the domain is `null`.
+//! Of a graph that is not triangulated there are the first two alone. Of a domain only the triangles inside are listed, with their constrained sides, and beyond the domain is `null`.
 //! There are two members more:
 //!
 //! | member | one element for each | which is |
@@ -64,7 +64,13 @@ pub(super) fn write_domain<S: Coordinate>(
     out.write_all(b"\n}\n")
 }
 
-/// Writes what all objects have.
+/// Writes the object of a graph alone.
+pub(super) fn write_graph<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
+    write_input(graph, out)?;
+    out.write_all(b"\n}\n")
+}
+
+/// Writes what all objects of a result have.
 fn write_members<S: Coordinate>(
     graph: &Graph<S>,
     domain: &Domain<'_>,
@@ -74,16 +80,7 @@ fn write_members<S: Coordinate>(
     let triangles = domain.canonical_triangles();
     let neighbors = neighbors(domain, &triangles);
     let chains = (0..graph.edges.len()).map(|edge| result.edge_chain(edge).collect::<Vec<_>>());
-    out.write_all(b"{\n")?;
-    member(
-        out,
-        "points",
-        graph
-            .points
-            .iter()
-            .map(|point| point.each_ref().map(json_coordinate)),
-    )?;
-    member(out, "edges", &graph.edges)?;
+    write_input(graph, out)?;
     member(out, "triangles", &triangles)?;
     member(out, "neighbors", neighbors)?;
     member(out, "constrained", sorted_pairs(domain.constrained_edges()))?;
@@ -101,6 +98,18 @@ fn write_members<S: Coordinate>(
         joined(range, &graph.edges, result)
     });
     member(out, "split", split)
+}
+
+/// Writes the input's members.
+fn write_input<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
+    let points = graph.points.iter();
+    out.write_all(b"{\n")?;
+    member(
+        out,
+        "points",
+        points.map(|point| point.each_ref().map(json_coordinate)),
+    )?;
+    member(out, "edges", &graph.edges)
 }
 
 fn member<T: Serialize>(

@@ -1,4 +1,4 @@
-//! Writers: a [`Graph`] and its [`Triangulation`] in, text out.
+//! Writers: a [`Graph`] and its [`Triangulation`] in, or a graph alone, and text out.
 
 mod crossings;
 mod json;
@@ -12,7 +12,7 @@ pub use rows::write_node;
 use crate::Triangulation;
 use crate::domain::Domain;
 use crate::draw::ResultPicture;
-use crate::formats::{Coordinate, Graph};
+use crate::formats::{Coordinate, Graph, InputFormat};
 
 /// What [`write()`] makes. Each format is named by the extension of its files.
 ///
@@ -102,5 +102,33 @@ pub fn write_domain<S: Coordinate>(
         OutputFormat::Svg => ResultPicture::new(graph, domain.triangulation())
             .domain(domain)
             .write(out),
+    }
+}
+
+/// Writes a graph that is not triangulated, in a format from which [`read()`](crate::formats::read()) makes the same
+/// one. A `.node` holds vertices alone, a `.json` no seeds, and a `.poly` without vertices is read as one whose
+/// vertices are in the `.node` beside it.
+///
+/// ```
+/// use sweep_cdt::formats::{Graph, InputFormat, write_graph};
+///
+/// let graph = Graph { points: vec![[0.0, 0.5], [2.0, 0.0]], edges: vec![[0, 1]], ..Graph::default() };
+/// let mut text = Vec::new();
+/// write_graph(InputFormat::Poly, &graph, &mut text)?;
+/// assert_eq!(text, b"2 2 0 0\n0 0 0.5\n1 2 0\n1 0\n0 0 1\n0\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_graph<S: Coordinate>(
+    format: InputFormat,
+    graph: &Graph<S>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    match format {
+        InputFormat::Node => write_node(graph, out),
+        InputFormat::Poly => rows::write_poly(graph, out),
+        InputFormat::Json => json::write_graph(graph, out),
     }
 }

@@ -1,10 +1,10 @@
-//! Formats of long lists of short lines: Triangle's `.ele` and the `.node` that it refers to, and Wavefront's `.obj`:
-//! vertices with z = 0, and faces numbered from 1 as that format asks.
+//! Formats of long lists of short lines: Triangle's `.ele` and the `.node` that it refers to, its `.poly`, and
+//! Wavefront's `.obj`: vertices with z = 0, and faces numbered from 1 as that format asks.
 
 use std::io::{self, Write};
 
 use crate::domain::Domain;
-use crate::formats::{Coordinate, Graph, on_all_cores};
+use crate::formats::{Coordinate, Graph, Region, on_all_cores};
 
 /// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions, with the
 /// attributes of these.
@@ -73,6 +73,34 @@ pub fn write_node<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::
         }
         text.push(b'\n');
     })
+}
+
+/// Writes vertices, edges, and the seeds of holes and regions as a `.poly`.
+pub(super) fn write_poly<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
+    write_node(graph, out)?;
+    writeln!(out, "{} 0", graph.edges.len())?;
+    write_rows(out, graph.edges.len(), |edge, text| {
+        number(edge + graph.first_edge, text);
+        for end in graph.edges[edge] {
+            text.push(b' ');
+            number(end + graph.first_vertex, text);
+        }
+        text.push(b'\n');
+    })?;
+    writeln!(out, "{}", graph.holes.len())?;
+    for (hole, [x, y]) in graph.holes.iter().enumerate() {
+        writeln!(out, "{} {} {}", hole + graph.first_hole, x.text(), y.text())?;
+    }
+    if graph.regions.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "{}", graph.regions.len())?;
+    for (region, Region { seed, attribute }) in graph.regions.iter().enumerate() {
+        let [x, y] = seed.each_ref().map(Coordinate::text);
+        let region = region + graph.first_region;
+        writeln!(out, "{region} {x} {y} {}", attribute.text())?;
+    }
+    Ok(())
 }
 
 /// Writes vertices (rationals rounded to doubles) and the triangles inside.

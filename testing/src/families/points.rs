@@ -3,7 +3,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::{Input, Random};
+use sweep_cdt::generate::Random;
+
+use crate::Input;
 
 /// A family of inputs.
 #[derive(Clone, Copy, Debug)]

@@ -17,7 +17,9 @@ pub use bytes::{EDGES, FAR_POINTS, POINTS};
 pub use edges::{Pattern, drop_crossings};
 pub use points::Shape;
 
-use crate::{Input, Random};
+use sweep_cdt::generate::Random;
+
+use crate::Input;
 
 /// The input that these bytes stand for.
 pub fn input(bytes: &[u8]) -> Input {

@@ -1,23 +1,25 @@
 //! Points with edges: of simple kinds, rough closed outlines, and parcels of land.
 
-use sweep_cdt_testing::{Input, Random};
+use super::random::Random;
+use crate::formats::Graph;
 
 use super::points::{direction, numbers};
 
-pub(super) fn comb(n: usize, _: &mut Random) -> Input {
+pub(super) fn comb(n: usize, _: &mut Random) -> Graph<f64> {
     let height = n as f64;
     let point = |i: f64| [i, if i % 4.0 < 2.0 { height } else { i / height }];
-    Input {
+    Graph {
         points: numbers(n).map(point).collect(),
         edges: (1..n).map(|i| [i - 1, i]).collect(),
+        ..Graph::default()
     }
 }
 
 /// How many edges a fan has.
 const SPOKES: usize = 100;
 
-pub(super) fn fans(n: usize, random: &mut Random) -> Input {
-    let mut input = Input::default();
+pub(super) fn fans(n: usize, random: &mut Random) -> Graph<f64> {
+    let mut input = Graph::default();
     for fan in numbers(n.div_ceil(SPOKES + 1)) {
         let hub = input.points.len();
         let left = fan * SPOKES as f64;
@@ -31,7 +33,7 @@ pub(super) fn fans(n: usize, random: &mut Random) -> Input {
     input
 }
 
-pub(super) fn asterisk(n: usize, random: &mut Random) -> Input {
+pub(super) fn asterisk(n: usize, random: &mut Random) -> Graph<f64> {
     // Opposite ends are exact mirror images, so that every edge passes through the centre.
     let mut ends: Vec<[f64; 2]> = (0..n / 2)
         .map(|_| [random.integer(1 << 20), random.integer(1 << 20)])
@@ -42,16 +44,17 @@ pub(super) fn asterisk(n: usize, random: &mut Random) -> Input {
         *end = end.map(|x| -x);
     }
     ends.push([0.0, 0.0]);
-    Input {
+    Graph {
         points: ends,
         edges: (0..half).map(|i| [i, i + half]).collect(),
+        ..Graph::default()
     }
 }
 
-pub(super) fn segments(n: usize, random: &mut Random) -> Input {
+pub(super) fn segments(n: usize, random: &mut Random) -> Graph<f64> {
     // One within each cell of a lattice.
-    let side = (n / 2).isqrt();
-    let mut input = Input::default();
+    let side = (n / 2).isqrt().max(1);
+    let mut input = Graph::default();
     for y in numbers(side) {
         for x in numbers(side) {
             let first = input.points.len();
@@ -69,10 +72,10 @@ const VERTICES: usize = 256;
 
 /// Rough closed outlines, like those of islands: each in a cell of a lattice, seen whole from its middle, so
 /// that no two edges cross.
-pub(super) fn outlines(n: usize, random: &mut Random) -> Input {
+pub(super) fn outlines(n: usize, random: &mut Random) -> Graph<f64> {
     let count = n.div_ceil(VERTICES);
     let side = count.isqrt().max(1);
-    let mut input = Input::default();
+    let mut input = Graph::default();
     for cell in 0..count {
         let centre = [cell % side, cell / side].map(|x| x as f64);
         let first = input.points.len();
@@ -113,12 +116,12 @@ const BEND: f64 = 0.02;
 ///
 /// The corners are a lattice, each moved a little. Further vertices on the boundaries make the ratio of edges
 /// to points that of the paper's set a. All moves are so small that no two boundaries cross.
-pub(super) fn parcels(n: usize, random: &mut Random) -> Input {
+pub(super) fn parcels(n: usize, random: &mut Random) -> Graph<f64> {
     let [paper_points, paper_edges] = PAPER;
     let more = paper_edges - paper_points;
     let side = (n * more / paper_points).isqrt().max(2);
     let mut moved = |x: f64, by: f64| x + by * (2.0 * random.unit() - 1.0);
-    let mut input = Input::default();
+    let mut input = Graph::default();
     for corner in 0..side * side {
         let place = [corner % side, corner / side].map(|x| x as f64);
         input.points.push(place.map(|x| moved(x, CORNER)));

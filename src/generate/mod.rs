@@ -1,30 +1,45 @@
-//! Inputs by kind, number of points and seed: the same bytes on every platform.
+//! Generated data by kind, number of points and seed (feature `generate`): the same bytes on every platform.
 //!
 //! Only `+ - * /`, square roots and integers make coordinates: these are rounded alike everywhere, sines and
-//! powers are not.
+//! powers are not. What is random comes from [`Random`]. Every kind can be triangulated at every size: edges
+//! meet at their ends only, or at a vertex. Time and memory are proportional to the number of points.
+//!
+//! ```
+//! use sweep_cdt::generate::Kind;
+//!
+//! let parcels = Kind::named("parcels").expect("there is such a kind").graph(1000, 1);
+//! let result = sweep_cdt::triangulate(&parcels.points, &parcels.edges)?;
+//! assert!(parcels.edges.len() > 1000 && result.len() > 1000);
+//! # Ok::<(), sweep_cdt::Error>(())
+//! ```
 
 mod contours;
 mod edges;
 mod points;
+mod random;
 
-use std::io::{self, Write};
+pub use random::Random;
 
-use sweep_cdt_testing::{Input, Random};
+use crate::formats::Graph;
 
-/// A kind of input.
+/// A kind of data.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
     /// Its name, a word.
     pub name: &'static str,
     /// What it is, in a line.
     pub about: &'static str,
-    make: fn(n: usize, random: &mut Random) -> Input,
+    make: fn(n: usize, random: &mut Random) -> Graph<f64>,
 }
 
 impl Kind {
-    /// The input of about `n` points, ten at least, for a seed.
-    pub fn input(&self, n: usize, seed: u64) -> Input {
-        (self.make)(n.max(10), &mut Random::new(seed))
+    /// About `n` points for a seed, with their edges: none for 0, and otherwise at least one. The numbers of
+    /// points of a lattice, of parcels and of contour lines differ from `n` most where `n` is small.
+    pub fn graph(&self, n: usize, seed: u64) -> Graph<f64> {
+        if n == 0 {
+            return Graph::default();
+        }
+        (self.make)(n, &mut Random::new(seed))
     }
 
     /// The kind of this name.
@@ -146,20 +161,3 @@ pub const KINDS: &[Kind] = &[
         make: points::leftwards,
     },
 ];
-
-/// Writes an input as Triangle's `.poly`: points and edges, numbered from 0, and no holes.
-/// Coordinates are the shortest decimals that read as the same doubles.
-///
-/// # Errors
-/// Those of `out`.
-pub fn write_poly(input: &Input, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "{} 2 0 0", input.points.len())?;
-    for (i, [x, y]) in input.points.iter().enumerate() {
-        writeln!(out, "{i} {x:?} {y:?}")?;
-    }
-    writeln!(out, "{} 0", input.edges.len())?;
-    for (i, [a, b]) in input.edges.iter().enumerate() {
-        writeln!(out, "{i} {a} {b}")?;
-    }
-    writeln!(out, "0")
-}

@@ -1,6 +1,14 @@
 //! Random numbers from a seed: the same ones on every run and every platform.
 
 /// Steele, Lea and Flood's `SplitMix64`.
+///
+/// ```
+/// use sweep_cdt::generate::Random;
+///
+/// let [mut one, mut other] = [Random::new(7), Random::new(7)];
+/// assert_eq!(one.points(3), other.points(3));
+/// assert!((0..10).contains(&one.below(10)));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 

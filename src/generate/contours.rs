@@ -3,9 +3,10 @@
 //! Levels are odd and heights even, so no line passes through a corner of the lattice. Across a triangle a
 //! line is straight, and lines of different levels do not cross.
 
-use sweep_cdt_testing::{Input, Random};
+use super::random::Random;
+use crate::formats::Graph;
 
-pub(super) fn contours(n: usize, random: &mut Random) -> Input {
+pub(super) fn contours(n: usize, random: &mut Random) -> Graph<f64> {
     let side = n.isqrt().next_power_of_two().max(4);
     let terrain = Terrain::new(side, random);
     // Levels are this far apart: as many points as asked for, or a few less.
@@ -75,9 +76,9 @@ impl Lines<'_> {
         3 * (y * (self.terrain.side + 1) + x) + way
     }
 
-    fn input(&self) -> Input {
+    fn input(&self) -> Graph<f64> {
         let corners = (self.terrain.side + 1) * (self.terrain.side + 1);
-        let mut input = Input::default();
+        let mut input = Graph::default();
         // The first point on each side; the others follow from the lowest level up.
         let mut first = vec![0; 3 * corners];
         for side in self.sides() {
