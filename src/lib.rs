@@ -16,6 +16,7 @@ pub mod generate;
 mod ids;
 mod mesh;
 mod probe;
+mod recorder;
 mod repeater;
 pub mod scalar;
 mod settings;
@@ -31,7 +32,7 @@ pub mod verify;
 pub use error::Error;
 pub use repeater::Repeater;
 pub use settings::{Algorithm, Corners, Heuristics};
-pub use stats::{Counters, Stats};
+pub use stats::{ByCause, Counters, Stats};
 pub use triangulation::Triangulation;
 pub use triangulator::{Run, Triangulator};
 

@@ -1,6 +1,7 @@
 //! How the sweep is observed: counters, clocks and events, which cost nothing when nobody observes.
 
-use crate::stats::{Counters, Phase, Recorder, Stats};
+use crate::recorder::{Phase, Recorder};
+use crate::stats::Counters;
 use crate::trace::Event;
 
 /// Receives what the sweep did; `()` receives nothing and compiles to nothing.
@@ -15,8 +16,9 @@ pub(crate) trait Probe {
     #[inline(always)]
     fn count(&mut self, _add: impl FnOnce(&mut Counters)) {}
 
-    /// Notes a size.
-    fn note(&mut self, _note: impl FnOnce(&mut Stats)) {}
+    /// Records what is more than a number.
+    #[inline(always)]
+    fn record(&mut self, _record: impl FnOnce(&mut Recorder)) {}
 
     /// One step.
     #[inline(always)]
@@ -35,8 +37,9 @@ impl Probe for Recorder {
         add(&mut self.stats.counters);
     }
 
-    fn note(&mut self, note: impl FnOnce(&mut Stats)) {
-        note(&mut self.stats);
+    #[inline(always)]
+    fn record(&mut self, record: impl FnOnce(&mut Recorder)) {
+        record(self);
     }
 }
 
@@ -58,8 +61,8 @@ impl<E: FnMut(Event)> Probe for Observer<E> {
         self.recorder.count(add);
     }
 
-    fn note(&mut self, note: impl FnOnce(&mut Stats)) {
-        self.recorder.note(note);
+    fn record(&mut self, record: impl FnOnce(&mut Recorder)) {
+        self.recorder.record(record);
     }
 
     fn event(&mut self, event: Event) {

@@ -1,17 +1,26 @@
 //! Numbers about one run: what there was, what was done, how long it took.
-//!
-//! Nothing else reads the clock, so the library runs on platforms without one.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::scalar::Stage;
-use crate::triangulation::Triangulation;
 
 /// What one run of the sweep met and did.
 ///
 /// All but the times are the same for every run on the same input with the same settings. Where the
-/// platform has no clock (`wasm32-unknown-unknown`) the times are zero.
+/// platform has no clock (`wasm32-unknown-unknown`) the times are zero. With the feature `formats` it is
+/// serialized (`serde`) by the names of its fields, times in seconds.
+///
+/// ```
+/// use sweep_cdt::Triangulator;
+///
+/// let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]];
+/// let stats = Triangulator::new().triangulate_with_stats(&points, &[])?.stats;
+/// assert_eq!((stats.triangles, stats.hull), (1, 3));
+/// assert_eq!(stats.counters.survived.sum(), 1);
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "formats", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Stats {
     /// Input points.
@@ -25,10 +34,13 @@ pub struct Stats {
     /// Vertices on the border of the hull.
     pub hull: usize,
     /// Time of the initialization (section 3.3; table 2).
+    #[cfg_attr(feature = "formats", serde(serialize_with = "seconds"))]
     pub initialization: Duration,
     /// Time of the sweeping (section 3.4; table 2).
+    #[cfg_attr(feature = "formats", serde(serialize_with = "seconds"))]
     pub sweeping: Duration,
     /// Time of the finalization (section 3.5; table 2).
+    #[cfg_attr(feature = "formats", serde(serialize_with = "seconds"))]
     pub finalization: Duration,
     /// Whether divide and conquer made the result, because it was asked for or because the sweep was
     /// abandoned. Then times and counters hold the work of both.
@@ -39,8 +51,14 @@ pub struct Stats {
     pub counters: Counters,
 }
 
+#[cfg(feature = "formats")]
+fn seconds<S: serde::Serializer>(time: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(time.as_secs_f64())
+}
+
 /// How often the sweep did each kind of work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "formats", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Counters {
     /// Orientation tests decided by the floating-point filter.
@@ -67,73 +85,80 @@ pub struct Counters {
     pub symbolic: u64,
     /// In-circle tests that found four points on one circle.
     pub cocircular: u64,
+    /// Sides that the legalization tested, fixed ones included.
+    pub legalization_tests: u64,
     /// Sides swapped by the legalization.
     pub flips: u64,
+    /// The most tests from one triangle made to the next: the greatest depth of a legalization.
+    pub most_tests: u64,
+    /// The most flips from one triangle made to the next.
+    pub most_flips: u64,
     /// Steps along the front after the search structure's answer (3.4.1). Without a front, steps of the
     /// walk from triangle to triangle or along the beach line.
     pub front_steps: u64,
+    /// The sum of the front's lengths at all point events, in vertices: those on it before the new one.
+    pub front_lengths: u64,
+    /// The most vertices on the front.
+    pub longest_front: u64,
     /// Point events of the left case (figure 8).
     pub left_cases: u64,
-    /// Triangles that close narrow corners of the front: the pi/2 heuristic (figure 9).
-    pub narrow_corners: u64,
-    /// Triangles added below the front by the basin heuristic (figure 10).
-    pub basin_triangles: u64,
     /// Edges (or pieces) that were there already (section 3.4.2).
     pub edges_present: u64,
     /// Edges (or pieces) inserted by removing triangles.
     pub edges_inserted: u64,
     /// Triangles removed because an edge pierced them.
     pub pierced: u64,
-    /// Triangles added in pockets of the front under an edge (figures 13 and 14).
-    pub pocket_triangles: u64,
-    /// Triangles added by the finalization (figure 15).
-    pub hull_triangles: u64,
+    /// Triangles made, artificial ones included.
+    pub made: ByCause,
+    /// Of these, the triangles of the result: neither flipped nor removed since.
+    pub survived: ByCause,
 }
 
-/// The parts of the algorithm (section 3.2), which the statistics time.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Phase {
-    Initialization,
-    Sweeping,
-    Finalization,
-    Finished,
+/// Triangles by what made them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "formats", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct ByCause {
+    /// The first triangle, which is artificial (figure 6).
+    pub first: u64,
+    /// On the segment under the new vertex (figure 7).
+    pub middle: u64,
+    /// The second triangle of the left case (figure 8).
+    pub left: u64,
+    /// In narrow corners of the front: the pi/2 heuristic (figure 9).
+    pub narrow_corners: u64,
+    /// Below the front: the basin heuristic (figure 10).
+    pub basins: u64,
+    /// In pockets of the front under an edge (figures 13 and 14).
+    pub pockets: u64,
+    /// In pseudo-polygons beside an edge (figure 12).
+    pub pseudo_polygons: u64,
+    /// By the finalization, up to the upper hull (figure 15).
+    pub hull: u64,
+    /// By divide and conquer.
+    pub divide_and_conquer: u64,
+    /// By flips, each of which makes two of two (figure 3).
+    pub flips: u64,
 }
 
-/// Statistics as they are recorded.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Recorder {
-    pub(crate) stats: Stats,
-    /// The current phase, and when it began.
-    current: Option<(Phase, Instant)>,
-}
-
-impl Recorder {
-    /// Ends the current phase and begins the next one.
-    pub(crate) fn clock(&mut self, next: Phase) {
-        let has_clock = !cfg!(all(target_family = "wasm", target_os = "unknown"));
-        let now = has_clock.then(Instant::now);
-        if let (Some((phase, start)), Some(now)) = (self.current, now) {
-            let time = now - start;
-            match phase {
-                Phase::Initialization => self.stats.initialization += time,
-                Phase::Sweeping => self.stats.sweeping += time,
-                Phase::Finalization => self.stats.finalization += time,
-                Phase::Finished => {}
-            }
-        }
-        self.current = now.map(|now| (next, now));
+impl ByCause {
+    /// All triangles but those that flips made.
+    fn steps(&self) -> u64 {
+        self.first
+            + self.middle
+            + self.left
+            + self.narrow_corners
+            + self.basins
+            + self.pockets
+            + self.pseudo_polygons
+            + self.hull
+            + self.divide_and_conquer
     }
 
-    /// All statistics of a run, with the sizes of its input and result.
-    pub(crate) fn finish(self, points: usize, edges: usize, result: &Triangulation) -> Stats {
-        Stats {
-            points,
-            duplicates: result.duplicates().len(),
-            edges,
-            triangles: result.len(),
-            hull: result.hull().len(),
-            ..self.stats
-        }
+    /// All triangles.
+    #[must_use]
+    pub fn sum(&self) -> u64 {
+        self.steps() + self.flips
     }
 }
 
@@ -151,6 +176,24 @@ impl Counters {
             + self.in_circle_expansions
             + self.in_circle_big
             + self.in_circle_own
+    }
+
+    /// Tests that follow a triangle made, on average.
+    #[must_use]
+    pub fn mean_tests(&self) -> f64 {
+        mean(self.legalization_tests, self.made.steps())
+    }
+
+    /// Flips that follow a triangle made, on average.
+    #[must_use]
+    pub fn mean_flips(&self) -> f64 {
+        mean(self.flips, self.made.steps())
+    }
+
+    /// Vertices on the front at a point event, on average.
+    #[must_use]
+    pub fn mean_front(&self) -> f64 {
+        mean(self.front_lengths, self.made.middle)
     }
 
     /// Counts an orientation test that this stage decided.
@@ -172,4 +215,9 @@ impl Counters {
             Stage::Own => &mut self.in_circle_own,
         } += 1;
     }
+}
+
+/// A mean, 0 of nothing.
+fn mean(sum: u64, count: u64) -> f64 {
+    sum as f64 / count.max(1) as f64
 }

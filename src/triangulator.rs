@@ -5,10 +5,11 @@ use std::fmt;
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
 use crate::probe::{Observer, Probe};
+use crate::recorder::Recorder;
 use crate::repeater::Repeater;
 use crate::scalar::Scalar;
 use crate::settings::{Algorithm, Heuristics, Settings};
-use crate::stats::{Recorder, Stats};
+use crate::stats::Stats;
 use crate::sweep::{self, Memory};
 #[cfg(feature = "parallel")]
 use crate::threads::has_threads;

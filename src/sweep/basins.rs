@@ -78,8 +78,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             Way::Right => [rim, at],
             Way::Left => [at, rim],
         };
-        let added = self.fill_front(from, to, Why::Basin);
-        self.fabric.probe.count(|c| c.basin_triangles += added);
+        self.fill_front(from, to, Why::Basin);
     }
 
     fn height(&self, v: VertexId) -> f64 {

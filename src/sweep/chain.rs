@@ -48,9 +48,9 @@ use crate::trace::Why;
 const MANY: usize = 4096;
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
-    /// Fills the region to the left of `chain` and leaves its hull in `chain`. Returns how many triangles
-    /// that took. Sides between a new triangle and an old one become suspects.
-    pub(super) fn fill(&mut self, chain: &mut Vec<Corner>, why: Why) -> u64 {
+    /// Fills the region to the left of `chain` and leaves its hull in `chain`. Sides between a new triangle and
+    /// an old one become suspects.
+    pub(super) fn fill(&mut self, chain: &mut Vec<Corner>, why: Why) {
         let before = chain.len();
         self.flip_limit.corners(before);
         // `chain[..done]` nowhere turns left; `chain[ahead..]` is still to be scanned.
@@ -76,7 +76,6 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             };
         }
         chain.truncate(done);
-        (before - done) as u64
     }
 
     fn turns_left(&mut self, a: Corner, b: Corner, c: Corner) -> bool {

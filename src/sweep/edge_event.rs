@@ -126,8 +126,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     fn fill_pockets(&mut self) -> bool {
         let has_pockets = !self.obstacles.pockets.is_empty();
         while let Some([from, to]) = self.obstacles.pockets.pop() {
-            let added = self.fill_front(from, to, Why::Pocket);
-            self.fabric.probe.count(|c| c.pocket_triangles += added);
+            self.fill_front(from, to, Why::Pocket);
         }
         has_pockets
     }

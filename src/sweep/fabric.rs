@@ -54,7 +54,9 @@ impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
             vertices: v.map(name),
             why,
         });
-        self.mesh.add(v, across)
+        let t = self.mesh.add(v, across);
+        self.probe.record(|r| r.made(t, why));
+        t
     }
 
     /// Reports a step to the observer, if there is one; vertices get their names in `event`.

@@ -33,8 +33,8 @@ use crate::front::FrontSearch;
 use crate::ids::{OpenId, TriangleId, VertexId, narrow};
 use crate::mesh::{Side, Triangle};
 use crate::probe::Probe;
+use crate::recorder::Phase;
 use crate::scalar::Scalar;
-use crate::stats::Phase;
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 
@@ -47,8 +47,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let first = self.front.next(artificial.left);
         if first != artificial.right {
             let last = self.front.prev(artificial.right);
-            let added = self.fill_front(first, last, Why::Hull);
-            self.fabric.probe.count(|c| c.hull_triangles += added);
+            self.fill_front(first, last, Why::Hull);
         }
     }
 
@@ -60,7 +59,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         name: impl FnOnce(&mut [Triangle], &Signs<'_, S>, &mut Vec<TriangleId>),
     ) -> (Triangulation, F, P) {
         let bytes = self.memory();
-        self.fabric.probe.note(|stats| stats.memory = bytes);
+        self.fabric.probe.record(|r| r.stats.memory = bytes);
         let mut hull = take(&mut memory.hull);
         hull.clear();
         self.list_hull(&mut hull);
@@ -68,6 +67,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let mut artificial = take(&mut memory.artificial);
         artificial.clear();
         name(&mut triangles, &self.fabric.signs, &mut artificial);
+        self.fabric.probe.record(|r| r.survived(&artificial));
         self.remove_artificial(&mut triangles, &artificial);
         self.fabric.report(|_| Event::Finished {
             triangles: narrow(triangles.len()),

@@ -20,9 +20,9 @@ use crate::front::{Domain, FrontSearch};
 use crate::ids::{OpenId, VertexId, narrow};
 use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::recorder::Phase;
 use crate::scalar::Scalar;
 use crate::settings::{Algorithm, Settings};
-use crate::stats::Phase;
 use crate::trace::{Event, Why};
 
 /// Sorts and merges the points, lists the edges and makes the first triangle.

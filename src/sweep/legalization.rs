@@ -118,6 +118,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         self.probe.count(|c| c.flips += 1);
         self.flip_limit.count();
         let across = self.mesh.flip(side);
+        let triangles = [side, across].map(Side::triangle);
+        self.probe.record(|r| r.flipped(triangles));
         let [p, _, q] = self.mesh.around(side);
         if p == q {
             // In a plane the two triangles of a side have different vertices opposite.
@@ -151,6 +153,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 
     #[inline(always)]
     fn report_test(&mut self, side: Side, outcome: Outcome) {
+        self.probe.count(|c| c.legalization_tests += 1);
         if P::EVENTS {
             let ([p, a, b], q) = self.quadrilateral(side);
             self.report(|name| Event::Test {

@@ -75,9 +75,9 @@ use crate::error::Error;
 use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::probe::Probe;
+use crate::recorder::Phase;
 use crate::scalar::Scalar;
 use crate::settings::{Algorithm, Progress, Settings};
-use crate::stats::Phase;
 use crate::triangulation::Triangulation;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;

@@ -86,7 +86,6 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 break;
             }
             self.close_corner(p, way, Why::NarrowCorner);
-            self.fabric.probe.count(|c| c.narrow_corners += 1);
         }
     }
 

@@ -19,6 +19,7 @@ use crate::chains::ChainNotes;
 use crate::front::{Front, FrontNode, FrontSearch};
 use crate::ids::{OpenId, VertexId};
 use crate::probe::Probe;
+use crate::recorder::Recorder;
 use crate::scalar::Scalar;
 use crate::settings::Heuristics;
 use crate::trace::{Event, Why};
@@ -93,6 +94,7 @@ impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
     #[inline(always)]
     pub(super) fn put_on_front(&mut self, v: VertexId, left: VertexId) {
         self.front.link(v, left);
+        self.fabric.probe.record(Recorder::front_grows);
         self.fabric.report(|name| Event::FrontInsert {
             vertex: name(v),
             after: name(left),
@@ -105,15 +107,15 @@ impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
     #[inline(always)]
     pub(super) fn take_off_front(&mut self, v: VertexId) {
         self.front.unlink(v);
+        self.fabric.probe.record(Recorder::front_shrinks);
         self.fabric
             .report(|name| Event::FrontRemove { vertex: name(v) });
         let x = self.fabric.signs.search_x(v);
         self.search.removed(FrontNode::new(v), x);
     }
 
-    /// Fills the front from node `from` to node `to`, both real, up to its upper hull. Returns how many
-    /// triangles that took.
-    pub(super) fn fill_front(&mut self, from: VertexId, to: VertexId, why: Why) -> u64 {
+    /// Fills the front from node `from` to node `to`, both real, up to its upper hull.
+    pub(super) fn fill_front(&mut self, from: VertexId, to: VertexId, why: Why) {
         self.chain.clear();
         let (mut at, mut corners) = (from, 1);
         while at != to {
@@ -131,7 +133,7 @@ impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
         }
 
         let kept = self.fabric.mesh.count_open();
-        let triangles = self.fabric.fill(&mut self.chain, why);
+        self.fabric.fill(&mut self.chain, why);
         self.fabric.legalize();
         self.fabric.mesh.forget_open(kept);
 
@@ -142,7 +144,6 @@ impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
                 self.take_off_front(self.front.next(left));
             }
         }
-        triangles
     }
 
     /// Bytes of the arrays that grow with the input.

@@ -14,6 +14,7 @@ mod outputs;
 mod places;
 mod refuted;
 mod runs;
+mod statistics;
 #[cfg(target_os = "linux")]
 mod stopped;
 mod texts;

@@ -83,10 +83,10 @@ impl Row {
         self.symbolic = counters.symbolic;
         self.cocircular = counters.cocircular;
         self.left_cases = counters.left_cases;
-        self.narrow_corners = counters.narrow_corners;
-        self.basin_triangles = counters.basin_triangles;
-        self.pocket_triangles = counters.pocket_triangles;
-        self.hull_triangles = counters.hull_triangles;
+        self.narrow_corners = counters.made.narrow_corners;
+        self.basin_triangles = counters.made.basins;
+        self.pocket_triangles = counters.made.pockets;
+        self.hull_triangles = counters.made.hull;
         self.edges_present = counters.edges_present;
         self.edges_inserted = counters.edges_inserted;
         self.pierced = counters.pierced;

@@ -89,7 +89,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// A triangle with its ghosts; the hull side of the first one starts at its first vertex.
     pub(in crate::sweep) fn triangle(&mut self, [a, b, c]: [VertexId; 3]) -> [Side; 3] {
         let ghosts = self.ring([a, b, c]);
-        self.mesh.add([c, a, b], ghosts);
+        let t = self.mesh.add([c, a, b], ghosts);
+        self.probe.record(|r| r.merged(t));
         ghosts
     }
 

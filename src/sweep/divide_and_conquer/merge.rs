@@ -124,8 +124,10 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             (None, Some(_)) => true,
             (Some(l2), Some(r2)) => self.must_flip([gap.l, gap.r, l2], r2),
         };
+        // Its ghost becomes the triangle.
+        let outer = if is_right { gap.right } else { gap.left };
+        self.probe.record(|r| r.merged(outer.triangle()));
         if gap.seam == Seam::Zipped {
-            let outer = if is_right { gap.right } else { gap.left };
             self.suspects.extend([outer, gap.base]);
         }
         if is_right {

@@ -32,8 +32,8 @@ use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::recorder::Phase;
 use crate::scalar::Scalar;
-use crate::stats::Phase;
 
 /// A triangulated part: vertices that follow each other in sweep order, with ghosts around them.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +71,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     pub(super) fn divide_and_conquer(&mut self, swept: usize) -> Result<(), Error> {
         self.fabric.probe.begin(Phase::Sweeping);
         let n = self.fabric.signs.vertices.len();
-        self.fabric.probe.note(|stats| stats.is_divided = true);
+        self.fabric.probe.record(|r| r.stats.is_divided = true);
         self.fabric.flip_limit = FlipLimit::new(n, false);
         self.chains.clear();
         self.rests.clear();

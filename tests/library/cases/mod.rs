@@ -63,24 +63,26 @@ fn the_papers_situations_occur() {
     let paper = |name| with(Heuristics::PAPER, name);
     assert_eq!(paper("figure 7: middle case").left_cases, 0);
     assert_eq!(paper("figure 8: left case").left_cases, 1);
-    assert!(paper("figure 9: fill while the angle is below pi/2").narrow_corners >= 1);
-    assert!(paper("figure 10: basin").basin_triangles >= 1);
+    assert!(
+        paper("figure 9: fill while the angle is below pi/2")
+            .made
+            .narrow_corners
+            >= 1
+    );
+    assert!(paper("figure 10: basin").made.basins >= 1);
     assert_eq!(paper("figure 11: first pierced triangle").pierced, 2);
     // Without the heuristics the front stays as the figures draw it.
     let off = |name| with(Heuristics::OFF, name);
     let traversal = off("figure 12: upper and lower pseudo-polygon");
     assert!(traversal.pierced >= 9, "{traversal:?}");
     let above = off("figure 13: edge above the front");
-    assert!(
-        above.pierced == 0 && above.pocket_triangles >= 1,
-        "{above:?}"
-    );
+    assert!(above.pierced == 0 && above.made.pockets >= 1, "{above:?}");
     let through = off("figure 14: edge through teeth of the front");
     assert!(
-        through.pierced >= 1 && through.pocket_triangles >= 1,
+        through.pierced >= 1 && through.made.pockets >= 1,
         "{through:?}"
     );
-    assert!(off("figure 15: upper hull").hull_triangles >= 1);
+    assert!(off("figure 15: upper hull").made.hull >= 1);
     assert!(off("figure 15: lower hull").symbolic >= 1);
     assert!(off("edge that is there already").edges_present >= 1);
     assert!(off("lattice of three by three").cocircular >= 1);

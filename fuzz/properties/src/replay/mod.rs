@@ -4,15 +4,15 @@
 //! (`damage`) a line is removed, doubled, changed or moved, the end is cut off, or two vertices change their
 //! names. The replay must refuse this, at that line or a later one. The exceptions are changes that
 //! [`Trace::replay`] says it cannot notice; they leave the triangles the same. The counters of a run agree
-//! with its trace (`judge_counts`).
+//! with its trace (`counts`).
 
+mod counts;
 mod damage;
 
-use std::cell::Cell;
+use sweep_cdt::Heuristics;
+use sweep_cdt::trace::{Event, Trace, Vertex, Why};
 
-use sweep_cdt::trace::{Event, PointCase, Trace, Vertex, Why};
-use sweep_cdt::{Algorithm, Heuristics, Triangulation, Triangulator};
-
+use counts::judge_counts;
 use damage::{Damage, Kind};
 
 use crate::reached;
@@ -148,86 +148,4 @@ fn may_move(a: Event, b: Event) -> bool {
             ) | (Removed { .. }, Removed { .. })
                 | (Edge { .. }, Edge { .. })
         )
-}
-
-/// Panics unless a run that counts and reports its progress has the same result as this one, with the
-/// counters of this trace.
-fn judge_counts(
-    Input { points, edges }: &Input,
-    heuristics: Heuristics,
-    trace: &Trace,
-    expected: &Triangulation,
-) {
-    let reports = Cell::new(0);
-    let progress = |done, all| {
-        assert!(done < all, "{done} of {all}");
-        reports.set(reports.get() + 1);
-    };
-    // A run with a trace keeps to its heuristics, whatever they flip.
-    let run = Triangulator::new()
-        .algorithm(Algorithm::Sweep)
-        .heuristics(heuristics)
-        .progress(&progress)
-        .triangulate_with_stats(points, edges)
-        .expect("as without counting");
-    let (result, stats) = (run.triangulation, run.stats);
-    let counts = [
-        stats.points,
-        stats.edges,
-        stats.duplicates,
-        stats.triangles,
-        stats.hull,
-    ];
-    let there = [
-        points.len(),
-        edges.len(),
-        expected.duplicates().len(),
-        expected.len(),
-        expected.hull().len(),
-    ];
-    assert_eq!(counts, there, "the counts (left)");
-    assert!(result.triangles().eq(expected.triangles()));
-    assert_eq!(
-        reports.get(),
-        u32::from(!points.is_empty()),
-        "reports of progress"
-    );
-
-    let traced =
-        |is: fn(&Event) -> bool| trace.events.iter().filter(|event| is(event)).count() as u64;
-    let done = stats.counters;
-    let counts = [
-        done.flips,
-        done.left_cases,
-        done.narrow_corners,
-        done.basin_triangles,
-        done.pocket_triangles,
-        done.hull_triangles,
-        done.pierced,
-        done.edges_present + done.edges_inserted,
-    ];
-    let made = |asked: Why| {
-        let is_asked =
-            |event: &&Event| matches!(event, Event::Triangle { why, .. } if *why == asked);
-        trace.events.iter().filter(is_asked).count() as u64
-    };
-    let there = [
-        traced(|event| matches!(event, Event::Flip { .. })),
-        traced(|event| {
-            matches!(
-                event,
-                Event::Point {
-                    case: PointCase::Left,
-                    ..
-                }
-            )
-        }),
-        made(Why::NarrowCorner),
-        made(Why::Basin),
-        made(Why::Pocket),
-        made(Why::Hull),
-        traced(|event| matches!(event, Event::Pierced { .. })),
-        traced(|event| matches!(event, Event::Fixed { .. })),
-    ];
-    assert_eq!(counts, there, "the counters (left)");
 }

@@ -117,7 +117,7 @@ pub(crate) struct OutputArgs {
 
 /// A place to write to, and what.
 pub(crate) struct Target {
-    destination: Destination,
+    pub(crate) destination: Destination,
     format: OutputFormat,
 }
 

@@ -1,9 +1,10 @@
-//! Tables of names and numbers, and that of `--stats`.
+//! Tables of names and numbers, and that of `--stats`; the object of `--stats-json`.
 
 use std::io::{self, Write};
 use std::time::Duration;
 
-use sweep_cdt::Stats;
+use serde::Serialize;
+use sweep_cdt::{ByCause, Stats};
 
 /// The width of the names.
 pub(crate) const NAME: usize = 26;
@@ -91,16 +92,97 @@ pub(crate) fn write_statistics(stats: &Stats, out: &mut impl Write) -> io::Resul
     rows(
         out,
         &[
-            ("flips", count.flips),
             ("front steps", count.front_steps),
-            ("left cases", count.left_cases),
-            ("triangles: narrow corners", count.narrow_corners),
-            ("triangles: basins", count.basin_triangles),
-            ("triangles: pockets", count.pocket_triangles),
-            ("triangles: hull", count.hull_triangles),
+            ("front: greatest length", count.longest_front),
+        ],
+    )?;
+    mean(out, "front: mean length", count.mean_front())?;
+    rows(
+        out,
+        &[
+            ("legalization: tests", count.legalization_tests),
+            ("  flips", count.flips),
+            ("  most tests of one", count.most_tests),
+            ("  most flips of one", count.most_flips),
+        ],
+    )?;
+    mean(out, "  mean tests of one", count.mean_tests())?;
+    mean(out, "  mean flips of one", count.mean_flips())?;
+    rows(
+        out,
+        &[
             ("edges there already", count.edges_present),
             ("edges inserted", count.edges_inserted),
             ("triangles pierced", count.pierced),
         ],
-    )
+    )?;
+
+    // The triangles by cause: how many were made, and how many of them are in the result.
+    writeln!(
+        out,
+        "\n{:NAME$}{:>NUMBER$}{:>NUMBER$}",
+        "triangles", "made", "survived"
+    )?;
+    let [made, survived] = [count.made, count.survived].map(by_cause);
+    for ((name, made), (_, survived)) in made.into_iter().zip(survived) {
+        let [made, survived] = [made, survived].map(grouped);
+        writeln!(out, "{name:NAME$}{made:>NUMBER$}{survived:>NUMBER$}")?;
+    }
+    Ok(())
+}
+
+/// Writes a mean in the column of the numbers.
+fn mean(out: &mut impl Write, name: &str, mean: f64) -> io::Result<()> {
+    writeln!(out, "{name:NAME$}{mean:>NUMBER$.3}")
+}
+
+/// The causes in the words of the table.
+fn by_cause(count: ByCause) -> [(&'static str, u64); 11] {
+    [
+        ("  first", count.first),
+        ("  middle case", count.middle),
+        ("  left case", count.left),
+        ("  narrow corners", count.narrow_corners),
+        ("  basins", count.basins),
+        ("  pockets", count.pockets),
+        ("  pseudo-polygons", count.pseudo_polygons),
+        ("  hull", count.hull),
+        ("  divide and conquer", count.divide_and_conquer),
+        ("  flips", count.flips),
+        ("  all", count.sum()),
+    ]
+}
+
+/// The numbers of a run as they stand in a file, with what is computed of them.
+#[derive(Serialize)]
+struct Document<'a> {
+    program: &'static str,
+    version: &'static str,
+    #[serde(flatten)]
+    stats: &'a Stats,
+    means: Means,
+}
+
+#[derive(Serialize)]
+struct Means {
+    tests: f64,
+    flips: f64,
+    front: f64,
+}
+
+/// Writes the numbers of a run as a JSON object.
+pub(crate) fn write_json(stats: &Stats, out: &mut impl Write) -> io::Result<()> {
+    let count = stats.counters;
+    let document = Document {
+        program: env!("CARGO_PKG_NAME"),
+        version: env!("CARGO_PKG_VERSION"),
+        stats,
+        means: Means {
+            tests: count.mean_tests(),
+            flips: count.mean_flips(),
+            front: count.mean_front(),
+        },
+    };
+    serde_json::to_writer_pretty(&mut *out, &document)?;
+    writeln!(out)
 }

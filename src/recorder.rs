@@ -1,0 +1,178 @@
+//! How the statistics of a run are recorded: clocks, counters, the length of the front, and a tag for each
+//! triangle that says what made it.
+//!
+//! A triangle keeps its tag until it is flipped or removed, so the tags of the last triangles say what of the work
+//! of each kind survives.
+//!
+//! Cost: a byte for each triangle, and a write to it for each triangle made and two for each flip.
+
+use std::time::Instant;
+
+use crate::ids::TriangleId;
+use crate::stats::{ByCause, Counters, Stats};
+use crate::trace::Why;
+use crate::triangulation::Triangulation;
+
+/// The parts of the algorithm (section 3.2), which the statistics time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Phase {
+    Initialization,
+    Sweeping,
+    Finalization,
+    Finished,
+}
+
+/// What made a triangle: a field of [`ByCause`].
+#[derive(Clone, Copy, Debug)]
+enum Cause {
+    First,
+    Middle,
+    Left,
+    NarrowCorner,
+    Basin,
+    Pocket,
+    PseudoPolygon,
+    Hull,
+    DivideAndConquer,
+    Flip,
+}
+
+/// Statistics as they are recorded.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Recorder {
+    pub(crate) stats: Stats,
+    /// The current phase, and when it began.
+    current: Option<(Phase, Instant)>,
+    /// The last cause of each place of a triangle.
+    causes: Vec<Cause>,
+    /// Vertices on the front.
+    front: u64,
+    /// The tests and flips when the last triangle was made.
+    tests_before: u64,
+    flips_before: u64,
+}
+
+impl Recorder {
+    /// Ends the current phase and begins the next one.
+    pub(crate) fn clock(&mut self, next: Phase) {
+        let has_clock = !cfg!(all(target_family = "wasm", target_os = "unknown"));
+        let now = has_clock.then(Instant::now);
+        if let (Some((phase, start)), Some(now)) = (self.current, now) {
+            let time = now - start;
+            match phase {
+                Phase::Initialization => self.stats.initialization += time,
+                Phase::Sweeping => self.stats.sweeping += time,
+                Phase::Finalization => self.stats.finalization += time,
+                Phase::Finished => {}
+            }
+        }
+        self.current = now.map(|now| (next, now));
+    }
+
+    /// A step of the sweep made a triangle.
+    pub(crate) fn made(&mut self, t: TriangleId, why: Why) {
+        let counters = &self.stats.counters;
+        let cause = match why {
+            Why::First => Cause::First,
+            // A left case is counted before its second triangle is made.
+            Why::Point if counters.made.left < counters.left_cases => Cause::Left,
+            Why::Point => Cause::Middle,
+            Why::NarrowCorner => Cause::NarrowCorner,
+            Why::Basin => Cause::Basin,
+            Why::Pocket => Cause::Pocket,
+            Why::PseudoPolygon => Cause::PseudoPolygon,
+            Why::Hull => Cause::Hull,
+        };
+        self.tag(t, cause);
+    }
+
+    /// Divide and conquer made a triangle.
+    pub(crate) fn merged(&mut self, t: TriangleId) {
+        self.tag(t, Cause::DivideAndConquer);
+    }
+
+    fn tag(&mut self, t: TriangleId, cause: Cause) {
+        self.end_legalization();
+        *cause.of(&mut self.stats.counters.made) += 1;
+        if self.causes.len() <= t.index() {
+            self.causes.resize(t.index() + 1, cause);
+        }
+        self.causes[t.index()] = cause;
+    }
+
+    /// A flip made two triangles of two.
+    pub(crate) fn flipped(&mut self, triangles: [TriangleId; 2]) {
+        self.stats.counters.made.flips += 2;
+        for t in triangles {
+            self.causes[t.index()] = Cause::Flip;
+        }
+    }
+
+    /// Compares the tests and flips since the last triangle was made with the most so far.
+    fn end_legalization(&mut self) {
+        let Counters {
+            legalization_tests: tests,
+            flips,
+            ref mut most_tests,
+            ref mut most_flips,
+            ..
+        } = self.stats.counters;
+        *most_tests = (*most_tests).max(tests - self.tests_before);
+        *most_flips = (*most_flips).max(flips - self.flips_before);
+        (self.tests_before, self.flips_before) = (tests, flips);
+    }
+
+    /// A vertex joins the front.
+    pub(crate) fn front_grows(&mut self) {
+        let counters = &mut self.stats.counters;
+        counters.front_lengths += self.front;
+        self.front += 1;
+        counters.longest_front = counters.longest_front.max(self.front);
+    }
+
+    /// A vertex leaves the front.
+    pub(crate) fn front_shrinks(&mut self) {
+        self.front -= 1;
+    }
+
+    /// The triangles are all made; these, which ascend, are artificial.
+    pub(crate) fn survived(&mut self, artificial: &[TriangleId]) {
+        self.end_legalization();
+        let mut artificial = artificial.iter().map(|t| t.index()).peekable();
+        for (t, cause) in self.causes.iter().enumerate() {
+            if artificial.next_if_eq(&t).is_none() {
+                *cause.of(&mut self.stats.counters.survived) += 1;
+            }
+        }
+    }
+
+    /// All statistics of a run, with the sizes of its input and result.
+    pub(crate) fn finish(self, points: usize, edges: usize, result: &Triangulation) -> Stats {
+        Stats {
+            points,
+            duplicates: result.duplicates().len(),
+            edges,
+            triangles: result.len(),
+            hull: result.hull().len(),
+            ..self.stats
+        }
+    }
+}
+
+impl Cause {
+    /// Its field.
+    fn of(self, numbers: &mut ByCause) -> &mut u64 {
+        match self {
+            Cause::First => &mut numbers.first,
+            Cause::Middle => &mut numbers.middle,
+            Cause::Left => &mut numbers.left,
+            Cause::NarrowCorner => &mut numbers.narrow_corners,
+            Cause::Basin => &mut numbers.basins,
+            Cause::Pocket => &mut numbers.pockets,
+            Cause::PseudoPolygon => &mut numbers.pseudo_polygons,
+            Cause::Hull => &mut numbers.hull,
+            Cause::DivideAndConquer => &mut numbers.divide_and_conquer,
+            Cause::Flip => &mut numbers.flips,
+        }
+    }
+}
