@@ -97,6 +97,8 @@ fn run(input: &Input, algorithm: Algorithm) -> (Triangulation, Stats) {
     let triangulator = Triangulator::new().algorithm(algorithm);
     let run = triangulator.triangulate_with_stats(&input.points, &input.edges);
     let run = run.expect("a valid input");
+    let survived = run.stats.counters.survived.sum();
+    assert_eq!(survived, run.triangulation.len() as u64, "each has a cause");
     (run.triangulation, run.stats)
 }
 

@@ -53,6 +53,16 @@ pub(crate) const HEURISTICS: Experiment = Experiment {
             shape: Shape::Map,
         },
         View {
+            name: "survived",
+            title: "Share of the triangles made that are in the result",
+            about: "Without those that flips made: neither flipped nor removed since.",
+            measure: |row| {
+                let (made, survived) = (row.made_by_steps, row.survived_of_steps);
+                Some(survived as f64 / made.max(1) as f64)
+            },
+            shape: Shape::Map,
+        },
+        View {
             name: "added",
             title: "Triangles that the heuristics add, a point",
             about: "Those of narrow corners and of basins.",
@@ -76,13 +86,25 @@ fn settings() -> Vec<(&'static str, Heuristics)> {
         heuristics.basins = true;
         heuristics
     };
-    let mut right_angle = Heuristics::OFF;
-    right_angle.corners = Corners::RightAngle;
+    let corners = |corners| {
+        let mut heuristics = Heuristics::OFF;
+        heuristics.corners = corners;
+        heuristics
+    };
     vec![
         ("wide corners (default)", Heuristics::FAST),
         ("wide corners, basins", with_basins(Heuristics::FAST)),
         ("pi/2, basins (paper)", Heuristics::PAPER),
-        ("pi/2 alone", right_angle),
+        ("pi/2 alone", corners(Corners::RightAngle)),
+        // Between pi/2 and 3pi/4 in steps of pi/16: tangents of the supplements, to a thousandth.
+        ("9pi/16 alone", corners(Corners::Obtuse([5027, 1000]))),
+        ("5pi/8 alone", corners(Corners::Obtuse([2414, 1000]))),
+        ("11pi/16 alone", corners(Corners::Obtuse([1497, 1000]))),
+        ("3pi/4 alone", corners(Corners::Obtuse([1, 1]))),
+        (
+            "3pi/4, basins",
+            with_basins(corners(Corners::Obtuse([1, 1]))),
+        ),
         ("basins alone", with_basins(Heuristics::OFF)),
         ("none", Heuristics::OFF),
     ]

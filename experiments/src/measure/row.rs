@@ -27,6 +27,10 @@ pub(crate) struct Row {
     pub(crate) is_divided: bool,
 
     pub(crate) searches: u64,
+    /// Searches that named the very segment, so that no step followed.
+    pub(crate) hits: u64,
+    /// How often the structure was told all vertices anew, with places in the place of x.
+    pub(crate) rebuilds: u64,
     pub(crate) front_mean: f64,
     pub(crate) front_max: u64,
     pub(crate) comparisons: Option<u64>,
@@ -37,6 +41,9 @@ pub(crate) struct Row {
     pub(crate) front_steps: u64,
 
     pub(crate) flips: u64,
+    pub(crate) legalization_tests: u64,
+    pub(crate) most_tests: u64,
+    pub(crate) most_flips: u64,
     pub(crate) orientation_tests: u64,
     pub(crate) orientation_exact: u64,
     pub(crate) in_circle_tests: u64,
@@ -48,6 +55,16 @@ pub(crate) struct Row {
     pub(crate) basin_triangles: u64,
     pub(crate) pocket_triangles: u64,
     pub(crate) hull_triangles: u64,
+    /// All triangles made but those of flips, and how many of these are in the result; then by what made them.
+    pub(crate) made_by_steps: u64,
+    pub(crate) survived_of_steps: u64,
+    pub(crate) survived_points: u64,
+    pub(crate) survived_narrow_corners: u64,
+    pub(crate) survived_basins: u64,
+    pub(crate) survived_pockets: u64,
+    pub(crate) survived_pseudo_polygons: u64,
+    pub(crate) survived_hull: u64,
+    pub(crate) survived_divided: u64,
     pub(crate) edges_present: u64,
     pub(crate) edges_inserted: u64,
     pub(crate) pierced: u64,
@@ -76,6 +93,9 @@ impl Row {
         self.is_divided = stats.is_divided;
         self.front_steps = counters.front_steps;
         self.flips = counters.flips;
+        self.legalization_tests = counters.legalization_tests;
+        self.most_tests = counters.most_tests;
+        self.most_flips = counters.most_flips;
         self.orientation_exact = counters.orient2d_exact();
         self.orientation_tests = counters.orient2d_filtered + counters.orient2d_exact();
         self.in_circle_exact = counters.in_circle_exact();
@@ -87,6 +107,16 @@ impl Row {
         self.basin_triangles = counters.made.basins;
         self.pocket_triangles = counters.made.pockets;
         self.hull_triangles = counters.made.hull;
+        let survived = &counters.survived;
+        self.made_by_steps = counters.made.sum() - counters.made.flips;
+        self.survived_of_steps = survived.sum() - survived.flips;
+        self.survived_points = survived.middle + survived.left;
+        self.survived_narrow_corners = survived.narrow_corners;
+        self.survived_basins = survived.basins;
+        self.survived_pockets = survived.pockets;
+        self.survived_pseudo_polygons = survived.pseudo_polygons;
+        self.survived_hull = survived.hull;
+        self.survived_divided = survived.divide_and_conquer;
         self.edges_present = counters.edges_present;
         self.edges_inserted = counters.edges_inserted;
         self.pierced = counters.pierced;
@@ -95,6 +125,8 @@ impl Row {
     /// Takes over what was seen of the front.
     pub(super) fn see(&mut self, seen: Seen) {
         self.searches = seen.searches;
+        self.hits = seen.hits;
+        self.rebuilds = seen.rebuilds;
         self.front_mean = seen.lengths as f64 / seen.searches.max(1) as f64;
         self.front_max = seen.greatest_length;
     }
