@@ -94,6 +94,10 @@ impl Recorder {
     fn tag(&mut self, t: TriangleId, cause: Cause) {
         self.end_legalization();
         *cause.of(&mut self.stats.counters.made) += 1;
+        self.set(t, cause);
+    }
+
+    fn set(&mut self, t: TriangleId, cause: Cause) {
         if self.causes.len() <= t.index() {
             self.causes.resize(t.index() + 1, cause);
         }
@@ -104,7 +108,7 @@ impl Recorder {
     pub(crate) fn flipped(&mut self, triangles: [TriangleId; 2]) {
         self.stats.counters.made.flips += 2;
         for t in triangles {
-            self.causes[t.index()] = Cause::Flip;
+            self.set(t, Cause::Flip);
         }
     }
 
@@ -132,12 +136,13 @@ impl Recorder {
 
     /// A vertex leaves the front.
     pub(crate) fn front_shrinks(&mut self) {
-        self.front -= 1;
+        self.front = self.front.saturating_sub(1);
     }
 
-    /// The triangles are all made; these, which ascend, are artificial.
-    pub(crate) fn survived(&mut self, artificial: &[TriangleId]) {
+    /// So many triangles are left; these, which ascend, are artificial.
+    pub(crate) fn survived(&mut self, triangles: usize, artificial: &[TriangleId]) {
         self.end_legalization();
+        self.causes.truncate(triangles);
         let mut artificial = artificial.iter().map(|t| t.index()).peekable();
         for (t, cause) in self.causes.iter().enumerate() {
             if artificial.next_if_eq(&t).is_none() {

@@ -67,7 +67,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let mut artificial = take(&mut memory.artificial);
         artificial.clear();
         name(&mut triangles, &self.fabric.signs, &mut artificial);
-        self.fabric.probe.record(|r| r.survived(&artificial));
+        self.fabric
+            .probe
+            .record(|r| r.survived(triangles.len(), &artificial));
         self.remove_artificial(&mut triangles, &artificial);
         self.fabric.report(|_| Event::Finished {
             triangles: narrow(triangles.len()),
