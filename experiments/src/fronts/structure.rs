@@ -179,9 +179,12 @@ impl<F> Watched<F> {
 
     /// Whether the projection of x falls between this node and the next one.
     fn is_hit(&self, x: f64, node: FrontNode, front: &Front) -> bool {
-        let is_left = node == front.left_end() || self.xs[node.rank()] <= x;
+        // Nothing comes after the right end.
         let is_beyond = |next: FrontNode| next == front.right_end() || self.xs[next.rank()] > x;
-        is_left && front.after(node).is_some_and(is_beyond)
+        let is_left = |node: FrontNode| node == front.left_end() || self.xs[node.rank()] <= x;
+        front
+            .after(node)
+            .is_some_and(|next| is_left(node) && is_beyond(next))
     }
 }
 
@@ -244,6 +247,7 @@ mod tests {
         assert!(watched.is_hit(2.0, middle, &front) && watched.is_hit(3.5, middle, &front));
         assert!(!watched.is_hit(4.0, middle, &front) && !watched.is_hit(1.5, middle, &front));
         assert!(watched.is_hit(4.0, left, &front));
+        assert!(!watched.is_hit(4.0, front.right_end(), &front));
         front.remove(middle);
         watched.removed(middle, 2.0);
         watched.locate(-1.0, &front);
