@@ -82,9 +82,6 @@ pub enum Corners {
     RightAngle,
     /// Below pi/2, and on either side one of up to 110 degrees, which measured fastest.
     Wide,
-    /// Below pi - atan(a / b), an angle of more than pi/2, for `[a, b]`: however many. `[1, 1]` is 3pi/4. For
-    /// experiments: where the front is long and straight, many are closed that the next vertex opens again.
-    Obtuse([u32; 2]),
 }
 
 impl Heuristics {

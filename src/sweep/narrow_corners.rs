@@ -17,7 +17,7 @@
 //! side of `p`.
 //!
 //! Differs from the paper: angles are compared by dot products; [`Corners::Wide`] goes a little beyond
-//! pi/2, [`Corners::Obtuse`] up to an angle whose tangent is a ratio.
+//! pi/2.
 
 use std::cmp::Ordering::{self, Greater, Less};
 
@@ -44,13 +44,6 @@ impl Angle {
     #[inline(always)]
     fn is_acute(&self) -> bool {
         self.dot > 0.0
-    }
-
-    /// Whether it is below pi - atan(a / b). Only for an angle that is not acute.
-    fn is_below_obtuse(&self, [a, b]: [u32; 2]) -> bool {
-        let [[ax, ay], [bx, by]] = self.arms;
-        let cross = (ax * by - ay * bx).abs();
-        cross * f64::from(b) > -self.dot * f64::from(a)
     }
 
     /// Whether it is below 110 degrees. Only for an angle that is not acute.
@@ -83,11 +76,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             }
             let angle = self.angle(p, corner, far);
             if !angle.is_acute() {
-                let is_narrow = match corners {
-                    Corners::Obtuse(tangent) => angle.is_below_obtuse(tangent),
-                    _ => may_be_obtuse && angle.is_below_110_degrees(),
-                };
-                if !is_narrow {
+                if !may_be_obtuse || !angle.is_below_110_degrees() {
                     break;
                 }
                 may_be_obtuse = false;

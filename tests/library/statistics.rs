@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use num_bigint::BigInt;
 use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Corners, Heuristics, Stats, Triangulator};
+use sweep_cdt::{Heuristics, Stats, Triangulator};
 use sweep_cdt_testing::Random;
 
 /// The first points of a raster, row by row.
@@ -196,33 +196,6 @@ fn settings_hold_in_any_order_and_for_every_kind_of_run() {
         }
         triangulator.triangulate(&points, &[]).expect("no edges");
         assert_eq!(calls.replace(0), 3);
-    }
-}
-
-/// The corner at 10 lies between a new point at `[6, height]` and 20: its angle is pi - atan(height / 4).
-#[test]
-fn corners_are_closed_up_to_the_angle_asked_for() {
-    let closed = |height: f64, corners| {
-        let points = [[0.0, 0.0], [10.0, 0.0], [20.0, 0.0], [6.0, height]];
-        let mut heuristics = Heuristics::OFF;
-        heuristics.corners = corners;
-        let run = Triangulator::new().heuristics(heuristics);
-        let run = run.triangulate_with_stats(&points, &[]);
-        run.expect("no edges").stats.counters.made.narrow_corners
-    };
-    for (height, corners, expected) in [
-        (4.0, Corners::Obtuse([1, 1]), 0),
-        (4.001, Corners::Obtuse([1, 1]), 1),
-        (5.0, Corners::Obtuse([5, 4]), 0),
-        (5.001, Corners::Obtuse([5, 4]), 1),
-        (5.0, Corners::Wide, 0),
-        (11.1, Corners::Wide, 1),
-        (1e9, Corners::RightAngle, 0),
-        (1e9, Corners::Obtuse([0, 1]), 1),
-        (1.0, Corners::Obtuse([0, 1]), 1),
-        (1e9, Corners::Obtuse([1, 0]), 0),
-    ] {
-        assert_eq!(closed(height, corners), expected, "{height} {corners:?}");
     }
 }
 

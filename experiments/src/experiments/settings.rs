@@ -96,15 +96,6 @@ fn settings() -> Vec<(&'static str, Heuristics)> {
         ("wide corners, basins", with_basins(Heuristics::FAST)),
         ("pi/2, basins (paper)", Heuristics::PAPER),
         ("pi/2 alone", corners(Corners::RightAngle)),
-        // Between pi/2 and 3pi/4 in steps of pi/16: tangents of the supplements, to a thousandth.
-        ("9pi/16 alone", corners(Corners::Obtuse([5027, 1000]))),
-        ("5pi/8 alone", corners(Corners::Obtuse([2414, 1000]))),
-        ("11pi/16 alone", corners(Corners::Obtuse([1497, 1000]))),
-        ("3pi/4 alone", corners(Corners::Obtuse([1, 1]))),
-        (
-            "3pi/4, basins",
-            with_basins(corners(Corners::Obtuse([1, 1]))),
-        ),
         ("basins alone", with_basins(Heuristics::OFF)),
         ("none", Heuristics::OFF),
     ]

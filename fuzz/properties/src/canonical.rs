@@ -108,12 +108,7 @@ fn judge_bands(Input { points, edges }: &Input, here: Option<&Answer>, bands: us
 /// Any setting but the default.
 fn heuristics(random: &mut Random) -> Heuristics {
     let mut heuristics = Heuristics::OFF;
-    heuristics.corners = random.pick(&[
-        Corners::Off,
-        Corners::RightAngle,
-        Corners::Wide,
-        Corners::Obtuse([1, 1]),
-    ]);
+    heuristics.corners = random.pick(&[Corners::Off, Corners::RightAngle, Corners::Wide]);
     heuristics.basins = heuristics.corners == Corners::Wide || random.one_in(2);
     heuristics
 }
