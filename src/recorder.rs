@@ -9,6 +9,7 @@
 use std::time::Instant;
 
 use crate::ids::TriangleId;
+use crate::mesh::Side;
 use crate::stats::{ByCause, Counters, Stats};
 use crate::trace::Why;
 use crate::triangulation::Triangulation;
@@ -105,9 +106,9 @@ impl Recorder {
     }
 
     /// A flip made two triangles of two.
-    pub(crate) fn flipped(&mut self, triangles: [TriangleId; 2]) {
+    pub(crate) fn flipped(&mut self, sides: [Side; 2]) {
         self.stats.counters.made.flips += 2;
-        for t in triangles {
+        for t in sides.map(Side::triangle) {
             self.set(t, Cause::Flip);
         }
     }

@@ -118,8 +118,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         self.probe.count(|c| c.flips += 1);
         self.flip_limit.count();
         let across = self.mesh.flip(side);
-        let triangles = [side, across].map(Side::triangle);
-        self.probe.record(|r| r.flipped(triangles));
+        self.probe.record(|r| r.flipped([side, across]));
         let [p, _, q] = self.mesh.around(side);
         if p == q {
             // In a plane the two triangles of a side have different vertices opposite.
