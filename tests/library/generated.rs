@@ -127,6 +127,7 @@ fn a_written_poly_holds_seeds_and_the_numbers_of_all_things() {
         first_edge: 1,
         first_hole: 1,
         first_region: 1,
+        ..Graph::default()
     };
     assert_eq!(again(InputFormat::Poly, &graph), Input::Doubles(graph));
 }

@@ -223,10 +223,7 @@ impl<const MOVES: bool> Zero for Crude<MOVES> {
 }
 
 /// Doubles in place of points are these, all times one positive number.
-fn check_doubles<S: Scalar>(numbers: &[(S, &BigRational)], expected: bool)
-where
-    S: Clone,
-{
+fn check_doubles<S: Scalar + Clone>(numbers: &[(S, &BigRational)], expected: bool) {
     let points: Vec<[S; 2]> = numbers
         .iter()
         .map(|(x, _)| [x.clone(), numbers[0].0.clone()])

@@ -34,6 +34,7 @@ pub fn judge(input: &Input, choices: u64) {
     let heuristics = heuristics(random);
     assert_eq!(answer_by(input, heuristics), here, "{heuristics:?}");
     judge_algorithms(input, here.as_ref());
+    judge_kept_memory(input, here.as_ref());
     let limit = random.pick(&[60, 900]);
     let scale = random.integer(limit).exp2();
     // What overflows or loses digits does not come back.
@@ -87,6 +88,26 @@ fn judge_algorithms(input: &Input, here: Option<&Answer>) {
             let swept = by(Algorithm::Sweep);
             assert_eq!(swept, Err(error), "{name}: the sweep names others");
         }
+    }
+}
+
+/// In memory that another input has used the answer is the same.
+fn judge_kept_memory(Input { points, edges }: &Input, here: Option<&Answer>) {
+    let mut repeater = Triangulator::new().repeater();
+    // All points but the last, each of them twice, with the edges between them.
+    let most = points.len().saturating_sub(1);
+    let others = [&points[..most], &points[..most]].concat();
+    let between: Vec<[usize; 2]> = edges
+        .iter()
+        .copied()
+        .filter(|edge| edge.iter().all(|&v| v < most))
+        .collect();
+    for _ in 0..2 {
+        // What it says of crossing edges is judged elsewhere.
+        let _ = repeater.triangulate(&others, &between);
+        let there = repeater.triangulate(points, edges);
+        let there = there.map(|result| found(result, points.len(), edges.len()));
+        assert_eq!(there.ok().as_ref(), here, "in memory that was kept");
     }
 }
 

@@ -40,8 +40,8 @@ use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::recorder::Phase;
 use crate::scalar::Scalar;
-use crate::stats::Phase;
 use crate::trace::Why;
 
 /// An arc that will vanish: the height of the sweep line, the arc, and how often its neighbours had changed.

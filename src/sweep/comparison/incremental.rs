@@ -39,8 +39,8 @@ use crate::front::FrontSearch;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::recorder::Phase;
 use crate::scalar::Scalar;
-use crate::stats::Phase;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Triangulates by insertion, and then inserts the edges; afterwards the hull is complete. Returns how many

@@ -33,8 +33,8 @@ use crate::front::{FrontSearch, Way};
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::recorder::Phase;
 use crate::scalar::Scalar;
-use crate::stats::Phase;
 use crate::trace::Why;
 
 /// A side of the lower hull.
