@@ -8,6 +8,8 @@ use crate::trace::Event;
 pub(crate) trait Probe {
     /// Whether events are received.
     const EVENTS: bool = false;
+    /// Whether anything is recorded.
+    const RECORDS: bool = true;
 
     /// A part of the algorithm (section 3.2) begins.
     fn begin(&mut self, _phase: Phase) {}
@@ -25,7 +27,9 @@ pub(crate) trait Probe {
     fn event(&mut self, _event: Event) {}
 }
 
-impl Probe for () {}
+impl Probe for () {
+    const RECORDS: bool = false;
+}
 
 impl Probe for Recorder {
     fn begin(&mut self, phase: Phase) {
