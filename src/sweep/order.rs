@@ -141,11 +141,12 @@ impl Workspace {
         let factor = keys as f64 / (high - low);
         let key = |y: f64| narrow(bucket((y - low) * factor, keys));
         // Keys, and how often each digit occurs: the lower and the upper half of their bits.
-        let [lower, upper] = &mut self.places;
-        for counts in [&mut *lower, &mut *upper] {
+        for counts in &mut self.places {
             counts.clear();
             counts.resize(1 << half, 0);
         }
+        let [lower, upper] = &mut self.places;
+        let [lower, upper] = [&mut lower[..], &mut upper[..]];
         let digit = |key: u32, shift| (key >> shift) as usize & ((1 << half) - 1);
         self.keyed.extend(inputs.map(|input| {
             let key = key(approx(input)[1]);
@@ -164,9 +165,10 @@ impl Workspace {
                 sum += *place;
                 *place = sum - *place;
             }
+            let sorted = &mut self.sorted[..];
             for item in &self.keyed {
                 let place = &mut places[digit(item.key, shift)];
-                self.sorted[*place as usize] = *item;
+                sorted[*place as usize] = *item;
                 *place += 1;
             }
             std::mem::swap(&mut self.keyed, &mut self.sorted);

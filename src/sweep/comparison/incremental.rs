@@ -41,6 +41,7 @@ use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::recorder::Phase;
 use crate::scalar::Scalar;
+use crate::trace::Why;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Triangulates by insertion, and then inserts the edges; afterwards the hull is complete. Returns how many
@@ -152,6 +153,9 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         let u = self.mesh.add([p, c, a], [across_ca, Side::NOTHING, ca]);
         let pa = Side::new(u, 1);
         let w = self.mesh.add([p, a, b], [across_ab, ab, pa]);
+        for made in [t, u, w] {
+            self.probe.record(|r| r.made(made, Why::Point));
+        }
         self.legalize_fan(w, a);
     }
 
