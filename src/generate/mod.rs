@@ -9,7 +9,8 @@
 //!
 //! let parcels = Kind::named("parcels").expect("there is such a kind").graph(1000, 1);
 //! let result = sweep_cdt::triangulate(&parcels.points, &parcels.edges)?;
-//! assert!(parcels.edges.len() > 1000 && result.len() > 1000);
+//! assert!(parcels.edges.len() > parcels.points.len());
+//! assert!(result.len() > parcels.edges.len());
 //! # Ok::<(), sweep_cdt::Error>(())
 //! ```
 
