@@ -13,8 +13,9 @@ use crate::triangulation::Triangulation;
 ///
 /// The results are those of [`Triangulator::triangulate`](crate::Triangulator::triangulate), which makes this
 /// with [`Triangulator::repeater`](crate::Triangulator::repeater). Once the memory is as large as the inputs
-/// need, a call allocates next to nothing. That saves a tenth to a quarter of the time of a small polygon. The
-/// memory stays as large as the largest input needed, about 100 bytes a point, until the repeater is dropped.
+/// need, a call allocates next to nothing. That saves a sixth of the instructions for a polygon of ten points, and
+/// a fifth of the time for a million points, whose pages the system need not clear again. The memory stays as
+/// large as the largest input needed, about 100 bytes a point, until the repeater is dropped.
 ///
 /// ```
 /// let mut repeater = sweep_cdt::Triangulator::new().repeater();

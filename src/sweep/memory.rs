@@ -5,7 +5,7 @@
 //! initialization works with is freed at its end.
 //!
 //! Cost: nothing for a single run. A run that finds memory of its size neither asks the system for pages nor
-//! frees any: a tenth of the time among a hundred thousand points, a fifth among ten.
+//! frees any.
 //!
 //! Differs from the paper: it does not speak of memory.
 
