@@ -11,11 +11,11 @@ use crate::triangulation::Triangulation;
 
 /// Triangulates one input after the other, and keeps its memory from each to the next.
 ///
-/// The results are those of [`Triangulator::triangulate`](crate::Triangulator::triangulate), which makes this
-/// with [`Triangulator::repeater`](crate::Triangulator::repeater). Once the memory is as large as the inputs
-/// need, a call allocates next to nothing. That saves a sixth of the instructions for a polygon of ten points, and
-/// a fifth of the time for a million points, whose pages the system need not clear again. The memory stays as
-/// large as the largest input needed, about 100 bytes a point, until the repeater is dropped.
+/// [`Triangulator::repeater`](crate::Triangulator::repeater) makes one; its results are those of
+/// [`Triangulator::triangulate`](crate::Triangulator::triangulate). Once the memory is as large as the inputs
+/// need, a call allocates next to nothing. That saves a sixth of the instructions for a polygon of ten points,
+/// and a fifth of the time for a million points, whose pages the system need not clear again. Until the
+/// repeater is dropped it keeps what the largest input needed, about 100 bytes a point.
 ///
 /// ```
 /// let mut repeater = sweep_cdt::Triangulator::new().repeater();
@@ -55,7 +55,7 @@ impl<F: FrontSearch + Clone> Repeater<'_, F> {
     /// overwritten by the next call; clone what you want to keep.
     ///
     /// # Errors
-    /// See [`Error`]. After one the memory is allocated anew.
+    /// See [`Error`]. The call after an error allocates most of the memory anew.
     pub fn triangulate<S: Scalar>(
         &mut self,
         points: &[[S; 2]],

@@ -103,9 +103,6 @@ impl<'a> Domain<'a> {
 
     /// The triangles inside in the order of [`Triangulation::canonical_triangles`].
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
-        if self.inside.len() == self.result.len() {
-            return self.result.canonical_triangles();
-        }
         canonical(self.inside().map(|t| self.result.triangle(t)))
     }
 

@@ -39,7 +39,12 @@ pub struct Region<S> {
 
 impl<S> Graph<S> {
     /// The numbers that the file gives to edges.
-    pub(crate) fn edges_as_numbered(&self, edges: [usize; 2]) -> [usize; 2] {
+    ///
+    /// ```
+    /// let graph = sweep_cdt::formats::Graph::<f64> { first_edge: 1, ..Default::default() };
+    /// assert_eq!(graph.edges_as_numbered([0, 2]), [1, 3]);
+    /// ```
+    pub fn edges_as_numbered(&self, edges: [usize; 2]) -> [usize; 2] {
         edges.map(|edge| edge.saturating_add(self.first_edge))
     }
 

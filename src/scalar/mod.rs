@@ -117,8 +117,8 @@ pub trait Scalar: Sized {
     /// `None` where there are none, or the type cannot tell at little cost.
     ///
     /// Such a number changes no sign. So the sweep triangulates these doubles in place of the points, and the exact
-    /// stages of `f64` decide what the filter leaves open. It does not ask where
-    /// [`APPROX_IS_EXACT`](Scalar::APPROX_IS_EXACT) has told.
+    /// stages of `f64` decide what the filter leaves open. It does not ask a type whose approximations are exact
+    /// ([`APPROX_IS_EXACT`](Scalar::APPROX_IS_EXACT)).
     ///
     /// ```
     /// use num_rational::BigRational;

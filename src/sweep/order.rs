@@ -17,7 +17,7 @@ use crate::bucket::bucket;
 use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
 
-/// So few points are sorted fast by comparison too, those far away included.
+/// So few points are sorted fast by comparison too.
 const FEW: usize = 4096;
 /// So few points have one key.
 const ONE_KEY: usize = 20;
@@ -146,7 +146,6 @@ impl Workspace {
             counts.resize(1 << half, 0);
         }
         let [lower, upper] = &mut self.places;
-        let [lower, upper] = [&mut lower[..], &mut upper[..]];
         let digit = |key: u32, shift| (key >> shift) as usize & ((1 << half) - 1);
         self.keyed.extend(inputs.map(|input| {
             let key = key(approx(input)[1]);
@@ -165,10 +164,9 @@ impl Workspace {
                 sum += *place;
                 *place = sum - *place;
             }
-            let sorted = &mut self.sorted[..];
             for item in &self.keyed {
                 let place = &mut places[digit(item.key, shift)];
-                sorted[*place as usize] = *item;
+                self.sorted[*place as usize] = *item;
                 *place += 1;
             }
             std::mem::swap(&mut self.keyed, &mut self.sorted);

@@ -120,10 +120,10 @@ fn edges_are_split_and_the_result_is_verified() {
     // 2/3 is rounded by a third of a unit there, which is half of one at 1, the largest y of edge 2. That has three
     // times the width and twice the unit in x: the distance is 3/5 of a sixth.
     let output = run(&folder, "a.poly --split-crossings --verify -o a.json");
-    let expected = line("a.poly", "0.1") + &correct("a.poly");
+    let expected = line("a.poly", "0.1") + &correct("the split edges of a.poly");
     assert_eq!(printed(&output), expected);
     let output = run(&folder, "b.json --split-crossings --verify -o c.json");
-    assert_eq!(printed(&output), line("b.json", "0") + &correct("b.json"));
+    assert_eq!(printed(&output), line("b.json", "0") + &correct("the split edges of b.json"));
     let output = run(
         &folder,
         "a.poly --split-crossings --scalar rational -o d.json",

@@ -115,7 +115,7 @@ impl Crossings {
 
 /// Writes a pair of edges, numbered as in their file: one line.
 fn print<S>(graph: &Graph<S>, crossing: &Crossing, out: &mut impl Write) -> io::Result<()> {
-    let [edge, other] = crossing.edges.map(|edge| edge + graph.first_edge);
+    let [edge, other] = graph.edges_as_numbered(crossing.edges);
     let [x, y] = crossing.point.each_ref().map(BigRational::text);
     write!(out, "edges {edge} and {other} cross at ({x}, {y})")?;
     let near = crossing.near();

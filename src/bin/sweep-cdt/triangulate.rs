@@ -206,7 +206,10 @@ impl Job for Run<'_> {
                 match verdict {
                     Some(report) => {
                         let (answer, level) = (Ok(report), Level::Delaunay);
-                        verification::write_verdict(&answer, level, "the result", given.name, out)
+                        let splitting = self.splitting.as_ref();
+                        let input = splitting.map(|splitting| splitting.triangulated(given.name));
+                        let input = input.as_deref().unwrap_or(given.name);
+                        verification::write_verdict(&answer, level, "the result", input, out)
                     }
                     None => Ok(()),
                 }

@@ -1,8 +1,7 @@
 //! Lists of edges that cross, as CSV or JSON.
 //!
 //! Edges are numbered as in their file. `x` and `y` are exact: a whole number that is a double, or a
-//! fraction. `near_x` and `near_y` are the nearest
-//! doubles.
+//! fraction. `near_x` and `near_y` are the nearest doubles.
 //!
 //! ```text
 //! edge,other,x,y,near_x,near_y

@@ -15,10 +15,10 @@ pub(crate) struct SplitArgs {
     ///
     /// The vertices of the input keep their numbers, the new ones follow. The edges of the output are the
     /// pieces, in order; the list `split` of a .json has the vertices along each edge of the input. Rationals
-    /// are split exactly. Doubles are rounded to the nearest ones, and while edges cross that are bent by that,
-    /// they are split again; each edge then goes through all vertices within its rounding. A line says by how
-    /// much an edge moved at most: in units in the last place, each of them the distance of the doubles around
-    /// the largest coordinate of the edge, along x and y.
+    /// are split exactly. Of doubles, each crossing moves to the nearest doubles. That bends the edges; where
+    /// they now cross again, they are split again. Each edge goes through all vertices that are within its
+    /// rounding. A line says how far an edge moved at most, along x or y. The unit is the distance between
+    /// neighbouring doubles at the largest coordinate of that edge.
     #[arg(long)]
     split_crossings: bool,
 }
@@ -84,6 +84,15 @@ fn divided<S: Coordinate + Exact>(
 }
 
 impl Splitting {
+    /// What was triangulated in place of the input called `name`.
+    pub(crate) fn triangulated(&self, name: &str) -> String {
+        if self.rounds == 0 {
+            name.to_owned()
+        } else {
+            format!("the split edges of {name}")
+        }
+    }
+
     /// Writes it: one line.
     pub(crate) fn write(&self, name: &str, out: &mut impl Write) -> io::Result<()> {
         let Splitting {
