@@ -14,6 +14,8 @@
 //! Differs from the paper: the table is not updated when a node leaves the front; the search notices it.
 //! Intervals may be quantiles or places.
 
+use std::iter::successors;
+
 use super::intervals::{Intervals, Places};
 use super::list::{Front, FrontNode};
 use super::search::{Domain, FrontSearch, Patience};
@@ -31,8 +33,18 @@ pub struct HashTable {
 
 /// How many intervals are searched on either side before the last node inserted is taken.
 const REACH: usize = 16;
-/// How many points a sample has at most.
-const SAMPLE: usize = 4096;
+/// How many points a sample has for each interval, and at most.
+const SAMPLE: [usize; 2] = [2, 4096];
+
+/// So many of `n` vertices, or all if there are fewer. They are at multiples of the golden ratio, which fall into
+/// no step with the rows of a lattice.
+fn sampled(n: usize, size: usize) -> impl Iterator<Item = usize> {
+    let fractions = successors(Some(0_u32), |at| Some(at.wrapping_add(0x9E37_79B9)));
+    let spread = fractions.map(move |at| ((u64::from(at) * n as u64) >> 32) as usize);
+    (0..n.min(size))
+        .zip(spread)
+        .map(move |(i, spread)| if n <= size { i } else { spread })
+}
 
 impl FrontSearch for HashTable {
     fn begin(&mut self, domain: Domain<'_>) {
@@ -41,12 +53,14 @@ impl FrontSearch for HashTable {
             self.intervals = Intervals::Places(Places::new(n));
             n
         } else {
-            let step = n.div_ceil(SAMPLE).max(1);
-            let mut sample: Vec<f64> = (0..n).step_by(step).map(|v| domain.x(v)).collect();
+            let count = 2 * n.isqrt() + 1;
+            let [of_each, most] = SAMPLE;
+            let mut sample: Vec<f64> = sampled(n, most.min(of_each * count))
+                .map(|v| domain.x(v))
+                .collect();
             sample.sort_unstable_by(f64::total_cmp);
             // Only one of equal x is on the front.
             sample.dedup();
-            let count = 2 * n.isqrt() + 1;
             self.intervals = Intervals::new(&sample, count);
             count
         };

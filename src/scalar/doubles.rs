@@ -8,7 +8,8 @@
 //! double, costs them nothing. A window above that is at least half as full comes first: x and y may have
 //! units that far apart, and what becomes infinite no longer tells points apart.
 //!
-//! Cost of finding the window: O(n log k) for n numbers of k different exponents.
+//! Cost of finding the window: O(n) for n numbers, but for exponents beyond those of doubles: O(n log k) for k
+//! different ones.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -35,11 +36,18 @@ const WIDTH: i64 = 100;
 
 /// The power of two by which numbers with these exponents are multiplied.
 pub(super) fn shift(exponents: impl Iterator<Item = i64>) -> i64 {
-    let mut counts = BTreeMap::new();
+    // Those of doubles, which are nearly always all, are counted in an array.
+    let (mut of_doubles, mut others) = ([0_usize; 2048], BTreeMap::new());
     for exponent in exponents {
-        *counts.entry(exponent).or_insert(0_usize) += 1;
+        let place = usize::try_from(exponent.saturating_add(1024)).ok();
+        match place.and_then(|place| of_doubles.get_mut(place)) {
+            Some(count) => *count += 1,
+            None => *others.entry(exponent).or_insert(0_usize) += 1,
+        }
     }
-    let counts: Vec<(i64, usize)> = counts.into_iter().collect();
+    let counts = (-1024..).zip(of_doubles).filter(|&(_, count)| count > 0);
+    let mut counts: Vec<(i64, usize)> = counts.chain(others).collect();
+    counts.sort_unstable();
     // For the window that ends with each exponent how many numbers it holds.
     let (mut from, mut held) = (0, 0);
     let mut windows = Vec::with_capacity(counts.len());

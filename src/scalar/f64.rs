@@ -1,11 +1,10 @@
 //! `f64`: exact for every finite double, in four stages, each only where the one before decides nothing.
 //!
 //! 1. The [filter](super::filter): most signs.
-//! 2. Machine integers. If all differences are exact and multiples of a power of two less than 2^30
-//!    times as large as it, in 64 and 128 bits: ties on lattices, in about 15 ns. If they are less than 2^61
-//!    times as large, or rounded but all coordinates are multiples of a power of two less than 2^61 times
-//!    as large, in up to 256 bits: most near-ties of other points, since coordinates of 53 bits may still
-//!    differ by 2^8 in size, in about 50 ns.
+//! 2. Machine integers, in 64 to 256 bits. If all coordinates are multiples of a power of two less than 2^61
+//!    times as large as it, they are integers in that unit: most ties and near-ties, since coordinates of 53
+//!    bits may still differ by 2^8 in size. If not, the differences are, where none is rounded and the largest is
+//!    less than 2^61 units: points close together that lie far from the origin along one axis only. 10 to 30 ns.
 //! 3. The adaptive expansions of Shewchuk (1997; crate `robust`), 300 to 700 ns on ties. They are exact
 //!    while nothing under- or overflows, which holds if every coordinate is zero or within
 //!    2^-142..=2^201 in size; coordinates outside are multiplied by a power of two first if that
@@ -22,7 +21,7 @@ use num_traits::float::FloatCore;
 use robust::Coord;
 
 use super::doubles::{exponent, power};
-use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, integer, unbounded, wide};
+use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, unbounded, wide};
 
 impl Scalar for f64 {
     const APPROX_IS_EXACT: bool = true;
@@ -49,8 +48,8 @@ impl Scalar for f64 {
 
     #[cold]
     fn orient2d_exact(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> (Ordering, Stage) {
-        if let Some([a, b]) = Differences::of([a, b], c).and_then(|rows| rows.narrow()) {
-            return ((a[0] * b[1]).cmp(&(a[1] * b[0])), Stage::Integers);
+        if let Some([a, b]) = differences([a, b], c) {
+            return (wide::turn(a, b), Stage::Integers);
         }
         let points = [a, b, c];
         let Some(points) = moderate(points) else {
@@ -58,9 +57,6 @@ impl Scalar for f64 {
             let sign = unbounded::turn(&unbounded::minus(&a, &c), &unbounded::minus(&b, &c));
             return (sign, Stage::BigIntegers);
         };
-        if let Some([a, b, c]) = integers(&points) {
-            return integer::turn(minus(a, c), minus(b, c));
-        }
         let [a, b, c] = points.map(|[x, y]| Coord { x, y });
         (sign(robust::orient2d(a, b, c)), Stage::Expansions)
     }
@@ -72,14 +68,8 @@ impl Scalar for f64 {
         &c: &[Self; 2],
         &d: &[Self; 2],
     ) -> (Ordering, Stage) {
-        if let Some(differences) = Differences::of([a, b, c], d) {
-            if let Some(rows) = differences.narrow() {
-                return (wide::in_circle_narrow(rows), Stage::Integers);
-            }
-            if let Some(rows) = differences.wide() {
-                let rows = rows.map(|row| row.map(i128::from));
-                return (wide::in_circle_middle(rows), Stage::Integers);
-            }
+        if let Some(rows) = differences([a, b, c], d) {
+            return (wide::in_circle(rows), Stage::Integers);
         }
         let points = [a, b, c, d];
         let Some(points) = moderate(points) else {
@@ -87,61 +77,54 @@ impl Scalar for f64 {
             let sign = unbounded::lifted(&[a, b, c].map(|p| unbounded::minus(&p, &d)));
             return (sign, Stage::BigIntegers);
         };
-        if let Some([a, b, c, d]) = integers(&points) {
-            return integer::in_circle([a, b, c].map(|p| minus(p, d)));
-        }
         let [a, b, c, d] = points.map(|[x, y]| Coord { x, y });
         (sign(robust::incircle(a, b, c, d)), Stage::Expansions)
     }
 }
 
-/// The differences of points to a last one, all of them exact.
-struct Differences<const N: usize> {
-    rows: [[f64; 2]; N],
-    /// All are below 2^(`exponent` + 1) in size.
-    exponent: i64,
+/// The differences of points to a last one in units of some power of two, if that makes integers below 2^62 of
+/// them.
+///
+/// A difference d = a - b is exact if a - d is b and d + b is a, by the error term of Knuth's two-sum.
+#[expect(clippy::float_cmp, reason = "asks for exact equality")]
+fn differences<const N: usize>(points: [[f64; 2]; N], last: [f64; 2]) -> Option<[[i64; 2]; N]> {
+    let size = largest(&points).max(largest(&[last]));
+    let (rows, is_whole) = whole(&points, size);
+    let ([to], is_last_whole) = whole(&[last], size);
+    if is_whole && is_last_whole {
+        return Some(rows.map(|p| [p[0] - to[0], p[1] - to[1]]));
+    }
+    let rows = points.map(|p| [p[0] - last[0], p[1] - last[1]]);
+    let mut exact = true;
+    for (row, point) in rows.iter().zip(&points) {
+        for i in 0..2 {
+            let (a, b, d) = (point[i], last[i], row[i]);
+            exact &= a - d == b && d + b == a;
+        }
+    }
+    let (rows, is_whole) = whole(&rows, largest(&rows));
+    (exact && is_whole).then_some(rows)
 }
 
-impl<const N: usize> Differences<N> {
-    /// The differences, if all are exact.
-    ///
-    /// A difference d = a - b is exact if a - d is b and d + b is a, by the error term of Knuth's two-sum.
-    #[expect(clippy::float_cmp, reason = "asks for exact equality")]
-    fn of(points: [[f64; 2]; N], last: [f64; 2]) -> Option<Self> {
-        let rows = points.map(|p| [p[0] - last[0], p[1] - last[1]]);
-        let exponent = exponent(largest(&rows).max(power(-900)));
-        let mut exact = exponent <= 900;
-        for (row, point) in rows.iter().zip(&points) {
-            for i in 0..2 {
-                let (a, b, d) = (point[i], last[i], row[i]);
-                exact &= a - d == b && d + b == a;
-            }
-        }
-        exact.then_some(Differences { rows, exponent })
+/// Numbers in units of a power of two, which makes those as large as `size` integers of 61 bits, and whether it
+/// makes integers of all.
+#[inline(always)]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the products are below 2^61"
+)]
+#[expect(clippy::float_cmp, reason = "asks for exact equality")]
+fn whole<const N: usize>(numbers: &[[f64; 2]; N], size: f64) -> ([[i64; 2]; N], bool) {
+    // The unit must be a normal double.
+    let exponent = exponent(size).max(-900);
+    let (unit, per_unit) = (power(exponent - 60), power(60 - exponent));
+    let (mut integers, mut is_whole) = ([[0; 2]; N], true);
+    let flat = integers.as_flattened_mut().iter_mut();
+    for (integer, &x) in flat.zip(numbers.as_flattened()) {
+        *integer = (x * per_unit) as i64;
+        is_whole &= *integer as f64 * unit == x;
     }
-
-    /// In units of a power of two, if that makes integers below 2^30 of them.
-    ///
-    /// Adding 3 * 2^51 rounds to an integer and leaves it in the low bits.
-    #[expect(clippy::float_cmp, reason = "asks for exact equality")]
-    fn narrow(&self) -> Option<[[i64; 2]; N]> {
-        const SHIFTER: f64 = 3.0 * power(51);
-        let (unit, per_unit) = (power(self.exponent - 29), power(29 - self.exponent));
-        let mut exact = true;
-        let narrow = self.rows.map(|row| {
-            row.map(|d| {
-                let shifted = d * per_unit + SHIFTER;
-                exact &= (shifted - SHIFTER) * unit == d;
-                shifted.to_bits().cast_signed() - SHIFTER.to_bits().cast_signed()
-            })
-        });
-        exact.then_some(narrow)
-    }
-
-    /// In units of a power of two, if that makes integers below 2^61 of them.
-    fn wide(&self) -> Option<[[i64; 2]; N]> {
-        whole(&self.rows, self.exponent)
-    }
+    (integers, is_whole)
 }
 
 /// Whether the adaptive expansions neither under- nor overflow on this coordinate (Shewchuk 1997,
@@ -178,39 +161,9 @@ fn scale<const N: usize>(points: [[f64; 2]; N], factor: f64) -> [[f64; 2]; N] {
 }
 
 fn largest<const N: usize>(points: &[[f64; 2]; N]) -> f64 {
-    points
-        .iter()
-        .flatten()
-        .fold(0.0, |m: f64, x| m.max(x.abs()))
-}
-
-/// Moderate points in units of a power of two, if that makes integers below 2^61 of them.
-fn integers<const N: usize>(points: &[[f64; 2]; N]) -> Option<[[i64; 2]; N]> {
-    let exponent = exponent(largest(points).max(power(-142)));
-    whole(points, exponent)
-}
-
-/// Numbers below 2^(`exponent` + 1) in size in units of a power of two, if that makes integers below 2^61 of
-/// them.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the products are below 2^61"
-)]
-#[expect(clippy::float_cmp, reason = "asks for exact equality")]
-fn whole<const N: usize>(numbers: &[[f64; 2]; N], exponent: i64) -> Option<[[i64; 2]; N]> {
-    let (unit, per_unit) = (power(exponent - 60), power(60 - exponent));
-    let integers = numbers.map(|row| row.map(|x| (x * per_unit) as i64));
-    let exact = |(&i, &x): (&i64, &f64)| i as f64 * unit == x;
-    integers
-        .iter()
-        .flatten()
-        .zip(numbers.iter().flatten())
-        .all(exact)
-        .then_some(integers)
-}
-
-fn minus(a: [i64; 2], b: [i64; 2]) -> [i128; 2] {
-    [i128::from(a[0] - b[0]), i128::from(a[1] - b[1])]
+    // The bits of numbers that are not negative have their order.
+    let bits = points.as_flattened().iter().map(|x| x.abs().to_bits());
+    f64::from_bits(bits.fold(0, u64::max))
 }
 
 /// The points in units of a power of two that makes integers of all of them.

@@ -105,7 +105,7 @@ pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> (Ordering, Stage) {
 
 /// The sign of the in-circle determinant whose rows are the differences of three points to a fourth,
 /// and the integers it took.
-#[expect(clippy::cast_possible_truncation, reason = "only what is below 2^30")]
+#[expect(clippy::cast_possible_truncation, reason = "only what is below 2^62")]
 pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> (Ordering, Stage) {
     let span = rows
         .iter()
@@ -114,11 +114,9 @@ pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> (Ordering, Stage) {
     // A power of two that divides all of them changes no sign.
     let zeros = span.trailing_zeros() & 127;
     let rows = rows.map(|row| row.map(|x| x >> zeros));
-    if span >> zeros < 1 << 30 {
-        let sign = wide::in_circle_narrow(rows.map(|row| row.map(|x| x as i64)));
+    if span >> zeros < 1 << 62 {
+        let sign = wide::in_circle(rows.map(|row| row.map(|x| x as i64)));
         (sign, Stage::Integers)
-    } else if span >> zeros < 1 << 62 {
-        (wide::in_circle_middle(rows), Stage::Integers)
     } else {
         let sign = unbounded::lifted(&rows.map(|row| row.map(BigInt::from)));
         (sign, Stage::BigIntegers)

@@ -102,12 +102,7 @@ impl Lattice {
 )]
 fn in_circle([a, b, c, d]: [[f64; 2]; 4], per_unit: f64) -> Ordering {
     let rows = [a, b, c].map(|p| [0, 1].map(|i| ((p[i] - d[i]) * per_unit) as i64));
-    let sizes = rows.as_flattened().iter().map(|x| x.unsigned_abs());
-    if sizes.fold(0, |span, size| span | size) < 1 << 30 {
-        wide::in_circle_narrow(rows)
-    } else {
-        wide::in_circle_middle(rows.map(|row| row.map(i128::from)))
-    }
+    wide::in_circle(rows)
 }
 
 #[cfg(test)]

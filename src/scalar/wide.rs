@@ -1,4 +1,4 @@
-//! In-circle determinants of integers in 64, 128 and 256 bits.
+//! Determinants of integers in 64, 128 and 256 bits.
 //!
 //! Why nothing overflows: with differences below 2^k a lift and a cross product are below 2^(2k+1) and
 //! their products, three of which are summed, below 2^(4k+2); so k = 30 fits lifts in 64 and the sum in 128
@@ -8,28 +8,51 @@
 
 use std::cmp::Ordering;
 
+/// The sign of the turn from `a` to `b`, two differences to the same point, below 2^62.
+pub(super) fn turn([ax, ay]: [i64; 2], [bx, by]: [i64; 2]) -> Ordering {
+    product(ax, by).cmp(&product(ay, bx))
+}
+
 /// The sign of the in-circle determinant whose rows are the differences of three points to a fourth, all
-/// below 2^30.
-pub(super) fn in_circle_narrow([[ax, ay], [bx, by], [cx, cy]]: [[i64; 2]; 3]) -> Ordering {
-    let det = i128::from(ax * ax + ay * ay) * i128::from(bx * cy - cx * by)
-        + i128::from(bx * bx + by * by) * i128::from(cx * ay - ax * cy)
-        + i128::from(cx * cx + cy * cy) * i128::from(ax * by - bx * ay);
+/// below 2^62.
+#[inline]
+pub(super) fn in_circle(rows: [[i64; 2]; 3]) -> Ordering {
+    let sizes = rows.as_flattened().iter().map(|x| x.unsigned_abs());
+    let span = sizes.fold(0, |span, size| span | size);
+    // A power of two that divides all of them changes no sign.
+    let zeros = span.trailing_zeros() & 63;
+    let rows = rows.map(|row| row.map(|x| x >> zeros));
+    if span >> zeros < 1 << 30 {
+        narrow(rows)
+    } else {
+        middle(rows)
+    }
+}
+
+/// The same for differences below 2^30.
+fn narrow([[ax, ay], [bx, by], [cx, cy]]: [[i64; 2]; 3]) -> Ordering {
+    let det = product(ax * ax + ay * ay, bx * cy - cx * by)
+        + product(bx * bx + by * by, cx * ay - ax * cy)
+        + product(cx * cx + cy * cy, ax * by - bx * ay);
     det.cmp(&0)
 }
 
-/// The same for differences below 2^62.
-pub(super) fn in_circle_middle([[ax, ay], [bx, by], [cx, cy]]: [[i128; 2]; 3]) -> Ordering {
-    let products = [
-        product(ax * ax + ay * ay, bx * cy - cx * by),
-        product(bx * bx + by * by, cx * ay - ax * cy),
-        product(cx * cx + cy * cy, ax * by - bx * ay),
-    ];
-    let (high, low) = products.into_iter().fold((0, 0), add);
+fn middle([a, b, c]: [[i64; 2]; 3]) -> Ordering {
+    let lift = |[x, y]: [i64; 2]| product(x, x) + product(y, y);
+    let cross = |[ax, ay]: [i64; 2], [bx, by]: [i64; 2]| product(ax, by) - product(bx, ay);
+    let (high, low) = add(
+        add(long(lift(a), cross(b, c)), long(lift(b), cross(c, a))),
+        long(lift(c), cross(a, b)),
+    );
     high.cmp(&0).then(low.cmp(&0))
 }
 
+fn product(a: i64, b: i64) -> i128 {
+    i128::from(a) * i128::from(b)
+}
+
 /// `a * b` as (high, low), meaning high * 2^128 + low; both factors are below 2^125.
-fn product(a: i128, b: i128) -> (i128, u128) {
+fn long(a: i128, b: i128) -> (i128, u128) {
     const HALF: i128 = (1 << 64) - 1;
     let (a1, a0, b1, b0) = (a >> 64, a & HALF, b >> 64, b & HALF);
     let middle = a1 * b0 + a0 * b1;

@@ -123,7 +123,10 @@ fn edges_are_split_and_the_result_is_verified() {
     let expected = line("a.poly", "0.1") + &correct("the split edges of a.poly");
     assert_eq!(printed(&output), expected);
     let output = run(&folder, "b.json --split-crossings --verify -o c.json");
-    assert_eq!(printed(&output), line("b.json", "0") + &correct("the split edges of b.json"));
+    assert_eq!(
+        printed(&output),
+        line("b.json", "0") + &correct("the split edges of b.json")
+    );
     let output = run(
         &folder,
         "a.poly --split-crossings --scalar rational -o d.json",
