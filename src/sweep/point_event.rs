@@ -111,7 +111,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             (at, order) = (right, beyond);
             steps += 1;
         }
-        self.fabric.probe.count(|c| c.front_steps += steps as u64);
+        self.fabric.probe.count(|c| {
+            c.front_steps += steps as u64;
+            c.point_events += 1;
+        });
         if steps > LONG_WALK {
             self.report_walk(steps);
         }
