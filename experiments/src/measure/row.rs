@@ -181,9 +181,23 @@ impl Row {
         ]
     }
 
-    /// Nanoseconds a point of the median.
-    pub(crate) fn ns_per_point(&self) -> f64 {
-        1e6 * self.times_ms()[0] / self.points.max(1) as f64
+    /// Nanoseconds a point of the median; `None` if no time was measured.
+    pub(crate) fn ns_per_point(&self) -> Option<f64> {
+        self.per_point(self.times_ms()[0])
+    }
+
+    /// The same of the least time.
+    pub(crate) fn least_ns_per_point(&self) -> Option<f64> {
+        self.per_point(self.times_ms()[1])
+    }
+
+    /// The same of the phases on the clock together.
+    pub(crate) fn phases_ns_per_point(&self) -> Option<f64> {
+        self.per_point(self.total_ms)
+    }
+
+    fn per_point(&self, ms: f64) -> Option<f64> {
+        (self.repetitions > 0).then(|| 1e6 * ms / self.points.max(1) as f64)
     }
 }
 
