@@ -97,6 +97,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// The same for angles that are compared with the others. It is compiled apart, so that these are constants.
     #[cfg(feature = "comparison")]
+    #[cold]
     #[inline(never)]
     pub(super) fn close_corners_to_compare(&mut self, p: VertexId, corners: Corners) {
         self.close_narrow_corners(p, Obtuse::of(corners));
