@@ -139,7 +139,10 @@ impl FrontSearch for Lengths {
 /// Whatever the algorithm: a triangle that a point makes is no point event, and there may be no front at all.
 #[test]
 fn the_mean_front_is_that_of_all_searches() {
-    let points = Random::new(3).points(500);
+    // The last point sees many sides of the lower hull, and makes a triangle with each where these are kept.
+    let mut points = Random::new(3).points(479);
+    points.extend((2..22).map(f64::from).map(|i| [i, i * i]));
+    points.push([1e3, 500.0]);
     let of = |algorithm| {
         let triangulator = Triangulator::new().front(Lengths::default());
         let run = triangulator
@@ -152,6 +155,9 @@ fn the_mean_front_is_that_of_all_searches() {
         assert_eq!([counters.point_events, counters.front_lengths], seen);
         let mean = seen[1] as f64 / seen[0].max(1) as f64;
         assert!((counters.mean_front() - mean).abs() < 1e-9, "{algorithm:?}");
+        if algorithm == Algorithm::Sweep2005 {
+            assert!(counters.made.middle > seen[0], "{counters:?}");
+        }
         seen[0]
     };
     assert_eq!(of(Algorithm::Sweep), 499);

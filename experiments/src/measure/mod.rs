@@ -89,6 +89,8 @@ impl Cell {
             data: self.data(),
             size: self.size,
             variant: variant.name.clone(),
+            points: input.points.len(),
+            edges: input.edges.len(),
             ..Row::default()
         };
         let counted = before.iter().find(|row| !row.is_left_out);

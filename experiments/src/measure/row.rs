@@ -15,7 +15,8 @@ pub(crate) struct Row {
     /// The number of points asked for.
     pub(crate) size: usize,
     pub(crate) variant: String,
-    /// Whether the variant was left out, as it would have taken too long. Then there are no numbers.
+    /// Whether the variant was left out, as it would have taken too long. Then nothing but points and edges is
+    /// counted.
     pub(crate) is_left_out: bool,
 
     pub(crate) points: usize,
