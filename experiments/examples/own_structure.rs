@@ -11,8 +11,8 @@
 use std::collections::VecDeque;
 use std::process::ExitCode;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
-use sweep_cdt_experiments::fronts::{Structure, Work};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::{Contestant, main_with};
 
 /// The last `size` vertices that joined the front, each with its x.

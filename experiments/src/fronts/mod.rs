@@ -37,6 +37,5 @@ pub use sample_tree::SampleTree;
 pub use sorted_array::SortedArray;
 pub use structure::{AnyFront, FromEnd, Structure};
 pub(crate) use structure::{Seen, Watched};
-pub use sweep_cdt::front::Work;
 pub use treap::Treap;
 pub use uniform_table::UniformTable;
