@@ -143,7 +143,11 @@ impl Recorder {
     /// So many triangles are left; these, which ascend, are artificial.
     pub(crate) fn survived(&mut self, triangles: usize, artificial: &[TriangleId]) {
         self.end_legalization();
-        self.causes.truncate(triangles);
+        // The artificial ones around the hull are the last to come: never were there more.
+        debug_assert!(
+            self.causes.len() <= triangles,
+            "a place of a triangle is gone"
+        );
         let mut artificial = artificial.iter().map(|t| t.index()).peekable();
         for (t, cause) in self.causes.iter().enumerate() {
             if artificial.next_if_eq(&t).is_none() {

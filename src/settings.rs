@@ -82,6 +82,13 @@ pub enum Corners {
     RightAngle,
     /// Below pi/2, and on either side one of up to 110 degrees, which measured fastest.
     Wide,
+    /// Below pi/2, and on either side one obtuse corner whose cosine, squared, is below so many sixteenths: 1 for
+    /// 104 degrees, 4 for 120, 8 for 3pi/4. To compare with.
+    #[cfg(feature = "comparison")]
+    OneUpTo(u8),
+    /// The same, and all such obtuse corners.
+    #[cfg(feature = "comparison")]
+    AllUpTo(u8),
 }
 
 impl Heuristics {

@@ -96,6 +96,8 @@ pub struct Counters {
     /// Steps along the front after the search structure's answer (3.4.1). Without a front, steps of the
     /// walk from triangle to triangle or along the beach line.
     pub front_steps: u64,
+    /// Point events (3.4.1): vertices that joined the front after the first one.
+    pub point_events: u64,
     /// The sum of the front's lengths at all point events, in vertices: those on it before the new one.
     pub front_lengths: u64,
     /// The most vertices on the front.
@@ -121,7 +123,7 @@ pub struct Counters {
 pub struct ByCause {
     /// The first triangle, which is artificial (figure 6).
     pub first: u64,
-    /// On the segment under the new vertex (figure 7).
+    /// On the segment under the new vertex (figure 7). Of an algorithm to compare with: all that its points make.
     pub middle: u64,
     /// The second triangle of the left case (figure 8).
     pub left: u64,
@@ -193,7 +195,7 @@ impl Counters {
     /// Vertices on the front at a point event, on average.
     #[must_use]
     pub fn mean_front(&self) -> f64 {
-        mean(self.front_lengths, self.made.middle)
+        mean(self.front_lengths, self.point_events)
     }
 
     /// Counts an orientation test that this stage decided.

@@ -2,14 +2,17 @@
 //!
 //!     cargo run --release -p sweep-cdt-experiments --example own_structure -- fronts --quick
 //!
+//! A crate of your own needs `sweep-cdt` and `sweep-cdt-experiments`, by the path of a clone, and this as its
+//! `main.rs`; then it is `cargo run --release -- fronts --quick`.
+//!
 //! `Recent` starts at the nearest of the last few vertices that joined the front. It counts the distances
 //! that it looks at; a structure that counts nothing leaves `impl Structure for ... {}` empty.
 
 use std::collections::VecDeque;
 use std::process::ExitCode;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
-use sweep_cdt_experiments::fronts::{Structure, Work};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::{Contestant, main_with};
 
 /// The last `size` vertices that joined the front, each with its x.

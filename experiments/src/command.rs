@@ -44,8 +44,8 @@ struct Options {
     file: Vec<PathBuf>,
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// How often each variant is timed on each input: an odd number has a median [default: 5, or 3 with
-    /// --quick].
+    /// How often each variant is timed on each input: an odd number has a median, 0 only counts [default: 5, or
+    /// 3 with --quick].
     #[arg(long)]
     repetitions: Option<usize>,
     /// Lists the cells with their numbers.

@@ -44,6 +44,16 @@ impl Contestant {
         }
     }
 
+    /// The same, whose work is that of this one, which takes the same steps and counts them: for a structure that
+    /// is timed without counts.
+    #[must_use]
+    pub fn counted_by(self, structure: impl Structure) -> Contestant {
+        Contestant {
+            front: AnyFront::new(structure),
+            ..self
+        }
+    }
+
     /// The same, whose searches or updates take time that grows with the length of the front: it is left out
     /// where that would take very long.
     #[must_use]
@@ -91,7 +101,8 @@ const SEED: u64 = 1;
 /// All structures of the crate and of this one; the crate's default is the first.
 pub fn standard() -> Vec<Contestant> {
     vec![
-        Contestant::new("hash table (default)", HashTable::default()),
+        Contestant::new("hash table (default)", HashTable::default())
+            .counted_by(HashTable::counting()),
         Contestant::new(
             "uniform table, 2 sqrt(n)",
             UniformTable::new(|n| 2 * n.isqrt()),
@@ -100,7 +111,7 @@ pub fn standard() -> Vec<Contestant> {
         Contestant::new("uniform table, n/100", UniformTable::new(|n| n / 100)),
         Contestant::new("hash over ranks", RankTable::default()),
         Contestant::new("bit set over ranks", BitSet::default()),
-        Contestant::new("skip list", SkipList::default()),
+        Contestant::new("skip list", SkipList::default()).counted_by(SkipList::counting()),
         Contestant::new("treap", Treap::new(SEED)),
         Contestant::new("B-tree", BTree::default()),
         Contestant::new("splay tree, 10 % sample", SampleTree::new(10, SEED)),

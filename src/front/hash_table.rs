@@ -19,16 +19,18 @@ use std::iter::successors;
 use super::intervals::{Intervals, Places};
 use super::list::{Front, FrontNode};
 use super::search::{Domain, FrontSearch, Patience};
+use super::work::{Tally, Work};
 
 /// Intervals of x that remember their last insertion: O(1) expected, O(log n) at worst. The default.
-#[derive(Clone, Debug, Default)]
-pub struct HashTable {
+///
+/// `HashTable<Work>` counts its work, and is made by [`HashTable::counting`].
+#[derive(Clone, Debug)]
+pub struct HashTable<T = ()> {
     intervals: Intervals,
     table: Vec<Option<FrontNode>>,
     last: Option<FrontNode>,
     patience: Patience,
-    /// Whether it has asked for places, and they are not given yet.
-    has_asked: bool,
+    tally: T,
 }
 
 /// How many intervals are searched on either side before the last node inserted is taken.
@@ -46,10 +48,42 @@ fn sampled(n: usize, size: usize) -> impl Iterator<Item = usize> {
         .map(move |(i, spread)| if n <= size { i } else { spread })
 }
 
-impl FrontSearch for HashTable {
+impl Default for HashTable {
+    fn default() -> HashTable {
+        HashTable::with(())
+    }
+}
+
+impl HashTable {
+    /// One that counts its work.
+    pub fn counting() -> HashTable<Work> {
+        HashTable::with(Work::default())
+    }
+}
+
+impl HashTable<Work> {
+    /// The work since the run began.
+    pub fn work(&self) -> Work {
+        self.tally
+    }
+}
+
+impl<T: Tally> HashTable<T> {
+    fn with(tally: T) -> HashTable<T> {
+        HashTable {
+            intervals: Intervals::default(),
+            table: Vec::new(),
+            last: None,
+            patience: Patience::default(),
+            tally,
+        }
+    }
+}
+
+impl<T: Tally> FrontSearch for HashTable<T> {
     fn begin(&mut self, domain: Domain<'_>) {
         let n = domain.len();
-        let count = if std::mem::take(&mut self.has_asked) {
+        let count = if self.patience.has_ended() {
             self.intervals = Intervals::Places(Places::new(n));
             n
         } else {
@@ -62,49 +96,58 @@ impl FrontSearch for HashTable {
             // Only one of equal x is on the front.
             sample.dedup();
             self.intervals = Intervals::new(&sample, count);
+            self.tally = T::default();
             count
         };
         self.table.clear();
         self.table.resize(count, None);
         self.last = None;
         self.patience = Patience::with(n);
+        self.tally.count(|work| {
+            work.hold::<u8>(size_of_val(&self.table[..]) + self.intervals.bytes());
+        });
     }
 
     fn strayed(&mut self, steps: usize) -> bool {
-        self.has_asked = self.patience.ends(steps);
-        self.has_asked
+        self.patience.ends(steps)
     }
 
     #[inline]
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
-        let live = |entry: &Option<FrontNode>| entry.filter(|&node| front.contains(node));
-        let at = self.intervals.number(x, self.table.len());
-        if let Some(node) = live(&self.table[at]) {
+        let tally = &mut self.tally;
+        let at = self.intervals.number(x, self.table.len(), tally);
+        let live = |entry: &Option<FrontNode>, tally: &mut T| {
+            tally.count(|work| work.visited += 1);
+            entry.filter(|&node| front.contains(node))
+        };
+        if let Some(node) = live(&self.table[at], tally) {
             return node;
         }
         if let Intervals::Places(places) = &mut self.intervals {
             // What has left the front is forgotten on the way.
-            while let Some(place) = places.last_up_to(at) {
-                if let Some(node) = live(&self.table[place]) {
+            while let Some(place) = places.last_up_to(at, tally) {
+                if let Some(node) = live(&self.table[place], tally) {
                     return node;
                 }
-                places.remove(place);
+                places.remove(place, tally);
             }
             return front.left_end();
         }
         let around = (1..=REACH).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
         around
-            .filter_map(|i| self.table.get(i?).and_then(live))
+            .filter_map(|i| live(self.table.get(i?)?, tally))
             .next()
-            .or_else(|| live(&self.last))
+            .or_else(|| live(&self.last, &mut self.tally))
             .unwrap_or(front.left_end())
     }
 
     #[inline(always)]
     fn inserted(&mut self, node: FrontNode, x: f64) {
-        let at = self.intervals.number(x, self.table.len());
+        let tally = &mut self.tally;
+        tally.count(|work| work.updates += 1);
+        let at = self.intervals.number(x, self.table.len(), tally);
         if let Intervals::Places(places) = &mut self.intervals {
-            places.insert(at);
+            places.insert(at, tally);
         }
         self.table[at] = Some(node);
         self.last = Some(node);
@@ -113,7 +156,7 @@ impl FrontSearch for HashTable {
 
 #[cfg(test)]
 mod tests {
-    use super::{Domain, Front, FrontNode, FrontSearch, HashTable};
+    use super::{Domain, Front, FrontNode, FrontSearch, HashTable, Work};
 
     /// Places that were asked for lead to the very node, and an entry of a node that has left is passed.
     #[test]
@@ -154,5 +197,71 @@ mod tests {
             new.begin(Domain::new(&equal));
             format!("{new:?}")
         });
+    }
+
+    /// Four vertices at the left ends of the intervals 0, 1, 2 and 4 of five; each entry looked at is counted.
+    #[test]
+    fn looks_are_counted() {
+        let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]];
+        let mut table = HashTable::counting();
+        table.begin(Domain::new(&points));
+        let mut front = Front::new(points.len());
+        let nodes = [0, 1, 2, 3].map(FrontNode::from_rank);
+        let mut left = front.left_end();
+        for node in nodes {
+            front.insert(node, left);
+            table.inserted(node, points[node.rank()][0]);
+            left = node;
+        }
+        let entries = 5 * size_of::<Option<FrontNode>>() as u64;
+        let mut expected = Work {
+            updates: 4,
+            bytes: entries,
+            ..Work::default()
+        };
+        assert_eq!(table.work(), expected, "equal intervals are computed");
+        assert_eq!(table.locate(1.0, &front), nodes[1]);
+        expected.visited += 1;
+        assert_eq!(table.work(), expected);
+        // Its node has left: then the neighbour on the left is looked at.
+        front.remove(nodes[1]);
+        assert_eq!(table.locate(1.0, &front), nodes[0]);
+        expected.visited += 2;
+        assert_eq!(table.work(), expected);
+
+        // With places the words of the set count, one for up to 64 places, and so does what was counted before.
+        assert!(table.strayed(1000));
+        table.begin(Domain::new(&points));
+        table.inserted(nodes[2], 2.0);
+        assert_eq!(table.locate(3.0, &front), nodes[2]);
+        expected.updates += 1;
+        // The word changed; the empty entry of the place, the word, and the entry found.
+        expected.visited += 1 + 3;
+        expected.bytes = entries.max(4 * size_of::<Option<FrontNode>>() as u64 + 8);
+        assert_eq!(table.work(), expected);
+
+        table.begin(Domain::new(&points));
+        let begun = Work {
+            bytes: entries,
+            ..Work::default()
+        };
+        assert_eq!(table.work(), begun, "another run");
+    }
+
+    /// Two clusters need quantiles, whose ends are compared by halves.
+    #[test]
+    fn comparisons_of_quantiles_are_counted() {
+        let cluster = |from: f64| (0..32).map(move |i| [from + f64::from(i) * 1e-9, 0.0]);
+        let points: Vec<[f64; 2]> = cluster(0.0).chain(cluster(1.0)).collect();
+        let mut table = HashTable::counting();
+        table.begin(Domain::new(&points));
+        table.inserted(FrontNode::from_rank(0), 0.0);
+        let work = table.work();
+        // Sixteen ends are between seventeen intervals.
+        assert!((4..=5).contains(&work.comparisons), "{work:?}");
+        assert_eq!(
+            work.bytes,
+            17 * size_of::<Option<FrontNode>>() as u64 + 8 * 16
+        );
     }
 }

@@ -6,6 +6,7 @@
 //! far away, or at infinity, fall in the first or last one and make none of the others wider. Where neither
 //! helps, the table asks for places, and each of them is an interval.
 
+use super::work::Tally;
 use crate::bucket::bucket;
 
 #[derive(Clone, Debug)]
@@ -62,18 +63,35 @@ impl Intervals {
     /// Whether a point shares its interval with four times as many of the sample as if all held equally
     /// many.
     fn are_crowded(&self, sample: &[f64], count: usize) -> bool {
-        let runs = sample.chunk_by(|&a, &b| self.number(a, count) == self.number(b, count));
+        let number = |x| self.number(x, count, &mut ());
+        let runs = sample.chunk_by(|&a, &b| number(a) == number(b));
         let pairs: usize = runs.map(|run| run.len() * (run.len() - 1)).sum();
         pairs * count > 4 * sample.len() * sample.len()
     }
 
-    /// The number of the interval of `x` among `count`.
+    /// The number of the interval of `x` among `count`; counts the comparisons.
     #[inline(always)]
-    pub(super) fn number(&self, x: f64, count: usize) -> usize {
+    pub(super) fn number(&self, x: f64, count: usize, tally: &mut impl Tally) -> usize {
         match self {
             Intervals::Equal { low, factor } => bucket((x - low) * factor, count),
-            Intervals::Quantiles(ends) => ends.partition_point(|&end| end <= x),
+            Intervals::Quantiles(ends) => ends.partition_point(|&end| {
+                tally.count(|work| work.comparisons += 1);
+                end <= x
+            }),
             Intervals::Places(_) => bucket(x, count),
+        }
+    }
+
+    /// Bytes held.
+    pub(super) fn bytes(&self) -> usize {
+        match self {
+            Intervals::Equal { .. } => 0,
+            Intervals::Quantiles(ends) => size_of_val(&ends[..]),
+            Intervals::Places(places) => places
+                .levels
+                .iter()
+                .map(|words| size_of_val(&words[..]))
+                .sum(),
         }
     }
 }
@@ -84,7 +102,8 @@ impl Intervals {
 /// each of 64 words that are not zero. The last member up to a place is the highest bit of a word on the
 /// way up from there, and then the highest bits on the way down.
 ///
-/// Cost: O(log n) at worst for each operation, four levels for 16 million places; n bits and some.
+/// Cost: O(log n) at worst for each operation, four levels for 16 million places; n bits and some. The words
+/// looked at are counted.
 #[derive(Clone, Debug)]
 pub(super) struct Places {
     /// From the bits of the places up to a single word.
@@ -103,17 +122,19 @@ impl Places {
         Places { levels }
     }
 
-    pub(super) fn insert(&mut self, place: usize) {
+    pub(super) fn insert(&mut self, place: usize, tally: &mut impl Tally) {
         let mut at = place;
         for words in &mut self.levels {
+            tally.count(|work| work.visited += 1);
             words[at / 64] |= 1 << (at % 64);
             at /= 64;
         }
     }
 
-    pub(super) fn remove(&mut self, place: usize) {
+    pub(super) fn remove(&mut self, place: usize, tally: &mut impl Tally) {
         let mut at = place;
         for words in &mut self.levels {
+            tally.count(|work| work.visited += 1);
             words[at / 64] &= !(1 << (at % 64));
             if words[at / 64] != 0 {
                 break;
@@ -123,14 +144,16 @@ impl Places {
     }
 
     /// The last one that is not after this place.
-    pub(super) fn last_up_to(&self, place: usize) -> Option<usize> {
+    pub(super) fn last_up_to(&self, place: usize, tally: &mut impl Tally) -> Option<usize> {
         let mut at = place;
         // The bits of the word that count: up to the place, on higher levels those before it.
         let mut mask = u64::MAX >> (63 - at % 64);
         for (level, words) in self.levels.iter().enumerate() {
+            tally.count(|work| work.visited += 1);
             let word = words[at / 64] & mask;
             if word != 0 {
                 let found = at / 64 * 64 + highest(word);
+                tally.count(|work| work.visited += level as u64);
                 let below = self.levels[..level].iter().rev();
                 return Some(below.fold(found, |at, words| at * 64 + highest(words[at])));
             }
@@ -161,13 +184,17 @@ mod tests {
                 let place = i * 7919 % count;
                 if i % 3 == 0 {
                     expected.insert(place);
-                    places.insert(place);
+                    places.insert(place, &mut ());
                 } else if expected.remove(&(place / 2)) {
-                    places.remove(place / 2);
+                    places.remove(place / 2, &mut ());
                 }
                 let asked = i * 104_729 % count;
                 let last = expected.range(..=asked).next_back().copied();
-                assert_eq!(places.last_up_to(asked), last, "{asked} of {count}");
+                assert_eq!(
+                    places.last_up_to(asked, &mut ()),
+                    last,
+                    "{asked} of {count}"
+                );
             }
         }
     }

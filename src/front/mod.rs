@@ -15,6 +15,8 @@
 //! lead to long walks may ask for *places* instead: the numbers of the vertices from left to right, by exact
 //! comparison ([`FrontSearch::strayed`]). The first two do; the costs above are averages over a run.
 //!
+//! `HashTable::counting` and `SkipList::counting` are the same structures with counts of their work ([`Work`]).
+//!
 //! A structure can be tested without a sweep: [`Front`], [`FrontNode`] and [`Domain`] can be made and
 //! changed by hand.
 //!
@@ -26,6 +28,7 @@ mod linear;
 mod list;
 mod search;
 mod skip_list;
+mod work;
 
 pub use hash_table::HashTable;
 pub use linear::Linear;
@@ -33,3 +36,4 @@ pub(crate) use list::Way;
 pub use list::{Front, FrontNode};
 pub use search::{Domain, FrontSearch, LONG_WALK};
 pub use skip_list::SkipList;
+pub use work::{Tally, Work};

@@ -168,18 +168,29 @@ const STEPS: usize = 4;
 /// So all long walks together take O(n) steps before it asks, as many as finding the places costs, and
 /// inputs on which the structure finds its way never pay for them.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Patience(usize);
+pub(super) struct Patience {
+    left: usize,
+    has_ended: bool,
+}
 
 impl Patience {
     /// That with a front of so many vertices in all.
     pub(super) fn with(vertices: usize) -> Patience {
-        Patience(STEPS * vertices)
+        Patience {
+            left: STEPS * vertices,
+            has_ended: false,
+        }
+    }
+
+    /// Whether it has ended: the structure begins again, with places.
+    pub(super) fn has_ended(self) -> bool {
+        self.has_ended
     }
 
     /// Whether it ends with a walk of so many steps.
     pub(super) fn ends(&mut self, steps: usize) -> bool {
-        let is_over = steps > self.0;
-        self.0 = self.0.saturating_sub(steps);
-        is_over
+        self.has_ended = steps > self.left;
+        self.left = self.left.saturating_sub(steps);
+        self.has_ended
     }
 }

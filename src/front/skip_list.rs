@@ -10,15 +10,19 @@
 
 use super::list::{Front, FrontNode};
 use super::search::{Domain, FrontSearch, Patience};
+use super::work::{Tally, Work};
 use crate::ids::narrow;
 
 /// A skip list by x: O(log n) expected on any front.
+///
+/// `SkipList<Work>` counts its work, and is made by [`SkipList::counting`].
 #[derive(Clone, Debug)]
-pub struct SkipList {
+pub struct SkipList<T = ()> {
     /// Place 0 is the head; the places in `free` are not in use.
     towers: Vec<Tower>,
     free: Vec<u32>,
     patience: Patience,
+    tally: T,
 }
 
 /// Enough for 4^12 nodes on the front.
@@ -43,20 +47,33 @@ impl Tower {
 }
 
 impl Default for SkipList {
-    fn default() -> Self {
-        SkipList {
-            towers: vec![Tower::HEAD],
-            free: Vec::new(),
-            patience: Patience::default(),
-        }
+    fn default() -> SkipList {
+        SkipList::with(())
     }
 }
 
-impl FrontSearch for SkipList {
+impl SkipList {
+    /// One that counts its work.
+    pub fn counting() -> SkipList<Work> {
+        SkipList::with(Work::default())
+    }
+}
+
+impl SkipList<Work> {
+    /// The work since the run began.
+    pub fn work(&self) -> Work {
+        self.tally
+    }
+}
+
+impl<T: Tally> FrontSearch for SkipList<T> {
     fn begin(&mut self, domain: Domain<'_>) {
         self.towers.clear();
         self.towers.push(Tower::HEAD);
         self.free.clear();
+        if !self.patience.has_ended() {
+            self.tally = T::default();
+        }
         self.patience = Patience::with(domain.len());
     }
 
@@ -88,6 +105,7 @@ impl FrontSearch for SkipList {
             Some(reused) => *reused = tower,
             None => self.towers.push(tower),
         }
+        self.linked(node);
     }
 
     fn removed(&mut self, node: FrontNode, x: f64) {
@@ -98,18 +116,44 @@ impl FrontSearch for SkipList {
                 self.towers[place as usize].next[level];
         }
         self.free.push(place);
+        self.linked(node);
     }
 }
 
-impl SkipList {
+impl<T: Tally> SkipList<T> {
+    fn with(tally: T) -> SkipList<T> {
+        SkipList {
+            towers: vec![Tower::HEAD],
+            free: Vec::new(),
+            patience: Patience::default(),
+            tally,
+        }
+    }
+
+    /// Counts that a node has joined or left, with a link on each of its levels.
+    fn linked(&mut self, node: FrontNode) {
+        self.tally.count(|work| {
+            work.updates += 1;
+            work.rearranged += height(node).min(LEVELS) as u64;
+            work.hold::<Tower>(self.towers.len());
+        });
+    }
+
     /// At each level the last tower that `is_before` holds for.
-    fn path(&self, is_before: impl Fn(&Tower) -> bool) -> [u32; LEVELS] {
+    fn path(&mut self, is_before: impl Fn(&Tower) -> bool) -> [u32; LEVELS] {
         let mut path = [0; LEVELS];
         let mut at = 0;
         for level in (0..LEVELS).rev() {
             loop {
                 let next = self.towers[at as usize].next[level];
-                if next == END || !is_before(&self.towers[next as usize]) {
+                if next == END {
+                    break;
+                }
+                self.tally.count(|work| {
+                    work.comparisons += 1;
+                    work.visited += 1;
+                });
+                if !is_before(&self.towers[next as usize]) {
                     break;
                 }
                 at = next;
@@ -130,7 +174,7 @@ fn height(node: FrontNode) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{FrontNode, FrontSearch, SkipList, height};
+    use super::{Domain, Front, FrontNode, FrontSearch, LEVELS, SkipList, Tower, Work, height};
 
     /// The memory depends on the longest front, not on how many vertices are ever on it.
     #[test]
@@ -161,5 +205,49 @@ mod tests {
             expected /= 4;
         }
         assert_eq!(on_level[16], 0, "none is much higher");
+    }
+
+    /// Nodes of one level are passed one by one, and each is compared.
+    #[test]
+    fn nodes_passed_are_counted() {
+        let low: Vec<FrontNode> = (0..100)
+            .map(FrontNode::from_rank)
+            .filter(|&node| height(node) == 1)
+            .take(10)
+            .collect();
+        let points = [[0.0, 0.0]; 100];
+        let mut list = SkipList::counting();
+        list.begin(Domain::new(&points));
+        let mut expected = Work::default();
+        // To the end of those that are there: each comes after all others.
+        for (place, &node) in low.iter().enumerate() {
+            list.inserted(node, place as f64);
+            expected.comparisons += place as u64;
+        }
+        // Past four, to the fifth, which is compared too.
+        list.locate(3.5, &Front::new(100));
+        expected.comparisons += 5;
+        // To the first.
+        list.removed(low[0], 0.0);
+        expected.comparisons += 1;
+        expected.visited = expected.comparisons;
+        (expected.updates, expected.rearranged) = (11, 11);
+        expected.bytes = 11 * size_of::<Tower>() as u64;
+        assert_eq!(list.work(), expected);
+
+        // A link for each level.
+        let high = (0..100_000).map(FrontNode::from_rank);
+        let high = high.max_by_key(|&node| height(node)).expect("a node");
+        list.inserted(high, 20.0);
+        expected.rearranged += height(high).min(LEVELS) as u64;
+        assert!(height(high) > 4);
+        assert_eq!(list.work().rearranged, expected.rearranged);
+
+        // Places are asked for in the middle of a run.
+        assert!(list.strayed(1000));
+        list.begin(Domain::new(&points));
+        assert_eq!(list.work().rearranged, expected.rearranged);
+        list.begin(Domain::new(&points));
+        assert_eq!(list.work(), Work::default());
     }
 }

@@ -17,7 +17,7 @@
 //! side of `p`.
 //!
 //! Differs from the paper: angles are compared by dot products; [`Corners::Wide`] goes a little beyond
-//! pi/2.
+//! pi/2, and two settings go further, to compare with.
 
 use std::cmp::Ordering::{self, Greater, Less};
 
@@ -33,6 +33,39 @@ use crate::trace::Why;
 /// Square of the cosine of 110 degrees.
 const WIDE: f64 = 0.117;
 
+/// Which obtuse corners may be closed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Obtuse {
+    /// Whether the next one may be, and those after it.
+    may_be: bool,
+    may_all_be: bool,
+    /// The square of the cosine of the least angle that may not be.
+    squared_cosine: f64,
+}
+
+impl Obtuse {
+    /// Those of a setting.
+    #[inline(always)]
+    pub(super) fn of(corners: Corners) -> Obtuse {
+        let one = |may_be, squared_cosine| Obtuse {
+            may_be,
+            may_all_be: false,
+            squared_cosine,
+        };
+        match corners {
+            Corners::Off | Corners::RightAngle => one(false, WIDE),
+            Corners::Wide => one(true, WIDE),
+            #[cfg(feature = "comparison")]
+            Corners::OneUpTo(sixteenths) => one(true, f64::from(sixteenths) / 16.0),
+            #[cfg(feature = "comparison")]
+            Corners::AllUpTo(sixteenths) => Obtuse {
+                may_all_be: true,
+                ..one(true, f64::from(sixteenths) / 16.0)
+            },
+        }
+    }
+}
+
 /// An angle at a corner, in plain floating point: its two arms and their dot product.
 struct Angle {
     arms: [[f64; 2]; 2],
@@ -46,27 +79,34 @@ impl Angle {
         self.dot > 0.0
     }
 
-    /// Whether it is below 110 degrees. Only for an angle that is not acute.
+    /// Whether it is below the angle whose cosine has this square. Only for angles that are not acute.
     #[inline(always)]
-    fn is_below_110_degrees(&self) -> bool {
+    fn is_below(&self, squared_cosine: f64) -> bool {
         let [[ax, ay], [bx, by]] = self.arms;
-        self.dot * self.dot < WIDE * (ax * ax + ay * ay) * (bx * bx + by * by)
+        self.dot * self.dot < squared_cosine * (ax * ax + ay * ay) * (bx * bx + by * by)
     }
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Closes the corners right and left of `p` while they are narrow.
     #[inline(always)]
-    pub(super) fn close_narrow_corners(&mut self, p: VertexId, corners: Corners) {
-        self.close_narrow(p, Way::Right, corners);
-        self.close_narrow(p, Way::Left, corners);
+    pub(super) fn close_narrow_corners(&mut self, p: VertexId, obtuse: Obtuse) {
+        self.close_narrow(p, Way::Right, obtuse);
+        self.close_narrow(p, Way::Left, obtuse);
+    }
+
+    /// The same for angles that are compared with the others. It is compiled apart, so that these are constants.
+    #[cfg(feature = "comparison")]
+    #[cold]
+    #[inline(never)]
+    pub(super) fn close_corners_to_compare(&mut self, p: VertexId, corners: Corners) {
+        self.close_narrow_corners(p, Obtuse::of(corners));
     }
 
     #[inline(always)]
-    fn close_narrow(&mut self, p: VertexId, way: Way, corners: Corners) {
+    fn close_narrow(&mut self, p: VertexId, way: Way, mut obtuse: Obtuse) {
         // One obtuse corner on either side. Otherwise each new vertex beside a long straight stretch
         // would close many corners that the next one opens again.
-        let mut may_be_obtuse = corners == Corners::Wide;
         loop {
             let corner = self.front.beside(p, way);
             let far = self.front.beside(corner, way);
@@ -76,10 +116,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             }
             let angle = self.angle(p, corner, far);
             if !angle.is_acute() {
-                if !may_be_obtuse || !angle.is_below_110_degrees() {
+                if !obtuse.may_be || !angle.is_below(obtuse.squared_cosine) {
                     break;
                 }
-                may_be_obtuse = false;
+                obtuse.may_be = obtuse.may_all_be;
             }
             // Seen from the corner, as the angle is.
             if self.fabric.orient2d([far, p, corner]) != inward(way) {

@@ -23,6 +23,7 @@
 
 use std::cmp::Ordering::{Equal, Greater};
 
+use super::narrow_corners::Obtuse;
 use super::state::Sweep;
 use crate::front::{Domain, FrontNode, FrontSearch, LONG_WALK, Way};
 use crate::ids::{OpenId, VertexId};
@@ -76,8 +77,15 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     #[inline(always)]
     pub(super) fn apply_heuristics(&mut self, p: VertexId) {
         let heuristics = self.heuristics();
-        if heuristics.corners != Corners::Off {
-            self.close_narrow_corners(p, heuristics.corners);
+        match heuristics.corners {
+            Corners::Off => {}
+            Corners::RightAngle | Corners::Wide => {
+                self.close_narrow_corners(p, Obtuse::of(heuristics.corners));
+            }
+            #[cfg(feature = "comparison")]
+            Corners::OneUpTo(_) | Corners::AllUpTo(_) => {
+                self.close_corners_to_compare(p, heuristics.corners);
+            }
         }
         if heuristics.basins {
             self.fill_basins(p);
@@ -111,7 +119,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             (at, order) = (right, beyond);
             steps += 1;
         }
-        self.fabric.probe.count(|c| c.front_steps += steps as u64);
+        self.fabric.probe.count(|c| {
+            c.front_steps += steps as u64;
+            c.point_events += 1;
+        });
         if steps > LONG_WALK {
             self.report_walk(steps);
         }

@@ -11,7 +11,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, ToPrimitive};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Algorithm, Error, Heuristics, Repeater, Triangulator};
+use sweep_cdt::{Algorithm, Corners, Error, Heuristics, Repeater, Triangulator};
 
 use crate::Input;
 use crate::fronts::{Choice, FrontKind, triangulate};
@@ -89,6 +89,16 @@ pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
             call: call::<S>,
         });
     }
+    let mut obtuse = Heuristics::PAPER;
+    obtuse.corners = Corners::AllUpTo(8);
+    runs.push(Run {
+        name: format!("{scalar}, obtuse corners"),
+        choice: Choice {
+            heuristics: obtuse,
+            ..Choice::default()
+        },
+        call: call::<S>,
+    });
     runs.push(Run {
         name: format!("{scalar}, memory kept"),
         choice: Choice::default(),

@@ -39,6 +39,7 @@ counters.flips count
 counters.most_tests count
 counters.most_flips count
 counters.front_steps count
+counters.point_events count
 counters.front_lengths count
 counters.longest_front count
 counters.left_cases count

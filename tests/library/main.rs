@@ -9,8 +9,8 @@
 //! * `draw`: one picture of each kind, as a snapshot.
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
 //!   work, and none that is abandoned by the sweep has another result.
-//! * `statistics`: what a run reports of itself, its front and its progress. `bands`: the sweep on all cores.
-//!   `files`: odd files. `generated`: the kinds of generated data.
+//! * `statistics`: what a run reports of itself and its progress. `fronts`: the steps that search structures
+//!   leave. `bands`: the sweep on all cores. `files`: odd files. `generated`: the kinds of generated data.
 //! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
 //! * `scalars`, `domain` and `verify`: the exact predicates, what is inside, and the verifier.
 //!
@@ -28,6 +28,7 @@ mod cases;
 mod domain;
 mod draw;
 mod files;
+mod fronts;
 mod generated;
 mod hard;
 mod limits;

@@ -1,18 +1,16 @@
-//! What a [`Run`](sweep_cdt::Run) reports of itself: numbers, times, memory, progress, how good its front structure
-//! was, and what it returns of its settings.
+//! What a [`Run`](sweep_cdt::Run) reports of itself: numbers, times, memory, progress, the length of its front, and
+//! what it returns of its settings.
 
 use std::cell::{Cell, RefCell};
-use std::fmt::Debug;
 use std::time::{Duration, Instant};
 
-use num_bigint::BigInt;
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
-use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Heuristics, Stats, Triangulator};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Linear};
+use sweep_cdt::{Algorithm, Corners, Heuristics, Stats, Triangulator};
 use sweep_cdt_testing::Random;
+use sweep_cdt_testing::runs::ALGORITHMS;
 
 /// The first points of a raster, row by row.
-fn raster(count: usize) -> Vec<[f64; 2]> {
+pub(crate) fn raster(count: usize) -> Vec<[f64; 2]> {
     let at = |i: usize| [i % 100, i / 100].map(|x| x as f64);
     (0..count).map(at).collect()
 }
@@ -78,72 +76,10 @@ fn progress_every_few_thousand_points() {
     );
 }
 
-/// How many steps of the walk a structure left, a point.
-fn steps_a_point<F: FrontSearch + Clone + Default>(points: &[[f64; 2]]) -> f64 {
-    let run = Triangulator::new()
-        .front(F::default())
-        .triangulate_with_stats(points, &[]);
-    let stats = run.expect("no edges cross").stats;
-    stats.counters.front_steps as f64 / points.len() as f64
-}
-
-/// Random points in a square, x to some odd power: the higher, the more crowd around zero.
-fn skewed(power: i32) -> Vec<[f64; 2]> {
-    let mut random = Random::new(1);
-    let mut at = || [random.integer(1 << 20).powi(power), random.integer(1 << 20)];
-    (0..5000).map(|_| at()).collect()
-}
-
-#[test]
-fn a_skip_list_leaves_no_steps() {
-    for points in [skewed(1), skewed(5), raster(5000)] {
-        assert!(steps_a_point::<SkipList>(&points) == 0.0);
-    }
-}
-
-#[test]
-fn the_last_node_is_near_where_points_come_in_rows() {
-    assert!(steps_a_point::<Linear>(&raster(5000)) < 3.0);
-}
-
-#[test]
-fn a_domain_is_the_vertices() {
-    let near = [[3.0, 1.0], [2.0, 5.0]];
-    let domain = Domain::new(&near);
-    assert_eq!((domain.len(), domain.is_empty()), (2, false));
-    assert_eq!([0, 1].map(|rank| domain.x(rank).to_string()), ["3", "2"]);
-    assert!(Domain::new(&[]).is_empty());
-}
-
 /// So many points squared, scattered in a square.
-fn square(side: usize) -> Vec<[f64; 2]> {
+pub(crate) fn square(side: usize) -> Vec<[f64; 2]> {
     let at = |i: usize| [i * 7919 % 1009, i * 6007 % 1013].map(|x| x as f64);
     (0..side * side).map(at).collect()
-}
-
-/// A structure that an earlier run has filled works as a new one does.
-fn assert_forgets<F: FrontSearch + Clone + Debug + Default>() {
-    let [large, small] = [70, 10].map(square);
-    let count = |front: F, points: &[[f64; 2]]| {
-        let triangulator = Triangulator::new().front(front);
-        let run = triangulator.triangulate_with_stats(points, &[]);
-        run.map(|run| (run.stats.counters, run.front))
-            .expect("no edges")
-    };
-    for [first, second] in [[&large, &small], [&small, &large]] {
-        let (_, used) = count(F::default(), first);
-        let (expected, new) = count(F::default(), second);
-        let (found, used) = count(used, second);
-        assert_eq!(found, expected);
-        assert_eq!(format!("{used:?}"), format!("{new:?}"));
-    }
-}
-
-#[test]
-fn every_front_forgets_an_earlier_run() {
-    assert_forgets::<HashTable>();
-    assert_forgets::<SkipList>();
-    assert_forgets::<Linear>();
 }
 
 /// Counts what it is asked.
@@ -173,6 +109,92 @@ fn the_front_that_was_used_comes_back() {
     for run in [counted, observed] {
         let front = run.expect("no edges").front;
         assert_eq!((front.begun, front.searches), (1, points.len() - 1));
+    }
+}
+
+/// The lengths of the front that a structure sees at all searches.
+#[derive(Clone, Default)]
+struct Lengths {
+    now: u64,
+    sum: u64,
+    searches: u64,
+}
+
+impl FrontSearch for Lengths {
+    fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
+        self.searches += 1;
+        self.sum += self.now;
+        front.left_end()
+    }
+
+    fn inserted(&mut self, _: FrontNode, _: f64) {
+        self.now += 1;
+    }
+
+    fn removed(&mut self, _: FrontNode, _: f64) {
+        self.now -= 1;
+    }
+}
+
+/// Whatever the algorithm: a triangle that a point makes is no point event, and there may be no front at all.
+#[test]
+fn the_mean_front_is_that_of_all_searches() {
+    // The last point sees many sides of the lower hull, and makes a triangle with each where these are kept.
+    let mut points = Random::new(3).points(479);
+    points.extend((2..22).map(f64::from).map(|i| [i, i * i]));
+    points.push([1e3, 500.0]);
+    let of = |algorithm| {
+        let triangulator = Triangulator::new().front(Lengths::default());
+        let run = triangulator
+            .algorithm(algorithm)
+            .triangulate_with_stats(&points, &[[0, 1]]);
+        let run = run.expect("one edge");
+        let counters = run.stats.counters;
+        assert_eq!(counters.survived.sum(), run.triangulation.len() as u64);
+        let seen = [run.front.searches, run.front.sum];
+        assert_eq!([counters.point_events, counters.front_lengths], seen);
+        let mean = seen[1] as f64 / seen[0].max(1) as f64;
+        assert!((counters.mean_front() - mean).abs() < 1e-9, "{algorithm:?}");
+        if algorithm == Algorithm::Sweep2005 {
+            assert!(counters.made.middle > seen[0], "{counters:?}");
+        }
+        seen[0]
+    };
+    assert_eq!(of(Algorithm::Sweep), 499);
+    let searches = ALGORITHMS.map(|(name, algorithm)| (name, of(algorithm)));
+    let expected = [
+        ("divide and conquer", 0),
+        ("incremental", 0),
+        ("fortune", 0),
+        ("sweep of 2005", 499),
+    ];
+    assert_eq!(searches, expected);
+}
+
+/// Two corners, one after the other on the right of the last point. The squares of their cosines are 0.037 and
+/// 0.032, obtuse both; that of the second one is 0.6 before.
+#[test]
+fn obtuse_corners_are_closed_up_to_their_angle() {
+    let points = [[0, 0], [20, 2], [23, 5], [-6, 20]];
+    let closed = |corners| {
+        let mut heuristics = Heuristics::OFF;
+        heuristics.corners = corners;
+        let run = Triangulator::new()
+            .heuristics(heuristics)
+            .triangulate_with_stats(&points, &[]);
+        run.expect("no edges").stats.counters.made.narrow_corners
+    };
+    for (corners, expected) in [
+        (Corners::Off, 0),
+        (Corners::RightAngle, 0),
+        (Corners::OneUpTo(0), 0),
+        (Corners::AllUpTo(0), 0),
+        (Corners::Wide, 1),
+        (Corners::OneUpTo(1), 1),
+        (Corners::AllUpTo(1), 2),
+        (Corners::AllUpTo(8), 2),
+    ] {
+        assert_eq!(closed(corners), expected, "{corners:?}");
     }
 }
 
@@ -231,51 +253,4 @@ fn signs_from_big_integers_are_counted_as_such() {
     assert!(big.iter().all(|&count| count > 0), "{counters:?}");
     let others = counters.orient2d_integers + counters.orient2d_expansions;
     assert_eq!(counters.orient2d_exact(), others + counters.orient2d_big);
-}
-
-/// Steps along the front for each vertex.
-fn whole_steps_a_point<F: FrontSearch + Clone + Default, S: Scalar>(points: &[[S; 2]]) -> u64 {
-    let triangulator = Triangulator::new().front(F::default());
-    let run = triangulator.triangulate_with_stats(points, &[]);
-    run.expect("no edges").stats.counters.front_steps / points.len() as u64
-}
-
-/// A fifth of the points in a millionth of the width and height: equal intervals would be crowded.
-#[test]
-fn a_crowded_fifth_makes_no_walk_longer() {
-    let mut points = Random::new(1).points(50_000);
-    for point in points.iter_mut().step_by(5) {
-        *point = point.map(|x| 0.5 + 1e-6 * x);
-    }
-    assert!(whole_steps_a_point::<HashTable, _>(&points) < 2);
-}
-
-/// The points that the hash table samples lie all over the width, the others in a tiny part of it.
-#[test]
-fn points_placed_beside_the_sample_make_no_search_long() {
-    const COUNT: usize = 60_000;
-    let sampled = COUNT.div_ceil(4096);
-    let mut points = Random::new(1).points(COUNT);
-    points.sort_by(|a, b| a[1].total_cmp(&b[1]));
-    for (rank, [x, y]) in points.iter_mut().enumerate() {
-        *y *= 1e-9;
-        if rank % sampled != 0 {
-            *x = 0.5 + 1e-9 * *x;
-        }
-    }
-    // First it bears 16 steps a vertex, then it asks for places.
-    assert!(whole_steps_a_point::<HashTable, _>(&points) < 18);
-}
-
-/// A row far from most points, where doubles cannot tell its points apart, and points above it.
-#[test]
-fn points_with_equal_doubles_make_no_search_long() {
-    let far = BigInt::from(1) << 100;
-    let row = |i: i32| [&far + 1000 * i, BigInt::from(0)];
-    let above = |i: i32| [&far + (i * 7919 % 1000) * 1000 + 500, BigInt::from(1 + i)];
-    let near = |i: i32| [i, 10_000 + i * i % 7].map(BigInt::from);
-    let mut points: Vec<[BigInt; 2]> = (0..1000).flat_map(|i| [row(i), above(i)]).collect();
-    points.extend((0..3000).map(near));
-    assert!(whole_steps_a_point::<HashTable, _>(&points) < 18);
-    assert!(whole_steps_a_point::<SkipList, _>(&points) < 18);
 }

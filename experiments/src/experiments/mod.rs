@@ -33,7 +33,7 @@ const TIME: View = View {
     name: "time",
     title: "Time of the whole triangulation, nanoseconds a point",
     about: "Medians. The plot shows them as ratios to the first row.",
-    measure: |row| Some(row.ns_per_point()),
+    measure: Row::ns_per_point,
     shape: Shape::Ratios,
 };
 

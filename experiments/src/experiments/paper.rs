@@ -39,7 +39,7 @@ pub(crate) const TABLE_1: Experiment = Experiment {
             name: "time",
             title: "Time of the whole triangulation, nanoseconds a point",
             about: "Medians, against the number of points.",
-            measure: |row| Some(row.ns_per_point()),
+            measure: Row::ns_per_point,
             shape: Shape::Growth,
         },
         View {
@@ -154,7 +154,7 @@ fn beside_table_1(rows: &[Row]) -> String {
         let total = |variant: &str| {
             let mut here = rows.iter().filter(|row| row.size == set.points);
             here.find(|row| row.variant == variant)
-                .map(|row| row.times_ms()[0])
+                .and_then(Row::ns_per_point)
         };
         let Some(sweep) = total(SL) else {
             continue;
@@ -205,7 +205,7 @@ pub(crate) const TABLE_2: Experiment = Experiment {
         name: "phases",
         title: "Time of the parts, nanoseconds a point",
         about: "Medians of initialization, sweeping and finalization, on the clock.",
-        measure: |row| Some(1e6 * row.total_ms / row.points.max(1) as f64),
+        measure: Row::phases_ns_per_point,
         shape: Shape::Phases,
     }],
     remarks: beside_table_2,
@@ -250,7 +250,8 @@ fn beside_table_2(rows: &[Row]) -> String {
     );
     for set in PAPER_2 {
         let head = format!("| {} | {}", set.name, set.points);
-        let here: Vec<&Row> = rows.iter().filter(|row| row.size == set.points).collect();
+        let is_shown = |row: &&Row| row.size == set.points && row.phases_ns_per_point().is_some();
+        let here: Vec<&Row> = rows.iter().filter(is_shown).collect();
         if !here.is_empty() {
             let _ = writeln!(text, "{head} | paper | {} |", shares(set.seconds));
         }

@@ -11,7 +11,7 @@ use crate::report::{Shape, View};
 /// The two heuristics of the point event (section 3.4.1, figures 9 and 10), alone and together.
 pub(crate) const HEURISTICS: Experiment = Experiment {
     name: "heuristics",
-    about: "What do the heuristics of the point event buy: narrow corners and basins?",
+    about: "What do the heuristics of the point event buy: narrow corners, up to which angle, and basins?",
     cells: |quick| {
         cells(
             KINDS,
@@ -24,9 +24,9 @@ pub(crate) const HEURISTICS: Experiment = Experiment {
     },
     variants: |contestants| {
         let structure = default_structure(contestants);
-        let setting = |(name, heuristics)| {
+        let setting = |(name, heuristics): (String, Heuristics)| {
             // Without any heuristic the sweep flips more than its budget allows: it goes on all the same.
-            Variant::sweep(name, structure, Algorithm::Sweep, heuristics)
+            Variant::sweep(&name, structure, Algorithm::Sweep, heuristics)
         };
         settings().into_iter().map(setting).collect()
     },
@@ -81,7 +81,19 @@ const KINDS: &[&str] = &[
     "uniform", "clusters", "lattice", "rows", "segments", "parcels", "contours",
 ];
 
-fn settings() -> Vec<(&'static str, Heuristics)> {
+/// The angles of obtuse corners in steps: the square of the cosine in sixteenths, and degrees.
+const ANGLES: [(u8, &str); 8] = [
+    (1, "104"),
+    (2, "111"),
+    (3, "116"),
+    (4, "120"),
+    (5, "124"),
+    (6, "128"),
+    (7, "131"),
+    (8, "135"),
+];
+
+fn settings() -> Vec<(String, Heuristics)> {
     let with_basins = |mut heuristics: Heuristics| {
         heuristics.basins = true;
         heuristics
@@ -91,14 +103,28 @@ fn settings() -> Vec<(&'static str, Heuristics)> {
         heuristics.corners = corners;
         heuristics
     };
-    vec![
+    let named = [
         ("wide corners (default)", Heuristics::FAST),
         ("wide corners, basins", with_basins(Heuristics::FAST)),
         ("pi/2, basins (paper)", Heuristics::PAPER),
         ("pi/2 alone", corners(Corners::RightAngle)),
         ("basins alone", with_basins(Heuristics::OFF)),
         ("none", Heuristics::OFF),
-    ]
+    ];
+    let named = named.map(|(name, heuristics)| (name.to_owned(), heuristics));
+    // Between pi/2 and 3pi/4, without basins.
+    type Setting = (&'static str, fn(u8) -> Corners);
+    let kinds: [Setting; 2] = [
+        ("one corner", Corners::OneUpTo),
+        ("all corners", Corners::AllUpTo),
+    ];
+    let stepped = kinds.iter().flat_map(|&(which, setting)| {
+        ANGLES.iter().map(move |&(sixteenths, degrees)| {
+            let name = format!("{which} up to {degrees}°");
+            (name, corners(setting(sixteenths)))
+        })
+    });
+    named.into_iter().chain(stepped).collect()
 }
 
 /// The same points in several scalars: integers that all of them hold.

@@ -11,12 +11,12 @@ pub(crate) const FRONTS: Experiment = Experiment {
     name: "fronts",
     about: "Which search structure for which data, by how much, and why?",
     cells: |quick| {
-        let sizes: &[usize] = if quick {
-            &[1000, 10_000]
-        } else {
-            &[10_000, 100_000, 1_000_000]
-        };
-        cells(FRONTS_KINDS, sizes)
+        if quick {
+            return cells(FRONTS_KINDS, &[1000, 10_000]);
+        }
+        let mut all = cells(FRONTS_KINDS, &[10_000, 100_000, 1_000_000]);
+        all.extend(cells(LARGE_KINDS, &[10_000_000]));
+        all
     },
     variants: |contestants| contestants.iter().map(Variant::structure).collect(),
     views: &[
@@ -53,7 +53,7 @@ pub(crate) const FRONTS: Experiment = Experiment {
             name: "least",
             title: "Least time of the whole triangulation, nanoseconds a point",
             about: "Of all turns, as it is disturbed least. Ratios as before.",
-            measure: |row| Some(1e6 * row.times_ms()[1] / row.points.max(1) as f64),
+            measure: Row::least_ns_per_point,
             shape: Shape::Ratios,
         },
     ],
@@ -79,6 +79,12 @@ const FRONTS_KINDS: &[&str] = &[
     "contours",
     "above-a-row",
     "outliers",
+];
+
+/// The kinds on which equal intervals do not need hours for ten million points.
+const LARGE_KINDS: &[&str] = &[
+    "uniform", "clusters", "lattice", "rows", "columns", "asterisk", "segments", "outlines",
+    "parcels", "contours",
 ];
 
 /// How the work and the time grow with the number of points.
@@ -124,7 +130,7 @@ pub(crate) const SCALING: Experiment = Experiment {
             name: "time",
             title: "Time of the whole triangulation, nanoseconds a point",
             about: "Medians.",
-            measure: |row| Some(row.ns_per_point()),
+            measure: Row::ns_per_point,
             shape: Shape::Growth,
         },
     ],

@@ -7,9 +7,9 @@ use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
 
-use super::structure::{Structure, Work};
+use super::structure::Structure;
 
 thread_local! {
     static COMPARISONS: Cell<u64> = const { Cell::new(0) };

@@ -9,10 +9,10 @@
 //!
 //! Cost: O(log n) with 64 ways a level for a search and an update; the ranks cost a sort once.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
 
 use super::parts::XRanks;
-use super::structure::{Structure, Work};
+use super::structure::Structure;
 
 /// The ranks of x on the front as bits, searched by words: O(log n) with base 64.
 #[derive(Clone, Debug, Default)]

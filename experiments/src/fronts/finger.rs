@@ -8,9 +8,9 @@
 //! Cost: O(log d) comparisons for a place at distance d from the last one; an update moves all entries
 //! behind its place.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
 
-use super::structure::{Structure, Work};
+use super::structure::Structure;
 
 /// A sorted array searched from the last place: O(log d) at distance d, O(n) for an update.
 #[derive(Clone, Debug, Default)]

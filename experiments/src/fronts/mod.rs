@@ -35,7 +35,7 @@ pub use finger::Finger;
 pub use rank_table::RankTable;
 pub use sample_tree::SampleTree;
 pub use sorted_array::SortedArray;
-pub use structure::{AnyFront, FromEnd, Structure, Work};
+pub use structure::{AnyFront, FromEnd, Structure};
 pub(crate) use structure::{Seen, Watched};
 pub use treap::Treap;
 pub use uniform_table::UniformTable;

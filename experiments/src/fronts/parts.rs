@@ -2,9 +2,7 @@
 //! [`super::rank_table`], the nodes of a tree and numbers that look random for [`super::treap`] and
 //! [`super::sample_tree`].
 
-use sweep_cdt::front::{Domain, FrontNode};
-
-use super::structure::Work;
+use sweep_cdt::front::{Domain, FrontNode, Work};
 
 /// The ranks of x: the different x of all vertices, numbered from left to right before the sweep starts.
 ///

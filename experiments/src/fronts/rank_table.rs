@@ -8,10 +8,10 @@
 //! Cost: O(1) expected for a search where the front is spread over the vertices as they are from left to
 //! right; O(n) at worst. The ranks cost a sort once.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
 
 use super::parts::XRanks;
-use super::structure::{Structure, Work};
+use super::structure::Structure;
 
 /// A hash table with 2 sqrt(n) intervals of equally many x: O(1) expected.
 #[derive(Clone, Debug, Default)]

@@ -9,10 +9,10 @@
 
 use std::cmp::Ordering;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
 
 use super::parts::{Arena, Branch, Key, LEFT, NONE, RIGHT, mixed};
-use super::structure::{Structure, Work};
+use super::structure::Structure;
 
 /// A splay tree over one in `share` nodes of the front: O(log n) averaged over a run, and a walk.
 #[derive(Clone, Debug)]

@@ -6,9 +6,9 @@
 //! Cost: O(log n) comparisons for a search. An update moves all entries behind its place: O(n), but 16 bytes
 //! each and in one piece.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
 
-use super::structure::{Structure, Work};
+use super::structure::Structure;
 
 /// A sorted array with binary search: O(log n) for a search, O(n) for an update.
 #[derive(Clone, Debug, Default)]

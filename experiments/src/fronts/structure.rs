@@ -5,39 +5,15 @@
 
 use std::fmt;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
-
-/// What a structure did in a run, as it counts it itself. The steps along the front that the sweep takes
-/// afterwards are not in it.
-///
-/// The numbers are counted while time is measured: each is an addition to a field.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
-    /// Comparisons of numbers: x, ranks or places.
-    pub comparisons: u64,
-    /// Nodes, entries or words looked at.
-    pub visited: u64,
-    /// Nodes put into the structure or taken out.
-    pub updates: u64,
-    /// Entries moved, and links changed by rotations, splits and joins.
-    pub rearranged: u64,
-    /// Bytes of the entries and tables held at one time, at most.
-    pub bytes: u64,
-}
-
-impl Work {
-    /// Notes that this many entries of this type are held.
-    pub fn hold<T>(&mut self, entries: usize) {
-        self.bytes = self.bytes.max((entries * size_of::<T>()) as u64);
-    }
-}
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList, Work};
 
 /// A search structure for the front that can be compared with the others.
 ///
 /// A structure of your own needs [`FrontSearch`] and an empty implementation of this trait:
 /// `examples/own_structure.rs`.
 pub trait Structure: FrontSearch + Clone + 'static {
-    /// The work since the run began, if it is counted.
+    /// The work since the run began, if it is counted. It is counted while time is measured, too: that is an
+    /// addition to a field.
     fn work(&self) -> Option<Work> {
         None
     }
@@ -45,6 +21,18 @@ pub trait Structure: FrontSearch + Clone + 'static {
 
 impl Structure for HashTable {}
 impl Structure for SkipList {}
+
+impl Structure for HashTable<Work> {
+    fn work(&self) -> Option<Work> {
+        Some(HashTable::work(self))
+    }
+}
+
+impl Structure for SkipList<Work> {
+    fn work(&self) -> Option<Work> {
+        Some(SkipList::work(self))
+    }
+}
 
 impl Structure for Linear {
     fn work(&self) -> Option<Work> {

@@ -7,10 +7,10 @@
 //! Cost: O(log n) expected for a search and an update. A fixed hash of rank and seed makes the priorities,
 //! so the tree is the same in every run.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
 
 use super::parts::{Arena, Branch, Key, LEFT, NONE, RIGHT, mixed};
-use super::structure::{Structure, Work};
+use super::structure::Structure;
 
 /// A search tree with random priorities: O(log n) expected.
 #[derive(Clone, Debug)]

@@ -10,9 +10,9 @@
 //! Cost: O(1) expected for a search where x spreads evenly and there are about as many intervals as nodes
 //! on the front; O(n) where all nodes crowd in one interval, or nearly all intervals are empty.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
 
-use super::structure::{Structure, Work};
+use super::structure::Structure;
 
 /// A hash table with equal intervals of x: O(1) expected, O(n) at worst. How many is a parameter.
 #[derive(Clone, Debug)]

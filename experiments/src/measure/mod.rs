@@ -89,6 +89,8 @@ impl Cell {
             data: self.data(),
             size: self.size,
             variant: variant.name.clone(),
+            points: input.points.len(),
+            edges: input.edges.len(),
             ..Row::default()
         };
         let counted = before.iter().find(|row| !row.is_left_out);
@@ -135,6 +137,8 @@ mod tests {
             assert_eq!([0, 1].map(|i| rows[i].is_left_out), expected);
             let repetitions = expected.map(|is_left_out| if is_left_out { 0 } else { 3 });
             assert_eq!([0, 1].map(|i| rows[i].repetitions), repetitions);
+            // What was not run knows its input, which has ten points.
+            assert_eq!(rows[1].points == 10, expected[1]);
         }
     }
 }

@@ -4,8 +4,9 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 use sweep_cdt::Stats;
+use sweep_cdt::front::Work;
 
-use crate::fronts::{Seen, Work};
+use crate::fronts::Seen;
 
 /// The columns. All up to `repetitions` are the same in every run and on every platform; the others, whose
 /// names end in `_ms`, are times.
@@ -15,7 +16,8 @@ pub(crate) struct Row {
     /// The number of points asked for.
     pub(crate) size: usize,
     pub(crate) variant: String,
-    /// Whether the variant was left out, as it would have taken too long. Then there are no numbers.
+    /// Whether the variant was left out, as it would have taken too long. Then nothing but points and edges is
+    /// counted.
     pub(crate) is_left_out: bool,
 
     pub(crate) points: usize,
@@ -181,9 +183,23 @@ impl Row {
         ]
     }
 
-    /// Nanoseconds a point of the median.
-    pub(crate) fn ns_per_point(&self) -> f64 {
-        1e6 * self.times_ms()[0] / self.points.max(1) as f64
+    /// Nanoseconds a point of the median; `None` if no time was measured.
+    pub(crate) fn ns_per_point(&self) -> Option<f64> {
+        self.per_point(self.times_ms()[0])
+    }
+
+    /// The same of the least time.
+    pub(crate) fn least_ns_per_point(&self) -> Option<f64> {
+        self.per_point(self.times_ms()[1])
+    }
+
+    /// The same of the phases on the clock together.
+    pub(crate) fn phases_ns_per_point(&self) -> Option<f64> {
+        self.per_point(self.total_ms)
+    }
+
+    fn per_point(&self, ms: f64) -> Option<f64> {
+        (self.repetitions > 0).then(|| 1e6 * ms / self.points.max(1) as f64)
     }
 }
 

@@ -114,7 +114,7 @@ pub(super) fn phases(view: &View, rows: &[Row]) -> String {
     ];
     let greatest = rows
         .iter()
-        .map(on_the_clock)
+        .filter_map(Row::phases_ns_per_point)
         .fold(f64::MIN_POSITIVE, f64::max);
     let count = i32::try_from(rows.len()).expect("few rows");
     let size = [LEFT + LENGTH + SUM, TOP + count * BAR + MARGIN]
@@ -148,9 +148,4 @@ pub(super) fn phases(view: &View, rows: &[Row]) -> String {
             text(area, &sum, (left + 6, middle), Place::Right, TEXT, BLACK);
         }
     })
-}
-
-/// Nanoseconds a point of all parts together.
-fn on_the_clock(row: &Row) -> f64 {
-    1e6 * row.total_ms / row.points.max(1) as f64
 }

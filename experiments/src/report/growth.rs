@@ -150,37 +150,30 @@ fn colour(i: usize) -> RGBColor {
 fn mark(area: &Area<'_>, i: usize, (x, y): (i32, i32)) {
     const R: i32 = 4;
     let style: ShapeStyle = colour(i).stroke_width(2);
-    match i % 5 {
+    let path = |offsets: &[(i32, i32)]| {
+        let points = offsets.iter().map(|&(across, down)| (x + across, y + down));
+        line(area, points.collect(), style);
+    };
+    match i % LINES.len() {
         0 => fill(area, [(x - R, y - R), (x + R, y + R)], colour(i)),
         1 => {
-            line(area, vec![(x - R, y - R), (x + R, y + R)], style);
-            line(area, vec![(x - R, y + R), (x + R, y - R)], style);
+            path(&[(-R, -R), (R, R)]);
+            path(&[(-R, R), (R, -R)]);
         }
-        2 => line(
-            area,
-            vec![
-                (x, y - R - 1),
-                (x + R, y + R),
-                (x - R, y + R),
-                (x, y - R - 1),
-            ],
-            style,
-        ),
-        3 => line(
-            area,
-            vec![
-                (x, y - R - 1),
-                (x + R + 1, y),
-                (x, y + R + 1),
-                (x - R - 1, y),
-                (x, y - R - 1),
-            ],
-            style,
-        ),
-        _ => {
-            line(area, vec![(x - R - 1, y), (x + R + 1, y)], style);
-            line(area, vec![(x, y - R - 1), (x, y + R + 1)], style);
+        2 => path(&[(0, -R - 1), (R, R), (-R, R), (0, -R - 1)]),
+        3 => path(&[
+            (0, -R - 1),
+            (R + 1, 0),
+            (0, R + 1),
+            (-R - 1, 0),
+            (0, -R - 1),
+        ]),
+        4 => {
+            path(&[(-R - 1, 0), (R + 1, 0)]);
+            path(&[(0, -R - 1), (0, R + 1)]);
         }
+        5 => path(&[(-R, -R), (R, -R), (R, R), (-R, R), (-R, -R)]),
+        _ => path(&[(0, R + 1), (R, -R), (-R, -R), (0, R + 1)]),
     }
 }
 

@@ -28,22 +28,29 @@ pub(super) fn head(method: &Method<'_>, rows: &[Row]) -> String {
         seed,
         repetitions,
     } = method;
+    let timed = if *repetitions == 0 {
+        "No time was measured.".to_owned()
+    } else {
+        format!(
+            "Then all variants of a cell run in turn, {repetitions} times; a \
+             different one comes first each time. Times are medians over these turns of the processor's time, where \
+             the system tells it; those of the phases are times on the clock. The counters of the crate are on then, \
+             and those of all structures but the crate's own.\n\
+             - Spread: in half of the rows the slowest turn took at most {:.0} % more than the fastest, in nine of \
+             ten at most {:.0} %.",
+            spread(rows, 0.5),
+            spread(rows, 0.9),
+        )
+    };
     let mut text = format!(
         "# {experiment}\n\n{about}\n\n## Method\n\n\
          - Machine: {}. Compiler: {}. Commit: {commit}. Seed: {seed}.\n\
-         - Each variant runs once to count. Then all variants of a cell run in turn, {repetitions} times; a \
-         different one comes first each time. Times are medians over these turns of the processor's time, where \
-         the system tells it; those of the phases are times on the clock. The counters of the crate and of the \
-         structures are on.\n\
+         - Each variant runs once to count. {timed}\n\
          - All variants of a cell gave the same triangles, or there would be no report.\n\
-         - Spread: in half of the rows the slowest turn took at most {:.0} % more than the fastest, in nine of \
-         ten at most {:.0} %.\n\
          - The numbers of all rows are in `{experiment}.csv`. All columns but those that end in `_ms` are the \
          same in every run.\n\n",
         machine(),
         compiler(),
-        spread(rows, 0.5),
-        spread(rows, 0.9),
     );
     text.push_str(
         "## Data\n\n| data | points | edges | triangles | front: mean | longest | swept |\n",

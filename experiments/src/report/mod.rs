@@ -28,7 +28,7 @@ pub(crate) fn write(
     rows: &[Row],
 ) -> io::Result<()> {
     let mut text = markdown::head(method, rows);
-    for view in views {
+    for view in views.iter().filter(|view| is_known(view, rows)) {
         let (tables, plots) = show(view, rows);
         text.push_str(&markdown::section(view, &tables, &plots));
         for plot in plots {
@@ -37,6 +37,12 @@ pub(crate) fn write(
     }
     text.push_str(remarks);
     fs::write(folder.join("report.md"), text)
+}
+
+/// Whether a view has any number: times may not have been measured.
+fn is_known(view: &View, rows: &[Row]) -> bool {
+    let mut entries = rows.iter().map(|row| table::entry(view, row));
+    entries.any(|entry| matches!(entry, table::Entry::Number(_)))
 }
 
 /// The tables and plots of a view.

@@ -95,6 +95,29 @@ fn counts_are_the_same_in_every_run() {
 }
 
 #[test]
+fn without_repetitions_there_are_counts_and_no_times() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [timed, counted] = ["timed", "counted"].map(|name| folder.path().join(name));
+    for (out, repetitions) in [(&timed, "1"), (&counted, "0")] {
+        let more = ["--repetitions", repetitions];
+        succeed(&[&["fronts"], &CELLS[..], &more].concat(), out);
+    }
+    let without = |out: &Path| {
+        let mut rows = counts(&out.join("fronts.csv"));
+        rows.iter_mut()
+            .for_each(|row| drop(row.remove("repetitions")));
+        rows
+    };
+    assert_eq!(without(&timed), without(&counted));
+    let text = |out: &Path| fs::read_to_string(out.join("report.md")).expect("a report");
+    let title = "Time of the whole triangulation";
+    assert!(text(&timed).contains(title) && timed.join("time-100.svg").exists());
+    assert!(!text(&counted).contains(title) && !counted.join("time-100.svg").exists());
+    assert!(text(&counted).contains("No time was measured"));
+    assert!(counted.join("work-100.svg").exists());
+}
+
+#[test]
 fn an_interrupted_run_goes_on_with_what_is_missing() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path();

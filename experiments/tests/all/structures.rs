@@ -74,9 +74,11 @@ fn allowed_work(name: &str, nodes: usize) -> f64 {
         // What they need grows with the crowd in an interval, or with the empty ones.
         _ if name.starts_with("uniform table") => f64::INFINITY,
         "hash over ranks" => 64.0,
+        // An entry, sixteen on either side of it, and the last node.
+        "hash table (default)" => 34.0,
         // A search anywhere halves the ranks of all vertices.
         "bit set over ranks" => 16.0,
-        "treap" => 4.0 + 2.0 * halvings,
+        "treap" | "skip list" => 4.0 + 2.0 * halvings,
         _ => 4.0 + 1.5 * halvings,
     }
 }

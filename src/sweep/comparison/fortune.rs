@@ -40,7 +40,6 @@ use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
-use crate::recorder::Phase;
 use crate::scalar::Scalar;
 use crate::trace::Why;
 
@@ -59,13 +58,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// vertices lie within it: all, or none if they all lie on one line or no triangulation has come of it.
     pub(in crate::sweep) fn sweep_beach_line(&mut self) -> Result<usize, Error> {
         let n = self.fabric.signs.vertices.len();
-        if self.fabric.first_off_line().is_none() {
+        if self.begin_off_line().is_none() {
             return Ok(0);
         }
-        self.fabric.probe.begin(Phase::Sweeping);
-        self.front.begin(n);
-        self.fabric.mesh.clear();
-        self.fabric.mesh.renew_open(n + 2);
+        self.clear();
         let line = self.fabric.beach_line();
         if !self.fabric.is_convex(&line) {
             return Ok(0);
@@ -73,9 +69,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         self.fabric.legalize_all();
         let start = self.fabric.ghosts_around(&line);
         self.fabric.mesh.forget_open(n + 2);
-        self.hand_over(start);
-        self.insert_all()?;
-        Ok(n)
+        self.finish_from_ghosts(start)
     }
 }
 

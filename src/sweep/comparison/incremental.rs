@@ -39,7 +39,6 @@ use crate::front::FrontSearch;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
-use crate::recorder::Phase;
 use crate::scalar::Scalar;
 use crate::trace::Why;
 
@@ -48,13 +47,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// vertices lie within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn insert_at_random(&mut self) -> Result<usize, Error> {
         let n = self.fabric.signs.vertices.len();
-        let Some(off_line) = self.fabric.first_off_line() else {
+        let Some(off_line) = self.begin_off_line() else {
             return Ok(0);
         };
-        self.fabric.probe.begin(Phase::Sweeping);
-        self.front.begin(n);
-        self.fabric.mesh.clear();
-        self.fabric.mesh.renew_open(n + 2);
+        self.clear();
         self.fabric.triangle_of_first(off_line);
         let random = &mut Random::new();
         let mut order: Vec<VertexId> = (2..n)
@@ -72,9 +68,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.fabric.insert(p, found);
         }
         let start = self.fabric.lowest_ghost();
-        self.hand_over(start);
-        self.insert_all()?;
-        Ok(n)
+        self.finish_from_ghosts(start)
     }
 }
 

@@ -21,9 +21,39 @@ mod sweep_2005;
 use std::cmp::Ordering::Equal;
 
 use super::fabric::Fabric;
+use super::state::Sweep;
+use crate::error::Error;
+use crate::front::FrontSearch;
 use crate::ids::VertexId;
+use crate::mesh::Side;
 use crate::probe::Probe;
+use crate::recorder::Phase;
 use crate::scalar::Scalar;
+
+impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+    /// Begins to triangulate, if not all vertices lie on one line: returns the first one off it.
+    fn begin_off_line(&mut self) -> Option<VertexId> {
+        let off_line = self.fabric.first_off_line()?;
+        self.fabric.probe.begin(Phase::Sweeping);
+        Some(off_line)
+    }
+
+    /// Removes the first triangle and its vertex on the front, for an algorithm that needs neither.
+    fn clear(&mut self) {
+        let n = self.fabric.signs.vertices.len();
+        self.front.begin(n);
+        self.fabric.mesh.clear();
+        self.fabric.mesh.renew_open(n + 2);
+    }
+
+    /// Inserts the edges where ghosts surround all vertices, whose number is returned; the hull side of `start`
+    /// starts at the lowest vertex.
+    fn finish_from_ghosts(&mut self, start: Side) -> Result<usize, Error> {
+        self.hand_over(start);
+        self.insert_all()?;
+        Ok(self.fabric.signs.vertices.len())
+    }
+}
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// The first vertex in sweep order that does not lie on the line of the first two, if there is one.

@@ -33,7 +33,6 @@ use crate::front::{FrontSearch, Way};
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
-use crate::recorder::Phase;
 use crate::scalar::Scalar;
 use crate::trace::Why;
 
@@ -67,10 +66,9 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// lie within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn sweep_without_artificial(&mut self) -> Result<usize, Error> {
         let n = self.fabric.signs.vertices.len();
-        let Some(off_line) = self.fabric.first_off_line() else {
+        let Some(off_line) = self.begin_off_line() else {
             return Ok(0);
         };
-        self.fabric.probe.begin(Phase::Sweeping);
         let first = off_line.index() + 1;
         for v in (1..first).map(VertexId::at) {
             self.point_event(v);

@@ -92,6 +92,7 @@ pub(crate) fn write_statistics(stats: &Stats, out: &mut impl Write) -> io::Resul
     rows(
         out,
         &[
+            ("point events", count.point_events),
             ("front steps", count.front_steps),
             ("front: greatest length", count.longest_front),
         ],
