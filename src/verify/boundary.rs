@@ -19,7 +19,8 @@
 
 use std::cmp::Ordering;
 
-use super::report::Record;
+use super::depth::Depth;
+use super::report::{Level, Record};
 use super::scanline;
 use super::sides::Sides;
 use super::soup::Soup;
@@ -112,7 +113,7 @@ fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
 /// Checks that a closed chain never turns right nor back, and that it goes round once.
 fn check_convex<S: Scalar>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Record) {
     let at = |i: usize| chain[i % chain.len()];
-    let (mut times, mut convex) = (0, true);
+    let (mut times, mut wrong) = (0, Vec::new());
     for i in 0..chain.len() {
         let vertices @ [a, b, c] = [at(i), at(i + 1), at(i + 2)];
         let ascends = [soup.signs.order(a, b), soup.signs.order(b, c)].map(Ordering::is_lt);
@@ -123,14 +124,42 @@ fn check_convex<S: Scalar>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Recor
             Ordering::Less => false,
         };
         if !goes_on {
-            convex = false;
-            let vertices = soup.names(vertices);
-            record.findings.add(Violation::ConcaveBoundary { vertices });
+            wrong.push(vertices);
         }
         times += usize::from(ascends == [false, true]);
     }
-    if convex && times != 1 {
+    if wrong.is_empty() && times != 1 {
         record.findings.add(Violation::WindingBoundary { times });
+    }
+    report_concave(soup, chain, &wrong, record);
+}
+
+/// Reports the turns of a closed chain that are wrong, with their depths if they are all there is: if they go on, and
+/// the chain neither crosses nor covers itself.
+fn report_concave<S: Scalar>(
+    soup: &Soup<'_, S>,
+    chain: &[u32],
+    wrong: &[[u32; 3]],
+    record: &mut Record,
+) {
+    let measure = |turn: [u32; 3], record: &Record| {
+        let height = || soup.signs.height(turn).map(|height| -height);
+        record.findings.measure(Level::Tiling, height)
+    };
+    let mut depths: Vec<Option<Depth>> = wrong.iter().map(|&turn| measure(turn, record)).collect();
+    let is_simple = || {
+        let ends = chain.iter().zip(chain.iter().cycle().skip(1));
+        let sides: Vec<[u32; 2]> = ends.map(|(&a, &b)| [a, b]).collect();
+        scanline::inside(&soup.signs, &sides, std::iter::empty()).is_ok()
+    };
+    if !wrong.is_empty() && (depths.contains(&None) || !is_simple()) {
+        depths.fill(None);
+    }
+    for (&turn, depth) in wrong.iter().zip(depths) {
+        let vertices = soup.names(turn);
+        record
+            .findings
+            .add(Violation::ConcaveBoundary { vertices, depth });
     }
 }
 

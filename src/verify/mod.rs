@@ -59,6 +59,7 @@
 mod boundary;
 mod chunks;
 mod delaunay;
+mod depth;
 mod edges;
 mod input;
 mod report;
@@ -69,6 +70,7 @@ mod turns;
 mod verifier;
 mod violation;
 
+pub use depth::{Depth, Depths};
 pub use report::{Level, Report, Violations};
 pub use verifier::Verifier;
 pub use violation::{Offenders, Violation};

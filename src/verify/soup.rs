@@ -122,6 +122,18 @@ impl<S: Scalar> Signs<'_, S> {
         })
     }
 
+    /// How deep the last vertex lies in the circle of the others, if the scalar tells.
+    pub(super) fn depth(&self, vertices: [u32; 4]) -> Option<f64> {
+        let [a, b, c, d] = vertices.map(|v| self.point(v));
+        S::depth(a, b, c, d)
+    }
+
+    /// How far a turn is from straight, if the scalar tells.
+    pub(super) fn height(&self, vertices: [u32; 3]) -> Option<f64> {
+        let [a, b, c] = vertices.map(|v| self.point(v));
+        S::height(a, b, c)
+    }
+
     /// Order by x, then y.
     pub(super) fn order(&self, a: u32, b: u32) -> Ordering {
         let (p, q) = (self.point(a), self.point(b));

@@ -5,6 +5,7 @@ use std::fmt;
 #[cfg(feature = "parallel")]
 use super::chunks::Parallel;
 use super::chunks::{Progress, Schedule, Serial};
+use super::depth::MEASURED;
 use super::input::{self, Ranked};
 use super::report::{Level, Record, Report, Violations};
 use super::{boundary, delaunay, edges, sides, turns};
@@ -27,6 +28,7 @@ pub struct Verifier<'a> {
     boundary: Option<&'a [Vec<usize>]>,
     level: Level,
     limit: usize,
+    measured: usize,
     progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
 }
 
@@ -37,6 +39,7 @@ impl fmt::Debug for Verifier<'_> {
             .field("boundary", &self.boundary)
             .field("level", &self.level)
             .field("limit", &self.limit)
+            .field("measured", &self.measured)
             .finish_non_exhaustive()
     }
 }
@@ -56,6 +59,7 @@ impl<'a> Verifier<'a> {
             boundary: None,
             level: Level::Delaunay,
             limit: 100,
+            measured: MEASURED,
             progress: None,
         }
     }
@@ -91,6 +95,14 @@ impl<'a> Verifier<'a> {
     #[must_use]
     pub fn limit(self, limit: usize) -> Self {
         Verifier { limit, ..self }
+    }
+
+    /// Whether every [depth](super::Depth) is measured, however many violations there are. By default that are the
+    /// first 1000 in each 16384 triangles, and of the boundary, if it has no more.
+    #[must_use]
+    pub fn all_depths(self, all: bool) -> Self {
+        let measured = if all { usize::MAX } else { MEASURED };
+        Verifier { measured, ..self }
     }
 
     /// Called as `progress(done, total)`, at intervals, from any thread.
@@ -140,7 +152,7 @@ impl<'a> Verifier<'a> {
         edges: &[[usize; 2]],
         triangles: &[[usize; 3]],
     ) -> Result<Report, Violations> {
-        let mut record = Record::new(self.limit, self.level);
+        let mut record = Record::new(self.limit, self.measured, self.level);
         let progress = Progress::new(self.progress, triangles.len());
 
         // 1. Coordinates and indices.
