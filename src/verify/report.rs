@@ -27,6 +27,10 @@ pub struct Report {
     pub boundary_sides: usize,
     /// Sides that are input edges or pieces of them.
     pub constrained_sides: usize,
+    /// Corners that are none of the input's points, where [these are allowed](super::Verifier::added_from).
+    pub added_points: usize,
+    /// Edges with such a point on them, between their ends.
+    pub split_edges: usize,
     /// Sides between two triangles that are no pieces of input edges: what must be Delaunay.
     pub free_sides: usize,
     /// Free sides whose two triangles have all four corners on one circle: ties, where either diagonal is
@@ -241,7 +245,7 @@ pub(super) struct Findings {
     pub(super) list: Vec<Violation>,
     pub(super) found: usize,
     /// How many of these have a depth at most.
-    measured: usize,
+    pub(super) measured: usize,
     depths: Depths,
 }
 

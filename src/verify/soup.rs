@@ -53,6 +53,8 @@ impl<S: Scalar> Soup<'_, S> {
 #[derive(Debug)]
 pub(super) struct Signs<'a, S> {
     pub(super) points: &'a [[S; 2]],
+    /// From this index on they are none of the input's, unless they equal one of these.
+    pub(super) added_from: usize,
     /// For each rank an index into `points`.
     pub(super) vertex: Vec<u32>,
     /// For each rank the approximated coordinates, scaled.
@@ -94,6 +96,11 @@ impl<S: Scalar> Signs<'_, S> {
     /// The caller's index of a vertex.
     pub(super) fn name(&self, v: u32) -> usize {
         self.vertex[v as usize] as usize
+    }
+
+    /// Whether a vertex is none of the input's points.
+    pub(super) fn is_added(&self, v: u32) -> bool {
+        self.name(v) >= self.added_from
     }
 
     fn point(&self, v: u32) -> &[S; 2] {

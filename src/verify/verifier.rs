@@ -27,6 +27,7 @@ pub struct Verifier<'a> {
     clockwise: bool,
     boundary: Option<&'a [Vec<usize>]>,
     level: Level,
+    added_from: Option<usize>,
     limit: usize,
     measured: usize,
     progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
@@ -38,6 +39,7 @@ impl fmt::Debug for Verifier<'_> {
             .field("clockwise", &self.clockwise)
             .field("boundary", &self.boundary)
             .field("level", &self.level)
+            .field("added_from", &self.added_from)
             .field("limit", &self.limit)
             .field("measured", &self.measured)
             .finish_non_exhaustive()
@@ -58,6 +60,7 @@ impl<'a> Verifier<'a> {
             clockwise: false,
             boundary: None,
             level: Level::Delaunay,
+            added_from: None,
             limit: 100,
             measured: MEASURED,
             progress: None,
@@ -81,6 +84,31 @@ impl<'a> Verifier<'a> {
     pub fn boundary(self, chains: &'a [Vec<usize>]) -> Self {
         Verifier {
             boundary: Some(chains),
+            ..self
+        }
+    }
+
+    /// Allows points that the input lacks (*Steiner points*), as programs add them that make good triangles: all from
+    /// this index on. Those that equal a point of the input stand for it.
+    ///
+    /// Added points need not be corners. Corners must lie in the hull of the points before this index, or in the
+    /// declared domain. Edges and declared sides may be split by points exactly on them, and triangles must be
+    /// Delaunay with added points in view too. [`Report`] has the number of these points, and of edges that they split.
+    ///
+    /// ```
+    /// use sweep_cdt::verify::Verifier;
+    ///
+    /// // The centre of a square is added, on its diagonal.
+    /// let points = [[0, 0], [2, 0], [2, 2], [0, 2], [1, 1]];
+    /// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+    /// let report = Verifier::new().added_from(4).verify(&points, &[[0, 2]], &triangles)?;
+    /// assert_eq!((report.points, report.added_points, report.split_edges), (4, 1, 1));
+    /// # Ok::<(), sweep_cdt::verify::Violations>(())
+    /// ```
+    #[must_use]
+    pub fn added_from(self, added_from: usize) -> Self {
+        Verifier {
+            added_from: Some(added_from),
             ..self
         }
     }
@@ -156,7 +184,14 @@ impl<'a> Verifier<'a> {
         let progress = Progress::new(self.progress, triangles.len());
 
         // 1. Coordinates and indices.
-        let ranked = input::read(points, edges, triangles, self.boundary, &mut record);
+        let ranked = input::read(
+            points,
+            edges,
+            triangles,
+            self.boundary,
+            self.added_from.unwrap_or(usize::MAX),
+            &mut record,
+        );
         let Some(ranked) = ranked else {
             return record.answer();
         };
@@ -182,7 +217,7 @@ impl<'a> Verifier<'a> {
         // 5. Every point is a corner.
         boundary::check_points(&soup, used, domain, &mut record);
         // 6. The number of triangles is Euler's.
-        boundary::check_count(domain, &mut record);
+        boundary::check_count(used, domain, &mut record);
         // 7. Every edge is a chain of sides, which are then fixed.
         edges::check(&soup, &mut sides, &edges, &mut record);
         // 8. Every free side is locally Delaunay.

@@ -134,6 +134,12 @@ pub enum Violation {
         /// The point.
         vertex: usize,
     },
+    /// A corner that is none of the input's points, and is allowed in the hull of these, lies outside of it.
+    #[error("vertex {vertex} was added outside of the hull")]
+    AddedOutside {
+        /// The point.
+        vertex: usize,
+    },
     /// The number of triangles is not what Euler's formula asks for.
     #[error("there are {triangles} triangles, not {expected}")]
     WrongCount {
@@ -285,7 +291,8 @@ impl Violation {
             | V::NotCanonical { .. } => return,
             V::NonFiniteCoordinate { vertex }
             | V::PinchedBoundary { vertex }
-            | V::UnusedPoint { vertex } => (from_mut(vertex), &mut [], &mut []),
+            | V::UnusedPoint { vertex }
+            | V::AddedOutside { vertex } => (from_mut(vertex), &mut [], &mut []),
             V::FlatTriangle { triangle } | V::ReversedTriangle { triangle } => {
                 (&mut [], &mut [], from_mut(triangle))
             }

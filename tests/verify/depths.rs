@@ -1,0 +1,1 @@
+//! How deep faults are, against exact fractions; and what is measured.
