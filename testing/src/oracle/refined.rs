@@ -7,7 +7,7 @@
 use std::cmp::Ordering::{Equal, Greater};
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 
 use super::arrangement::Exact;
 use super::naive::{Side, Triangle, are_delaunay, is_made, is_on, is_within, separates, sides};
@@ -199,6 +199,12 @@ pub fn height([a, b, c]: [&Exact; 3]) -> BigRational {
     } else {
         &off[0] / right
     }
+}
+
+/// Whether a size is that of the fraction but for a few roundings.
+pub fn is_near(size: f64, exact: &BigRational) -> bool {
+    let exact = exact.to_f64().unwrap_or(f64::NAN);
+    (size - exact).abs() <= (1e-14 * exact.abs()).max(5e-324)
 }
 
 /// The sides of triangles, of these points by number, that are no edges or pieces of them and not Delaunay: each
