@@ -187,7 +187,7 @@ pub trait Scalar: Sized {
     /// assert_eq!(Scalar::depth(&a, &b, &c, &[1, 3]), Some(0.75));
     /// ```
     fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
-        of_doubles([a, b, c, d]).and_then(|[a, b, c, d]| f64::depth(&a, &b, &c, &d))
+        of_doubles([a, b, c, d]).and_then(|[a, b, c, d]| Scalar::depth(&a, &b, &c, &d))
     }
 
     /// The height of `b` over the line from `a` to `c`, in units of the distance from `a` to `c`; positive where the
@@ -202,7 +202,7 @@ pub trait Scalar: Sized {
     /// assert_eq!(turn, Some(0.5e-17));
     /// ```
     fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
-        of_doubles([a, b, c]).and_then(|[a, b, c]| f64::height(&a, &b, &c))
+        of_doubles([a, b, c]).and_then(|[a, b, c]| Scalar::height(&a, &b, &c))
     }
 
     /// The answer of [`orient2d`](Scalar::orient2d), and the stage that gave it.

@@ -167,7 +167,7 @@ fn what_is_no_rounding_has_no_depth() {
 fn a_boundary_that_covers_itself_is_not_measured() {
     let n = 40;
     let angle = |i: usize| std::f64::consts::TAU * 2.0 * i as f64 / n as f64;
-    let radius = |i: usize| if i % 2 == 0 { 1.0 } else { 0.94 };
+    let radius = |i: usize| [1.0, 0.94][i % 2];
     let mut points = vec![[0.0, 0.0]];
     // Each vertex of the second round is a little off that of the first.
     points.extend((0..n).map(|i| {
