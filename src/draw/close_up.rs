@@ -61,6 +61,7 @@ impl<S> CloseUp<'_, S> {
             | Violation::UndeclaredBoundary { side, .. } => wrong.push(side),
             Violation::ConcaveBoundary {
                 vertices: [a, b, c],
+                ..
             } => wrong.extend([[a, b], [b, c]]),
             Violation::NotDelaunay { side, opposite, .. } => {
                 wrong.push(side);

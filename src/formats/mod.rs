@@ -27,7 +27,7 @@ pub(crate) use graph::sorted_pairs;
 pub use graph::{Graph, Region};
 pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
-    read, read_result,
+    added_points, read, read_result,
 };
 pub use write::{
     CrossingsFormat, OutputFormat, write, write_crossings, write_domain, write_graph, write_node,

@@ -46,6 +46,14 @@ impl Scalar for f64 {
         filtered_in_circle([a, b, c, d])
     }
 
+    fn depth(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2], &d: &[Self; 2]) -> Option<f64> {
+        unbounded::depth(&big([a, b, c, d]))
+    }
+
+    fn height(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> Option<f64> {
+        unbounded::height(&big([a, b, c]))
+    }
+
     #[cold]
     fn orient2d_exact(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> (Ordering, Stage) {
         if let Some([a, b]) = differences([a, b], c) {

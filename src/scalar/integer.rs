@@ -43,6 +43,14 @@ impl Scalar for i64 {
         Self::in_circle_exact(a, b, c, d).0
     }
 
+    fn depth(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2], &d: &[Self; 2]) -> Option<f64> {
+        unbounded::depth(&[a, b, c, d].map(|p| p.map(BigInt::from)))
+    }
+
+    fn height(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> Option<f64> {
+        unbounded::height(&[a, b, c].map(|p| p.map(BigInt::from)))
+    }
+
     fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         turn(minus(a, c), minus(b, c))
     }

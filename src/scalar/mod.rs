@@ -5,7 +5,8 @@
 //! function, [`Scalar::approx`], gives a double near the value. The doubles feed the floating-point filter
 //! (which returns a sign only if it is certain) and choose what only costs time: hash buckets, and the
 //! angles of the heuristics. A sixth, [`Scalar::difference`], may be left out. It gives a double near a
-//! difference, for points whose own doubles tell too little.
+//! difference, for points whose own doubles tell too little. Two more, [`Scalar::depth`] and [`Scalar::height`], may be
+//! left out too: the verifier tells by them how much is wrong.
 //!
 //! | type | how it is exact |
 //! |---|---|
@@ -170,6 +171,40 @@ pub trait Scalar: Sized {
     /// `Less` outside, `Equal` on it. Swapping two of the first three points reverses the sign.
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering;
 
+    /// How deep `d` lies in the circumcircle of a counter-clockwise triangle `a`, `b`, `c`: its power to the circle
+    /// in units of the square of the radius, positive inside. The centre has depth 1. `None` if the type does not tell.
+    ///
+    /// The verifier says by it how wrong a side is. Its sign must be that of [`in_circle`](Scalar::in_circle), its
+    /// size right to some units of 2^-52 of itself. A common positive factor of all coordinates changes nothing, so
+    /// a type may leave this to another as it may leave the predicates.
+    ///
+    /// ```
+    /// use sweep_cdt::scalar::Scalar;
+    ///
+    /// let [a, b, c] = [[0_i64, 0], [4, 0], [4, 4]];
+    /// assert_eq!(Scalar::depth(&a, &b, &c, &[2, 2]), Some(1.0));
+    /// assert_eq!(Scalar::depth(&a, &b, &c, &[0, 4]), Some(0.0));
+    /// assert_eq!(Scalar::depth(&a, &b, &c, &[1, 3]), Some(0.75));
+    /// ```
+    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
+        of_doubles([a, b, c, d]).and_then(|[a, b, c, d]| Scalar::depth(&a, &b, &c, &d))
+    }
+
+    /// The height of `b` over the line from `a` to `c`, in units of the distance from `a` to `c`; positive where the
+    /// path through them turns left. `None` if it turns by a right angle or more, or if the type does not tell.
+    ///
+    /// What holds of [`depth`](Scalar::depth) holds of it, with the sign of [`orient2d`](Scalar::orient2d).
+    ///
+    /// ```
+    /// use sweep_cdt::scalar::Scalar;
+    ///
+    /// let turn = Scalar::height(&[0.0, 0.0], &[1.0, -1e-17], &[2.0, 0.0]);
+    /// assert_eq!(turn, Some(0.5e-17));
+    /// ```
+    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
+        of_doubles([a, b, c]).and_then(|[a, b, c]| Scalar::height(&a, &b, &c))
+    }
+
     /// The answer of [`orient2d`](Scalar::orient2d), and the stage that gave it.
     ///
     /// The sweep and the verifier call this one, and only where the floating-point filter has left the
@@ -208,6 +243,12 @@ pub enum Stage {
 fn all_doubles<S>(points: &[[S; 2]], double: impl Fn(&S) -> Option<f64>) -> Option<Vec<[f64; 2]>> {
     let doubles = points.iter().map(|[x, y]| Some([double(x)?, double(y)?]));
     doubles.collect()
+}
+
+/// The points as doubles, if these are the coordinates themselves.
+fn of_doubles<S: Scalar, const N: usize>(points: [&[S; 2]; N]) -> Option<[[f64; 2]; N]> {
+    let doubles = || points.map(|[x, y]| [x.approx(), y.approx()]);
+    S::APPROX_IS_EXACT.then(doubles)
 }
 
 /// [`Scalar::orient2d`] for those who call it directly with a few points: the [`filter`] at the scale of these points,

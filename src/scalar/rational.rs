@@ -59,6 +59,14 @@ impl Scalar for BigRational {
         filtered_in_circle([a, b, c, d])
     }
 
+    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
+        unbounded::depth(&integers([a, b, c, d]).0)
+    }
+
+    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
+        unbounded::height(&integers([a, b, c]).0)
+    }
+
     fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         let points = [a, b, c];
         if let Some([a, b, c]) = doubles(points) {

@@ -6,6 +6,9 @@
 
 use std::cmp::Ordering;
 
+use num_bigint::{BigInt, Sign};
+use num_rational::BigRational;
+use rug::integer::Order;
 use rug::{Integer, Rational};
 
 use super::{Scalar, Stage, all_doubles, filtered_in_circle, filtered_orient2d};
@@ -47,6 +50,16 @@ impl Scalar for Rational {
         filtered_in_circle([a, b, c, d])
     }
 
+    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
+        let [a, b, c, d] = [a, b, c, d].map(|p| p.each_ref().map(pure));
+        BigRational::depth(&a, &b, &c, &d)
+    }
+
+    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
+        let [a, b, c] = [a, b, c].map(|p| p.each_ref().map(pure));
+        BigRational::height(&a, &b, &c)
+    }
+
     fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         if let Some([a, b, c]) = doubles([a, b, c]) {
             return f64::orient2d_exact(&a, &b, &c);
@@ -79,6 +92,18 @@ fn doubles<const N: usize>(points: [&[Rational; 2]; N]) -> Option<[[f64; 2]; N]>
         .zip(doubles.iter().flatten())
         .all(|(exact, double)| exact == double)
         .then_some(doubles)
+}
+
+/// The same number in pure Rust.
+fn pure(number: &Rational) -> BigRational {
+    let integer = |x: &Integer| {
+        let sign = match x.cmp0() {
+            Ordering::Less => Sign::Minus,
+            _ => Sign::Plus,
+        };
+        BigInt::from_bytes_le(sign, &x.to_digits(Order::Lsf))
+    };
+    BigRational::new_raw(integer(number.numer()), integer(number.denom()))
 }
 
 fn minus(a: &[Rational; 2], b: &[Rational; 2]) -> [Rational; 2] {

@@ -1,9 +1,12 @@
 //! Checks 4 to 6: the triangles cover the hull, or the domain that the caller declared, once.
 //!
-//! Check 4: the boundary is one closed chain that never turns right nor back and goes round once, or it is the
-//! chains that the caller declared. Check 5: every distinct point is a corner, or lies outside the declared domain,
+//! Check 4: the boundary is one closed chain that never turns right nor back and goes round once, or it is what the
+//! caller [declared](super::declared). Check 5: every distinct point is a corner, or lies outside the declared domain,
 //! if that is one. Check 6: the number of triangles is Euler's, 2 n - 2 - h for n distinct points, h of them on the
 //! hull.
+//!
+//! Where points may be added to those of the input, they must lie in the hull of these. Check 4 makes the boundary the
+//! hull of all corners. It is the hull of the input's points if all corners at which it turns are among them.
 //!
 //! How rounds are counted: a side *ascends* if its end comes after its start in the order (x, y). A chain
 //! that never turns right nor back turns by less than half a turn at each vertex. The directions that
@@ -19,7 +22,9 @@
 
 use std::cmp::Ordering;
 
-use super::report::Record;
+use super::declared::Domain;
+use super::depth::Depth;
+use super::report::{Level, Record};
 use super::scanline;
 use super::sides::Sides;
 use super::soup::Soup;
@@ -45,7 +50,10 @@ pub(super) fn check<S: Scalar>(
 
 /// Without triangles all vertices must lie on one line.
 fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
-    let is_off = |&v: &u32| soup.signs.orient2d([0, 1, v], &mut record.tally).is_ne();
+    // Those of the input come first.
+    let is_off = |&v: &u32| {
+        !soup.signs.is_added(v) && soup.signs.orient2d([0, 1, v], &mut record.tally).is_ne()
+    };
     if let Some(v) = (2..soup.vertices()).find(is_off) {
         let vertices = soup.names([0, 1, v]);
         record.findings.add(Violation::NoTriangles { vertices });
@@ -112,81 +120,59 @@ fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
 /// Checks that a closed chain never turns right nor back, and that it goes round once.
 fn check_convex<S: Scalar>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Record) {
     let at = |i: usize| chain[i % chain.len()];
-    let (mut times, mut convex) = (0, true);
+    let (mut times, mut wrong) = (0, Vec::new());
     for i in 0..chain.len() {
         let vertices @ [a, b, c] = [at(i), at(i + 1), at(i + 2)];
         let ascends = [soup.signs.order(a, b), soup.signs.order(b, c)].map(Ordering::is_lt);
-        let goes_on = match soup.signs.orient2d(vertices, &mut record.tally) {
+        let turn = soup.signs.orient2d(vertices, &mut record.tally);
+        let goes_on = match turn {
             Ordering::Greater => true,
             // Straight on, or back.
             Ordering::Equal => ascends[0] == ascends[1],
             Ordering::Less => false,
         };
         if !goes_on {
-            convex = false;
-            let vertices = soup.names(vertices);
-            record.findings.add(Violation::ConcaveBoundary { vertices });
+            wrong.push(vertices);
+        } else if turn.is_gt() && soup.signs.is_added(b) {
+            let vertex = soup.signs.name(b);
+            record.findings.add(Violation::AddedOutside { vertex });
         }
         times += usize::from(ascends == [false, true]);
     }
-    if convex && times != 1 {
+    if wrong.is_empty() && times != 1 {
         record.findings.add(Violation::WindingBoundary { times });
     }
+    report_concave(soup, chain, &wrong, record);
 }
 
-/// A domain that the caller declared by its boundary, in place of the convex hull: the sides of the declared
-/// chains, by rank, in the caller's order.
-///
-/// Which way the chains run does not matter: they declare what a path from outside enters by an odd number of their
-/// sides. Why it is enough to run as the triangles do: how many triangles cover a place is how often their boundary
-/// goes round it (see the module), which is odd where the number of crossed sides is odd, whatever way each runs.
-/// That the boundary is the declared one (here), and goes round every place once or not at all (`scanline`), leaves
-/// one triangle where the number is odd, and none elsewhere.
-#[derive(Debug)]
-pub(super) struct Domain {
-    pub(super) sides: Vec<[u32; 2]>,
-}
-
-impl Domain {
-    /// Turns each declared side whose reverse is on the boundary of the triangles, so that it runs as they do: the
-    /// caller's chains may run any way.
-    pub(super) fn orient<S: Scalar>(&mut self, soup: &Soup<'_, S>, boundary: &[u32]) {
-        let mut found: Vec<[u32; 2]> = boundary.iter().map(|&side| soup.side(side)).collect();
-        found.sort_unstable();
-        let is_found = |side: [u32; 2]| found.binary_search(&side).is_ok();
-        for side in &mut self.sides {
-            let [a, b] = *side;
-            if !is_found([a, b]) && is_found([b, a]) {
-                *side = [b, a];
-            }
-        }
+/// Reports the turns of a closed chain that are wrong, with their depths if they are all there is: if they go on, and
+/// the chain neither crosses nor covers itself.
+fn report_concave<S: Scalar>(
+    soup: &Soup<'_, S>,
+    chain: &[u32],
+    wrong: &[[u32; 3]],
+    record: &mut Record,
+) {
+    let measure = |turn: [u32; 3], record: &Record| {
+        let height = || soup.signs.height(turn).map(|height| -height);
+        record.findings.measure(Level::Tiling, height)
+    };
+    let few = wrong.len() <= record.findings.measured;
+    let depth = |&turn: &[u32; 3]| few.then(|| measure(turn, record)).flatten();
+    let mut depths: Vec<Option<Depth>> = wrong.iter().map(depth).collect();
+    let is_simple = || {
+        let ends = chain.iter().zip(chain.iter().cycle().skip(1));
+        let sides: Vec<[u32; 2]> = ends.map(|(&a, &b)| [a, b]).collect();
+        scanline::inside(&soup.signs, &sides, std::iter::empty()).is_ok()
+    };
+    if !wrong.is_empty() && (depths.contains(&None) || !is_simple()) {
+        depths.fill(None);
     }
-
-    /// Checks that the boundary of the triangles is exactly the declared one.
-    fn check_boundary<S: Scalar>(&self, soup: &Soup<'_, S>, boundary: &[u32], record: &mut Record) {
-        let mut found: Vec<([u32; 2], u32)> = boundary
-            .iter()
-            .map(|&side| (soup.side(side), side / 3))
-            .collect();
-        let mut declared = self.sides.clone();
-        found.sort_unstable();
-        declared.sort_unstable();
-        for &(side, triangle) in &found {
-            if declared.binary_search(&side).is_err() {
-                record.findings.add(Violation::UndeclaredBoundary {
-                    side: soup.names(side),
-                    triangle: triangle as usize,
-                });
-            }
-        }
-        for (i, &side) in declared.iter().enumerate() {
-            // A side is on the boundary once at most.
-            let again = i > 0 && declared[i - 1] == side;
-            if again || found.binary_search_by_key(&side, |found| found.0).is_err() {
-                let side = soup.names(side);
-                record.findings.add(Violation::MissingBoundary { side });
-            }
-        }
+    for (&turn, depth) in wrong.iter().zip(depths) {
+        let vertices = soup.names(turn);
+        record
+            .findings
+            .add(Violation::ConcaveBoundary { vertices, depth });
     }
 }
 
@@ -198,7 +184,7 @@ pub(super) fn check_points<S: Scalar>(
     domain: Option<&Domain>,
     record: &mut Record,
 ) {
-    let unused = used..soup.vertices();
+    let unused = (used..soup.vertices()).filter(|&v| !soup.signs.is_added(v));
     let needed = match domain {
         Some(domain) => match scanline::inside(&soup.signs, &domain.sides, unused) {
             Ok(inside) => inside,
@@ -220,14 +206,14 @@ pub(super) fn check_points<S: Scalar>(
     }
 }
 
-/// Checks the count, if nothing else is wrong and the triangles are to fill the hull. It follows from the checks
-/// before it: a second opinion, by nothing but counting.
-pub(super) fn check_count(domain: Option<&Domain>, record: &mut Record) {
+/// Checks the count of triangles with `used` corners, if nothing else is wrong and they are to fill the hull. It follows
+/// from the checks before it: a second opinion, by nothing but counting.
+pub(super) fn check_count(used: u32, domain: Option<&Domain>, record: &mut Record) {
     let report = &record.report;
     if domain.is_some() || report.triangles == 0 || !record.findings.is_empty() {
         return;
     }
-    let expected = 2 * report.distinct_points - 2 - report.boundary_sides;
+    let expected = 2 * used as usize - 2 - report.boundary_sides;
     if report.triangles != expected {
         record.findings.add(Violation::WrongCount {
             triangles: report.triangles,

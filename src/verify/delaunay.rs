@@ -4,7 +4,7 @@
 use std::cmp::Ordering;
 
 use super::chunks::{Progress, Schedule};
-use super::report::{Findings, Record};
+use super::report::{Findings, Level, Record};
 use super::sides::Sides;
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
@@ -80,11 +80,19 @@ impl Part {
                     self.uncanonical += 1;
                 }
             }
-            Ordering::Greater => self.findings.add(Violation::NotDelaunay {
-                side: soup.names([a, b]),
-                triangles: [side / 3, twin / 3],
-                opposite: soup.names([c, d]),
-            }),
+            Ordering::Greater => {
+                let depths = || {
+                    let [one, other] = [[a, b, c, d], [b, a, d, c]].map(|v| soup.signs.depth(v));
+                    Some(one?.max(other?))
+                };
+                let depth = self.findings.measure(Level::Delaunay, depths);
+                self.findings.add(Violation::NotDelaunay {
+                    side: soup.names([a, b]),
+                    triangles: [side / 3, twin / 3],
+                    opposite: soup.names([c, d]),
+                    depth,
+                });
+            }
         }
     }
 }

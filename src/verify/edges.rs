@@ -68,11 +68,13 @@ pub(super) fn check<S: Scalar>(
     let mut chains = Chains::new(sides);
     let mut missing = Vec::new();
     for (edge, ends) in split {
-        let reached = chains.follow(soup, ends, |a, b| {
+        let (reached, passes_added) = chains.follow(soup, ends, |a, b| {
             fix(sides, a, b);
         });
         if reached != ends[1] {
             missing.push((edge, soup.signs.name(reached)));
+        } else if passes_added {
+            record.report.split_edges += 1;
         }
     }
     missing.sort_unstable();
@@ -109,6 +111,8 @@ struct Step {
     jump: u32,
     /// How many steps follow.
     depth: u32,
+    /// How many of this step and those that follow end at added points.
+    added: u32,
 }
 
 impl Chains {
@@ -123,14 +127,14 @@ impl Chains {
         }
     }
 
-    /// Follows an edge from one end to the other. Returns how far sides lead along it: to its other end if
-    /// it is a chain of sides. Calls `walk` with each side that no edge has followed before.
+    /// Follows an edge from one end to the other. Returns how far sides lead along it, to its other end if
+    /// it is a chain of sides, and whether they pass an added point. Calls `walk` with each side that no edge has followed before.
     fn follow<S: Scalar>(
         &mut self,
         soup: &Soup<'_, S>,
         [a, b]: [u32; 2],
         mut walk: impl FnMut(u32, u32),
-    ) -> u32 {
+    ) -> (u32, bool) {
         let forward = soup.signs.order(a, b);
         let is_past = |v| soup.signs.order(b, v) == forward;
         let first_new = self.steps.len();
@@ -151,6 +155,7 @@ impl Chains {
                     next: 0,
                     jump: 0,
                     depth: 0,
+                    added: u32::from(soup.signs.is_added(end)),
                 });
                 walk(at, end);
                 at = end;
@@ -158,8 +163,17 @@ impl Chains {
                 known = Some(self.step[place]);
             }
         }
+        let first = if first_new < self.steps.len() {
+            Some(index(first_new))
+        } else {
+            known
+        };
         self.link(first_new, known);
-        known.map_or(at, |step| self.last(step, is_past))
+        let Some(first) = first else {
+            return (a, false);
+        };
+        let [first, last] = [first, self.last(first, is_past)].map(|at| self.steps[at as usize]);
+        (last.end, first.added > last.added)
     }
 
     /// Where the side stands that leaves a vertex in the direction of another.
@@ -191,36 +205,36 @@ impl Chains {
     fn link(&mut self, first: usize, mut after: Option<u32>) {
         for own in (first..self.steps.len()).rev() {
             let own_index = index(own);
-            let (next, jump, depth) = match after {
-                None => (own_index, own_index, 0),
+            let (next, jump, depth, added) = match after {
+                None => (own_index, own_index, 0, 0),
                 Some(next) => {
                     let one = self.steps[next as usize];
                     let two = self.steps[one.jump as usize];
                     let three = self.steps[two.jump as usize];
                     let is_even = one.depth - two.depth == two.depth - three.depth;
-                    (next, if is_even { two.jump } else { next }, one.depth + 1)
+                    let jump = if is_even { two.jump } else { next };
+                    (next, jump, one.depth + 1, one.added)
                 }
             };
             let step = &mut self.steps[own];
             (step.next, step.jump, step.depth) = (next, jump, depth);
+            step.added += added;
             after = Some(own_index);
         }
     }
 
-    /// The end of the last step from this one on that does not pass what it must not pass.
+    /// The last step from this one on that does not pass what it must not pass.
     fn last(&self, from: u32, is_past: impl Fn(u32) -> bool) -> u32 {
         let step = |at: u32| self.steps[at as usize];
         let mut at = from;
         loop {
-            let Step {
-                end, next, jump, ..
-            } = step(at);
+            let Step { next, jump, .. } = step(at);
             at = if !is_past(step(jump).end) && jump != at {
                 jump
             } else if !is_past(step(next).end) && next != at {
                 next
             } else {
-                return end;
+                return at;
             };
         }
     }

@@ -7,7 +7,7 @@
 
 use std::cmp::Ordering;
 
-use super::boundary::Domain;
+use super::declared::Domain;
 use super::report::Record;
 use super::soup::{LIMIT, REJECTED, Signs, Soup};
 use super::violation::Violation;
@@ -30,9 +30,10 @@ pub(super) fn read<'a, S: Scalar>(
     edges: &[[usize; 2]],
     triangles: &[[usize; 3]],
     chains: Option<&[Vec<usize>]>,
+    added_from: usize,
     record: &mut Record,
 ) -> Option<Ranked<'a, S>> {
-    record.report.points = points.len();
+    record.report.points = points.len().min(added_from);
     record.report.edges = edges.len();
     record.report.triangles = triangles.len();
     let given = points.len().max(triangles.len().saturating_mul(3));
@@ -43,7 +44,7 @@ pub(super) fn read<'a, S: Scalar>(
     }
 
     // The triangles come first: ranks follow the order in which they name the points.
-    let mut ranks = Ranks::new(points, record);
+    let mut ranks = Ranks::new(points, added_from, record);
     let triangles = ranks.read_triangles(triangles, record);
     let used = ranks.given_out();
     // Then the points that are in no triangle.
@@ -52,7 +53,10 @@ pub(super) fn read<'a, S: Scalar>(
     }
     let edges = ranks.read_edges(edges, record);
     let domain = chains.map(|chains| ranks.read_chains(chains, record));
-    record.report.distinct_points = ranks.signs.vertex.len();
+    let signs = &ranks.signs;
+    let added = |up_to: u32| (0..up_to).filter(|&v| signs.is_added(v)).count();
+    record.report.added_points = added(used);
+    record.report.distinct_points = signs.vertex.len() - added(ranks.given_out());
     Some(Ranked {
         soup: Soup {
             signs: ranks.signs,
@@ -81,7 +85,7 @@ const NEW: u32 = u32::MAX - 1;
 const NOT_FINITE: u32 = u32::MAX;
 
 impl<'a, S: Scalar> Ranks<'a, S> {
-    fn new(points: &'a [[S; 2]], record: &mut Record) -> Ranks<'a, S> {
+    fn new(points: &'a [[S; 2]], added_from: usize, record: &mut Record) -> Ranks<'a, S> {
         let mut rank = vec![NEW; points.len()];
         let mut approximations = Vec::with_capacity(points.len());
         for (vertex, (point, rank)) in points.iter().zip(&mut rank).enumerate() {
@@ -100,6 +104,7 @@ impl<'a, S: Scalar> Ranks<'a, S> {
         let representative = representatives(points, &approximations, is_finite);
         let signs = Signs {
             points,
+            added_from,
             scale,
             vertex: Vec::with_capacity(points.len()),
             near: Vec::with_capacity(points.len()),

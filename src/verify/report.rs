@@ -3,6 +3,7 @@
 
 use std::fmt;
 
+use super::depth::{Depth, Depths};
 use super::soup::Tally;
 use super::violation::Violation;
 
@@ -26,6 +27,10 @@ pub struct Report {
     pub boundary_sides: usize,
     /// Sides that are input edges or pieces of them.
     pub constrained_sides: usize,
+    /// Corners that are none of the input's points, where [these are allowed](super::Verifier::added_from).
+    pub added_points: usize,
+    /// Edges with such a point on them, between their ends.
+    pub split_edges: usize,
     /// Sides between two triangles that are no pieces of input edges: what must be Delaunay.
     pub free_sides: usize,
     /// Free sides whose two triangles have all four corners on one circle: ties, where either diagonal is
@@ -62,8 +67,34 @@ pub struct Violations {
     pub list: Vec<Violation>,
     /// How many there are, beyond the limit too.
     pub found: usize,
+    /// How deep they are, those that have a depth.
+    pub depths: Depths,
     /// The counts, as far as the checks came.
     pub report: Box<Report>,
+}
+
+impl Violations {
+    /// The greatest depth, if each violation has one: all of them are sides that are not Delaunay, or turns of a
+    /// boundary that is simple. So what is wrong may be rounding, if that is small.
+    ///
+    /// Then the triangles still meet side to side and cover what they cover once, every point is a corner, and every
+    /// edge is a chain of sides. They are no triangulation of the hull where a turn is concave. By default not all
+    /// of very many are measured, and there is no answer; see [`Verifier::all_depths`](super::Verifier::all_depths).
+    ///
+    /// ```
+    /// use sweep_cdt::verify::verify;
+    ///
+    /// let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0 - 1e-15], [0.0, 1.0]];
+    /// let violations = verify(&points, &[], &[[0, 1, 3], [1, 2, 3]]).unwrap_err();
+    /// assert!(violations.depth().is_some_and(|depth| depth.get() < 1e-12));
+    ///
+    /// let violations = verify(&points, &[], &[[0, 1, 3]]).unwrap_err();
+    /// assert_eq!(violations.depth(), None);
+    /// ```
+    pub fn depth(&self) -> Option<Depth> {
+        let greatest = self.depths.greatest;
+        greatest.filter(|_| self.depths.measured() == self.found)
+    }
 }
 
 impl fmt::Display for Violations {
@@ -168,12 +199,13 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// Nothing is checked yet. At most `limit` violations of the level asked for, or those before it, will be listed.
-    pub(super) fn new(limit: usize, asked: Level) -> Record {
+    /// Nothing is checked yet. At most `limit` violations of the level asked for, or those before it, will be listed,
+    /// and about `measured` of them measured.
+    pub(super) fn new(limit: usize, measured: usize, asked: Level) -> Record {
         Record {
             report: Report::default(),
             tally: Tally::default(),
-            findings: Findings::new(limit, asked),
+            findings: Findings::new(limit, measured, asked),
         }
     }
 
@@ -196,6 +228,7 @@ impl Record {
             asked: self.findings.asked(),
             list: self.findings.list,
             found: self.findings.found,
+            depths: self.findings.depths,
             report: Box::new(report),
         })
     }
@@ -211,12 +244,17 @@ pub(super) struct Findings {
     broken: Option<Level>,
     pub(super) list: Vec<Violation>,
     pub(super) found: usize,
+    /// How many of these have a depth at most.
+    pub(super) measured: usize,
+    depths: Depths,
 }
 
 impl Findings {
-    pub(super) fn new(limit: usize, asked: Level) -> Findings {
+    fn new(limit: usize, measured: usize, asked: Level) -> Findings {
         Findings {
             limit,
+            measured,
+            depths: Depths::default(),
             asked,
             broken: None,
             list: Vec::new(),
@@ -224,9 +262,19 @@ impl Findings {
         }
     }
 
-    /// Nothing found, with the same limit and the same level asked for.
+    /// Nothing found, with the same limits and the same level asked for.
     pub(super) fn emptied(&self) -> Findings {
-        Findings::new(self.limit, self.asked)
+        Findings::new(self.limit, self.measured, self.asked)
+    }
+
+    /// The depth of a fault on a level, if it is to be measured.
+    pub(super) fn measure(
+        &self,
+        level: Level,
+        size: impl FnOnce() -> Option<f64>,
+    ) -> Option<Depth> {
+        let is_asked = level <= self.asked && self.depths.measured() < self.measured;
+        is_asked.then(size).flatten().and_then(Depth::new)
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -250,6 +298,9 @@ impl Findings {
             return;
         }
         self.found += 1;
+        if let Some(depth) = violation.depth() {
+            self.depths.add(depth);
+        }
         if self.list.len() < self.limit {
             self.list.push(violation);
         }
@@ -258,6 +309,7 @@ impl Findings {
     pub(super) fn append(&mut self, later: Findings) {
         self.breaks(later.broken);
         self.found += later.found;
+        self.depths.append(later.depths);
         let room = self.limit - self.list.len();
         self.list.extend(later.list.into_iter().take(room));
     }

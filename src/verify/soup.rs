@@ -53,6 +53,8 @@ impl<S: Scalar> Soup<'_, S> {
 #[derive(Debug)]
 pub(super) struct Signs<'a, S> {
     pub(super) points: &'a [[S; 2]],
+    /// From this index on they are none of the input's, unless they equal one of these.
+    pub(super) added_from: usize,
     /// For each rank an index into `points`.
     pub(super) vertex: Vec<u32>,
     /// For each rank the approximated coordinates, scaled.
@@ -96,6 +98,11 @@ impl<S: Scalar> Signs<'_, S> {
         self.vertex[v as usize] as usize
     }
 
+    /// Whether a vertex is none of the input's points.
+    pub(super) fn is_added(&self, v: u32) -> bool {
+        self.name(v) >= self.added_from
+    }
+
     fn point(&self, v: u32) -> &[S; 2] {
         &self.points[self.name(v)]
     }
@@ -120,6 +127,18 @@ impl<S: Scalar> Signs<'_, S> {
         tally.count(filtered, || {
             S::in_circle_exact(self.point(a), self.point(b), self.point(c), self.point(d)).0
         })
+    }
+
+    /// How deep the last vertex lies in the circle of the others, if the scalar tells.
+    pub(super) fn depth(&self, vertices: [u32; 4]) -> Option<f64> {
+        let [a, b, c, d] = vertices.map(|v| self.point(v));
+        S::depth(a, b, c, d)
+    }
+
+    /// How far a turn is from straight, if the scalar tells.
+    pub(super) fn height(&self, vertices: [u32; 3]) -> Option<f64> {
+        let [a, b, c] = vertices.map(|v| self.point(v));
+        S::height(a, b, c)
     }
 
     /// Order by x, then y.

@@ -5,6 +5,7 @@ use std::fmt;
 #[cfg(feature = "parallel")]
 use super::chunks::Parallel;
 use super::chunks::{Progress, Schedule, Serial};
+use super::depth::MEASURED;
 use super::input::{self, Ranked};
 use super::report::{Level, Record, Report, Violations};
 use super::{boundary, delaunay, edges, sides, turns};
@@ -26,7 +27,9 @@ pub struct Verifier<'a> {
     clockwise: bool,
     boundary: Option<&'a [Vec<usize>]>,
     level: Level,
+    added_from: Option<usize>,
     limit: usize,
+    measured: usize,
     progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
 }
 
@@ -36,7 +39,9 @@ impl fmt::Debug for Verifier<'_> {
             .field("clockwise", &self.clockwise)
             .field("boundary", &self.boundary)
             .field("level", &self.level)
+            .field("added_from", &self.added_from)
             .field("limit", &self.limit)
+            .field("measured", &self.measured)
             .finish_non_exhaustive()
     }
 }
@@ -55,7 +60,9 @@ impl<'a> Verifier<'a> {
             clockwise: false,
             boundary: None,
             level: Level::Delaunay,
+            added_from: None,
             limit: 100,
+            measured: MEASURED,
             progress: None,
         }
     }
@@ -81,6 +88,31 @@ impl<'a> Verifier<'a> {
         }
     }
 
+    /// Allows points that the input lacks (*Steiner points*), as programs add them that make good triangles: all from
+    /// this index on. Those that equal a point of the input stand for it.
+    ///
+    /// Added points need not be corners. Corners must lie in the hull of the points before this index, or in the
+    /// declared domain. Edges and declared sides may be split by points exactly on them, and triangles must be
+    /// Delaunay with added points in view too. [`Report`] has the number of these points, and of edges that they split.
+    ///
+    /// ```
+    /// use sweep_cdt::verify::Verifier;
+    ///
+    /// // The centre of a square is added, on its diagonal.
+    /// let points = [[0, 0], [2, 0], [2, 2], [0, 2], [1, 1]];
+    /// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+    /// let report = Verifier::new().added_from(4).verify(&points, &[[0, 2]], &triangles)?;
+    /// assert_eq!((report.points, report.added_points, report.split_edges), (4, 1, 1));
+    /// # Ok::<(), sweep_cdt::verify::Violations>(())
+    /// ```
+    #[must_use]
+    pub fn added_from(self, added_from: usize) -> Self {
+        Verifier {
+            added_from: Some(added_from),
+            ..self
+        }
+    }
+
     /// What the triangles must reach. Violations of higher levels are neither listed nor counted.
     #[must_use]
     pub fn level(self, level: Level) -> Self {
@@ -91,6 +123,14 @@ impl<'a> Verifier<'a> {
     #[must_use]
     pub fn limit(self, limit: usize) -> Self {
         Verifier { limit, ..self }
+    }
+
+    /// Whether every [depth](super::Depth) is measured, however many violations there are. By default that are the
+    /// first 1000 in each 16384 triangles, and of the boundary, if it has no more.
+    #[must_use]
+    pub fn all_depths(self, all: bool) -> Self {
+        let measured = if all { usize::MAX } else { MEASURED };
+        Verifier { measured, ..self }
     }
 
     /// Called as `progress(done, total)`, at intervals, from any thread.
@@ -140,11 +180,18 @@ impl<'a> Verifier<'a> {
         edges: &[[usize; 2]],
         triangles: &[[usize; 3]],
     ) -> Result<Report, Violations> {
-        let mut record = Record::new(self.limit, self.level);
+        let mut record = Record::new(self.limit, self.measured, self.level);
         let progress = Progress::new(self.progress, triangles.len());
 
         // 1. Coordinates and indices.
-        let ranked = input::read(points, edges, triangles, self.boundary, &mut record);
+        let ranked = input::read(
+            points,
+            edges,
+            triangles,
+            self.boundary,
+            self.added_from.unwrap_or(usize::MAX),
+            &mut record,
+        );
         let Some(ranked) = ranked else {
             return record.answer();
         };
@@ -170,7 +217,7 @@ impl<'a> Verifier<'a> {
         // 5. Every point is a corner.
         boundary::check_points(&soup, used, domain, &mut record);
         // 6. The number of triangles is Euler's.
-        boundary::check_count(domain, &mut record);
+        boundary::check_count(used, domain, &mut record);
         // 7. Every edge is a chain of sides, which are then fixed.
         edges::check(&soup, &mut sides, &edges, &mut record);
         // 8. Every free side is locally Delaunay.

@@ -3,6 +3,8 @@
 
 use std::slice::from_mut;
 
+use super::depth::Depth;
+
 /// One fault. All numbers are indices into what the caller gave; of equal points the lowest is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
@@ -96,6 +98,8 @@ pub enum Violation {
     ConcaveBoundary {
         /// Three vertices that follow each other on it; it turns in the middle.
         vertices: [usize; 3],
+        /// How far it turns, where that was measured.
+        depth: Option<Depth>,
     },
     /// The boundary turns left all the time, but goes round more than once.
     #[error("the boundary goes round {times} times")]
@@ -130,6 +134,12 @@ pub enum Violation {
         /// The point.
         vertex: usize,
     },
+    /// A corner that is none of the input's points, and is allowed in the hull of these, lies outside of it.
+    #[error("vertex {vertex} was added outside of the hull")]
+    AddedOutside {
+        /// The point.
+        vertex: usize,
+    },
     /// The number of triangles is not what Euler's formula asks for.
     #[error("there are {triangles} triangles, not {expected}")]
     WrongCount {
@@ -159,6 +169,8 @@ pub enum Violation {
         triangles: [usize; 2],
         /// Their corners opposite to it; each lies inside the other triangle's circumcircle.
         opposite: [usize; 2],
+        /// How deep the deeper one lies there, where that was measured.
+        depth: Option<Depth>,
     },
     /// Sides whose two triangles have all corners on one circle are the diagonal that is not canonical. Only
     /// [`Level::Canonical`](super::Level::Canonical) asks for these.
@@ -175,6 +187,26 @@ impl Violation {
     /// The name of the class of violation: the variant in lower case with hyphens.
     pub fn name(&self) -> &'static str {
         self.into()
+    }
+
+    /// How deep it is; `None` if it has no depth, or none that was measured.
+    ///
+    /// ```
+    /// use sweep_cdt::verify::verify;
+    ///
+    /// // One corner of a square is a little off, so that the diagonal is the wrong one.
+    /// let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0 - 1e-12], [0.0, 1.0]];
+    /// let violations = verify(&points, &[], &[[0, 1, 3], [1, 2, 3]]).unwrap_err();
+    /// let depth = violations.list[0].depth().expect("it was measured");
+    /// assert_eq!(depth.to_string(), "2.0e-12");
+    /// ```
+    pub fn depth(&self) -> Option<Depth> {
+        match *self {
+            Violation::ConcaveBoundary { depth, .. } | Violation::NotDelaunay { depth, .. } => {
+                depth
+            }
+            _ => None,
+        }
     }
 }
 
@@ -259,7 +291,8 @@ impl Violation {
             | V::NotCanonical { .. } => return,
             V::NonFiniteCoordinate { vertex }
             | V::PinchedBoundary { vertex }
-            | V::UnusedPoint { vertex } => (from_mut(vertex), &mut [], &mut []),
+            | V::UnusedPoint { vertex }
+            | V::AddedOutside { vertex } => (from_mut(vertex), &mut [], &mut []),
             V::FlatTriangle { triangle } | V::ReversedTriangle { triangle } => {
                 (&mut [], &mut [], from_mut(triangle))
             }
@@ -271,7 +304,7 @@ impl Violation {
             V::TriangleOutOfRange { triangle, vertex } => {
                 (from_mut(vertex), &mut [], from_mut(triangle))
             }
-            V::NoTriangles { vertices } | V::ConcaveBoundary { vertices } => {
+            V::NoTriangles { vertices } | V::ConcaveBoundary { vertices, .. } => {
                 (vertices, &mut [], &mut [])
             }
             V::ExtraBoundary { side, .. }
@@ -283,6 +316,7 @@ impl Violation {
                 side,
                 triangles,
                 opposite,
+                ..
             } => {
                 side.iter_mut().for_each(|v| visit(Kind::Vertex, v));
                 (opposite, &mut [], triangles)

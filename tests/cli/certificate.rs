@@ -34,6 +34,8 @@ const CERTIFICATE: &str = r#"{
   },
   "clockwise_accepted": false,
   "clockwise": false,
+  "steiner": false,
+  "max_depth": null,
   "counts": {
     "points": 5,
     "distinct_points": 5,
@@ -43,17 +45,30 @@ const CERTIFICATE: &str = r#"{
     "constrained_sides": 1,
     "free_sides": 4,
     "cocircular_sides": 0,
-    "uncanonical_sides": 0
+    "uncanonical_sides": 0,
+    "added_points": 0,
+    "split_edges": 0
   },
   "signs": {
     "by_filter": 12,
     "exact": 0
   },
   "violations_found": 1,
+  "depths": {
+    "measured": 1,
+    "greatest": 0.875,
+    "decades": [
+      {
+        "exponent": -1,
+        "violations": 1
+      }
+    ]
+  },
   "violations": [
     {
       "class": "not-delaunay",
       "message": "side 4-2 of triangles 2 and 1 is not Delaunay: the circle of one holds vertex 3 or 5 of the other",
+      "depth": 0.875,
       "vertices": [
         {
           "vertex": 4,

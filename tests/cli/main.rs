@@ -3,6 +3,7 @@
 
 mod certificate;
 mod crossings;
+mod depths;
 mod errors;
 mod formats;
 mod generate;

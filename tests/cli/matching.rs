@@ -175,8 +175,8 @@ fn other_numbers_of_vertices_are_matched_by_coordinates_alone() {
     for (name, files) in results(&more, &TRIANGLES) {
         let folder = with_result(&files);
         let error = text(&verify(&folder, &format!("in.json {name}")).stderr).to_owned();
-        let expected =
-            " is at (9, 9), where the input has none (--by-number ignores coordinates)\n";
+        let expected = " is at (9, 9), where the input has none (--steiner allows for vertices that were added, \
+             --by-number ignores coordinates)\n";
         assert!(error.ends_with(expected), "{error}");
         printed(&verify(&folder, &format!("in.json {name} --by-number")));
     }

@@ -11,10 +11,11 @@ use sweep_cdt_testing::Random;
 
 type Points = Vec<[f64; 2]>;
 
-const FORMATS: [ResultFormat; 3] = [ResultFormat::Ele, ResultFormat::Json, ResultFormat::Obj];
+pub(crate) const FORMATS: [ResultFormat; 3] =
+    [ResultFormat::Ele, ResultFormat::Json, ResultFormat::Obj];
 
 /// The files of a result, with coordinates as `number` writes them; the second is a `.node`.
-fn files(
+pub(crate) fn files(
     format: ResultFormat,
     points: &[[f64; 2]],
     triangles: &[[usize; 3]],

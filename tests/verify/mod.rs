@@ -2,7 +2,9 @@
 //!
 //! Here: triangulations to verify and to break.
 
+mod broken;
 mod chunks;
+mod depths;
 mod domains;
 mod faults;
 mod growth;
@@ -18,7 +20,7 @@ use sweep_cdt::verify::{Report, Violations, verify};
 use sweep_cdt_testing::Random;
 
 /// A triangulation to break.
-#[derive(Clone, Default)]
+#[derive(Clone, Debug, Default)]
 struct Case {
     points: Vec<[f64; 2]>,
     edges: Vec<[usize; 2]>,

@@ -8,14 +8,26 @@ use sweep_cdt_testing::Random;
 
 #[test]
 fn offenders() {
-    let list = |case: Case| case.verify().unwrap_err().list;
+    let list = |case: Case| {
+        let mut list = case.verify().unwrap_err().list;
+        // How deep they are is tested elsewhere.
+        for violation in &mut list {
+            if let Violation::NotDelaunay { depth, .. } | Violation::ConcaveBoundary { depth, .. } =
+                violation
+            {
+                assert!(depth.take().is_some());
+            }
+        }
+        list
+    };
     let [side, triangles, opposite] = [[3, 1], [1, 0], [2, 0]];
     assert_eq!(
         list(square(1e-150)),
         [Violation::NotDelaunay {
             side,
             triangles,
-            opposite
+            opposite,
+            depth: None
         }]
     );
     let case = Case::literal(
@@ -25,7 +37,8 @@ fn offenders() {
     assert_eq!(
         list(case),
         [Violation::ConcaveBoundary {
-            vertices: [0, 1, 2]
+            vertices: [0, 1, 2],
+            depth: None
         }]
     );
     let mut case = Case::of(
@@ -84,7 +97,7 @@ fn texts() {
     let options = format!("{:?}", Verifier::new().limit(7).accept_clockwise(true));
     assert_eq!(
         options,
-        "Verifier { clockwise: true, boundary: None, level: Delaunay, limit: 7, .. }"
+        "Verifier { clockwise: true, boundary: None, level: Delaunay, added_from: None, limit: 7, measured: 1000, .. }"
     );
 }
 

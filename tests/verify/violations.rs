@@ -5,7 +5,7 @@ use sweep_cdt::verify::Violation;
 /// A violation, its name, its sentence, and the vertices, edges and triangles in it.
 type Row = (Violation, &'static str, &'static str, [&'static [usize]; 3]);
 
-const VIOLATIONS: [Row; 19] = [
+const VIOLATIONS: [Row; 20] = [
     (
         Violation::TooLarge { given: 7, limit: 5 },
         "too-large",
@@ -80,6 +80,7 @@ const VIOLATIONS: [Row; 19] = [
     (
         Violation::ConcaveBoundary {
             vertices: [1, 2, 3],
+            depth: None,
         },
         "concave-boundary",
         "the boundary does not turn left at vertex 2, between 1 and 3",
@@ -119,6 +120,12 @@ const VIOLATIONS: [Row; 19] = [
         [&[1], &[], &[]],
     ),
     (
+        Violation::AddedOutside { vertex: 1 },
+        "added-outside",
+        "vertex 1 was added outside of the hull",
+        [&[1], &[], &[]],
+    ),
+    (
         Violation::WrongCount {
             triangles: 7,
             expected: 8,
@@ -138,6 +145,7 @@ const VIOLATIONS: [Row; 19] = [
             side: [1, 2],
             triangles: [3, 4],
             opposite: [5, 1],
+            depth: None,
         },
         "not-delaunay",
         "side 1-2 of triangles 3 and 4 is not Delaunay: the circle of one holds vertex 5 or 1 of \

@@ -9,6 +9,7 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 use sha2::{Digest, Sha256};
 use sweep_cdt::formats::{Coordinate, Graph, Source, Triangles};
+use sweep_cdt::verify::{Depth, Depths};
 
 use crate::shared::verification::{Answer, reached, report, violations};
 
@@ -43,6 +44,10 @@ pub(crate) struct Subject<'a, S> {
     /// What they must reach.
     pub(crate) level: &'static str,
     pub(crate) clockwise: bool,
+    pub(crate) steiner: bool,
+    pub(crate) max_depth: Option<f64>,
+    /// Whether the result is wrong by no more than that.
+    pub(crate) is_within: bool,
     pub(crate) graph: &'a Graph<S>,
     pub(crate) triangles: &'a Triangles,
 }
@@ -63,9 +68,12 @@ struct Certificate<'a> {
     vertices_matched: MatchedBy,
     clockwise_accepted: bool,
     clockwise: bool,
+    steiner: bool,
+    max_depth: Option<f64>,
     counts: Counts,
     signs: Signs,
     violations_found: usize,
+    depths: Measured,
     violations: Vec<Item>,
 }
 
@@ -89,6 +97,8 @@ struct Counts {
     free_sides: usize,
     cocircular_sides: usize,
     uncanonical_sides: usize,
+    added_points: usize,
+    split_edges: usize,
 }
 
 #[derive(Serialize)]
@@ -97,11 +107,27 @@ struct Signs {
     exact: u64,
 }
 
+/// How deep violations are: how many were measured, the greatest, and how many are in each decade.
+#[derive(Serialize)]
+struct Measured {
+    measured: usize,
+    greatest: Option<f64>,
+    decades: Vec<Decade>,
+}
+
+/// From ten to this exponent on.
+#[derive(Serialize)]
+struct Decade {
+    exponent: i32,
+    violations: usize,
+}
+
 /// A violation, with all things numbered as in their files.
 #[derive(Serialize)]
 struct Item {
     class: &'static str,
     message: String,
+    depth: Option<f64>,
     vertices: Vec<Place>,
     edges: Vec<usize>,
     triangles: Vec<usize>,
@@ -134,6 +160,7 @@ pub(crate) fn write<S: Coordinate>(
         Item {
             class: violation.name(),
             message: numbered.to_string(),
+            depth: violation.depth().map(Depth::get),
             vertices: vertices.into_iter().map(place).collect(),
             edges: offenders.edges,
             triangles: offenders.triangles,
@@ -142,7 +169,11 @@ pub(crate) fn write<S: Coordinate>(
     let certificate = Certificate {
         program: env!("CARGO_PKG_NAME"),
         version: env!("CARGO_PKG_VERSION"),
-        verdict: if answer.is_ok() { "correct" } else { "wrong" },
+        verdict: match answer {
+            Ok(_) => "correct",
+            Err(_) if subject.is_within => "within-max-depth",
+            Err(_) => "wrong",
+        },
         canonical: answer
             .as_ref()
             .ok()
@@ -160,6 +191,8 @@ pub(crate) fn write<S: Coordinate>(
         },
         clockwise_accepted: subject.clockwise,
         clockwise: report.clockwise,
+        steiner: subject.steiner,
+        max_depth: subject.max_depth,
         counts: Counts {
             points: report.points,
             distinct_points: report.distinct_points,
@@ -170,16 +203,37 @@ pub(crate) fn write<S: Coordinate>(
             free_sides: report.free_sides,
             cocircular_sides: report.cocircular_sides,
             uncanonical_sides: report.uncanonical_sides,
+            added_points: report.added_points,
+            split_edges: report.split_edges,
         },
         signs: Signs {
             by_filter: report.filtered,
             exact: report.exact,
         },
         violations_found: found,
+        depths: measured(answer),
         violations: list.iter().map(item).collect(),
     };
     serde_json::to_writer_pretty(&mut *out, &certificate)?;
     writeln!(out)
+}
+
+fn measured(answer: &Answer) -> Measured {
+    let none = Depths::default();
+    let depths = match answer {
+        Ok(_) => &none,
+        Err(violations) => &violations.depths,
+    };
+    let decades = depths.decades.iter();
+    let decades = decades.map(|(&exponent, &violations)| Decade {
+        exponent,
+        violations,
+    });
+    Measured {
+        measured: depths.measured(),
+        greatest: depths.greatest.map(Depth::get),
+        decades: decades.collect(),
+    }
 }
 
 /// A finite coordinate: a number, or a string with a fraction.

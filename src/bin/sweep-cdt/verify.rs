@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use sweep_cdt::draw::ViolationsPicture;
-use sweep_cdt::formats::{Coordinate, Matching, ResultError};
+use sweep_cdt::formats::{Coordinate, Graph, Input, Matching, ResultError, added_points};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
 
@@ -65,6 +65,22 @@ pub(crate) struct Verify {
     #[arg(long)]
     by_number: bool,
 
+    /// Allow for vertices that the input lacks (Steiner points)
+    ///
+    /// They must lie in the hull of the input's points, or in the interior asked for. Edges may be split by
+    /// them, at points exactly on them. All other vertices must be the input's, exactly.
+    #[arg(long, conflicts_with_all = ["by_number", "tolerance"])]
+    steiner: bool,
+
+    /// How deep violations may be that count as rounding [default: none]
+    ///
+    /// The depth of a side that is not Delaunay is how far the opposite vertex lies in the circle: its power in
+    /// units of the square of the radius. That of a concave turn of the hull is its height in units of its
+    /// length. Rounding makes depths of about 1e-16. A result with none beyond this is not correct, but gets
+    /// a verdict and an exit status of its own.
+    #[arg(long, value_name = "DEPTH", value_parser = difference)]
+    max_depth: Option<f64>,
+
     /// How many violations to list
     #[arg(long, value_name = "N", default_value_t = 20)]
     limit: usize,
@@ -102,16 +118,19 @@ Violations:
   undeclared-boundary, missing-boundary,
   tangled-boundary                            triangles that do not cover the interior once
   unused-point, no-triangles, wrong-count     points that are not corners
+  added-outside                               a vertex that --steiner allows, outside of the hull
   missing-edge                                an input edge that is not a chain of sides
   not-delaunay                                a side that should be flipped
   not-canonical                               ties that end at another vertex, with --level canonical
 
 Exit status:
   0  correct   1  wrong, or a file cannot be read   2  wrong usage
+  3  wrong, but no violation is deeper than --max-depth
 
 Examples:
   triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
   sweep-cdt verify polygon.json earcut.json --domain even-odd --level constrained
+  triangle -pqz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes --steiner
   triangle -pz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes
   sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --certificate terrain.verified.json";
 
@@ -130,16 +149,18 @@ impl Verify {
         refuse_twice([&standard].into_iter().chain(&svg).chain(&certificate))?;
         let mut read = FilesRead::default();
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
-        let input = self
+        let mut input = self
             .input
             .read(&mut read, |source| of_input.push(Fingerprint::of(source)))?;
         let result = self
             .result
             .load(&mut read, |source| of_result.push(Fingerprint::of(source)))?;
         refuse_read(&read, svg.iter().chain(&certificate))?;
+        let own = self.with_added(&mut input, &result)?;
         let run = Run {
             arguments: self,
             result,
+            own,
             of_input: &of_input,
             of_result: &of_result,
             svg,
@@ -147,12 +168,35 @@ impl Verify {
         };
         self.scalar.apply(&self.input.name(), &input, run)
     }
+
+    /// Gives the input the vertices that the result has added, if these are allowed. Returns how many are its own.
+    fn with_added(&self, input: &mut Input, result: &ResultFiles) -> Result<usize, Failure> {
+        match input {
+            Input::Doubles(graph) => self.with_added_to(graph, result),
+            Input::Rationals(graph) => self.with_added_to(graph, result),
+        }
+    }
+
+    fn with_added_to<S: Coordinate>(
+        &self,
+        graph: &mut Graph<S>,
+        result: &ResultFiles,
+    ) -> Result<usize, Failure> {
+        let own = graph.points.len();
+        if self.steiner {
+            let added = added_points(result.format, &result.source, result.node.as_ref(), graph);
+            graph.points.extend(added.map_err(|error| refusal(&error))?);
+        }
+        Ok(own)
+    }
 }
 
 /// A run with files that are read.
 struct Run<'a> {
     arguments: &'a Verify,
     result: ResultFiles,
+    /// How many points are the input's own; the others were added.
+    own: usize,
     of_input: &'a [Fingerprint],
     of_result: &'a [Fingerprint],
     svg: Option<Destination>,
@@ -185,22 +229,34 @@ impl Job for Run<'_> {
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
             .level(arguments.level)
+            .all_depths(arguments.max_depth.is_some())
             .limit(arguments.limit);
+        let verifier = if arguments.steiner {
+            verifier.added_from(self.own)
+        } else {
+            verifier
+        };
         let (answer, fitting) = match arguments.domain {
             Inside::Hull => {
                 let answer = verification::verify(verifier, points, &graph.edges, &triangles.list);
                 let fitting = match &answer {
                     Ok(_) => None,
-                    Err(_) => fitting_rule(&given, verifier, &triangles.list),
+                    Err(_) => fitting_rule(&given, self.own, verifier, &triangles.list),
                 };
                 (answer, fitting)
             }
             rule => {
-                let answer = verify_interior(rule, &given, verifier, &triangles.list)?;
+                let answer = verify_interior(rule, &given, self.own, verifier, &triangles.list)?;
                 (answer, None)
             }
         };
 
+        // What is wrong by no more than is allowed for.
+        let within = arguments.max_depth.and_then(|max| {
+            let violations = answer.as_ref().err()?;
+            let greatest = violations.depth().filter(|depth| depth.get() <= max)?;
+            Some((violations.found, greatest, format!("{max:e}")))
+        });
         let subject = Subject {
             input: self.of_input,
             result: self.of_result,
@@ -208,6 +264,9 @@ impl Job for Run<'_> {
             domain: arguments.domain.name(),
             level: arguments.level.into(),
             clockwise: arguments.clockwise,
+            steiner: arguments.steiner,
+            max_depth: arguments.max_depth,
+            is_within: within.is_some(),
             graph,
             triangles: &triangles,
         };
@@ -235,7 +294,13 @@ impl Job for Run<'_> {
                 Inside::Hull => input.clone(),
                 rule => interior(rule),
             };
-            verification::write_verdict(&answer, arguments.level, &result, &verified, out)?;
+            if let Some((found, greatest, max)) = &within {
+                let what = [max, arguments.level.title()];
+                let files = [&*result, &*verified];
+                verification::write_rounded(*found, *greatest, what, files, out)?;
+            } else {
+                verification::write_verdict(&answer, arguments.level, &result, &verified, out)?;
+            }
             if let Some(rule) = fitting {
                 let (interior, name) = (interior(rule), rule.name());
                 writeln!(out, "it is one of {interior}: ask with --domain {name}")?;
@@ -243,10 +308,15 @@ impl Job for Run<'_> {
             verification::write_matching(triangles.matched, out)?;
             writeln!(out)?;
             verification::write_counts(verification::report(&answer), out)?;
+            verification::write_depths(&answer, out)?;
             verification::write_violations(&answer, graph, &triangles, out)
         })?;
         outputs.finish()?;
-        answer.map(|_| ()).map_err(|_| Failure::Wrong)
+        match answer {
+            Ok(_) => Ok(()),
+            Err(_) if within.is_some() => Err(Failure::Rounded),
+            Err(_) => Err(Failure::Wrong),
+        }
     }
 }
 
@@ -262,7 +332,9 @@ fn difference(text: &str) -> Result<f64, String> {
 /// The failure of a result that is not read, with a way out where there is one.
 fn refusal(error: &ResultError) -> Failure {
     let way_out = match error {
-        ResultError::Stranger { .. } => " (--by-number ignores coordinates)",
+        ResultError::Stranger { .. } => {
+            " (--steiner allows for vertices that were added, --by-number ignores coordinates)"
+        }
         ResultError::Elsewhere { .. } => {
             " (--tolerance allows for more, --by-number ignores coordinates)"
         }

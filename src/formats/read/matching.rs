@@ -56,10 +56,7 @@ impl Matching {
         points: &[[S; 2]],
         input: &Graph<S>,
     ) -> Result<(Matched, Option<Vec<usize>>), ResultError> {
-        if let Some(at) = points.iter().position(|point| !is_finite(point)) {
-            let (file, line, vertex) = vertices.name(at);
-            return Err(ResultError::NonFinite { file, line, vertex });
-        }
+        refuse_non_finite(vertices, points)?;
         let pairs = || points.iter().zip(&input.points).map(|(p, q)| apart(p, q));
         let greatest = || pairs().fold(0.0, f64::max);
         if self.by_number {
@@ -119,6 +116,32 @@ impl Matching {
             tolerance: self.tolerance,
         })
     }
+}
+
+/// The vertices of a file that are none of the input's.
+pub(super) fn added<S: Coordinate>(
+    vertices: &Vertices<'_>,
+    points: Vec<[S; 2]>,
+    input: &Graph<S>,
+) -> Result<Vec<[S; 2]>, ResultError> {
+    refuse_non_finite(vertices, &points)?;
+    let found = find(&points, &input.points);
+    let pairs = points.into_iter().zip(found);
+    Ok(pairs
+        .filter(|(_, found)| found.is_none())
+        .map(|(point, _)| point)
+        .collect())
+}
+
+fn refuse_non_finite<S: Scalar>(
+    vertices: &Vertices<'_>,
+    points: &[[S; 2]],
+) -> Result<(), ResultError> {
+    let Some(at) = points.iter().position(|point| !is_finite(point)) else {
+        return Ok(());
+    };
+    let (file, line, vertex) = vertices.name(at);
+    Err(ResultError::NonFinite { file, line, vertex })
 }
 
 /// For each of `points` the lowest position in `among` of an equal point. All of `points` are finite.

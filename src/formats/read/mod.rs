@@ -14,5 +14,5 @@ mod triangle;
 
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
-pub use result::{ResultFormat, Triangles, read_result};
+pub use result::{ResultFormat, Triangles, added_points, read_result};
 pub use source::{ReadError, ResultError, Source};

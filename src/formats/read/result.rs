@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use crate::formats::read::content::{Corners, Vertices};
-use crate::formats::read::matching::{Matched, Matching};
+use crate::formats::read::matching::{self, Matched, Matching};
 use crate::formats::read::source::{ReadError, ResultError, Source};
 use crate::formats::read::{json, obj, triangle};
 use crate::formats::{Coordinate, CoordinateError, Graph};
@@ -29,6 +29,20 @@ pub enum ResultFormat {
     Json,
     /// Wavefront's vertices and faces.
     Obj,
+}
+
+impl ResultFormat {
+    fn read<'a>(
+        self,
+        source: &'a Source,
+        node: Option<&'a Source>,
+    ) -> Result<Corners<'a>, ReadError> {
+        match self {
+            ResultFormat::Ele => triangle::read_ele(source, node),
+            ResultFormat::Json => json::read_triangles(source),
+            ResultFormat::Obj => obj::read(source),
+        }
+    }
 }
 
 /// Triangles of a file, by vertices of the input.
@@ -102,17 +116,43 @@ impl Matching {
         node: Option<&Source>,
         input: &Graph<S>,
     ) -> Result<Triangles, ResultError> {
-        let corners = match format {
-            ResultFormat::Ele => triangle::read_ele(source, node)?,
-            ResultFormat::Json => json::read_triangles(source)?,
-            ResultFormat::Obj => obj::read(source)?,
-        };
+        let corners = format.read(source, node)?;
         let (matched, places) = match &corners.vertices {
             Some(vertices) => self.places(vertices, &points_of(vertices)?, input)?,
             None => (Matched::Unplaced, None),
         };
         let places = places.as_deref();
         Ok(by_input_vertices(corners, matched, places, input))
+    }
+}
+
+/// The vertices of a triangulation that `input` lacks, in the order of the file; none, if it has no coordinates.
+///
+/// With them among its points the input has all vertices of the file, and [`read_result`] matches them by coordinates;
+/// [`Verifier::added_from`](crate::verify::Verifier::added_from) allows for them.
+///
+/// ```
+/// use sweep_cdt::formats::{Graph, ResultFormat, Source, added_points};
+///
+/// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+/// let input = Graph { points, ..Graph::default() };
+/// let bytes = b"v 0 1\nv 0 0\nv 1 0\nv 0.5 0.5\nf 1 2 4\nf 2 3 4".to_vec();
+/// let source = Source { name: "example".to_owned(), bytes };
+/// assert_eq!(added_points(ResultFormat::Obj, &source, None, &input)?, [[0.5, 0.5]]);
+/// # Ok::<(), sweep_cdt::formats::ResultError>(())
+/// ```
+///
+/// # Errors
+/// See [`ResultError`].
+pub fn added_points<S: Coordinate>(
+    format: ResultFormat,
+    source: &Source,
+    node: Option<&Source>,
+    input: &Graph<S>,
+) -> Result<Vec<[S; 2]>, ResultError> {
+    match format.read(source, node)?.vertices {
+        Some(vertices) => matching::added(&vertices, points_of(&vertices)?, input),
+        None => Ok(Vec::new()),
     }
 }
 

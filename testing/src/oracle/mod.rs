@@ -4,7 +4,8 @@
 //! is found by trying everything (`graph`: vertices, pieces of edges, crossings; `definition`: triangles,
 //! hull, all of it). That is slow and short, and meant for a dozen points. For large results `check` tests
 //! side by side what makes a triangulation the canonical one. `naive` judges triangulations of any program,
-//! canonical or not. [`arrangement`] has edges that cross, in fractions. `answer` takes the crate's result apart, and
+//! canonical or not; [`refined`] those with vertices that the input lacks, in a part of the plane, and says how deep
+//! faults are. [`arrangement`] has edges that cross, in fractions. `answer` takes the crate's result apart, and
 //! tests whether its parts agree with each other.
 
 mod answer;
@@ -14,6 +15,7 @@ mod definition;
 mod graph;
 mod naive;
 mod numbers;
+pub mod refined;
 
 pub use answer::{Answer, boundary, canonical, check_links, found, sorted};
 pub use check::{check, check_answer, check_found, firm_sides};

@@ -44,19 +44,19 @@ pub fn is_exactly_right<N: Number>(
         && are_delaunay(&corners, &edges)
 }
 
-type Triangle<'a, N> = [&'a Point<N>; 3];
-type Side<'a, N> = [&'a Point<N>; 2];
+pub(super) type Triangle<'a, N> = [&'a Point<N>; 3];
+pub(super) type Side<'a, N> = [&'a Point<N>; 2];
 
-fn sides<N>([a, b, c]: Triangle<'_, N>) -> [Side<'_, N>; 3] {
+pub(super) fn sides<N>([a, b, c]: Triangle<'_, N>) -> [Side<'_, N>; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
 /// Whether `v` lies between the ends.
-fn is_within<N: Number>([a, b]: Side<'_, N>, v: &Point<N>) -> bool {
+pub(super) fn is_within<N: Number>([a, b]: Side<'_, N>, v: &Point<N>) -> bool {
     a.min(b) < v && v < a.max(b) && orient(a, b, v) == Equal
 }
 
-fn is_on<N: Number>(side: Side<'_, N>, v: &Point<N>) -> bool {
+pub(super) fn is_on<N: Number>(side: Side<'_, N>, v: &Point<N>) -> bool {
     side.contains(&v) || is_within(side, v)
 }
 
@@ -80,14 +80,18 @@ fn fill_hull<N: Number>(distinct: &[&Point<N>], corners: &[Triangle<'_, N>]) -> 
 }
 
 /// Whether a side of the one has the other on its right.
-fn separates<N: Number>(one: Triangle<'_, N>, other: Triangle<'_, N>) -> bool {
+pub(super) fn separates<N: Number>(one: Triangle<'_, N>, other: Triangle<'_, N>) -> bool {
     sides(one)
         .iter()
         .any(|[a, b]| other.iter().all(|v| orient(a, b, v) != Greater))
 }
 
 /// Whether each two neighbours among the points on an edge are a side.
-fn is_made<N: Number>(edge: Side<'_, N>, distinct: &[&Point<N>], sides: &[Side<'_, N>]) -> bool {
+pub(super) fn is_made<N: Number>(
+    edge: Side<'_, N>,
+    distinct: &[&Point<N>],
+    sides: &[Side<'_, N>],
+) -> bool {
     // On a line the order of the points is that of their coordinates.
     let on: Vec<&Point<N>> = distinct
         .iter()
@@ -99,7 +103,7 @@ fn is_made<N: Number>(edge: Side<'_, N>, distinct: &[&Point<N>], sides: &[Side<'
 }
 
 /// Whether each side of two triangles is a piece of an edge, or has no circle with the other inside.
-fn are_delaunay<N: Number>(corners: &[Triangle<'_, N>], edges: &[Side<'_, N>]) -> bool {
+pub(super) fn are_delaunay<N: Number>(corners: &[Triangle<'_, N>], edges: &[Side<'_, N>]) -> bool {
     let is_piece = |side: Side<'_, N>| {
         edges
             .iter()

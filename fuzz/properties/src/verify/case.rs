@@ -20,6 +20,18 @@ pub(super) struct Case {
 /// Up to so many points, and twice as many triangles, everything is compared with everything.
 const BY_DEFINITION: usize = 8;
 
+/// Whether all points are finite and all indices in range.
+pub(super) fn is_defined(case: &Case) -> bool {
+    let named = case.edges.as_flattened().iter();
+    let mut named = named.chain(case.triangles.as_flattened());
+    case.points.iter().flatten().all(|x| x.is_finite()) && named.all(|&v| v < case.points.len())
+}
+
+/// Whether everything may be compared with everything.
+pub(super) fn is_small(case: &Case) -> bool {
+    case.points.len() <= BY_DEFINITION && case.triangles.len() <= 2 * BY_DEFINITION
+}
+
 /// Whether the triangulation is right, where that is certain without the verifier.
 pub(super) fn is_certainly_right(case: &Case) -> Option<bool> {
     let Case {
@@ -27,10 +39,9 @@ pub(super) fn is_certainly_right(case: &Case) -> Option<bool> {
         edges,
         triangles,
     } = case;
-    let mut named = edges.iter().flatten().chain(triangles.iter().flatten());
-    if !points.iter().flatten().all(|x| x.is_finite()) || named.any(|&v| v >= points.len()) {
+    if !is_defined(case) {
         Some(false)
-    } else if points.len() <= BY_DEFINITION && triangles.len() <= 2 * BY_DEFINITION {
+    } else if is_small(case) {
         Some(is_right(points, edges, triangles))
     } else {
         by_uniqueness(case)

@@ -6,10 +6,12 @@
 //! triangulation is unique up to cocircular vertices, so a result that the oracle's
 //! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares
 //! code with the verifier. What the verifier calls canonical must be the sweep's answer. Its options must
-//! not change its verdict, and holes and other domains are declared in a right answer. Some bytes are a
+//! not change its verdict, and faults are as deep as fractions say. The last points may be vertices that the input
+//! lacks. Holes and other domains are declared in a right answer. Some bytes are a
 //! result whose vertices have moved.
 
 mod case;
+mod measured;
 mod moved;
 
 use arbitrary::{Result, Unstructured};
@@ -142,6 +144,10 @@ fn judge(case: &Case, in_parallel: bool) {
     }
     check_list(case, &verdict);
     check_short_list(case, &verdict);
+    if let Err(violations) = &verdict {
+        measured::judge_depths(case, violations);
+    }
+    measured::judge_added(case);
     let verifier = Verifier::new();
     if in_parallel {
         let again = verifier.verify_parallel(points, edges, triangles);

@@ -24,6 +24,8 @@ pub(crate) enum Failure {
     Error(String),
     /// The verifier found violations; they are printed already.
     Wrong,
+    /// It found violations that may be rounding, and that is allowed for; they are printed already.
+    Rounded,
 }
 
 impl Failure {

@@ -107,27 +107,29 @@ struct Interior {
     boundary: Vec<Vec<usize>>,
     /// How many triangles fill it.
     triangles: usize,
-    is_hull: bool,
     /// The edges in it; of an edge that is in it in part, these parts.
     edges: Vec<[usize; 2]>,
     /// For each of them the input edge that it is, or is a part of.
     numbers: Vec<usize>,
 }
 
-/// Verifies that triangles fill the interior by a rule.
+/// Verifies that triangles fill the interior by a rule. The first `own` points are the input's, the others added.
 pub(crate) fn verify_interior<S: Coordinate, T: Scalar + Sync>(
     rule: Inside,
     given: &Given<'_, S, T>,
+    own: usize,
     verifier: Verifier<'_>,
     triangles: &[[usize; 3]],
 ) -> Result<Answer, Failure> {
-    let interior = Interior::of(rule, given, &proven(given)?)?;
+    let interior = Interior::of(rule, given, &proven(given, own)?)?;
     Ok(interior.verify(given, verifier, triangles))
 }
 
-/// A rule by which triangles that do not fill the hull fill the interior, if there is one.
+/// A rule by which triangles that do not fill the hull fill the interior, if there is one. The first `own` points are
+/// the input's.
 pub(crate) fn fitting_rule<S: Coordinate, T: Scalar + Sync>(
     given: &Given<'_, S, T>,
+    own: usize,
     verifier: Verifier<'_>,
     triangles: &[[usize; 3]],
 ) -> Option<Inside> {
@@ -135,20 +137,22 @@ pub(crate) fn fitting_rule<S: Coordinate, T: Scalar + Sync>(
     if given.graph.holes.is_empty() {
         rules.rotate_left(1);
     }
-    let hull = proven(given).ok()?;
+    let hull = proven(given, own).ok()?;
+    let is_possible =
+        |interior: &Interior| given.points.len() > own || interior.triangles == triangles.len();
     rules.into_iter().find(|&rule| {
         Interior::of(rule, given, &hull).is_ok_and(|interior| {
-            let is_other = !interior.is_hull && interior.triangles == triangles.len();
-            is_other && interior.verify(given, verifier, triangles).is_ok()
+            is_possible(&interior) && interior.verify(given, verifier, triangles).is_ok()
         })
     })
 }
 
-/// The triangulation of the hull.
+/// The triangulation of the hull of the first `own` points.
 fn proven<S: Coordinate, T: Scalar + Sync>(
     given: &Given<'_, S, T>,
+    own: usize,
 ) -> Result<Triangulation, Failure> {
-    let (points, edges) = (given.points, &given.graph.edges);
+    let (points, edges) = (&given.points[..own], &given.graph.edges);
     let hull = triangulate(points, edges).map_err(|error| given.refused(error))?;
     let triangles: Vec<[usize; 3]> = hull.triangles().collect();
     match verification::verify(Verifier::new(), points, edges, &triangles) {
@@ -188,7 +192,6 @@ impl Interior {
         Ok(Interior {
             boundary: domain.boundary(),
             triangles: domain.inside().len(),
-            is_hull: domain.inside().len() == hull.len(),
             edges,
             numbers,
         })

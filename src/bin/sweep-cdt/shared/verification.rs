@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use sweep_cdt::formats::{Coordinate, Graph, Matched, Triangles};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Level, Report, Verifier, Violation, Violations};
+use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
 
 use super::resources::Progress;
 use super::tables::{NAME, NUMBER, rows};
@@ -77,6 +77,22 @@ pub(crate) fn write_verdict(
     }
 }
 
+/// Writes the verdict on a result that is wrong by no more than `max_depth`: one line.
+pub(crate) fn write_rounded(
+    found: usize,
+    greatest: Depth,
+    [max_depth, what]: [&str; 2],
+    [result, input]: [&str; 2],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let plural = if found == 1 { "" } else { "s" };
+    writeln!(
+        out,
+        "up to {max_depth}: {result} is {what} of {input}, but not exactly: \
+         {found} violation{plural}, the deepest by {greatest}"
+    )
+}
+
 /// The name of the highest level reached.
 pub(crate) fn reached(report: &Report) -> &'static str {
     report.level.map_or("none", Level::into)
@@ -115,6 +131,10 @@ pub(crate) fn write_counts(report: &Report, out: &mut impl Write) -> io::Result<
             ("ties not canonical", size(report.uncanonical_sides)),
         ],
     )?;
+    if report.added_points > 0 {
+        let added = ("added points", size(report.added_points));
+        rows(out, &[added, ("split edges", size(report.split_edges))])?;
+    }
     writeln!(out, "{:NAME$}{:>NUMBER$}", "highest level", reached(report))?;
     let all = (report.filtered + report.exact).max(1);
     for (name, number) in [("by filter", report.filtered), ("exact", report.exact)] {
@@ -126,6 +146,27 @@ pub(crate) fn write_counts(report: &Report, out: &mut impl Write) -> io::Result<
         )?;
     }
     Ok(())
+}
+
+/// Writes how many violations are how deep, by decades.
+pub(crate) fn write_depths(answer: &Answer, out: &mut impl Write) -> io::Result<()> {
+    let Err(violations) = answer else {
+        return Ok(());
+    };
+    let Some(greatest) = violations.depths.greatest else {
+        return Ok(());
+    };
+    writeln!(out, "\ndepths of violations")?;
+    for (&decade, &count) in &violations.depths.decades {
+        let name = format!("1e{decade} to 1e{}", decade + 1);
+        rows(out, &[(&name, count as u64)])?;
+    }
+    match violations.found - violations.depths.measured() {
+        0 => {}
+        others => rows(out, &[("not measured", others as u64)])?,
+    }
+    let greatest = greatest.to_string();
+    writeln!(out, "{:NAME$}{greatest:>NUMBER$}", "the deepest")
 }
 
 /// Writes the violations, with all things numbered as in their files and where they are.
@@ -149,6 +190,13 @@ pub(crate) fn write_violations<S: Coordinate>(
             .collect();
         if !places.is_empty() {
             writeln!(out, "  {}", places.join(", "))?;
+        }
+        if let Some(depth) = violation.depth() {
+            let unit = match violation {
+                Violation::NotDelaunay { .. } => "of the squared radius",
+                _ => "of the distance",
+            };
+            writeln!(out, "  by {depth} {unit}")?;
         }
     }
     match found - list.len() {

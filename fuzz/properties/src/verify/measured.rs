@@ -1,0 +1,65 @@
+//! How deep faults are, and vertices that the input lacks: as the oracle has them in fractions.
+
+use sweep_cdt::verify::{Verifier, Violation, Violations};
+use sweep_cdt_testing::oracle::arrangement::fractions;
+use sweep_cdt_testing::oracle::refined::{Wanted, depth, height, is_near};
+
+use super::case::{Case, is_defined, is_small};
+
+/// Panics unless the first violations are as deep as they say.
+pub(super) fn judge_depths(case: &Case, violations: &Violations) {
+    for violation in violations.list.iter().take(4) {
+        let expected = match *violation {
+            Violation::NotDelaunay { side, opposite, .. } => {
+                let [[a, b], [c, d]] = [side, opposite].map(|pair| pair.map(|v| case.points[v]));
+                let exact = fractions(&[a, b, c, d]);
+                let [a, b, c, d] = [0, 1, 2, 3].map(|i| &exact[i]);
+                assert!(violation.depth().is_some(), "{violation:?} of {case:?}");
+                depth([a, b, c, d]).max(depth([b, a, d, c]))
+            }
+            Violation::ConcaveBoundary { vertices, .. } if violation.depth().is_some() => {
+                let exact = fractions(&vertices.map(|v| case.points[v]));
+                -height([&exact[0], &exact[1], &exact[2]])
+            }
+            _ => continue,
+        };
+        let found = violation.depth().map_or(0.0, |depth| depth.get());
+        let is_right = found > 0.0 && is_near(found, &expected);
+        assert!(is_right, "{violation:?} is {expected} deep in {case:?}");
+    }
+    let is_all = violations.depths.measured() == violations.found;
+    assert_eq!(violations.depth().is_some(), is_all, "{violations:?}");
+}
+
+/// Panics unless the verdict is right where the last points may be vertices that the input lacks.
+pub(super) fn judge_added(case: &Case) {
+    if !is_defined(case) || !is_small(case) {
+        return;
+    }
+    let own = case.points.len() - case.points.len() / 3;
+    let is_own = |edge: &&[usize; 2]| edge.iter().all(|&v| v < own);
+    let edges: Vec<[usize; 2]> = case.edges.iter().filter(is_own).copied().collect();
+    let exact = fractions(&case.points);
+    let triangles = case.triangles.iter();
+    let triangles: Vec<_> = triangles.map(|t| t.map(|v| exact[v].clone())).collect();
+    let wanted = Wanted {
+        points: &exact[..own],
+        edges: &edges,
+        chains: &[],
+    };
+    let verifier = Verifier::new().added_from(own);
+    let verdict = verifier.verify(&case.points, &edges, &case.triangles);
+    let is_right = wanted.is_met_by(&triangles);
+    assert_eq!(
+        verdict.is_ok(),
+        is_right,
+        "{verdict:?} from {own} of {case:?}"
+    );
+    if let Ok(report) = verdict {
+        assert_eq!(
+            report.split_edges,
+            wanted.split_edges(&triangles),
+            "{case:?}"
+        );
+    }
+}

@@ -1,0 +1,119 @@
+//! Check 4 for a domain that the caller declared by its boundary, in place of the convex hull.
+//!
+//! Which way the chains run does not matter: they declare what a path from outside enters by an odd number of their
+//! sides. Why it is enough to run as the triangles do: how many triangles cover a place is how often their boundary
+//! goes round it (see the module), which is odd where the number of crossed sides is odd, whatever way each runs.
+//! That the boundary is the declared one (here), and goes round every place once or not at all (`scanline`), leaves
+//! one triangle where the number is odd, and none elsewhere.
+//!
+//! Points that are allowed beside those of the input may split a declared side. So the sides of the boundary that go
+//! straight on through such points are merged first.
+//!
+//! Cost: O(m log m) for m sides.
+
+use super::report::Record;
+use super::soup::{Soup, Tally};
+use super::violation::Violation;
+use crate::scalar::Scalar;
+
+/// The sides of the declared chains, by rank, in the caller's order.
+#[derive(Debug)]
+pub(super) struct Domain {
+    pub(super) sides: Vec<[u32; 2]>,
+}
+
+impl Domain {
+    /// Turns each declared side whose reverse is on the boundary of the triangles, so that it runs as they do: the
+    /// caller's chains may run any way.
+    pub(super) fn orient<S: Scalar>(&mut self, soup: &Soup<'_, S>, boundary: &[u32]) {
+        let found = merged(soup, boundary);
+        let is_found = |side: [u32; 2]| found.binary_search_by_key(&side, |found| found.0).is_ok();
+        for side in &mut self.sides {
+            let [a, b] = *side;
+            if !is_found([a, b]) && is_found([b, a]) {
+                *side = [b, a];
+            }
+        }
+    }
+
+    /// Checks that the boundary of the triangles is exactly the declared one.
+    pub(super) fn check_boundary<S: Scalar>(
+        &self,
+        soup: &Soup<'_, S>,
+        boundary: &[u32],
+        record: &mut Record,
+    ) {
+        let found = merged(soup, boundary);
+        let mut declared = self.sides.clone();
+        declared.sort_unstable();
+        for &(ends, side) in &found {
+            if declared.binary_search(&ends).is_err() {
+                record.findings.add(Violation::UndeclaredBoundary {
+                    side: soup.names(soup.side(side)),
+                    triangle: side as usize / 3,
+                });
+            }
+        }
+        for (i, &side) in declared.iter().enumerate() {
+            // A side is on the boundary once at most.
+            let again = i > 0 && declared[i - 1] == side;
+            if again || found.binary_search_by_key(&side, |found| found.0).is_err() {
+                let side = soup.names(side);
+                record.findings.add(Violation::MissingBoundary { side });
+            }
+        }
+    }
+}
+
+/// The ends of each side of the boundary, sorted, with its number. Sides that go straight on through added points count
+/// as one, with the number of the first, if they lead from one point of the input to another.
+fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<([u32; 2], u32)> {
+    let mut found: Vec<([u32; 2], u32)> = boundary
+        .iter()
+        .map(|&side| (soup.side(side), side))
+        .collect();
+    found.sort_unstable();
+    if !boundary
+        .iter()
+        .any(|&side| soup.signs.is_added(soup.side(side)[0]))
+    {
+        return found;
+    }
+    // Where a side goes straight on. Through an added point go one or two declared sides, on one line. Where more leave
+    // it, only two are looked at: nobody has declared these.
+    let straight_on = |[a, b]: [u32; 2]| {
+        let forward = |side: [u32; 2]| soup.signs.order(side[0], side[1]);
+        let first = found.partition_point(|&([start, _], _)| start < b);
+        (first..found.len().min(first + 2)).find(|&at| {
+            let side = found[at].0;
+            let turn = || soup.signs.orient2d([a, b, side[1]], &mut Tally::default());
+            side[0] == b && forward(side) == forward([a, b]) && turn().is_eq()
+        })
+    };
+    // Each side is walked once.
+    let mut is_walked = vec![false; found.len()];
+    let mut whole = Vec::new();
+    for (first, &(ends, side)) in found.iter().enumerate() {
+        if soup.signs.is_added(ends[0]) {
+            continue;
+        }
+        let (mut path, mut last) = (vec![first], ends);
+        while soup.signs.is_added(last[1])
+            && let Some(on) = straight_on(last).filter(|&on| !is_walked[on])
+        {
+            is_walked[on] = true;
+            path.push(on);
+            last = found[on].0;
+        }
+        is_walked[first] = true;
+        if soup.signs.is_added(last[1]) {
+            whole.extend(path.into_iter().map(|at| found[at]));
+        } else {
+            whole.push(([ends[0], last[1]], side));
+        }
+    }
+    let rest = found.iter().zip(is_walked);
+    whole.extend(rest.filter(|(_, walked)| !walked).map(|(side, _)| *side));
+    whole.sort_unstable();
+    whole
+}
