@@ -24,7 +24,7 @@ mod write;
 
 pub use coordinate::{Coordinate, CoordinateError};
 pub(crate) use graph::sorted_pairs;
-pub use graph::{Graph, Region};
+pub use graph::{Column, Graph, Region};
 pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
     read, read_result,

@@ -31,6 +31,7 @@ mod files;
 mod generated;
 mod hard;
 mod limits;
+mod meshes;
 mod properties;
 mod random;
 mod runs;

@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 use num_rational::BigRational;
 
 use crate::formats::read::content::Vertices;
-use crate::formats::read::source::ResultError;
+use crate::formats::read::source::{ReadError, ResultError};
 use crate::formats::{Coordinate, Graph};
 use crate::scalar::Scalar;
 
@@ -53,12 +53,17 @@ impl Matching {
     pub(super) fn places<S: Coordinate>(
         self,
         vertices: &Vertices<'_>,
+        is_soup: bool,
         points: &[[S; 2]],
         input: &Graph<S>,
     ) -> Result<(Matched, Option<Vec<usize>>), ResultError> {
         if let Some(at) = points.iter().position(|point| !is_finite(point)) {
             let (file, line, vertex) = vertices.name(at);
             return Err(ResultError::NonFinite { file, line, vertex });
+        }
+        if self.by_number && is_soup {
+            let message = "the triangles are coordinates, and their vertices have no numbers";
+            return Err(ReadError::of_file(&vertices.source.name, message).into());
         }
         let pairs = || points.iter().zip(&input.points).map(|(p, q)| apart(p, q));
         let greatest = || pairs().fold(0.0, f64::max);
@@ -74,8 +79,8 @@ impl Matching {
             return Ok((Matched::Equal, Some(places)));
         }
 
-        // Some vertex is none of the input's: numbers decide, if there are as many.
-        if points.len() != input.points.len() {
+        // Some vertex is none of the input's: numbers decide, if there are any, and as many.
+        if is_soup || points.len() != input.points.len() {
             let stranger = found.iter().position(Option::is_none);
             let at = stranger.expect("not all were found");
             let (file, line, vertex) = vertices.name(at);
@@ -122,7 +127,7 @@ impl Matching {
 }
 
 /// For each of `points` the lowest position in `among` of an equal point. All of `points` are finite.
-fn find<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Option<usize>> {
+pub(super) fn find<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Option<usize>> {
     let mut sorted: Vec<usize> = (0..among.len()).filter(|&v| is_finite(&among[v])).collect();
     sorted.sort_by(|&v, &w| order(&among[v], &among[w]));
     let place = |point: &[S; 2]| {
@@ -139,7 +144,7 @@ fn order<S: Scalar>(p: &[S; 2], q: &[S; 2]) -> Ordering {
     p[0].compare(&q[0]).then_with(|| p[1].compare(&q[1]))
 }
 
-fn is_finite<S: Scalar>(point: &[S; 2]) -> bool {
+pub(super) fn is_finite<S: Scalar>(point: &[S; 2]) -> bool {
     point.iter().all(S::is_finite)
 }
 

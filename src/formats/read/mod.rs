@@ -1,16 +1,27 @@
 //! Readers: bytes in, a [`Graph`](crate::formats::Graph) or [`Triangles`] out.
 
+mod binary;
 mod content;
+mod geojson;
 mod input;
 mod json;
 mod json_faults;
 mod json_pieces;
 mod matching;
+mod mesh;
 mod obj;
+mod off;
+mod ply;
+mod ply_header;
 mod result;
+mod shapes;
 mod source;
 mod token_lines;
 mod triangle;
+mod vtk;
+mod vtk_arrays;
+mod wkt;
+mod words;
 
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};

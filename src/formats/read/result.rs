@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use crate::formats::read::content::{Corners, Vertices};
 use crate::formats::read::matching::{Matched, Matching};
 use crate::formats::read::source::{ReadError, ResultError, Source};
-use crate::formats::read::{json, obj, triangle};
+use crate::formats::read::{geojson, json, obj, off, ply, triangle, vtk, wkt};
 use crate::formats::{Coordinate, CoordinateError, Graph};
 use crate::verify::{Offenders, Violation};
 
@@ -29,6 +29,16 @@ pub enum ResultFormat {
     Json,
     /// Wavefront's vertices and faces.
     Obj,
+    /// Geomview's vertices and faces.
+    Off,
+    /// Stanford's vertices and faces, as text or binary.
+    Ply,
+    /// VTK's points and polygons, as text or binary.
+    Vtk,
+    /// Polygons of maps, as JSON.
+    Geojson,
+    /// Polygons as text.
+    Wkt,
 }
 
 /// Triangles of a file, by vertices of the input.
@@ -105,10 +115,17 @@ impl Matching {
         let corners = match format {
             ResultFormat::Ele => triangle::read_ele(source, node)?,
             ResultFormat::Json => json::read_triangles(source)?,
-            ResultFormat::Obj => obj::read(source)?,
+            ResultFormat::Obj => obj::read(source)?.into_triangles()?,
+            ResultFormat::Off => off::read(source)?.into_triangles()?,
+            ResultFormat::Ply => ply::read(source)?.into_triangles()?,
+            ResultFormat::Vtk => vtk::read(source)?.into_triangles()?,
+            ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
+            ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
         };
         let (matched, places) = match &corners.vertices {
-            Some(vertices) => self.places(vertices, &points_of(vertices)?, input)?,
+            Some(vertices) => {
+                self.places(vertices, corners.is_soup, &points_of(vertices)?, input)?
+            }
             None => (Matched::Unplaced, None),
         };
         let places = places.as_deref();
