@@ -7,7 +7,7 @@
 
 use std::borrow::Cow;
 
-use crate::formats::read::binary::Number;
+use crate::formats::read::binary::{Kind, Number};
 use crate::formats::read::source::{ReadError, Source, quoted};
 use crate::formats::{Column, Coordinate, CoordinateError, on_all_cores};
 
@@ -156,6 +156,11 @@ impl<'a> Vertices<'a> {
             })
         };
         self.fields.iter().map(column).collect()
+    }
+
+    /// Whether coordinates are binary numbers of single precision.
+    pub(super) fn is_single(&self) -> bool {
+        matches!(self.syntax, Syntax::Binary(number) if number.kind == Kind::F32)
     }
 
     /// A coordinate as it is written.

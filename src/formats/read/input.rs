@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use crate::formats::read::content::{Edges, Vertices};
 use crate::formats::read::matching::{find, is_finite};
 use crate::formats::read::source::{ReadError, Source};
-use crate::formats::read::{geojson, json, obj, off, ply, triangle, vtk, wkt};
+use crate::formats::read::{geojson, json, msh, obj, off, ply, triangle, vtk, wkt};
 use crate::formats::{Column, Coordinate, CoordinateError, Graph, Region};
 
 /// What [`read()`] understands. Each format is named by the extension of its files.
@@ -38,6 +38,8 @@ pub enum InputFormat {
     Ply,
     /// VTK's points and lines, as text or binary.
     Vtk,
+    /// Gmsh's nodes and lines, as text.
+    Msh,
     /// Points, lines and polygons of maps, as JSON.
     Geojson,
     /// Points, lines and polygons as text.
@@ -47,9 +49,9 @@ pub enum InputFormat {
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        use InputFormat::{Geojson, Json, Node, Obj, Off, Ply, Poly, Vtk, Wkt};
+        use InputFormat::{Geojson, Json, Msh, Node, Obj, Off, Ply, Poly, Vtk, Wkt};
         match self {
-            Obj | Off | Ply | Vtk => true,
+            Obj | Off | Ply | Vtk | Msh => true,
             Node | Poly | Json | Geojson | Wkt => false,
         }
     }
@@ -112,6 +114,7 @@ pub fn read(
         InputFormat::Off => off::read(source)?.into_graph()?,
         InputFormat::Ply => ply::read(source)?.into_graph()?,
         InputFormat::Vtk => vtk::read(source)?.into_graph()?,
+        InputFormat::Msh => msh::read(source)?.into_graph()?,
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
     };
@@ -159,7 +162,7 @@ fn finished<S: Coordinate>(format: InputFormat, graph: Graph<S>) -> Graph<S> {
 
 /// The same graph with one vertex for equal points: the first of them, which keeps its numbers in the columns. Graphs
 /// with points that are not finite stay as they are; nothing is made of them.
-fn merged<S: Coordinate>(graph: Graph<S>) -> Graph<S> {
+pub(in crate::formats) fn merged<S: Coordinate>(graph: Graph<S>) -> Graph<S> {
     if !graph.points.iter().all(is_finite) {
         return graph;
     }

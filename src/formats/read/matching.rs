@@ -5,9 +5,13 @@
 //! Then numbers decide, and coordinates only confirm them: each must be the one of the same number,
 //! rounded ([`is_rounded`]). The nearest vertex is never taken for the right one.
 //!
+//! Triangles that are listed by coordinates alone have no numbers. Where these are numbers of single precision, a vertex
+//! of the input is taken that is rounded to them, if only one is.
+//!
 //! Cost: one sort of the input's points, and a binary search for each vertex of the file.
 
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 use num_rational::BigRational;
 
@@ -80,6 +84,14 @@ impl Matching {
         }
 
         // Some vertex is none of the input's: numbers decide, if there are any, and as many.
+        if let (true, Some(places)) = (is_soup && vertices.is_single(), by_singles(points, input)) {
+            let pairs = points
+                .iter()
+                .zip(&places)
+                .map(|(p, &v)| apart(p, &input.points[v]));
+            let difference = pairs.fold(0.0, f64::max);
+            return Ok((Matched::Single { difference }, Some(places)));
+        }
         if is_soup || points.len() != input.points.len() {
             let stranger = found.iter().position(Option::is_none);
             let at = stranger.expect("not all were found");
@@ -98,7 +110,10 @@ impl Matching {
                 let (own, exact) = (&points[*at][axis], &input.points[*at][axis]);
                 let is_near = !S::APPROX_IS_EXACT;
                 let text = vertices.text(*at, axis);
-                own == exact || is_rounded(exact.approx(), is_near, &text, own.approx())
+                let is_single = vertices.is_single() && single(exact.approx()) == own.approx();
+                own == exact
+                    || is_single
+                    || is_rounded(exact.approx(), is_near, &text, own.approx())
             }),
         };
         let far: Vec<usize> = (0..points.len()).filter(|at| !is_close(at)).collect();
@@ -124,6 +139,42 @@ impl Matching {
             tolerance: self.tolerance,
         })
     }
+}
+
+/// For each of `points` the first vertex of the input whose coordinates they are in single precision, if each has one,
+/// and no other vertex of the input has the same.
+fn by_singles<S: Coordinate>(points: &[[S; 2]], input: &Graph<S>) -> Option<Vec<usize>> {
+    if !input.points.iter().all(is_finite) {
+        return None;
+    }
+    let singles = input
+        .points
+        .iter()
+        .map(|point| point.each_ref().map(|x| single(x.approx())));
+    let singles: Vec<[f64; 2]> = singles.collect();
+    let near: Vec<[f64; 2]> = points
+        .iter()
+        .map(|point| point.each_ref().map(S::approx))
+        .collect();
+    let places: Vec<usize> = find(&near, &singles).into_iter().collect::<Option<_>>()?;
+    let (same, equal) = (find(&singles, &singles), find(&input.points, &input.points));
+    let pairs = same.iter().zip(&equal);
+    let ambiguous: HashSet<usize> = pairs
+        .filter_map(|(&same, &equal)| same.filter(|&first| equal != Some(first)))
+        .collect();
+    places
+        .iter()
+        .all(|place| !ambiguous.contains(place))
+        .then_some(places)
+}
+
+/// The nearest number of single precision.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "this is how programs round"
+)]
+fn single(x: f64) -> f64 {
+    f64::from(x as f32)
 }
 
 /// For each of `points` the lowest position in `among` of an equal point. All of `points` are finite.
@@ -172,6 +223,11 @@ fn difference<S: Coordinate>(x: &S, y: &S) -> f64 {
 pub enum Matched {
     /// By coordinates: each vertex of the result is one of the input, exactly.
     Equal,
+    /// By coordinates: each is that of a vertex of the input, rounded to single precision, and of no other one.
+    Single {
+        /// The greatest difference of two coordinates.
+        difference: f64,
+    },
     /// By number: the result has no coordinates.
     Unplaced,
     /// By number: each coordinate of the result is that of the input, rounded.
@@ -196,7 +252,7 @@ impl Matched {
     /// What decided: `coordinates` or `number`.
     pub fn by(self) -> &'static str {
         match self {
-            Matched::Equal => "coordinates",
+            Matched::Equal | Matched::Single { .. } => "coordinates",
             _ => "number",
         }
     }
@@ -207,7 +263,8 @@ impl Matched {
         match self {
             Matched::Equal => Some(0.0),
             Matched::Unplaced => None,
-            Matched::Rounded { difference }
+            Matched::Single { difference }
+            | Matched::Rounded { difference }
             | Matched::Near { difference }
             | Matched::Asked { difference } => Some(difference),
         }

@@ -9,6 +9,7 @@ mod json_faults;
 mod json_pieces;
 mod matching;
 mod mesh;
+mod msh;
 mod obj;
 mod off;
 mod ply;
@@ -16,6 +17,7 @@ mod ply_header;
 mod result;
 mod shapes;
 mod source;
+mod stl;
 mod token_lines;
 mod triangle;
 mod vtk;
@@ -23,6 +25,8 @@ mod vtk_arrays;
 mod wkt;
 mod words;
 
+#[cfg(feature = "geo-types")]
+pub(in crate::formats) use input::merged;
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, read_result};

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use crate::formats::read::content::{Corners, Vertices};
 use crate::formats::read::matching::{Matched, Matching};
 use crate::formats::read::source::{ReadError, ResultError, Source};
-use crate::formats::read::{geojson, json, obj, off, ply, triangle, vtk, wkt};
+use crate::formats::read::{geojson, json, msh, obj, off, ply, stl, triangle, vtk, wkt};
 use crate::formats::{Coordinate, CoordinateError, Graph};
 use crate::verify::{Offenders, Violation};
 
@@ -35,6 +35,10 @@ pub enum ResultFormat {
     Ply,
     /// VTK's points and polygons, as text or binary.
     Vtk,
+    /// Gmsh's nodes and triangles, as text.
+    Msh,
+    /// Triangles alone, as text or binary.
+    Stl,
     /// Polygons of maps, as JSON.
     Geojson,
     /// Polygons as text.
@@ -119,6 +123,8 @@ impl Matching {
             ResultFormat::Off => off::read(source)?.into_triangles()?,
             ResultFormat::Ply => ply::read(source)?.into_triangles()?,
             ResultFormat::Vtk => vtk::read(source)?.into_triangles()?,
+            ResultFormat::Msh => msh::read(source)?.into_triangles()?,
+            ResultFormat::Stl => stl::read(source)?,
             ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
             ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
         };

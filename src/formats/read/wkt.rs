@@ -205,7 +205,7 @@ impl<'a> Tokens<'a> {
             let token = behind.next().filter(|token| !b"(),;".contains(&token[0]));
             let Some(token) = token else { break };
             if count == numbers.len() {
-                return Err(self.wrong(token, "`,` or `)`: a position has 2 to 4 numbers"));
+                return Err(self.wrong(token, "`,` or `)`"));
             }
             numbers[count] = Some(token);
             count += 1;

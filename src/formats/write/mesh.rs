@@ -10,6 +10,7 @@ use crate::formats::{Column, Coordinate, Graph};
 /// What is written: the vertices of a graph with triangles of a result, or with the edges.
 pub(super) struct Mesh<'a, S> {
     graph: &'a Graph<S>,
+    heights: Option<&'a Column>,
     lines: &'a [[usize; 2]],
     triangles: Vec<[usize; 3]>,
 }
@@ -19,6 +20,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     pub(super) fn of(graph: &'a Graph<S>, domain: &Domain<'_>) -> Mesh<'a, S> {
         Mesh {
             graph,
+            heights: graph.heights(),
             lines: &[],
             triangles: domain.canonical_triangles(),
         }
@@ -28,6 +30,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     pub(super) fn of_graph(graph: &'a Graph<S>) -> Mesh<'a, S> {
         Mesh {
             graph,
+            heights: graph.heights(),
             lines: &graph.edges,
             triangles: Vec::new(),
         }
@@ -35,7 +38,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
 
     /// Writes Wavefront's format, numbered from 1.
     pub(super) fn write_obj(&self, out: &mut impl Write) -> io::Result<()> {
-        self.write_vertices(b"v ", &[], out)?;
+        self.write_vertices(|_, text| text.extend_from_slice(b"v "), &[], out)?;
         write_faces(b"l", 1, self.lines, out)?;
         write_faces(b"f", 1, &self.triangles, out)
     }
@@ -44,7 +47,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     pub(super) fn write_off(&self, out: &mut impl Write) -> io::Result<()> {
         let faces = self.lines.len() + self.triangles.len();
         writeln!(out, "OFF\n{} {faces} 0", self.graph.points.len())?;
-        self.write_vertices(b"", &[], out)?;
+        self.write_vertices(|_, _| (), &[], out)?;
         write_faces(b"2", 0, self.lines, out)?;
         write_faces(b"3", 0, &self.triangles, out)
     }
@@ -75,7 +78,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             )?;
         }
         writeln!(out, "end_header")?;
-        self.write_vertices(b"", &others, out)?;
+        self.write_vertices(|_, _| (), &others, out)?;
         write_faces(b"", 0, self.lines, out)?;
         write_faces(b"3", 0, &self.triangles, out)
     }
@@ -92,7 +95,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             "# vtk DataFile Version 3.0\nsweep-cdt\nASCII\nDATASET POLYDATA"
         )?;
         writeln!(out, "POINTS {points} double")?;
-        self.write_vertices(b"", &[], out)?;
+        self.write_vertices(|_, _| (), &[], out)?;
         if lines > 0 {
             writeln!(out, "LINES {lines} {}", 3 * lines)?;
             write_faces(b"2", 0, self.lines, out)?;
@@ -119,6 +122,44 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         Ok(())
     }
 
+    /// Writes Gmsh's format of version 2.2, numbered from 1.
+    pub(super) fn write_msh(&self, out: &mut impl Write) -> io::Result<()> {
+        let points = self.graph.points.len();
+        let (lines, triangles) = (self.lines, &self.triangles);
+        writeln!(
+            out,
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{points}"
+        )?;
+        self.write_vertices(
+            |vertex, text| {
+                number(vertex + 1, text);
+                text.push(b' ');
+            },
+            &[],
+            out,
+        )?;
+        let elements = lines.len() + triangles.len();
+        writeln!(out, "$EndNodes\n$Elements\n{elements}")?;
+        write_elements(b" 1 0", 1, lines, out)?;
+        write_elements(b" 2 0", lines.len() + 1, triangles, out)?;
+        writeln!(out, "$EndElements")
+    }
+
+    /// Writes the triangles as STL. The normals are zeros, which leaves them to the reader.
+    pub(super) fn write_stl(&self, out: &mut impl Write) -> io::Result<()> {
+        writeln!(out, "solid sweep-cdt")?;
+        write_rows(out, self.triangles.len(), |t, text| {
+            text.extend_from_slice(b"facet normal 0 0 0\nouter loop\n");
+            for vertex in self.triangles[t] {
+                text.extend_from_slice(b"vertex ");
+                self.write_place(vertex, text);
+                text.push(b'\n');
+            }
+            text.extend_from_slice(b"endloop\nendfacet\n");
+        })?;
+        writeln!(out, "endsolid sweep-cdt")
+    }
+
     /// The columns but the heights.
     fn others(&self) -> Vec<&'a Column> {
         let columns = self.graph.columns.iter();
@@ -127,23 +168,16 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             .collect()
     }
 
-    /// Writes a line for each vertex: this word, x, y, z, and its numbers in other columns.
+    /// Writes a line for each vertex: what `before` appends, x, y, z, and its numbers in other columns.
     fn write_vertices(
         &self,
-        before: &[u8],
+        before: impl Fn(usize, &mut Vec<u8>) + Sync + Send,
         others: &[&Column],
         out: &mut impl Write,
     ) -> io::Result<()> {
-        let heights = self.graph.heights();
         write_rows(out, self.graph.points.len(), |vertex, text| {
-            text.extend_from_slice(before);
-            for coordinate in &self.graph.points[vertex] {
-                coordinate.approx().write_text(text);
-                text.push(b' ');
-            }
-            heights
-                .map_or(0.0, |column| column.of(vertex))
-                .write_text(text);
+            before(vertex, text);
+            self.write_place(vertex, text);
             for column in others {
                 text.push(b' ');
                 column.of(vertex).write_text(text);
@@ -151,6 +185,34 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             text.push(b'\n');
         })
     }
+
+    /// Appends x, y and z of a vertex.
+    fn write_place(&self, vertex: usize, text: &mut Vec<u8>) {
+        for coordinate in &self.graph.points[vertex] {
+            coordinate.approx().write_text(text);
+            text.push(b' ');
+        }
+        let height = self.heights.map_or(0.0, |column| column.of(vertex));
+        height.write_text(text);
+    }
+}
+
+/// Writes a line for each element of a `.msh`: its number, from `first` on, this text, and the corners.
+fn write_elements<const N: usize>(
+    kind: &[u8],
+    first: usize,
+    elements: &[[usize; N]],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_rows(out, elements.len(), |at, text| {
+        number(at + first, text);
+        text.extend_from_slice(kind);
+        for corner in elements[at] {
+            text.push(b' ');
+            number(corner + 1, text);
+        }
+        text.push(b'\n');
+    })
 }
 
 /// Writes a line for each face: this word, if there is one, and the corners, numbered from `first`.

@@ -45,6 +45,10 @@ pub enum OutputFormat {
     Ply,
     /// VTK's points and polygons, as text.
     Vtk,
+    /// Gmsh's nodes and triangles, as text of version 2.2.
+    Msh,
+    /// Triangles alone, as text.
+    Stl,
     /// Polygons of maps, as JSON.
     Geojson,
     /// Polygons as text.
@@ -115,6 +119,8 @@ pub fn write_domain<S: Coordinate>(
         OutputFormat::Off => Mesh::of(graph, domain).write_off(out),
         OutputFormat::Ply => Mesh::of(graph, domain).write_ply(out),
         OutputFormat::Vtk => Mesh::of(graph, domain).write_vtk(out),
+        OutputFormat::Msh => Mesh::of(graph, domain).write_msh(out),
+        OutputFormat::Stl => Mesh::of(graph, domain).write_stl(out),
         OutputFormat::Geojson => shapes::write_geojson(graph, domain, out),
         OutputFormat::Wkt => shapes::write_wkt(graph, domain, out),
         OutputFormat::Svg => ResultPicture::new(graph, domain.triangulation())
@@ -152,6 +158,7 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Off => Mesh::of_graph(graph).write_off(out),
         InputFormat::Ply => Mesh::of_graph(graph).write_ply(out),
         InputFormat::Vtk => Mesh::of_graph(graph).write_vtk(out),
+        InputFormat::Msh => Mesh::of_graph(graph).write_msh(out),
         InputFormat::Geojson => shapes::write_geojson_graph(graph, out),
         InputFormat::Wkt => shapes::write_wkt_graph(graph, out),
     }
