@@ -159,7 +159,7 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "geojson",
         "{\"type\": \"Point\", \"coordinates\": [1, true]}",
-        "file:1:37: `true` is not a coordinate",
+        "file:1:38: `true` is not a coordinate",
     ),
     (
         "wkt",

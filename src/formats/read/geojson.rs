@@ -1,4 +1,4 @@
-//! GeoJSON (RFC 7946): a geometry, a feature, or collections of them.
+//! `GeoJSON` (RFC 7946): a geometry, a feature, or collections of them.
 //!
 //! | type | an input takes | a result takes |
 //! |---|---|---|

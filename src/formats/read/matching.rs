@@ -110,7 +110,8 @@ impl Matching {
                 let (own, exact) = (&points[*at][axis], &input.points[*at][axis]);
                 let is_near = !S::APPROX_IS_EXACT;
                 let text = vertices.text(*at, axis);
-                let is_single = vertices.is_single() && single(exact.approx()) == own.approx();
+                let rounded = || single(exact.approx()).compare(&own.approx());
+                let is_single = vertices.is_single() && rounded().is_eq();
                 own == exact
                     || is_single
                     || is_rounded(exact.approx(), is_near, &text, own.approx())

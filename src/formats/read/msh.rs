@@ -38,7 +38,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
         match (section, has_blocks, &nodes) {
             (b"$MeshFormat", ..) => has_blocks = Some(read_version(&mut lines)?),
             (b"$Nodes", Some(has_blocks), None) => {
-                nodes = Some(Nodes::read(has_blocks, &mut lines)?)
+                nodes = Some(Nodes::read(has_blocks, &mut lines)?);
             }
             (b"$Elements", Some(has_blocks), Some(nodes)) => {
                 read_elements(has_blocks, nodes, &mut faces, &mut lines)?;

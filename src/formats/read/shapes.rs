@@ -1,4 +1,4 @@
-//! Points, lines and polygons as lists of coordinates, as GeoJSON and WKT have them.
+//! Points, lines and polygons as lists of coordinates, as `GeoJSON` and WKT have them.
 //!
 //! There are no numbers of vertices. An input takes the points, and the sides of lines and rings for edges; a ring that
 //! is not closed is closed. Equal points become one vertex ([`read`](crate::formats::read())). A result takes the

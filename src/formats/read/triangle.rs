@@ -111,6 +111,10 @@ fn read_vertices<'a>(
         count,
     };
     let mut first = 0;
+    if attributes == 0 {
+        let coordinates = records.read(lines, &mut first, Line::coordinates)?;
+        return Ok(Vertices::plain(source, coordinates, first));
+    }
     let rows = records.read(lines, &mut first, |line| {
         let point = line.coordinates()?;
         let row = (0..attributes).map(|_| line.expect_token("an attribute"));

@@ -127,7 +127,7 @@ impl<'a> File<'a> {
             b"CELLS" => self.cells = Some(self.arrays.read_cells()?),
             b"CELL_TYPES" => self.read_types(source)?,
             b"POINT_DATA" => {
-                self.data = Data::Points(self.arrays.words.index("a number of points")?)
+                self.data = Data::Points(self.arrays.words.index("a number of points")?);
             }
             b"CELL_DATA" => self.data = Data::Cells(self.arrays.words.index("a number of cells")?),
             b"METADATA" => self.arrays.skip_metadata(),

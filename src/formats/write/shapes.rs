@@ -1,4 +1,4 @@
-//! GeoJSON and WKT: polygons of a result, or the points and edges of a graph, with coordinates wherever a vertex is
+//! `GeoJSON` and WKT: polygons of a result, or the points and edges of a graph, with coordinates wherever a vertex is
 //! meant. The column `z` is the third coordinate. Rationals are rounded to doubles.
 
 use std::io::{self, Write};
