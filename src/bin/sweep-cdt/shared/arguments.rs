@@ -217,12 +217,18 @@ fn holds_vertices<S: Coordinate>(path: &Path, graph: &Graph<S>) -> bool {
     if source.bytes == text {
         return true;
     }
-    let there = match read(InputFormat::Node, &source, None) {
-        Ok(Input::Doubles(there)) => node_text(&there),
-        Ok(Input::Rationals(there)) => node_text(&there),
-        Err(_) => return false,
-    };
-    there == text
+    match read(InputFormat::Node, &source, None) {
+        Ok(Input::Doubles(there)) => is_written(there, &text),
+        Ok(Input::Rationals(there)) => is_written(there, &text),
+        Err(_) => false,
+    }
+}
+
+/// Whether a graph is written so, with its columns or without them.
+fn is_written<S: Coordinate>(graph: Graph<S>, text: &[u8]) -> bool {
+    let with_columns = node_text(&graph) == text;
+    let columns = Vec::new();
+    with_columns || node_text(&Graph { columns, ..graph }) == text
 }
 
 fn node_text<S: Coordinate>(graph: &Graph<S>) -> Vec<u8> {
