@@ -13,6 +13,12 @@ pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
     /// See [`CoordinateError`].
     fn from_text(token: &str) -> Result<Self, CoordinateError>;
 
+    /// The value of a double, as binary files hold it.
+    ///
+    /// # Errors
+    /// See [`CoordinateError`]: the type has no such value.
+    fn from_double(value: f64) -> Result<Self, CoordinateError>;
+
     /// The shortest text from which [`from_text`](Coordinate::from_text) makes the same value again.
     fn text(&self) -> String;
 
@@ -70,6 +76,10 @@ impl Coordinate for f64 {
             Err(_) if token.contains('/') => Err(CoordinateError::Fraction),
             Err(_) => Err(CoordinateError::NotANumber),
         }
+    }
+
+    fn from_double(value: f64) -> Result<Self, CoordinateError> {
+        Ok(value)
     }
 
     fn text(&self) -> String {
@@ -140,6 +150,10 @@ impl Coordinate for BigRational {
         } else {
             value
         })
+    }
+
+    fn from_double(value: f64) -> Result<Self, CoordinateError> {
+        BigRational::from_float(value).ok_or(CoordinateError::NotANumber)
     }
 
     fn text(&self) -> String {

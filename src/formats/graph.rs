@@ -9,6 +9,8 @@ use crate::domain::{DomainError, Seed};
 pub struct Graph<S> {
     /// The vertices.
     pub points: Vec<[S; 2]>,
+    /// What else the file says of the vertices: heights, for instance.
+    pub columns: Vec<Column>,
     /// The edges, as positions in `points`.
     pub edges: Vec<[usize; 2]>,
     /// For each edge the edge of the file that it is a piece of, in order, where edges were
@@ -28,6 +30,38 @@ pub struct Graph<S> {
     pub first_region: usize,
 }
 
+/// Numbers that go with the vertices of a [`Graph`] and change nothing: one for each.
+///
+/// ```
+/// use sweep_cdt::formats::{Input, InputFormat, Source, read};
+///
+/// let bytes = b"2 2 1 0\n1 0 0 812.5\n2 1 0.5 790\n".to_vec();
+/// let source = Source { name: "hill.node".to_owned(), bytes };
+/// let Input::Doubles(graph) = read(InputFormat::Node, &source, None)? else {
+///     unreachable!("no fraction in the file")
+/// };
+/// assert_eq!(graph.columns[0].name, "z");
+/// assert_eq!(graph.columns[0].values, [812.5, 790.0]);
+/// # Ok::<(), sweep_cdt::formats::ReadError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Column {
+    /// What the file calls them; `z` are the heights.
+    pub name: String,
+    /// The number of each vertex.
+    pub values: Vec<f64>,
+}
+
+impl Column {
+    /// The name of the heights.
+    pub const HEIGHT: &str = "z";
+
+    /// The number of a vertex, 0 where there is none.
+    pub(crate) fn of(&self, vertex: usize) -> f64 {
+        self.values.get(vertex).copied().unwrap_or(0.0)
+    }
+}
+
 /// A region of a [`Graph`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Region<S> {
@@ -38,6 +72,12 @@ pub struct Region<S> {
 }
 
 impl<S> Graph<S> {
+    /// The heights, if there are any.
+    pub(crate) fn heights(&self) -> Option<&Column> {
+        let mut columns = self.columns.iter();
+        columns.find(|column| column.name == Column::HEIGHT)
+    }
+
     /// The numbers that the file gives to edges.
     ///
     /// ```

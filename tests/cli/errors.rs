@@ -169,8 +169,8 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ),
     (
         "a.json",
-        "{\"points\": [\n  [0, 0, 7]]}",
-        "a.json:2:3: a point has 2 coordinates, and this one 3: leave out z",
+        "{\"points\": [\n  [0, 0, 7, 1]]}",
+        "a.json:2:3: a point has 2 coordinates, and this one 4: leave out all but x, y and z",
     ),
     (
         "a.json",
@@ -293,9 +293,9 @@ fn a_missing_format_is_asked_for_by_its_option() {
         let name = option.split(' ').next().expect("a name");
         let message = text(&asked.stderr);
         let known = match name {
-            "--input-format" => "node, poly, json",
-            "--output-format" => "ele, node, json, obj, svg",
-            _ => "ele, json, obj",
+            "--input-format" => "node, poly, json, obj, off, ply, vtk, msh, geojson, wkt",
+            "--output-format" => "ele, node, json, obj, off, ply, vtk, msh, stl, geojson, wkt, svg",
+            _ => "ele, json, obj, off, ply, vtk, msh, stl, geojson, wkt",
         };
         let advice = format!("is not known: add {name} with one of {known}\n");
         assert!(message.contains(&advice), "{message}");

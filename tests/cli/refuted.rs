@@ -158,8 +158,8 @@ const UNREADABLE: &[(&str, &str, &str)] = &[
     ),
     (
         "r.json",
-        "{\"triangles\": [], \"points\": [[1, 2, 3]]}",
-        "r.json:1:30: a point has 2 coordinates, and this one 3: leave out z",
+        "{\"triangles\": [], \"points\": [[1, 2, 3, 4]]}",
+        "r.json:1:30: a point has 2 coordinates, and this one 4: leave out all but x, y and z",
     ),
     (
         "r.json",

@@ -10,7 +10,8 @@
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
 //!   work, and none that is abandoned by the sweep has another result.
 //! * `statistics`: what a run reports of itself and its progress. `fronts`: the steps that search structures
-//!   leave. `bands`: the sweep on all cores. `files`: odd files. `generated`: the kinds of generated data.
+//!   leave. `bands`: the sweep on all cores. `files`: odd files. `meshes`, `meshes_refused`: formats of other
+//!   programs. `generated`: the kinds of generated data.
 //! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
 //! * `scalars`, `domain` and `verify`: the exact predicates, what is inside, and the verifier.
 //!
@@ -32,6 +33,8 @@ mod fronts;
 mod generated;
 mod hard;
 mod limits;
+mod meshes;
+mod meshes_refused;
 mod properties;
 mod random;
 mod runs;

@@ -80,9 +80,15 @@ const AFTER_HELP: &str = "\
 Input:
   .node    Triangle's vertices; numbered from 0 or 1
   .poly    Triangle's vertices and segments; with 0 vertices, those of the .node beside it.
-           Points of holes and regions are read for --inside; attributes and markers of vertices and
-           edges are ignored
-  .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\"
+           Points of holes and regions are read for --inside; markers of vertices and edges are ignored
+  .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\".
+           They may be called vertices and segments
+  .obj, .off, .ply, .vtk, .msh
+           vertices, and lines for edges; faces are ignored. .ply and .vtk may be binary
+  .geojson, .wkt
+           points, and lines and rings of polygons for edges; equal points become one vertex
+  Heights (a third coordinate, or the first attribute of a vertex) and other columns of the vertices
+  change nothing, and go with the vertices to the outputs that have room for them.
 
 Output, with the triangles always in the same order:
   .ele     Triangle's triangles, numbered as the input, with the attributes of regions. A .node with
@@ -92,7 +98,10 @@ Output, with the triangles always in the same order:
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0. With --inside also the boundary, and the
            region of each triangle. With --split-crossings also the chain of each edge of the input
-  .obj     vertices and triangles for 3D programs; z is 0
+  .obj, .off, .ply, .vtk, .msh, .stl
+           vertices and triangles for 3D programs, as text; z is the height, or 0
+  .geojson, .wkt
+           a polygon for each triangle
   .svg     a picture: triangles grey, edges blue, hull (or border) orange
   Outputs appear when all are complete; a run that fails changes no file. No file is overwritten that
   was read. Symbolic links are followed, FIFOs and devices written to, permissions kept.

@@ -7,8 +7,9 @@
 
 use std::borrow::Cow;
 
+use crate::formats::read::binary::{Kind, Number};
 use crate::formats::read::source::{ReadError, Source, quoted};
-use crate::formats::{Coordinate, CoordinateError, on_all_cores};
+use crate::formats::{Column, Coordinate, CoordinateError, on_all_cores};
 
 /// The vertices of a file.
 pub(super) struct Vertices<'a> {
@@ -16,8 +17,17 @@ pub(super) struct Vertices<'a> {
     pub(super) syntax: Syntax,
     /// Where the coordinates stand: pieces of the source.
     pub(super) coordinates: Vec<[&'a [u8]; 2]>,
+    /// What else the file says of each vertex.
+    pub(super) fields: Vec<Field<'a>>,
     /// The file's number of the first vertex.
     pub(super) first: usize,
+}
+
+/// A number for each vertex, as pieces of the source.
+pub(super) struct Field<'a> {
+    pub(super) name: String,
+    pub(super) syntax: Syntax,
+    pub(super) pieces: Vec<&'a [u8]>,
 }
 
 /// How coordinates stand in a file.
@@ -27,6 +37,8 @@ pub(super) enum Syntax {
     Plain,
     /// As JSON's numbers and strings; errors name their columns.
     Json,
+    /// As the bytes of a number.
+    Binary(Number),
 }
 
 /// Vertices and edges.
@@ -53,6 +65,8 @@ pub(super) struct Corners<'a> {
     /// The file's number of the first vertex.
     pub(super) first_vertex: usize,
     pub(super) vertices: Option<Vertices<'a>>,
+    /// Whether the file lists no vertices, but the coordinates of each corner: then they have no numbers.
+    pub(super) is_soup: bool,
 }
 
 impl<'a> Edges<'a> {
@@ -76,12 +90,35 @@ impl<'a> Edges<'a> {
 impl<'a> Vertices<'a> {
     /// None, of a file that numbers them from `first`.
     pub(super) fn none(source: &'a Source, first: usize) -> Vertices<'a> {
+        Vertices::plain(source, Vec::new(), first)
+    }
+
+    /// Vertices of a text, with nothing but their coordinates.
+    pub(super) fn plain(
+        source: &'a Source,
+        coordinates: Vec<[&'a [u8]; 2]>,
+        first: usize,
+    ) -> Vertices<'a> {
         Vertices {
             source,
             syntax: Syntax::Plain,
-            coordinates: Vec::new(),
+            coordinates,
+            fields: Vec::new(),
             first,
         }
+    }
+
+    /// The same vertices with their heights, if any has one. The others then have 0.
+    pub(super) fn with_heights(mut self, heights: &[Option<&'a [u8]>]) -> Vertices<'a> {
+        if heights.iter().any(Option::is_some) {
+            let pieces = heights.iter().map(|height| height.unwrap_or(b"0"));
+            self.fields.push(Field {
+                name: Column::HEIGHT.to_owned(),
+                syntax: self.syntax,
+                pieces: pieces.collect(),
+            });
+        }
+        self
     }
 
     /// The coordinates as values of a type; or the error of the first one that is not such a value.
@@ -89,7 +126,7 @@ impl<'a> Vertices<'a> {
         &self,
     ) -> Result<Vec<[S; 2]>, (CoordinateError, ReadError)> {
         const CHUNK: usize = 1 << 13;
-        let value = |piece| S::from_text(&self.syntax.text(piece)).map_err(|error| (error, piece));
+        let value = |piece| self.syntax.value(piece).map_err(|error| (error, piece));
         let points = |pieces: &[[&'a [u8]; 2]]| {
             let point = |&[x, y]: &[&'a [u8]; 2]| Ok([value(x)?, value(y)?]);
             pieces.iter().map(point).collect::<Result<Vec<_>, _>>()
@@ -101,34 +138,93 @@ impl<'a> Vertices<'a> {
         Ok(list)
     }
 
+    /// What else the file says of the vertices. All of it must be finite doubles.
+    pub(super) fn columns(&self) -> Result<Vec<Column>, ReadError> {
+        let column = |field: &Field<'a>| {
+            let value = |&piece: &&'a [u8]| {
+                let value = field
+                    .syntax
+                    .value(piece)
+                    .ok()
+                    .filter(|x: &f64| x.is_finite());
+                value
+                    .ok_or_else(|| self.wrong(field.syntax, piece, "is not an attribute, a number"))
+            };
+            Ok(Column {
+                name: field.name.clone(),
+                values: field.pieces.iter().map(value).collect::<Result<_, _>>()?,
+            })
+        };
+        self.fields.iter().map(column).collect()
+    }
+
+    /// Whether coordinates are binary numbers of single precision.
+    pub(super) fn is_single(&self) -> bool {
+        matches!(self.syntax, Syntax::Binary(number) if number.kind == Kind::F32)
+    }
+
     /// A coordinate as it is written.
     pub(super) fn text(&self, vertex: usize, axis: usize) -> Cow<'_, str> {
         self.syntax.text(self.coordinates[vertex][axis])
     }
 
     /// What messages call a vertex: the file, the line, and its number there.
-    pub(super) fn name(&self, vertex: usize) -> (String, usize, usize) {
-        let (line, _) = self.source.position(self.coordinates[vertex][0]);
+    pub(super) fn name(&self, vertex: usize) -> (String, Option<usize>, usize) {
+        let line = match self.syntax {
+            Syntax::Plain | Syntax::Json => {
+                Some(self.source.position(self.coordinates[vertex][0]).0)
+            }
+            Syntax::Binary(_) => None,
+        };
         (self.source.name.clone(), line, self.first + vertex)
     }
 
     fn error(&self, piece: &[u8], error: CoordinateError) -> ReadError {
-        let (line, column) = self.source.position(piece);
-        let shown = match self.syntax {
-            Syntax::Plain => quoted(piece),
-            Syntax::Json => quoted(self.syntax.text(piece).as_bytes()),
-        };
-        ReadError {
-            column: matches!(self.syntax, Syntax::Json).then_some(column),
-            ..self.source.error_in_line(line, format!("{shown} {error}"))
+        self.wrong(self.syntax, piece, &error.to_string())
+    }
+
+    /// What is wrong with a number.
+    fn wrong(&self, syntax: Syntax, piece: &[u8], why: &str) -> ReadError {
+        let message = |shown: &[u8]| format!("{} {why}", quoted(shown));
+        let text = syntax.text(piece);
+        match syntax {
+            Syntax::Plain => {
+                let (line, _) = self.source.position(piece);
+                self.source.error_in_line(line, message(piece))
+            }
+            Syntax::Json => {
+                let (line, column) = self.source.position(piece);
+                ReadError {
+                    column: Some(column),
+                    ..self.source.error_in_line(line, message(text.as_bytes()))
+                }
+            }
+            Syntax::Binary(_) => ReadError::of_file(&self.source.name, message(text.as_bytes())),
         }
     }
 }
 
 impl Syntax {
-    /// The text of a coordinate.
-    fn text(self, piece: &[u8]) -> Cow<'_, str> {
+    /// The value of a coordinate.
+    pub(super) fn value<S: Coordinate>(self, piece: &[u8]) -> Result<S, CoordinateError> {
         match self {
+            Syntax::Binary(number) => S::from_double(number.value(piece)),
+            Syntax::Plain | Syntax::Json => S::from_text(&self.text(piece)),
+        }
+    }
+
+    /// The number of a vertex, or a count.
+    pub(super) fn index(self, piece: &[u8]) -> Option<usize> {
+        match self {
+            Syntax::Binary(number) => number.index(piece),
+            Syntax::Plain | Syntax::Json => std::str::from_utf8(piece).ok()?.parse().ok(),
+        }
+    }
+
+    /// The text of a coordinate.
+    pub(super) fn text(self, piece: &[u8]) -> Cow<'_, str> {
+        match self {
+            Syntax::Binary(number) => number.value(piece).text().into(),
             Syntax::Json if piece.starts_with(b"\"") => {
                 serde_json::from_slice::<String>(piece).map_or("".into(), Cow::Owned)
             }

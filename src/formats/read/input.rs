@@ -3,9 +3,10 @@
 use num_rational::BigRational;
 
 use crate::formats::read::content::{Edges, Vertices};
+use crate::formats::read::matching::{find, is_finite};
 use crate::formats::read::source::{ReadError, Source};
-use crate::formats::read::{json, triangle};
-use crate::formats::{Coordinate, CoordinateError, Graph, Region};
+use crate::formats::read::{geojson, json, msh, obj, off, ply, triangle, vtk, wkt};
+use crate::formats::{Column, Coordinate, CoordinateError, Graph, Region};
 
 /// What [`read()`] understands. Each format is named by the extension of its files.
 ///
@@ -15,7 +16,7 @@ use crate::formats::{Coordinate, CoordinateError, Graph, Region};
 ///
 /// assert_eq!("poly".parse(), Ok(InputFormat::Poly));
 /// let names: Vec<&str> = InputFormat::VARIANTS.iter().map(Into::into).collect();
-/// assert_eq!(names, ["node", "poly", "json"]);
+/// assert_eq!(names[..3], ["node", "poly", "json"]);
 /// ```
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
@@ -29,6 +30,36 @@ pub enum InputFormat {
     Poly,
     /// An object with `points` and `edges`.
     Json,
+    /// Wavefront's vertices and lines.
+    Obj,
+    /// Geomview's vertices, and faces of two corners.
+    Off,
+    /// Stanford's vertices and edges, as text or binary.
+    Ply,
+    /// VTK's points and lines, as text or binary.
+    Vtk,
+    /// Gmsh's nodes and lines, as text.
+    Msh,
+    /// Points, lines and polygons of maps, as JSON.
+    Geojson,
+    /// Points, lines and polygons as text.
+    Wkt,
+}
+
+impl InputFormat {
+    /// Whether every vertex has a height in it.
+    fn is_spatial(self) -> bool {
+        use InputFormat::{Geojson, Json, Msh, Node, Obj, Off, Ply, Poly, Vtk, Wkt};
+        match self {
+            Obj | Off | Ply | Vtk | Msh => true,
+            Node | Poly | Json | Geojson | Wkt => false,
+        }
+    }
+
+    /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
+    fn is_without_vertices(self) -> bool {
+        matches!(self, InputFormat::Geojson | InputFormat::Wkt)
+    }
 }
 
 /// What a file holds: rationals if any coordinate in it is a fraction `p/q`, doubles otherwise.
@@ -79,6 +110,13 @@ pub fn read(
         InputFormat::Node => triangle::read_node(source).map(without_edges)?,
         InputFormat::Poly => triangle::read_poly(source, node)?,
         InputFormat::Json => json::read(source)?,
+        InputFormat::Obj => obj::read(source)?.into_graph()?,
+        InputFormat::Off => off::read(source)?.into_graph()?,
+        InputFormat::Ply => ply::read(source)?.into_graph()?,
+        InputFormat::Vtk => vtk::read(source)?.into_graph()?,
+        InputFormat::Msh => msh::read(source)?.into_graph()?,
+        InputFormat::Geojson => geojson::read(source)?.into_graph(),
+        InputFormat::Wkt => wkt::read(source)?.into_graph(),
     };
     // First as doubles; if a coordinate is a fraction, all once more as rationals.
     let is_exact = |error| match error {
@@ -88,25 +126,82 @@ pub fn read(
         _ => false,
     };
     match graph(&content) {
-        Ok(graph) => Ok(Input::Doubles(Graph {
-            edges: content.edges,
-            ..graph
-        })),
+        Ok(graph) => Ok(Input::Doubles(finished(
+            format,
+            Graph {
+                columns: columns(format, &content.vertices)?,
+                edges: content.edges,
+                ..graph
+            },
+        ))),
         Err((error, _)) if is_exact(error) => {
             let edges = std::mem::take(&mut content.edges);
             let graph = graph(&content).map_err(|(_, error)| error)?;
-            Ok(Input::Rationals(Graph { edges, ..graph }))
+            let columns = columns(format, &content.vertices)?;
+            Ok(Input::Rationals(finished(
+                format,
+                Graph {
+                    columns,
+                    edges,
+                    ..graph
+                },
+            )))
         }
         Err((_, error)) => Err(error),
     }
 }
 
-/// All but the edges, with coordinates as values of a type.
+/// The graph of a file; where coordinates stand for vertices, equal points are one.
+fn finished<S: Coordinate>(format: InputFormat, graph: Graph<S>) -> Graph<S> {
+    if format.is_without_vertices() {
+        merged(graph)
+    } else {
+        graph
+    }
+}
+
+/// The same graph with one vertex for equal points: the first of them, which keeps its numbers in the columns. Graphs
+/// with points that are not finite stay as they are; nothing is made of them.
+pub(in crate::formats) fn merged<S: Coordinate>(graph: Graph<S>) -> Graph<S> {
+    if !graph.points.iter().all(is_finite) {
+        return graph;
+    }
+    let firsts = find(&graph.points, &graph.points);
+    let is_first = |v: &usize| firsts[*v] == Some(*v);
+    let kept: Vec<usize> = (0..graph.points.len()).filter(is_first).collect();
+    let place = |v: usize| {
+        let first = firsts[v].expect("every point equals itself");
+        kept.binary_search(&first).expect("the first one is kept")
+    };
+    let column = |column: Column| Column {
+        values: kept.iter().map(|&v| column.of(v)).collect(),
+        ..column
+    };
+    Graph {
+        edges: graph.edges.iter().map(|edge| edge.map(place)).collect(),
+        columns: graph.columns.into_iter().map(column).collect(),
+        points: kept.iter().map(|&v| graph.points[v].clone()).collect(),
+        ..graph
+    }
+}
+
+/// The columns of the vertices. Where every vertex must have a height, heights that are all 0 say that there are none.
+fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, ReadError> {
+    let mut columns = vertices.columns()?;
+    if format.is_spatial() {
+        let is_flat = |column: &Column| column.values.iter().all(|&height| height == 0.0);
+        columns.retain(|column| column.name != Column::HEIGHT || !is_flat(column));
+    }
+    Ok(columns)
+}
+
+/// All but the columns and the edges, with coordinates as values of a type.
 fn graph<S: Coordinate>(content: &Edges<'_>) -> Result<Graph<S>, (CoordinateError, ReadError)> {
     let attributes = content.attributes.iter();
     let regions = content.regions.points()?.into_iter().zip(attributes);
     Ok(Graph {
         points: content.vertices.points()?,
+        columns: Vec::new(),
         edges: Vec::new(),
         pieces_of: Vec::new(),
         holes: content.holes.points()?,

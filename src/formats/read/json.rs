@@ -1,22 +1,24 @@
-//! JSON: an object with `points`, pairs of coordinates, and `edges`, pairs of positions in `points`. Of
-//! a result `triangles` is read, triples of positions in its points or all of them in one list, and
+//! JSON: an object with `points`, pairs of coordinates with or without a height, and `edges`, pairs of positions in
+//! `points`. Of a result `triangles` is read, triples of positions in its points or all of them in one list, and
 //! `points`, if it has any; otherwise they are those of the input.
+//!
+//! Other programs call these lists `vertices`, `segments`, and `simplices` or `faces`, which are read too.
 //!
 //! A coordinate is a number, or a string for what a JSON number cannot be: `"2/3"`, `"nan"`, `"inf"`,
 //! `"-inf"`. Other members are ignored.
 
+use crate::formats::read::content::{Corners, Edges, Syntax, Vertices};
+use crate::formats::read::json_faults;
+use crate::formats::read::json_pieces::Position;
+use crate::formats::read::source::{ReadError, Source};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use crate::formats::read::content::{Corners, Edges, Syntax, Vertices};
-use crate::formats::read::json_faults;
-use crate::formats::read::source::{ReadError, Source};
-
 #[derive(Deserialize)]
 struct Document<'a> {
-    #[serde(borrow)]
-    points: Vec<[&'a RawValue; 2]>,
-    #[serde(default)]
+    #[serde(borrow, alias = "vertices")]
+    points: Vec<Position<'a>>,
+    #[serde(default, alias = "segments")]
     edges: Vec<[usize; 2]>,
 }
 
@@ -24,8 +26,9 @@ struct Document<'a> {
 #[derive(Deserialize)]
 #[serde(bound(deserialize = "T: Deserialize<'de>"))]
 struct Answer<'a, T> {
-    #[serde(borrow, default)]
-    points: Option<Vec<[&'a RawValue; 2]>>,
+    #[serde(borrow, default, alias = "vertices")]
+    points: Option<Vec<Position<'a>>>,
+    #[serde(alias = "simplices", alias = "faces")]
     triangles: Vec<T>,
 }
 
@@ -48,6 +51,7 @@ pub(super) fn read_triangles(source: &Source) -> Result<Corners<'_>, ReadError> 
         triangles,
         first: 0,
         first_vertex: 0,
+        is_soup: false,
         vertices: points.map(|points| vertices(source, points)),
     })
 }
@@ -63,16 +67,19 @@ fn flat(source: &Source) -> Option<Answer<'_, [usize; 3]>> {
 }
 
 /// The vertices of a file that has these points.
-fn vertices<'a>(source: &'a Source, points: Vec<[&'a RawValue; 2]>) -> Vertices<'a> {
+pub(super) fn vertices<'a>(source: &'a Source, points: Vec<Position<'a>>) -> Vertices<'a> {
+    let (coordinates, heights): (Vec<_>, Vec<_>) = points
+        .into_iter()
+        .map(|Position([x, y], z)| {
+            let text = |raw: &'a RawValue| raw.get().as_bytes();
+            ([text(x), text(y)], z.map(text))
+        })
+        .unzip();
     Vertices {
-        source,
         syntax: Syntax::Json,
-        coordinates: points
-            .into_iter()
-            .map(|point| point.map(|raw| raw.get().as_bytes()))
-            .collect(),
-        first: 0,
+        ..Vertices::plain(source, coordinates, 0)
     }
+    .with_heights(&heights)
 }
 
 /// Members of the object in a file. The names of structures that they are read to stand in no message.

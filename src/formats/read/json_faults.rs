@@ -9,12 +9,13 @@ use crate::formats::read::source::{ReadError, Source, no_vertex, quoted};
 
 /// What a file has lists of.
 struct Kind {
-    /// The name of the list.
-    member: &'static str,
+    /// The names that the list may have; the first one is ours.
+    members: &'static [&'static str],
     /// What messages call an item of it.
     item: &'static str,
-    /// How many parts an item has.
+    /// How many parts an item has, and how many at most.
     parts: usize,
+    most: usize,
     /// What these are called.
     part: &'static str,
     /// What to do about one part more.
@@ -22,25 +23,28 @@ struct Kind {
 }
 
 const POINTS: Kind = Kind {
-    member: "points",
+    members: &["points", "vertices"],
     item: "a point",
     parts: 2,
+    most: 3,
     part: "coordinates",
-    advice: ": leave out z",
+    advice: ": leave out all but x, y and z",
 };
 
 const EDGES: Kind = Kind {
-    member: "edges",
+    members: &["edges", "segments"],
     item: "an edge",
     parts: 2,
+    most: 2,
     part: "ends",
     advice: ": split it into edges",
 };
 
 const TRIANGLES: Kind = Kind {
-    member: "triangles",
+    members: &["triangles", "simplices", "faces"],
     item: "a triangle",
     parts: 3,
+    most: 3,
     part: "corners",
     advice: ": split it into triangles",
 };
@@ -134,18 +138,25 @@ fn found(
 impl<'a> File<'a> {
     /// That there is no list of this kind.
     fn without(&self, kind: &Kind) -> ReadError {
-        self.fault(self.whole, format!("the object has no `{}`", kind.member))
+        self.fault(
+            self.whole,
+            format!("the object has no `{}`", kind.members[0]),
+        )
     }
 
     /// The items of a list, if it is there.
     fn list(&self, kind: &Kind) -> Result<Option<Vec<&'a RawValue>>, ReadError> {
-        let name = kind.member;
-        let mut named = self.members.iter().filter(|(member, _)| member == name);
-        let Some((_, list)) = named.next() else {
+        let is_named = |(member, _): &&(String, _)| kind.members.contains(&member.as_str());
+        let mut named = self.members.iter().filter(is_named);
+        let Some((name, list)) = named.next() else {
             return Ok(None);
         };
-        if let Some((_, again)) = named.next() {
-            return Err(self.fault(again, format!("`{name}` is there twice")));
+        if let Some((other, again)) = named.next() {
+            let message = match other == name {
+                true => format!("`{name}` is there twice"),
+                false => format!("`{other}` means the same as `{name}`, which is there, too"),
+            };
+            return Err(self.fault(again, message));
         }
         let items = serde_json::from_str(list.get());
         items.map_err(|_| self.fault(list, format!("`{name}` should be a list")))
@@ -156,6 +167,7 @@ impl<'a> File<'a> {
         let Kind {
             item: name,
             parts: count,
+            most,
             part,
             advice,
             ..
@@ -168,10 +180,10 @@ impl<'a> File<'a> {
                 format!("{shown} is not {name}, a list of {count} {part}"),
             )
         })?;
-        if parts.len() == *count {
+        if (*count..=*most).contains(&parts.len()) {
             return Ok(parts);
         }
-        let advice = if parts.len() == count + 1 { advice } else { "" };
+        let advice = if parts.len() == most + 1 { advice } else { "" };
         let message = format!(
             "{name} has {count} {part}, and this one {}{advice}",
             parts.len()

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use serde::Deserialize;
-use serde::de::{Deserializer, MapAccess, Visitor};
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
 use crate::formats::read::source::{ReadError, Source, quoted};
@@ -107,5 +107,36 @@ impl<'de> Visitor<'de> for MembersVisitor {
             members.push(member);
         }
         Ok(Members(members))
+    }
+}
+
+/// Coordinates, and a height if there is one.
+pub(super) struct Position<'a>(
+    pub(super) [&'a RawValue; 2],
+    pub(super) Option<&'a RawValue>,
+);
+
+impl<'de: 'a, 'a> Deserialize<'de> for Position<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(PositionVisitor)
+    }
+}
+
+struct PositionVisitor;
+
+impl<'de> Visitor<'de> for PositionVisitor {
+    type Value = Position<'de>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("two or three coordinates")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Position<'de>, A::Error> {
+        let point: [Option<&'de RawValue>; 2] = [seq.next_element()?, seq.next_element()?];
+        let [Some(x), Some(y)] = point else {
+            return Err(A::Error::custom("coordinates are missing"));
+        };
+        // What follows a height is an error of the one who reads the list.
+        Ok(Position([x, y], seq.next_element()?))
     }
 }

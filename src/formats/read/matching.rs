@@ -5,14 +5,18 @@
 //! Then numbers decide, and coordinates only confirm them: each must be the one of the same number,
 //! rounded ([`is_rounded`]). The nearest vertex is never taken for the right one.
 //!
+//! Triangles that are listed by coordinates alone have no numbers. Where these are numbers of single precision, a vertex
+//! of the input is taken that is rounded to them, if only one is.
+//!
 //! Cost: one sort of the input's points, and a binary search for each vertex of the file.
 
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 use num_rational::BigRational;
 
 use crate::formats::read::content::Vertices;
-use crate::formats::read::source::ResultError;
+use crate::formats::read::source::{ReadError, ResultError};
 use crate::formats::{Coordinate, Graph};
 use crate::scalar::Scalar;
 
@@ -53,10 +57,15 @@ impl Matching {
     pub(super) fn places<S: Coordinate>(
         self,
         vertices: &Vertices<'_>,
+        is_soup: bool,
         points: &[[S; 2]],
         input: &Graph<S>,
     ) -> Result<(Matched, Option<Vec<usize>>), ResultError> {
         refuse_non_finite(vertices, points)?;
+        if self.by_number && is_soup {
+            let message = "the triangles are coordinates, and their vertices have no numbers";
+            return Err(ReadError::of_file(&vertices.source.name, message).into());
+        }
         let pairs = || points.iter().zip(&input.points).map(|(p, q)| apart(p, q));
         let greatest = || pairs().fold(0.0, f64::max);
         if self.by_number {
@@ -71,8 +80,16 @@ impl Matching {
             return Ok((Matched::Equal, Some(places)));
         }
 
-        // Some vertex is none of the input's: numbers decide, if there are as many.
-        if points.len() != input.points.len() {
+        // Some vertex is none of the input's: numbers decide, if there are any, and as many.
+        if let (true, Some(places)) = (is_soup && vertices.is_single(), by_singles(points, input)) {
+            let pairs = points
+                .iter()
+                .zip(&places)
+                .map(|(p, &v)| apart(p, &input.points[v]));
+            let difference = pairs.fold(0.0, f64::max);
+            return Ok((Matched::Single { difference }, Some(places)));
+        }
+        if is_soup || points.len() != input.points.len() {
             let stranger = found.iter().position(Option::is_none);
             let at = stranger.expect("not all were found");
             let (file, line, vertex) = vertices.name(at);
@@ -90,7 +107,11 @@ impl Matching {
                 let (own, exact) = (&points[*at][axis], &input.points[*at][axis]);
                 let is_near = !S::APPROX_IS_EXACT;
                 let text = vertices.text(*at, axis);
-                own == exact || is_rounded(exact.approx(), is_near, &text, own.approx())
+                let rounded = || single(exact.approx()).compare(&own.approx());
+                let is_single = vertices.is_single() && rounded().is_eq();
+                own == exact
+                    || is_single
+                    || is_rounded(exact.approx(), is_near, &text, own.approx())
             }),
         };
         let far: Vec<usize> = (0..points.len()).filter(|at| !is_close(at)).collect();
@@ -144,8 +165,44 @@ fn refuse_non_finite<S: Scalar>(
     Err(ResultError::NonFinite { file, line, vertex })
 }
 
+/// For each of `points` the first vertex of the input whose coordinates they are in single precision, if each has one,
+/// and no other vertex of the input has the same.
+fn by_singles<S: Coordinate>(points: &[[S; 2]], input: &Graph<S>) -> Option<Vec<usize>> {
+    if !input.points.iter().all(is_finite) {
+        return None;
+    }
+    let singles = input
+        .points
+        .iter()
+        .map(|point| point.each_ref().map(|x| single(x.approx())));
+    let singles: Vec<[f64; 2]> = singles.collect();
+    let near: Vec<[f64; 2]> = points
+        .iter()
+        .map(|point| point.each_ref().map(S::approx))
+        .collect();
+    let places: Vec<usize> = find(&near, &singles).into_iter().collect::<Option<_>>()?;
+    let (same, equal) = (find(&singles, &singles), find(&input.points, &input.points));
+    let pairs = same.iter().zip(&equal);
+    let ambiguous: HashSet<usize> = pairs
+        .filter_map(|(&same, &equal)| same.filter(|&first| equal != Some(first)))
+        .collect();
+    places
+        .iter()
+        .all(|place| !ambiguous.contains(place))
+        .then_some(places)
+}
+
+/// The nearest number of single precision.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "this is how programs round"
+)]
+fn single(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
 /// For each of `points` the lowest position in `among` of an equal point. All of `points` are finite.
-fn find<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Option<usize>> {
+pub(super) fn find<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Option<usize>> {
     let mut sorted: Vec<usize> = (0..among.len()).filter(|&v| is_finite(&among[v])).collect();
     sorted.sort_by(|&v, &w| order(&among[v], &among[w]));
     let place = |point: &[S; 2]| {
@@ -162,7 +219,7 @@ fn order<S: Scalar>(p: &[S; 2], q: &[S; 2]) -> Ordering {
     p[0].compare(&q[0]).then_with(|| p[1].compare(&q[1]))
 }
 
-fn is_finite<S: Scalar>(point: &[S; 2]) -> bool {
+pub(super) fn is_finite<S: Scalar>(point: &[S; 2]) -> bool {
     point.iter().all(S::is_finite)
 }
 
@@ -190,6 +247,11 @@ fn difference<S: Coordinate>(x: &S, y: &S) -> f64 {
 pub enum Matched {
     /// By coordinates: each vertex of the result is one of the input, exactly.
     Equal,
+    /// By coordinates: each is that of a vertex of the input, rounded to single precision, and of no other one.
+    Single {
+        /// The greatest difference of two coordinates.
+        difference: f64,
+    },
     /// By number: the result has no coordinates.
     Unplaced,
     /// By number: each coordinate of the result is that of the input, rounded.
@@ -214,7 +276,7 @@ impl Matched {
     /// What decided: `coordinates` or `number`.
     pub fn by(self) -> &'static str {
         match self {
-            Matched::Equal => "coordinates",
+            Matched::Equal | Matched::Single { .. } => "coordinates",
             _ => "number",
         }
     }
@@ -225,7 +287,8 @@ impl Matched {
         match self {
             Matched::Equal => Some(0.0),
             Matched::Unplaced => None,
-            Matched::Rounded { difference }
+            Matched::Single { difference }
+            | Matched::Rounded { difference }
             | Matched::Near { difference }
             | Matched::Asked { difference } => Some(difference),
         }

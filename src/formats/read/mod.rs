@@ -1,17 +1,32 @@
 //! Readers: bytes in, a [`Graph`](crate::formats::Graph) or [`Triangles`] out.
 
+mod binary;
 mod content;
+mod geojson;
 mod input;
 mod json;
 mod json_faults;
 mod json_pieces;
 mod matching;
+mod mesh;
+mod msh;
 mod obj;
+mod off;
+mod ply;
+mod ply_header;
 mod result;
+mod shapes;
 mod source;
+mod stl;
 mod token_lines;
 mod triangle;
+mod vtk;
+mod vtk_arrays;
+mod wkt;
+mod words;
 
+#[cfg(feature = "geo-types")]
+pub(in crate::formats) use input::merged;
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, added_points, read_result};

@@ -1,48 +1,46 @@
-//! Wavefront's `.obj`: x and y of the `v` lines, and the `f` lines.
+//! Wavefront's `.obj`: the `v`, `l` and `f` lines of the file.
 //!
-//! The vertex of a corner may be followed by texture and normal (`7/1/2`), which are ignored, and may
-//! be counted back from the last vertex so far (`-1`). Vertices and faces are numbered from 1. Other
-//! lines are ignored.
+//! A vertex is x, y and a height z, which may be missing. The vertex of a corner may be followed by texture and
+//! normal (`7/1/2`), which are ignored, and may be counted back from the last vertex so far (`-1`). A line may go
+//! through more than two vertices. Vertices, lines and faces are numbered from 1. Other lines of the file are ignored.
 
-use crate::formats::read::content::{Corners, Syntax, Vertices};
+use crate::formats::read::content::Vertices;
+use crate::formats::read::mesh::{Faces, Mesh};
 use crate::formats::read::source::{ReadError, Source, quoted};
 use crate::formats::read::token_lines::{Line, Lines};
 
 /// Reads a `.obj`.
-pub(super) fn read(source: &Source) -> Result<Corners<'_>, ReadError> {
+pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     let mut lines = Lines::new(source)?;
-    let (mut coordinates, mut triangles) = (Vec::new(), Vec::new());
+    let (mut coordinates, mut heights) = (Vec::new(), Vec::new());
+    let mut faces = Faces::default();
+    let mut corners = Vec::new();
     while let Some(mut line) = lines.next_line() {
-        match line.token() {
-            Some(b"v") => coordinates.push(line.coordinates()?),
-            Some(b"f") => {
-                let mut corner = || corner(&mut line, coordinates.len());
-                triangles.push([corner()?, corner()?, corner()?]);
-                if line.token().is_some() {
-                    let mut corners = 4;
-                    while line.token().is_some() {
-                        corners += 1;
-                    }
-                    return Err(line.error(format!(
-                        "the face has {corners} corners, and only triangles are read: split it, \
-                         for example by the option `triangulate` of the program that wrote it"
-                    )));
-                }
+        let keyword = line.token();
+        let least = match keyword {
+            Some(b"v") => {
+                coordinates.push(line.coordinates()?);
+                heights.push(line.token());
+                continue;
             }
-            _ => {}
+            Some(b"l") => 2,
+            Some(b"f") => 3,
+            _ => continue,
+        };
+        corners.clear();
+        while corners.len() < least || !line.is_empty() {
+            corners.push(corner(&mut line, coordinates.len())?);
+        }
+        if least == 2 {
+            faces.add_lines(&corners);
+        } else {
+            faces.add(&corners, |message| line.error(message));
         }
     }
-    let vertices = Vertices {
-        source,
-        syntax: Syntax::Plain,
-        coordinates,
+    Ok(Mesh {
+        vertices: Vertices::plain(source, coordinates, 1).with_heights(&heights),
+        faces,
         first: 1,
-    };
-    Ok(Corners {
-        triangles,
-        first: 1,
-        first_vertex: 1,
-        vertices: Some(vertices),
     })
 }
 

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use crate::formats::read::content::{Corners, Vertices};
 use crate::formats::read::matching::{self, Matched, Matching};
 use crate::formats::read::source::{ReadError, ResultError, Source};
-use crate::formats::read::{json, obj, triangle};
+use crate::formats::read::{geojson, json, msh, obj, off, ply, stl, triangle, vtk, wkt};
 use crate::formats::{Coordinate, CoordinateError, Graph};
 use crate::verify::{Offenders, Violation};
 
@@ -29,6 +29,20 @@ pub enum ResultFormat {
     Json,
     /// Wavefront's vertices and faces.
     Obj,
+    /// Geomview's vertices and faces.
+    Off,
+    /// Stanford's vertices and faces, as text or binary.
+    Ply,
+    /// VTK's points and polygons, as text or binary.
+    Vtk,
+    /// Gmsh's nodes and triangles, as text.
+    Msh,
+    /// Triangles alone, as text or binary.
+    Stl,
+    /// Polygons of maps, as JSON.
+    Geojson,
+    /// Polygons as text.
+    Wkt,
 }
 
 impl ResultFormat {
@@ -40,7 +54,14 @@ impl ResultFormat {
         match self {
             ResultFormat::Ele => triangle::read_ele(source, node),
             ResultFormat::Json => json::read_triangles(source),
-            ResultFormat::Obj => obj::read(source),
+            ResultFormat::Obj => obj::read(source)?.into_triangles(),
+            ResultFormat::Off => off::read(source)?.into_triangles(),
+            ResultFormat::Ply => ply::read(source)?.into_triangles(),
+            ResultFormat::Vtk => vtk::read(source)?.into_triangles(),
+            ResultFormat::Msh => msh::read(source)?.into_triangles(),
+            ResultFormat::Stl => stl::read(source),
+            ResultFormat::Geojson => geojson::read(source)?.into_triangles(),
+            ResultFormat::Wkt => wkt::read(source)?.into_triangles(),
         }
     }
 }
@@ -118,7 +139,9 @@ impl Matching {
     ) -> Result<Triangles, ResultError> {
         let corners = format.read(source, node)?;
         let (matched, places) = match &corners.vertices {
-            Some(vertices) => self.places(vertices, &points_of(vertices)?, input)?,
+            Some(vertices) => {
+                self.places(vertices, corners.is_soup, &points_of(vertices)?, input)?
+            }
             None => (Matched::Unplaced, None),
         };
         let places = places.as_deref();

@@ -194,26 +194,26 @@ pub enum ResultError {
     #[error(transparent)]
     Unreadable(#[from] ReadError),
     /// A vertex of the result has a coordinate that is not finite.
-    #[error("{file}:{line}: vertex {vertex} has a coordinate that is not finite")]
+    #[error("{file}:{} vertex {vertex} has a coordinate that is not finite", in_line(.line))]
     NonFinite {
         /// The name of the file.
         file: String,
-        /// The line, counted from 1.
-        line: usize,
+        /// The line, counted from 1, if it is a text.
+        line: Option<usize>,
         /// The file's number of the vertex.
         vertex: usize,
     },
     /// A vertex of the result is no vertex of the input, and there are not as many of both, so that they
     /// cannot be matched by number either.
     #[error(
-        "{file}:{line}: vertex {vertex} is at {}, where the input has none",
-        place(.at)
+        "{file}:{} vertex {vertex} is at {}, where the input has none",
+        in_line(.line), place(.at)
     )]
     Stranger {
         /// The name of the file.
         file: String,
-        /// The line, counted from 1.
-        line: usize,
+        /// The line, counted from 1, if it is a text.
+        line: Option<usize>,
         /// The file's number of the vertex.
         vertex: usize,
         /// Where it is, in doubles.
@@ -222,15 +222,15 @@ pub enum ResultError {
     /// The vertices of the result are not those of the input, and this one is too far from the one of the
     /// same number.
     #[error(
-        "{file}:{line}: vertex {vertex} is at {}, but vertex {of_input} of the input at {}, which is more \
+        "{file}:{} vertex {vertex} is at {}, but vertex {of_input} of the input at {}, which is more \
          than {}",
-        place(.at), place(.expected), allowed(.tolerance)
+        in_line(.line), place(.at), place(.expected), allowed(.tolerance)
     )]
     Elsewhere {
         /// The name of the file.
         file: String,
-        /// The line, counted from 1.
-        line: usize,
+        /// The line, counted from 1, if it is a text.
+        line: Option<usize>,
         /// The file's number of the vertex.
         vertex: usize,
         /// Where it is, in doubles.
@@ -242,6 +242,10 @@ pub enum ResultError {
         /// The difference that was allowed, if it was not rounding.
         tolerance: Option<f64>,
     },
+}
+
+fn in_line(line: &Option<usize>) -> String {
+    line.map_or(String::new(), |line| format!("{line}:"))
 }
 
 fn place([x, y]: &[f64; 2]) -> String {

@@ -73,6 +73,11 @@ impl<'a> Lines<'a> {
         chunks
     }
 
+    /// All that is left of the file.
+    pub(super) fn rest(&self) -> &'a [u8] {
+        self.rest
+    }
+
     /// How many lines hold anything, and how many there are.
     pub(super) fn count(mut self) -> (usize, usize) {
         let mut count = 0;
@@ -94,13 +99,14 @@ impl<'a> Lines<'a> {
     }
 
     /// `count` as a size to reserve: no more lines than the rest of the file may hold.
-    fn capacity(&self, count: usize) -> usize {
+    pub(super) fn capacity(&self, count: usize) -> usize {
         const SHORTEST: usize = "0 0 0\n".len();
         count.min(self.rest.len() / SHORTEST + 1)
     }
 }
 
 /// One line, read from the left.
+#[derive(Clone)]
 pub(super) struct Line<'a> {
     source: &'a Source,
     number: usize,
@@ -118,6 +124,11 @@ impl<'a> Line<'a> {
         let (token, rest) = self.rest.split_at(end);
         self.rest = rest.trim_ascii_start();
         (!token.is_empty()).then_some(token)
+    }
+
+    /// Whether there is no token left.
+    pub(super) fn is_empty(&self) -> bool {
+        self.rest.is_empty()
     }
 
     /// The next token as a whole number; `what` it is stands in the message if it is none.

@@ -16,20 +16,20 @@
 //!          <triangle> <vertex> <vertex> <vertex> [attributes]       numbered from 0 or from 1
 //! ```
 //!
-//! Attributes and markers of vertices and edges are ignored, and so are the areas of regions, which limit
-//! triangles where a mesh is refined. A region without an attribute has 0. The vertices of a `.ele` are numbered
+//! The first attribute of a vertex is its height. Markers of vertices and edges are ignored, and so are attributes of
+//! triangles and the areas of regions, which limit triangles where a mesh is refined. A region without an attribute has 0. The vertices of a `.ele` are numbered
 //! as in the `.node` beside it; without one, from 0 or 1 as the triangles are, as Triangle does.
 
-use crate::formats::Coordinate;
-use crate::formats::read::content::{Corners, Edges, Syntax, Vertices};
+use crate::formats::read::content::{Corners, Edges, Field, Syntax, Vertices};
 use crate::formats::read::source::{ReadError, Source, no_vertex, quoted};
 use crate::formats::read::token_lines::{Line, Lines, Records};
+use crate::formats::{Column, Coordinate};
 
 /// Reads a `.node`.
 pub(super) fn read_node(source: &Source) -> Result<Vertices<'_>, ReadError> {
     let mut lines = Lines::new(source)?;
-    let count = vertex_count(&mut lines)?;
-    let vertices = read_vertices(source, &mut lines, count)?;
+    let (count, attributes) = vertex_counts(&mut lines)?;
+    let vertices = read_vertices(source, &mut lines, count, attributes)?;
     match lines.next_line() {
         Some(line) => Err(line.error(format!("the first line announces only {count} vertices"))),
         None => Ok(vertices),
@@ -43,15 +43,15 @@ pub(super) fn read_poly<'a>(
 ) -> Result<Edges<'a>, ReadError> {
     // The vertices, here or in the `.node`.
     let mut lines = Lines::new(source)?;
-    let vertices = match (vertex_count(&mut lines)?, node) {
-        (0, Some(node)) => read_node(node)?,
-        (0, None) => {
+    let vertices = match (vertex_counts(&mut lines)?, node) {
+        ((0, _), Some(node)) => read_node(node)?,
+        ((0, _), None) => {
             return Err(ReadError {
                 missing_node: true,
                 ..ReadError::of_file(&source.name, "no vertices, and no .node beside it")
             });
         }
-        (count, _) => read_vertices(source, &mut lines, count)?,
+        ((count, attributes), _) => read_vertices(source, &mut lines, count, attributes)?,
     };
 
     // The edges.
@@ -81,12 +81,14 @@ pub(super) fn read_poly<'a>(
     })
 }
 
-/// The number of vertices from the first line.
-fn vertex_count(lines: &mut Lines<'_>) -> Result<usize, ReadError> {
+/// The numbers of vertices and of their attributes, from the first line.
+fn vertex_counts(lines: &mut Lines<'_>) -> Result<(usize, usize), ReadError> {
     let mut line = lines.expect_line(|| "the number of vertices".to_owned())?;
     let count = line.index("a number of vertices")?;
     match line.token() {
-        None | Some(b"2") => Ok(count),
+        None => Ok((count, 0)),
+        Some(b"2") if line.is_empty() => Ok((count, 0)),
+        Some(b"2") => Ok((count, line.index("a number of attributes")?)),
         Some(b"3") => Err(line.error(
             "3 coordinates are announced, and only x and y are read: leave out z and announce 2",
         )),
@@ -101,6 +103,7 @@ fn read_vertices<'a>(
     source: &'a Source,
     lines: &mut Lines<'a>,
     count: usize,
+    attributes: usize,
 ) -> Result<Vertices<'a>, ReadError> {
     let records = Records {
         name: "vertex",
@@ -108,12 +111,32 @@ fn read_vertices<'a>(
         count,
     };
     let mut first = 0;
-    let coordinates = records.read(lines, &mut first, Line::coordinates)?;
-    Ok(Vertices {
-        source,
+    if attributes == 0 {
+        let coordinates = records.read(lines, &mut first, Line::coordinates)?;
+        return Ok(Vertices::plain(source, coordinates, first));
+    }
+    let rows = records.read(lines, &mut first, |line| {
+        let point = line.coordinates()?;
+        let row = (0..attributes).map(|_| line.expect_token("an attribute"));
+        Ok((point, row.collect::<Result<Vec<_>, _>>()?))
+    })?;
+    // Without a row there may be any number of attributes.
+    let width = rows.first().map_or(0, |(_, row)| row.len());
+    let field = |at: usize| Field {
+        name: match at {
+            0 => Column::HEIGHT.to_owned(),
+            _ => format!("attribute{}", at + 1),
+        },
         syntax: Syntax::Plain,
-        coordinates,
-        first,
+        pieces: rows.iter().map(|(_, row)| row[at]).collect(),
+    };
+    Ok(Vertices {
+        fields: (0..width).map(field).collect(),
+        ..Vertices::plain(
+            source,
+            rows.iter().map(|&(point, _)| point).collect(),
+            first,
+        )
     })
 }
 
@@ -180,6 +203,7 @@ pub(super) fn read_ele<'a>(
         first_vertex: vertices
             .as_ref()
             .map_or(first_triangle, |vertices| vertices.first),
+        is_soup: false,
         vertices,
     })
 }
@@ -234,10 +258,5 @@ fn attribute(line: &mut Line<'_>) -> Result<f64, ReadError> {
 }
 
 fn seeds<'a>(source: &'a Source, coordinates: Vec<[&'a [u8]; 2]>, first: usize) -> Vertices<'a> {
-    Vertices {
-        source,
-        syntax: Syntax::Plain,
-        coordinates,
-        first,
-    }
+    Vertices::plain(source, coordinates, first)
 }

@@ -2,7 +2,7 @@
 //!
 //! | member | one element for each | which is |
 //! |---|---|---|
-//! | `points` | vertex | `[x, y]`, numbers; fractions as strings `"p/q"` |
+//! | `points` | vertex | `[x, y]`, or `[x, y, z]` with heights; numbers, fractions as strings `"p/q"` |
 //! | `edges` | input edge | its two vertices |
 //! | `triangles` | triangle | its vertices counter-clockwise, the lowest first; sorted |
 //! | `neighbors` | triangle | the triangles opposite its vertices, `null` beyond the hull |
@@ -102,13 +102,15 @@ fn write_members<S: Coordinate>(
 
 /// Writes the input's members.
 fn write_input<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
-    let points = graph.points.iter();
+    let heights = graph.heights();
+    let point = |(vertex, point): (usize, &[S; 2])| {
+        let height = heights.map(|column| json_coordinate(&column.of(vertex)));
+        let point = point.each_ref().map(json_coordinate);
+        point.into_iter().chain(height).collect::<Vec<_>>()
+    };
+    let points = graph.points.iter().enumerate().map(point);
     out.write_all(b"{\n")?;
-    member(
-        out,
-        "points",
-        points.map(|point| point.each_ref().map(json_coordinate)),
-    )?;
+    member(out, "points", points)?;
     member(out, "edges", &graph.edges)
 }
 

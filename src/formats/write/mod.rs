@@ -2,13 +2,16 @@
 
 mod crossings;
 mod json;
+mod mesh;
 mod rows;
+mod shapes;
 
 use std::io::{self, Write};
 
 pub use crossings::{CrossingsFormat, write_crossings};
 pub use rows::write_node;
 
+use self::mesh::Mesh;
 use crate::Triangulation;
 use crate::domain::Domain;
 use crate::draw::ResultPicture;
@@ -36,6 +39,20 @@ pub enum OutputFormat {
     Json,
     /// Wavefront's vertices and faces.
     Obj,
+    /// Geomview's vertices and faces.
+    Off,
+    /// Stanford's vertices and faces, as text.
+    Ply,
+    /// VTK's points and polygons, as text.
+    Vtk,
+    /// Gmsh's nodes and triangles, as text of version 2.2.
+    Msh,
+    /// Triangles alone, as text.
+    Stl,
+    /// Polygons of maps, as JSON.
+    Geojson,
+    /// Polygons as text.
+    Wkt,
     /// A picture.
     Svg,
 }
@@ -98,7 +115,14 @@ pub fn write_domain<S: Coordinate>(
         OutputFormat::Ele => rows::write_ele(graph, domain, out),
         OutputFormat::Node => write_node(graph, out),
         OutputFormat::Json => json::write_domain(graph, domain, out),
-        OutputFormat::Obj => rows::write_obj(graph, domain, out),
+        OutputFormat::Obj => Mesh::of(graph, domain).write_obj(out),
+        OutputFormat::Off => Mesh::of(graph, domain).write_off(out),
+        OutputFormat::Ply => Mesh::of(graph, domain).write_ply(out),
+        OutputFormat::Vtk => Mesh::of(graph, domain).write_vtk(out),
+        OutputFormat::Msh => Mesh::of(graph, domain).write_msh(out),
+        OutputFormat::Stl => Mesh::of(graph, domain).write_stl(out),
+        OutputFormat::Geojson => shapes::write_geojson(graph, domain, out),
+        OutputFormat::Wkt => shapes::write_wkt(graph, domain, out),
         OutputFormat::Svg => ResultPicture::new(graph, domain.triangulation())
             .domain(domain)
             .write(out),
@@ -106,7 +130,7 @@ pub fn write_domain<S: Coordinate>(
 }
 
 /// Writes a graph that is not triangulated, in a format from which [`read()`](crate::formats::read()) makes the same
-/// one. A `.node` holds vertices alone, a `.json` no seeds, and a `.poly` without vertices is read as one whose
+/// one, but for fractions, which only the first three hold: the others have the nearest doubles. A `.node` holds vertices alone, a `.json` no seeds, and a `.poly` without vertices is read as one whose
 /// vertices are in the `.node` beside it.
 ///
 /// ```
@@ -130,5 +154,12 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Node => write_node(graph, out),
         InputFormat::Poly => rows::write_poly(graph, out),
         InputFormat::Json => json::write_graph(graph, out),
+        InputFormat::Obj => Mesh::of_graph(graph).write_obj(out),
+        InputFormat::Off => Mesh::of_graph(graph).write_off(out),
+        InputFormat::Ply => Mesh::of_graph(graph).write_ply(out),
+        InputFormat::Vtk => Mesh::of_graph(graph).write_vtk(out),
+        InputFormat::Msh => Mesh::of_graph(graph).write_msh(out),
+        InputFormat::Geojson => shapes::write_geojson_graph(graph, out),
+        InputFormat::Wkt => shapes::write_wkt_graph(graph, out),
     }
 }

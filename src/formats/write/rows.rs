@@ -1,5 +1,5 @@
-//! Formats of long lists of short lines: Triangle's `.ele` and the `.node` that it refers to, its `.poly`, and
-//! Wavefront's `.obj`: vertices with z = 0, and faces numbered from 1 as that format asks.
+//! Triangle's formats, long lists of short lines: `.ele` and the `.node` that it refers to, and `.poly`. Columns are
+//! attributes of the vertices.
 
 use std::io::{self, Write};
 
@@ -64,12 +64,16 @@ fn attributes<S>(graph: &Graph<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]
 /// # Errors
 /// Those of `out`.
 pub fn write_node<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "{} 2 0 0", graph.points.len())?;
+    writeln!(out, "{} 2 {} 0", graph.points.len(), graph.columns.len())?;
     write_rows(out, graph.points.len(), |vertex, text| {
         number(vertex + graph.first_vertex, text);
         for coordinate in &graph.points[vertex] {
             text.push(b' ');
             coordinate.write_text(text);
+        }
+        for column in &graph.columns {
+            text.push(b' ');
+            column.of(vertex).write_text(text);
         }
         text.push(b'\n');
     })
@@ -103,31 +107,6 @@ pub(super) fn write_poly<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) 
     Ok(())
 }
 
-/// Writes vertices (rationals rounded to doubles) and the triangles inside.
-pub(super) fn write_obj<S: Coordinate>(
-    graph: &Graph<S>,
-    domain: &Domain<'_>,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    write_rows(out, graph.points.len(), |vertex, text| {
-        text.push(b'v');
-        for coordinate in &graph.points[vertex] {
-            text.push(b' ');
-            coordinate.approx().write_text(text);
-        }
-        text.extend_from_slice(b" 0\n");
-    })?;
-    let triangles = domain.canonical_triangles();
-    write_rows(out, triangles.len(), |t, text| {
-        text.push(b'f');
-        for corner in triangles[t] {
-            text.push(b' ');
-            number(corner + 1, text);
-        }
-        text.push(b'\n');
-    })
-}
-
 /// For each triangle, if it is inside, its place in the canonical list of the domain, and which of its vertices comes
 /// first there.
 pub(super) fn places(domain: &Domain<'_>, canonical: &[[usize; 3]]) -> Vec<Option<(usize, usize)>> {
@@ -147,7 +126,7 @@ pub(super) fn places(domain: &Domain<'_>, canonical: &[[usize; 3]]) -> Vec<Optio
 
 /// Writes as many rows, each as `row` appends it to a text. The texts of some chunks at a time are made on all
 /// cores and then written.
-fn write_rows(
+pub(super) fn write_rows(
     out: &mut impl Write,
     count: usize,
     row: impl Fn(usize, &mut Vec<u8>) + Sync + Send,
@@ -167,6 +146,6 @@ fn write_rows(
 }
 
 /// Appends a number.
-fn number(n: usize, text: &mut Vec<u8>) {
+pub(super) fn number(n: usize, text: &mut Vec<u8>) {
     text.extend_from_slice(itoa::Buffer::new().format(n).as_bytes());
 }

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 use sweep_cdt::formats::{
     Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read, read_result,
-    write_node,
+    write_graph, write_node,
 };
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Triangulation, triangulate};
@@ -14,6 +14,28 @@ use sweep_cdt_testing::oracle::canonical;
 const POINTS: usize = 64;
 /// And coordinates of so many characters, so that fractions are soon added.
 const CHARACTERS: usize = 2000;
+
+/// The formats of inputs that came later.
+pub(super) const INPUTS: [InputFormat; 7] = [
+    InputFormat::Obj,
+    InputFormat::Off,
+    InputFormat::Ply,
+    InputFormat::Vtk,
+    InputFormat::Msh,
+    InputFormat::Geojson,
+    InputFormat::Wkt,
+];
+
+/// The formats of results that came later.
+pub(super) const RESULTS: [ResultFormat; 7] = [
+    ResultFormat::Off,
+    ResultFormat::Ply,
+    ResultFormat::Vtk,
+    ResultFormat::Msh,
+    ResultFormat::Stl,
+    ResultFormat::Geojson,
+    ResultFormat::Wkt,
+];
 
 /// So many coordinates are read as numbers of each kind.
 const NUMBERS: usize = 4;
@@ -51,6 +73,7 @@ impl Exact for BigRational {
                         p.map(|x| BigRational::from_float(x).expect("only fractions were written"))
                     })
                     .collect(),
+                columns: graph.columns,
                 edges: graph.edges,
                 first_vertex: graph.first_vertex,
                 first_edge: graph.first_edge,
@@ -107,6 +130,16 @@ pub(super) fn assert_reads<S: Exact>(
             .all(|(x, y)| x.is_same(y));
     assert!(is_same, "{format:?}: {again:?} for {graph:?}");
     assert_eq!(again.edges, graph.edges, "{format:?}");
+    if format == InputFormat::Node {
+        let values = |graph: &Graph<S>| -> Vec<Vec<f64>> {
+            graph
+                .columns
+                .iter()
+                .map(|column| column.values.clone())
+                .collect()
+        };
+        assert_eq!(values(&again), values(graph));
+    }
     let counts = |graph: &Graph<S>| {
         [
             (graph.points.len(), graph.first_vertex),
@@ -140,6 +173,26 @@ pub(super) fn files<S: Coordinate>(
     ]
 }
 
+/// A result in one of the formats that came later.
+pub(super) fn result_text<S: Coordinate>(
+    format: ResultFormat,
+    graph: &Graph<S>,
+    result: &Triangulation,
+) -> Vec<u8> {
+    let format: OutputFormat = <&str>::from(format).parse().expect("the same name");
+    let mut text = Vec::new();
+    sweep_cdt::formats::write(format, graph, result, &mut text)
+        .expect("memory takes all that is written");
+    text
+}
+
+/// A graph in one of the formats that came later.
+pub(super) fn graph_text<S: Coordinate>(format: InputFormat, graph: &Graph<S>) -> Vec<u8> {
+    let mut text = Vec::new();
+    write_graph(format, graph, &mut text).expect("memory takes all that is written");
+    text
+}
+
 /// The triangles of a result that must be readable.
 fn triangles<S: Exact>(
     format: ResultFormat,
@@ -164,15 +217,34 @@ fn write_result<S: Exact>(graph: &Graph<S>, result: &Triangulation, node: &[u8])
     reads(ResultFormat::Ele, ele, None);
     reads(ResultFormat::Ele, ele, Some(&source(node)));
     reads(ResultFormat::Json, json, None);
-    // Fractions are rounded in it.
+    // Fractions are rounded in the others.
     if S::APPROX_IS_EXACT {
         reads(ResultFormat::Obj, obj, None);
+        for format in RESULTS {
+            reads(format, &result_text(format, graph, result), None);
+        }
+        for format in INPUTS {
+            let has_vertices = !matches!(format, InputFormat::Geojson | InputFormat::Wkt);
+            if has_vertices || result.duplicates().len() == 0 {
+                let counted = Graph {
+                    first_vertex: first_of(format),
+                    first_edge: first_of(format),
+                    ..graph.clone()
+                };
+                assert_reads(format, &graph_text(format, graph), None, &counted);
+            }
+        }
     }
     assert_matches(graph, result);
     let mut picture = Vec::new();
     sweep_cdt::formats::write(OutputFormat::Svg, graph, result, &mut picture)
         .expect("memory takes all that is written");
     assert_picture(picture);
+}
+
+/// Where a format of meshes begins to count.
+fn first_of(format: InputFormat) -> usize {
+    usize::from(matches!(format, InputFormat::Obj | InputFormat::Msh))
 }
 
 /// Panics unless a result whose vertices stand in another order is read as the same.

@@ -6,7 +6,7 @@ use std::ops::Range;
 use sweep_cdt::formats::{Graph, InputFormat, ResultFormat, write_node};
 use sweep_cdt::triangulate;
 
-use super::again;
+use super::again::{self, INPUTS, RESULTS};
 
 /// One of the readers.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +28,23 @@ pub(super) const READERS: [Reader; 8] = [
     Reader::Trace,
     Reader::Numbers,
 ];
+
+/// The readers of formats that came later.
+pub(super) fn others() -> Vec<Reader> {
+    let inputs = INPUTS.map(Reader::Input).into_iter();
+    inputs.chain(RESULTS.map(Reader::Result)).collect()
+}
+
+impl Reader {
+    /// Whether it reads files that are no text, too.
+    pub(super) fn may_be_binary(self) -> bool {
+        matches!(
+            self,
+            Reader::Input(InputFormat::Ply | InputFormat::Vtk)
+                | Reader::Result(ResultFormat::Ply | ResultFormat::Vtk | ResultFormat::Stl)
+        )
+    }
+}
 
 /// What damage puts in.
 const TOKENS: [&str; 16] = [
@@ -74,6 +91,12 @@ pub(super) fn written<S: again::Exact>(graph: &Graph<S>) -> Vec<(Reader, Vec<u8>
         let results = again::files(graph, &result, &node);
         files.push((Reader::Input(InputFormat::Json), results[1].1.clone()));
         files.extend(results.map(|(format, file)| (Reader::Result(format), file)));
+        files.extend(RESULTS.map(|format| {
+            let text = again::result_text(format, graph, &result);
+            (Reader::Result(format), text)
+        }));
+        files
+            .extend(INPUTS.map(|format| (Reader::Input(format), again::graph_text(format, graph))));
     }
     files
 }

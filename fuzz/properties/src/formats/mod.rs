@@ -20,15 +20,22 @@ use self::files::{READERS, Reader};
 use crate::reached;
 use sweep_cdt_testing::{Steps, generators};
 
+/// The first byte, but for half of its bits, of a file of which the second byte says who reads it.
+const OTHERS: u8 = 12;
+
 /// The property for the bytes.
 pub fn test(bytes: &[u8]) {
     let Some((&first, rest)) = bytes.split_first() else {
         return;
     };
-    match READERS.get(usize::from(first & 15)) {
-        Some(&reader) => try_reader(reader, rest),
+    match (READERS.get(usize::from(first & 15)), rest.split_first()) {
+        (Some(&reader), _) => try_reader(reader, rest),
+        (None, Some((&which, rest))) if first & 15 == OTHERS => {
+            let others = files::others();
+            try_reader(others[usize::from(which) % others.len()], rest);
+        }
         // Reading is total but for a type that has no values.
-        None => structured(first >> 4, &mut Unstructured::new(rest)).unwrap_or_default(),
+        _ => structured(first >> 4, &mut Unstructured::new(rest)).unwrap_or_default(),
     }
 }
 
@@ -79,9 +86,10 @@ fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
     }
 }
 
-/// Reads bytes, a zero byte of which ends the file and begins the `.node` beside it.
+/// Reads bytes, a zero byte of which ends the file and begins the `.node` beside it, if it is a text.
 fn try_reader(reader: Reader, bytes: &[u8]) {
-    let mut files = bytes.splitn(2, |&byte| byte == 0).map(source);
+    let parts = if reader.may_be_binary() { 1 } else { 2 };
+    let mut files = bytes.splitn(parts, |&byte| byte == 0).map(source);
     let main = files.next().expect("there is a first part");
     let node = files.next();
     match reader {

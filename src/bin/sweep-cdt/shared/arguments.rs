@@ -20,7 +20,7 @@ use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 /// Arguments that name an input.
 #[derive(clap::Args)]
 pub(crate) struct InputArgs {
-    /// File to read: .node, .poly or .json; `-` for standard input
+    /// File to read: .node, .poly, .json, .obj, .off, .ply, .vtk, .msh, .geojson or .wkt; `-` for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: FileArgument,
 
@@ -59,8 +59,8 @@ impl InputArgs {
 /// Arguments that name a result.
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
-    /// Triangulation of the input: .ele (and the .node beside it), .json or .obj; `-` for standard
-    /// input
+    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .msh, .stl, .geojson
+    /// or .wkt; `-` for standard input
     #[arg(value_name = "RESULT")]
     pub(crate) result: FileArgument,
 
@@ -105,8 +105,8 @@ impl ResultArgs {
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
-    /// File to write: .ele, .node, .json, .obj or .svg; may be given several times; `-` for standard
-    /// output
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .msh, .stl, .geojson, .wkt or .svg; may be given
+    /// several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,
 
@@ -217,12 +217,18 @@ fn holds_vertices<S: Coordinate>(path: &Path, graph: &Graph<S>) -> bool {
     if source.bytes == text {
         return true;
     }
-    let there = match read(InputFormat::Node, &source, None) {
-        Ok(Input::Doubles(there)) => node_text(&there),
-        Ok(Input::Rationals(there)) => node_text(&there),
-        Err(_) => return false,
-    };
-    there == text
+    match read(InputFormat::Node, &source, None) {
+        Ok(Input::Doubles(there)) => is_written(there, &text),
+        Ok(Input::Rationals(there)) => is_written(there, &text),
+        Err(_) => false,
+    }
+}
+
+/// Whether a graph is written so, with its columns or without them.
+fn is_written<S: Coordinate>(graph: Graph<S>, text: &[u8]) -> bool {
+    let with_columns = node_text(&graph) == text;
+    let columns = Vec::new();
+    with_columns || node_text(&Graph { columns, ..graph }) == text
 }
 
 fn node_text<S: Coordinate>(graph: &Graph<S>) -> Vec<u8> {

@@ -132,6 +132,7 @@ fn rational_graph(name: &str, graph: Graph<f64>) -> Result<Graph<BigRational>, F
         points: graph.points.iter().map(rational).collect(),
         holes: graph.holes.iter().map(rational).collect(),
         regions: graph.regions.iter().map(region).collect(),
+        columns: graph.columns,
         edges: graph.edges,
         pieces_of: graph.pieces_of,
         first_vertex: graph.first_vertex,

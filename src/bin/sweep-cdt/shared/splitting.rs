@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use sweep_cdt::Error;
-use sweep_cdt::crossings::{Exact, split};
-use sweep_cdt::formats::{Coordinate, Graph, Input};
+use sweep_cdt::crossings::{Exact, Split, split};
+use sweep_cdt::formats::{Column, Coordinate, Graph, Input};
 
 use super::failure::Failure;
 
@@ -14,7 +14,8 @@ pub(crate) struct SplitArgs {
     /// Make vertices of the points where edges cross
     ///
     /// The vertices of the input keep their numbers, the new ones follow. The edges of the output are the
-    /// pieces, in order; the list `split` of a .json has the vertices along each edge of the input. Rationals
+    /// pieces, in order; the list `split` of a .json has the vertices along each edge of the input. Heights and
+    /// other columns are taken from the first edge through the vertex, in proportion. Rationals
     /// are split exactly. Of doubles, each crossing moves to the nearest doubles. That bends the edges; where
     /// they now cross again, they are split again. Each edge goes through all vertices that are within its
     /// rounding. A line says how far an edge moved at most, along x or y. The unit is the distance between
@@ -74,13 +75,43 @@ fn divided<S: Coordinate + Exact>(
         rounds: split.rounds,
         displacement: split.displacement,
     };
+    let columns = graph
+        .columns
+        .iter()
+        .map(|column| extended(column, &graph, &split));
     let graph = Graph {
+        columns: columns.collect(),
         points: split.points,
         edges: split.edges,
         pieces_of: split.pieces_of,
         ..graph
     };
     Ok((graph, splitting))
+}
+
+/// A column with the numbers of new vertices: each in proportion between the ends of the first edge that goes
+/// through it.
+fn extended<S: Coordinate>(column: &Column, graph: &Graph<S>, split: &Split<S>) -> Column {
+    let mut values = column.values.clone();
+    values.resize(split.points.len(), f64::NAN);
+    let near = |v: usize| split.points[v].each_ref().map(S::approx);
+    for (piece, &edge) in split.edges.iter().zip(&split.pieces_of) {
+        let [a, b] = graph.edges[edge];
+        let [from, to] = [a, b].map(near);
+        let direction = [to[0] - from[0], to[1] - from[1]];
+        let axis = usize::from(direction[1].abs() > direction[0].abs());
+        for &v in piece {
+            if values[v].is_nan() {
+                let share = (near(v)[axis] - from[axis]) / direction[axis];
+                let value = values[a] + share * (values[b] - values[a]);
+                values[v] = if value.is_finite() { value } else { values[a] };
+            }
+        }
+    }
+    Column {
+        name: column.name.clone(),
+        values,
+    }
 }
 
 impl Splitting {

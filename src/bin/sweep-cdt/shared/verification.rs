@@ -101,6 +101,7 @@ pub(crate) fn reached(report: &Report) -> &'static str {
 /// Writes how the vertices of the result were matched with those of the input: one line.
 pub(crate) fn write_matching(matched: Matched, out: &mut impl Write) -> io::Result<()> {
     let why = match matched {
+        Matched::Single { .. } => ", which are of single precision",
         Matched::Unplaced => ": the result has no coordinates",
         Matched::Rounded { .. } => ", because coordinates are rounded",
         Matched::Near { .. } => ", within --tolerance",

@@ -1,0 +1,77 @@
+//! Numbers as the bytes of binary files: of one of nine machine types, in one of two orders.
+//!
+//! Each of them is a double, so that coordinates arrive as they were written; but for whole numbers of 64 bits, which are
+//! rounded and no coordinates.
+
+/// How the bytes of a number stand in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Number {
+    pub(super) kind: Kind,
+    /// Whether the most significant byte comes first.
+    pub(super) big_endian: bool,
+}
+
+/// A machine type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    I64,
+    F32,
+    F64,
+}
+
+impl Kind {
+    /// How many bytes a number has.
+    pub(super) fn size(self) -> usize {
+        match self {
+            Kind::I8 | Kind::U8 => 1,
+            Kind::I16 | Kind::U16 => 2,
+            Kind::I32 | Kind::U32 | Kind::F32 => 4,
+            Kind::I64 | Kind::F64 => 8,
+        }
+    }
+}
+
+impl Number {
+    /// The value of as many bytes as such a number has; NaN for any others.
+    pub(super) fn value(self, piece: &[u8]) -> f64 {
+        let value = match self.kind {
+            Kind::I8 => self.ordered(piece).map(|[a]| f64::from(a.cast_signed())),
+            Kind::U8 => self.ordered(piece).map(|[a]| f64::from(a)),
+            Kind::I16 => self.ordered(piece).map(|b| i16::from_be_bytes(b).into()),
+            Kind::U16 => self.ordered(piece).map(|b| u16::from_be_bytes(b).into()),
+            Kind::I32 => self.ordered(piece).map(|b| i32::from_be_bytes(b).into()),
+            Kind::U32 => self.ordered(piece).map(|b| u32::from_be_bytes(b).into()),
+            Kind::I64 => self.ordered(piece).map(|b| i64::from_be_bytes(b) as f64),
+            Kind::F32 => self.ordered(piece).map(|b| f32::from_be_bytes(b).into()),
+            Kind::F64 => self.ordered(piece).map(f64::from_be_bytes),
+        };
+        value.unwrap_or(f64::NAN)
+    }
+
+    /// The value as the number of a vertex or a count.
+    pub(super) fn index(self, piece: &[u8]) -> Option<usize> {
+        let value = self.value(piece);
+        let is_index = value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "it is whole and in range"
+        )]
+        is_index.then_some(value as usize)
+    }
+
+    /// The bytes with the most significant one first.
+    fn ordered<const N: usize>(self, piece: &[u8]) -> Option<[u8; N]> {
+        let mut bytes: [u8; N] = piece.try_into().ok()?;
+        if !self.big_endian {
+            bytes.reverse();
+        }
+        Some(bytes)
+    }
+}
