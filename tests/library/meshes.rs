@@ -211,7 +211,7 @@ fn damaged_files_are_refused_or_read_but_nothing_else() {
             if let Ok(format) = ResultFormat::from_str(&sample.format) {
                 match read_result(format, &source, None, &input) {
                     Ok(triangles) => {
-                        drop(Verifier::new().verify(&input.points, &[], &triangles.list))
+                        drop(Verifier::new().verify(&input.points, &[], &triangles.list));
                     }
                     Err(error) => assert!(error.to_string().starts_with("file:")),
                 }
@@ -281,8 +281,8 @@ fn triangles_are_written_by_the_book() {
         ),
         (
             "vtk",
-            "# vtk DataFile Version 3.0|sweep-cdt|ASCII|DATASET POLYDATA|POINTS 3 double|0.5 0 7|4 0 8.5|0 3 -9|\
-             POLYGONS 1 4|3 0 1 2|POINT_DATA 3|SCALARS wind_speed double 1|LOOKUP_TABLE default|1|2|0.25",
+            "# vtk DataFile Version 3.0|sweep-cdt|ASCII|DATASET UNSTRUCTURED_GRID|POINTS 3 double|0.5 0 7|4 0 8.5|0 3 -9|\
+             CELLS 1 4|3 0 1 2|CELL_TYPES 1|5|POINT_DATA 3|SCALARS wind_speed double 1|LOOKUP_TABLE default|1|2|0.25",
         ),
         (
             "msh",

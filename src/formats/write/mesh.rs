@@ -85,25 +85,22 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
 
     /// Writes VTK's legacy format with all columns.
     pub(super) fn write_vtk(&self, out: &mut impl Write) -> io::Result<()> {
-        let (points, lines, triangles) = (
-            self.graph.points.len(),
-            self.lines.len(),
-            self.triangles.len(),
-        );
-        writeln!(
-            out,
-            "# vtk DataFile Version 3.0\nsweep-cdt\nASCII\nDATASET POLYDATA"
-        )?;
+        const LINE: &[u8] = b"3\n";
+        const TRIANGLE: &[u8] = b"5\n";
+        let points = self.graph.points.len();
+        let (lines, triangles) = (self.lines.len(), self.triangles.len());
+        let cells = lines + triangles;
+        writeln!(out, "# vtk DataFile Version 3.0\nsweep-cdt\nASCII")?;
+        writeln!(out, "DATASET UNSTRUCTURED_GRID")?;
         writeln!(out, "POINTS {points} double")?;
         self.write_vertices(|_, _| (), &[], out)?;
-        if lines > 0 {
-            writeln!(out, "LINES {lines} {}", 3 * lines)?;
-            write_faces(b"2", 0, self.lines, out)?;
-        }
-        if triangles > 0 {
-            writeln!(out, "POLYGONS {triangles} {}", 4 * triangles)?;
-            write_faces(b"3", 0, &self.triangles, out)?;
-        }
+        writeln!(out, "CELLS {cells} {}", 3 * lines + 4 * triangles)?;
+        write_faces(b"2", 0, self.lines, out)?;
+        write_faces(b"3", 0, &self.triangles, out)?;
+        writeln!(out, "CELL_TYPES {cells}")?;
+        write_rows(out, cells, |at, text| {
+            text.extend_from_slice(if at < lines { LINE } else { TRIANGLE });
+        })?;
         let others = self.others();
         if !others.is_empty() {
             writeln!(out, "POINT_DATA {points}")?;
