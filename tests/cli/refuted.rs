@@ -10,8 +10,12 @@ pub(crate) const WRONG: &[(&str, &str, &str)] = &[
     (
         "a.json",
         r#"{"triangles": [[0,1,4],[1,3,4],[1,2,3],[3,0,4]]}"#,
-        "not-delaunay: side 4-2 of triangles 2 and 1 is not Delaunay: the circle of one holds \
-         vertex 3 or 5 of the other\n  4 (0, 4), 2 (4, 0), 3 (4, 4), 5 (2, 1)\n",
+        // The circle around (2, 2) with the squared radius 8: 7/8.
+        "depths of violations\n\
+         1e-1 to 1e0                          1\n\
+         the deepest                     8.8e-1\n\n\
+         not-delaunay: side 4-2 of triangles 2 and 1 is not Delaunay: the circle of one holds \
+         vertex 3 or 5 of the other\n  4 (0, 4), 2 (4, 0), 3 (4, 4), 5 (2, 1)\n  by 8.8e-1 of the squared radius\n",
     ),
     (
         "a.ele",
@@ -53,8 +57,13 @@ pub(crate) const WRONG: &[(&str, &str, &str)] = &[
     (
         "a.json",
         r#"{"triangles": [[1,2,4],[2,3,4],[3,0,4]]}"#,
-        "concave-boundary: the boundary does not turn left at vertex 5, between 1 and 2\n  \
-         1 (0, 0), 5 (2, 1), 2 (4, 0)\n\n\
+        // A turn by 1 over a width of 4.
+        "depths of violations\n\
+         1e-1 to 1e0                          1\n\
+         not measured                         1\n\
+         the deepest                     2.5e-1\n\n\
+         concave-boundary: the boundary does not turn left at vertex 5, between 1 and 2\n  \
+         1 (0, 0), 5 (2, 1), 2 (4, 0)\n  by 2.5e-1 of the distance\n\n\
          missing-edge: edge 1 is no chain of sides: none follows it from vertex 1\n  \
          1 (0, 0), 2 (4, 0)\n",
     ),
@@ -66,7 +75,7 @@ fn wrong_results_are_refuted_with_numbers_and_coordinates() {
         let folder = with_square(&[(name, contents)]);
         let output = verify(&folder, &format!("a.poly {name}"));
         let report = refuted(&output);
-        let found = expected.split("\n\n").count();
+        let found = expected.split("\n\n").count() - usize::from(expected.starts_with("depths"));
         let plural = if found == 1 { "" } else { "s" };
         let line = format!(
             "wrong: {name} is not a constrained Delaunay triangulation of a.poly: {found} \
