@@ -83,8 +83,8 @@ fn read_vertices<'a>(
                 point[0] = piece.bytes;
             } else if at == y {
                 point[1] = piece.bytes;
-            } else if let Some((_, field)) = fields.iter_mut().find(|(place, _)| *place == at) {
-                field.pieces.push(piece.bytes);
+            } else if let Ok(field) = fields.binary_search_by_key(&at, |(place, _)| *place) {
+                fields[field].1.pieces.push(piece.bytes);
             }
             Ok(())
         })?;
