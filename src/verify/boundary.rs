@@ -184,7 +184,7 @@ pub(super) fn check_points<S: Scalar>(
     domain: Option<&Domain>,
     record: &mut Record,
 ) {
-    let unused = (used..soup.vertices()).filter(|&v| !soup.signs.is_added(v));
+    let unused = (used..soup.vertices()).filter(|&point| !soup.signs.is_added(point));
     let needed = match domain {
         Some(domain) => match scanline::inside(&soup.signs, &domain.sides, unused) {
             Ok(inside) => inside,
