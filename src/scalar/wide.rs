@@ -37,6 +37,7 @@ fn narrow([[ax, ay], [bx, by], [cx, cy]]: [[i64; 2]; 3]) -> Ordering {
     det.cmp(&0)
 }
 
+/// The same for differences below 2^62.
 fn middle([a, b, c]: [[i64; 2]; 3]) -> Ordering {
     let lift = |[x, y]: [i64; 2]| product(x, x) + product(y, y);
     let cross = |[ax, ay]: [i64; 2], [bx, by]: [i64; 2]| product(ax, by) - product(bx, ay);

@@ -63,7 +63,7 @@ pub(crate) const WRONG: &[(&str, &str, &str)] = &[
          not measured                         1\n\
          the deepest                     2.5e-1\n\n\
          concave-boundary: the boundary does not turn left at vertex 5, between 1 and 2\n  \
-         1 (0, 0), 5 (2, 1), 2 (4, 0)\n  by 2.5e-1 of the distance\n\n\
+         1 (0, 0), 5 (2, 1), 2 (4, 0)\n  by 2.5e-1 of the distance of the vertices beside it\n\n\
          missing-edge: edge 1 is no chain of sides: none follows it from vertex 1\n  \
          1 (0, 0), 2 (4, 0)\n",
     ),

@@ -263,8 +263,18 @@ fn collections_in_collections_do_not_recurse() {
         ")".repeat(depth)
     );
     assert_eq!(graph("wkt", &deep).points, [[1.0, 2.0]]);
-    let deep = "{\"type\": \"GeometryCollection\", \"geometries\": [".repeat(depth);
-    assert!(read(InputFormat::Geojson, &source(&deep), None).is_err());
+    let geojson = |depth| {
+        let begin = "{\"type\": \"GeometryCollection\", \"geometries\": [".repeat(depth);
+        format!("{begin}{}", "]}".repeat(depth))
+    };
+    assert!(graph("geojson", &geojson(101)).points.is_empty());
+    let error = read(InputFormat::Geojson, &source(&geojson(102)), None).expect_err("deep");
+    assert!(
+        error
+            .to_string()
+            .ends_with(": more than 100 objects are in each other")
+    );
+    assert!(read(InputFormat::Geojson, &source(&geojson(depth)), None).is_err());
 }
 
 #[test]

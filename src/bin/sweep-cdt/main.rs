@@ -1,9 +1,10 @@
 //! The command `sweep-cdt`: its subcommands, and what they share.
 //!
 //! Exit status: 0; 1 with one `error:` line where the input is wrong or a file cannot be read or written,
-//! or with a report where a result is not correct or edges cross; 2 for wrong usage, which includes outputs that would
-//! overwrite what they must not; 3 where a result is right but for what --max-depth allows. A signal ends the run as it would have done by itself, after one `error:`
-//! line. A reader that closes its end of the pipe early ends it quietly.
+//! or with a report where a result is not correct or edges cross; 2 for wrong usage, which includes outputs that
+//! would overwrite what they must not; 3 where a result is right but for what --max-depth allows. A signal ends the
+//! run as it would have done by itself, after one `error:` line. A reader that closes its end of the pipe early ends
+//! it quietly.
 
 mod certificate;
 mod crossings;

@@ -75,9 +75,9 @@ pub(crate) struct Verify {
     /// How deep violations may be that count as rounding [default: none]
     ///
     /// The depth of a side that is not Delaunay is how far the opposite vertex lies in the circle: its power in
-    /// units of the square of the radius. That of a concave turn of the hull is its height in units of its
-    /// length. Rounding makes depths of about 1e-16. A result with none beyond this is not correct, but gets
-    /// a verdict and an exit status of its own.
+    /// units of the square of the radius. That of a concave turn of the hull is the height of its vertex over the
+    /// line between the two beside it, in units of their distance. Rounding makes depths of about 1e-16. A
+    /// result with none beyond this is not correct, but gets a verdict and an exit status of its own.
     #[arg(long, value_name = "DEPTH", value_parser = difference)]
     max_depth: Option<f64>,
 

@@ -9,6 +9,8 @@
 //!
 //! The third coordinate is a height. Properties and all other members are ignored, and so is a geometry that is `null`.
 //! A coordinate may be a string with a fraction, as in our own JSON.
+//!
+//! Cost: each object is read once for each object around it, of which there may be [`NESTED`].
 
 use serde::Deserialize;
 use serde_json::value::RawValue;
@@ -17,6 +19,9 @@ use crate::formats::read::content::Syntax;
 use crate::formats::read::json_pieces::{File, Position};
 use crate::formats::read::shapes::{Part, Shapes};
 use crate::formats::read::source::{ReadError, Source, quoted};
+
+/// So many objects may be in each other.
+const NESTED: usize = 100;
 
 /// Any object of the format.
 #[derive(Deserialize)]
@@ -37,12 +42,17 @@ struct Object<'a> {
 pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
     let file = File::new(source)?;
     let mut shapes = Shapes::new(source, Syntax::Json);
-    // What is still to be read, the next one last.
-    let mut waiting = vec![file.whole];
-    while let Some(piece) = waiting.pop() {
+    // What is still to be read, each with the number of objects around it, the next one last.
+    let mut waiting = vec![(file.whole, 0)];
+    while let Some((piece, around)) = waiting.pop() {
         if piece.get() == "null" {
             continue;
         }
+        if around > NESTED {
+            let message = format!("more than {NESTED} objects are in each other");
+            return Err(file.fault(piece, message));
+        }
+        let in_it = |piece| (piece, around + 1);
         let wrong = |piece: &RawValue, what: &str| {
             let shown = quoted(piece.get().as_bytes());
             file.fault(piece, format!("{shown} is not {what}"))
@@ -51,9 +61,13 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
             .map_err(|_| wrong(piece, "a geometry, a feature or a collection of them"))?;
         let coordinates = || object.coordinates.unwrap_or(piece);
         match object.kind.get().trim_matches('"') {
-            "Feature" => waiting.extend(object.geometry),
-            "FeatureCollection" => waiting.extend(object.features.iter().rev()),
-            "GeometryCollection" => waiting.extend(object.geometries.iter().rev()),
+            "Feature" => waiting.extend(object.geometry.map(in_it)),
+            "FeatureCollection" => {
+                waiting.extend(object.features.into_iter().rev().map(in_it));
+            }
+            "GeometryCollection" => {
+                waiting.extend(object.geometries.into_iter().rev().map(in_it));
+            }
             "Point" => {
                 let point: Position<'_> = serde_json::from_str(coordinates().get())
                     .map_err(|_| wrong(coordinates(), "a position"))?;

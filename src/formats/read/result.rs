@@ -33,7 +33,7 @@ pub enum ResultFormat {
     Off,
     /// Stanford's vertices and faces, as text or binary.
     Ply,
-    /// VTK's points and polygons, as text or binary.
+    /// VTK's points, and polygons or cells, as text or binary.
     Vtk,
     /// Gmsh's nodes and triangles, as text.
     Msh,

@@ -43,7 +43,7 @@ pub enum OutputFormat {
     Off,
     /// Stanford's vertices and faces, as text.
     Ply,
-    /// VTK's points and polygons, as text.
+    /// VTK's points and cells, as text.
     Vtk,
     /// Gmsh's nodes and triangles, as text of version 2.2.
     Msh,

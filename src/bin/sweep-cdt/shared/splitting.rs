@@ -14,12 +14,12 @@ pub(crate) struct SplitArgs {
     /// Make vertices of the points where edges cross
     ///
     /// The vertices of the input keep their numbers, the new ones follow. The edges of the output are the
-    /// pieces, in order; the list `split` of a .json has the vertices along each edge of the input. Heights and
-    /// other columns are taken from the first edge through the vertex, in proportion. Rationals
-    /// are split exactly. Of doubles, each crossing moves to the nearest doubles. That bends the edges; where
-    /// they now cross again, they are split again. Each edge goes through all vertices that are within its
-    /// rounding. A line says how far an edge moved at most, along x or y. The unit is the distance between
-    /// neighbouring doubles at the largest coordinate of that edge.
+    /// pieces, in order; the list `split` of a .json has the vertices along each edge of the input. A new vertex
+    /// takes its height and other numbers from the first edge through it, in proportion. Rationals are split
+    /// exactly. Of doubles, each crossing moves to the nearest doubles. That bends the edges; where they now
+    /// cross again, they are split again. Each edge goes through all vertices that are within its rounding. A
+    /// line says how far an edge moved at most, along x or y. The unit is the distance between neighbouring
+    /// doubles at the largest coordinate of that edge.
     #[arg(long)]
     split_crossings: bool,
 }

@@ -195,7 +195,7 @@ pub(crate) fn write_violations<S: Coordinate>(
         if let Some(depth) = violation.depth() {
             let unit = match violation {
                 Violation::NotDelaunay { .. } => "of the squared radius",
-                _ => "of the distance",
+                _ => "of the distance of the vertices beside it",
             };
             writeln!(out, "  by {depth} {unit}")?;
         }
