@@ -70,7 +70,10 @@ impl Triangulation {
         }
         let mut region_of_face = vec![None; count];
         // Holes come first.
-        for (place, &seed) in locate(self, points, &seeds).into_iter().zip(&names) {
+        for (place, &seed) in locate(self.triangles(), points, &seeds)
+            .into_iter()
+            .zip(&names)
+        {
             let face = faces[self.triangle_of(seed, place)?];
             match seed {
                 Seed::Hole(_) => is_outside[face] = true,
@@ -92,7 +95,7 @@ impl Triangulation {
     fn triangle_of(&self, seed: Seed, place: Option<Place>) -> Result<usize, DomainError> {
         match place {
             None => Err(DomainError::SeedOutside { seed }),
-            Some(Place::OnVertex(vertex)) => Err(DomainError::SeedOnVertex { seed, vertex }),
+            Some(Place::OnVertex(vertex, _)) => Err(DomainError::SeedOnVertex { seed, vertex }),
             Some(Place::OnSide(t, side)) if self.is_constrained(t, side) => {
                 let mut ends = labels::ends(self, t, side);
                 ends.sort_unstable();
@@ -138,20 +141,51 @@ enum Place {
     In(usize),
     /// Inside a side of a triangle.
     OnSide(usize, usize),
-    OnVertex(usize),
+    /// A corner of a triangle.
+    OnVertex(usize, usize),
+}
+
+/// For each seed a triangle that holds it, of any list that covers no place twice: the first one of two where it lies on
+/// a side, and of several where it is a corner. `None` is outside of all.
+///
+/// Cost: see [`Triangulation::domain_of_seeds`]. Triangles may run either way. Those with a corner that is no index of a
+/// point hold nothing.
+///
+/// ```
+/// use sweep_cdt::domain::locate_seeds;
+///
+/// let points = [[0, 0], [4, 0], [4, 4], [0, 4]];
+/// let triangles = [[0, 1, 2], [0, 2, 3]];
+/// assert_eq!(locate_seeds(&points, &triangles, &[[3, 1], [1, 3], [5, 5]]), [Some(0), Some(1), None]);
+/// ```
+pub fn locate_seeds<S: Scalar>(
+    points: &[[S; 2]],
+    triangles: &[[usize; 3]],
+    seeds: &[[S; 2]],
+) -> Vec<Option<usize>> {
+    let seeds: Vec<&[S; 2]> = seeds.iter().collect();
+    let places = locate(triangles.iter().copied(), points, &seeds).into_iter();
+    places
+        .map(|place| match place? {
+            Place::In(t) | Place::OnSide(t, _) | Place::OnVertex(_, t) => Some(t),
+        })
+        .collect()
 }
 
 /// The places of points; `None` is outside of the hull.
 fn locate<S: Scalar>(
-    result: &Triangulation,
+    triangles: impl Iterator<Item = [usize; 3]>,
     points: &[[S; 2]],
     seeds: &[&[S; 2]],
 ) -> Vec<Option<Place>> {
     let mut order: Vec<usize> = (0..seeds.len()).collect();
     order.sort_by(|&a, &b| seeds[a][0].compare(&seeds[b][0]));
     let mut places = vec![None; seeds.len()];
-    for (t, corners) in result.triangles().enumerate() {
-        let triangle = corners.map(|v| &points[v]);
+    for (t, corners) in triangles.enumerate() {
+        let [Some(a), Some(b), Some(c)] = corners.map(|v| points.get(v)) else {
+            continue;
+        };
+        let triangle = [a, b, c];
         let is_before = |seed: &usize, corner: &[S; 2]| seeds[*seed][0].compare(&corner[0]).is_lt();
         let is_behind = |seed: &usize, corner: &[S; 2]| seeds[*seed][0].compare(&corner[0]).is_gt();
         let from = order.partition_point(|seed| triangle.iter().all(|p| is_before(seed, p)));
@@ -159,7 +193,7 @@ fn locate<S: Scalar>(
         for &seed in &order[from..to] {
             if places[seed].is_none() {
                 places[seed] = place(triangle, seeds[seed]).map(|place| match place {
-                    (Some(corner), _) => Place::OnVertex(corners[corner]),
+                    (Some(corner), _) => Place::OnVertex(corners[corner], t),
                     (None, Some(side)) => Place::OnSide(t, side),
                     (None, None) => Place::In(t),
                 });
@@ -176,7 +210,7 @@ fn place<S: Scalar>(
 ) -> Option<(Option<usize>, Option<usize>)> {
     let turn = |i: usize| S::orient2d(triangle[(i + 1) % 3], triangle[(i + 2) % 3], point);
     let turns = [turn(0), turn(1), turn(2)];
-    if turns.contains(&Ordering::Less) {
+    if turns.contains(&Ordering::Less) && turns.contains(&Ordering::Greater) {
         return None;
     }
     // On two sides it is where they meet, opposite the third one.

@@ -26,6 +26,7 @@ mod holes;
 mod labels;
 
 pub use error::{DomainError, Seed};
+pub use holes::locate_seeds;
 pub use labels::Domain;
 
 use crate::Triangulation;

@@ -14,6 +14,7 @@
 //! | 6 | the number of triangles is Euler's, 2 n - 2 - h for n points, h of them on the boundary | `boundary` |
 //! | 7 | every input edge is a chain of sides | `edges` |
 //! | 8 | every other side between two triangles is *locally Delaunay*: the corner opposite to it in one triangle is not strictly inside the circumcircle of the other | `delaunay` |
+//! | 9 | if the caller gives the attributes of regions: each triangle has that of the region it lies in | `regions` |
 //!
 //! # Why that proves it
 //!
@@ -71,6 +72,7 @@ mod delaunay;
 mod depth;
 mod edges;
 mod input;
+mod regions;
 mod report;
 mod scanline;
 mod sides;
@@ -80,6 +82,7 @@ mod verifier;
 mod violation;
 
 pub use depth::{Depth, Depths};
+pub use regions::Regions;
 pub use report::{Level, Report, Violations};
 pub use verifier::Verifier;
 pub use violation::{Offenders, Violation};

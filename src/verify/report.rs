@@ -148,7 +148,8 @@ impl std::error::Error for Violations {}
 pub enum Level {
     /// The triangles tile the hull, or the declared domain, and every point there is a corner.
     Tiling,
-    /// And every edge is a side, or a chain of sides.
+    /// And every edge is a side, or a chain of sides; and triangles have the attributes of their regions, where
+    /// [these are verified](super::Verifier::regions).
     Constrained,
     /// And every other side is locally Delaunay.
     Delaunay,
@@ -182,7 +183,9 @@ impl Violation {
     /// The lowest level that is not reached because of it.
     pub fn level(&self) -> Level {
         match self {
-            Violation::EdgeOutOfRange { .. } | Violation::MissingEdge { .. } => Level::Constrained,
+            Violation::EdgeOutOfRange { .. }
+            | Violation::MissingEdge { .. }
+            | Violation::WrongRegion { .. } => Level::Constrained,
             Violation::NotDelaunay { .. } => Level::Delaunay,
             Violation::NotCanonical { .. } => Level::Canonical,
             _ => Level::Tiling,

@@ -7,6 +7,7 @@ use super::chunks::Parallel;
 use super::chunks::{Progress, Schedule, Serial};
 use super::depth::MEASURED;
 use super::input::{self, Ranked};
+use super::regions::{self, Regions};
 use super::report::{Level, Record, Report, Violations};
 use super::{boundary, delaunay, edges, sides, turns};
 use crate::scalar::Scalar;
@@ -28,6 +29,7 @@ pub struct Verifier<'a> {
     boundary: Option<&'a [Vec<usize>]>,
     level: Level,
     added_from: Option<usize>,
+    regions: Option<Regions<'a>>,
     limit: usize,
     measured: usize,
     progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
@@ -40,6 +42,7 @@ impl fmt::Debug for Verifier<'_> {
             .field("boundary", &self.boundary)
             .field("level", &self.level)
             .field("added_from", &self.added_from)
+            .field("regions", &self.regions)
             .field("limit", &self.limit)
             .field("measured", &self.measured)
             .finish_non_exhaustive()
@@ -61,6 +64,7 @@ impl<'a> Verifier<'a> {
             boundary: None,
             level: Level::Delaunay,
             added_from: None,
+            regions: None,
             limit: 100,
             measured: MEASURED,
             progress: None,
@@ -109,6 +113,28 @@ impl<'a> Verifier<'a> {
     pub fn added_from(self, added_from: usize) -> Self {
         Verifier {
             added_from: Some(added_from),
+            ..self
+        }
+    }
+
+    /// Attributes of triangles, each of which must be that of the region that the triangle lies in. They are verified
+    /// where the triangles reach [`Level::Constrained`], and are a part of it.
+    ///
+    /// ```
+    /// use sweep_cdt::verify::{Regions, Verifier};
+    ///
+    /// // A square is cut in two. The triangle at the right has the attribute 7, the other none.
+    /// let points = [[0, 0], [2, 0], [2, 2], [0, 2]];
+    /// let triangles = [[0, 1, 2], [0, 2, 3]];
+    /// let regions = Regions { attributes: &[7.0, 0.0], seeds: &[(0, 7.0)] };
+    /// assert!(Verifier::new().regions(regions).verify(&points, &[[0, 2]], &triangles).is_ok());
+    /// // Without the edge both lie in one face.
+    /// assert!(Verifier::new().regions(regions).verify(&points, &[], &triangles).is_err());
+    /// ```
+    #[must_use]
+    pub fn regions(self, regions: Regions<'a>) -> Self {
+        Verifier {
+            regions: Some(regions),
             ..self
         }
     }
@@ -173,7 +199,7 @@ impl<'a> Verifier<'a> {
         self.check::<S, Parallel>(points, edges, triangles)
     }
 
-    /// The eight checks, numbered as in the documentation of the module.
+    /// The checks, numbered as in the documentation of the module.
     fn check<S: Scalar, C: Schedule<S>>(
         &self,
         points: &[[S; 2]],
@@ -222,6 +248,10 @@ impl<'a> Verifier<'a> {
         edges::check(&soup, &mut sides, &edges, &mut record);
         // 8. Every free side is locally Delaunay.
         delaunay::check::<S, C>(&soup, &sides, &progress, &mut record);
+        // 9. Every triangle has the attribute of its region.
+        if let Some(regions) = self.regions {
+            regions::check(&soup, &sides, regions, &mut record);
+        }
         record.answer()
     }
 }

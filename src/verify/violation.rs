@@ -156,6 +156,12 @@ pub enum Violation {
         /// The vertex on it from which no side leads on along it.
         after: usize,
     },
+    /// A triangle has not the attribute of the region that it lies in, or has one and lies in none.
+    #[error("triangle {triangle} has another attribute than the region that it lies in")]
+    WrongRegion {
+        /// The triangle.
+        triangle: usize,
+    },
     /// A side that is no input edge is not locally Delaunay.
     #[error(
         "side {}-{} of triangles {} and {} is not Delaunay: \
@@ -293,9 +299,9 @@ impl Violation {
             | V::PinchedBoundary { vertex }
             | V::UnusedPoint { vertex }
             | V::AddedOutside { vertex } => (from_mut(vertex), &mut [], &mut []),
-            V::FlatTriangle { triangle } | V::ReversedTriangle { triangle } => {
-                (&mut [], &mut [], from_mut(triangle))
-            }
+            V::FlatTriangle { triangle }
+            | V::ReversedTriangle { triangle }
+            | V::WrongRegion { triangle } => (&mut [], &mut [], from_mut(triangle)),
             V::EdgeOutOfRange { edge, vertex }
             | V::MissingEdge {
                 edge,

@@ -93,6 +93,52 @@ fn what_is_wrong_in_the_interior_has_the_numbers_of_the_file() {
 }
 
 #[test]
+fn triangles_have_the_attributes_of_their_regions() {
+    let folder = folder(&[("a.poly", FRAME)]);
+    printed(&run(&folder, "a.poly -o a.ele -o a.json"));
+    for result in ["a.ele", "a.json"] {
+        printed(&verify(&folder, &format!("a.poly {result} --domain holes")));
+    }
+    let text = |name| std::fs::read_to_string(folder.path().join(name)).expect("a text");
+    let (ele, json) = (text("a.ele"), text("a.json"));
+    let regions = "\"regions\": [\n0";
+    assert!(json.contains(regions), "{json}");
+    for (name, wrong, triangle) in [
+        ("a.ele", ele.replace("5 2 7 6 0.5", "5 2 7 6 0.25"), 5),
+        ("a.ele", ele.replace("5 2 7 6 0.5", "5 2 7 6"), 5),
+        ("a.json", json.replace(regions, "\"regions\": [\nnull"), 0),
+        ("a.json", json.replace(regions, "\"regions\": [\n1"), 0),
+    ] {
+        std::fs::write(folder.path().join(name), wrong).expect("a file");
+        let report = verify(&folder, &format!("a.poly {name} --domain holes"));
+        let violation = format!("wrong-region: triangle {triangle} has another attribute than");
+        assert!(
+            refuted(&report).contains(&violation),
+            "{}",
+            refuted(&report)
+        );
+        // A triangulation is one whatever its attributes.
+        printed(&verify(
+            &folder,
+            &format!("a.poly {name} --domain holes --level tiling"),
+        ));
+        printed(&verify(
+            &folder,
+            &format!("a.poly {name} --domain even-odd"),
+        ));
+    }
+    // Triangles may run clockwise, and have other numbers.
+    let clockwise = ele
+        .lines()
+        .map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
+            [t, a, b, c, attribute] => format!("{t} {b} {a} {c} {attribute}\n"),
+            _ => format!("{line}\n"),
+        });
+    std::fs::write(folder.path().join("a.ele"), clockwise.collect::<String>()).expect("a file");
+    printed(&verify(&folder, "a.poly a.ele --domain holes --clockwise"));
+}
+
+#[test]
 fn an_input_without_an_interior_is_refused() {
     let folder = folder(&[
         (

@@ -4,10 +4,10 @@
 //! A square frame with a hole, whose corners are moved a little, is filled with triangles that may have vertices of
 //! their own. These are broken, or what they are verified against is.
 
-use sweep_cdt::domain::Rule;
+use sweep_cdt::domain::{Rule, locate_seeds};
 use sweep_cdt::formats::{Coordinate, Graph, Matching, added_points};
 use sweep_cdt::triangulate;
-use sweep_cdt::verify::{Report, Verifier};
+use sweep_cdt::verify::{Regions, Report, Verifier};
 use sweep_cdt_testing::oracle::arrangement::fractions;
 use sweep_cdt_testing::oracle::refined::Wanted;
 
@@ -35,6 +35,9 @@ struct Made {
     triangles: Vec<[usize; 3]>,
     /// What fills the hole.
     hole: Vec<[usize; 3]>,
+    /// Points of regions, and the attributes of their triangles.
+    seeds: Vec<([f64; 2], f64)>,
+    attributes: Vec<f64>,
 }
 
 fn made(random: &mut Random, is_hull: bool) -> Made {
@@ -69,11 +72,19 @@ fn made(random: &mut Random, is_hull: bool) -> Made {
         vertices,
         triangles: filled.into_iter().map(|t| whole.triangle(t)).collect(),
         hole: hole.into_iter().map(|t| whole.triangle(t)).collect(),
+        // None is on an edge: their slopes are no match for such a height.
+        seeds: (0..random.below(4))
+            .map(|_| {
+                let [x, y] = place(random);
+                ([x + 0.5, y + 1.0 / 1024.0], random.below(3) as f64)
+            })
+            .collect(),
+        attributes: Vec::new(),
     }
 }
 
 /// What may be done to a result or to what is asked of it. The first two change nothing that matters.
-const KINDS: [&str; 16] = [
+const KINDS: [&str; 17] = [
     "nothing",
     "vertices in another order",
     "a ring reversed",
@@ -90,6 +101,7 @@ const KINDS: [&str; 16] = [
     "a vertex moved",
     "an edge added",
     "point of the input moved",
+    "an attribute changed",
 ];
 
 fn break_it(made: &mut Made, kind: &str, random: &mut Random) {
@@ -97,7 +109,7 @@ fn break_it(made: &mut Made, kind: &str, random: &mut Random) {
     let t = random.below(made.triangles.len());
     let axis = random.below(2);
     match kind {
-        "nothing" => {}
+        "nothing" | "an attribute changed" => {}
         "vertices in another order" => {
             made.vertices.reverse();
             let last = made.vertices.len() - 1;
@@ -182,6 +194,16 @@ fn judged(made: &Made, random: &mut Random) -> Option<Result<Report, Violations>
     } else {
         verifier.boundary(&made.chains)
     };
+    let (places, attributes): (Vec<_>, Vec<_>) = made.seeds.iter().copied().unzip();
+    let seeds = locate_seeds(&graph.points, &read.list, &places).into_iter();
+    let seeds: Vec<_> = seeds
+        .zip(attributes)
+        .filter_map(|(t, attribute)| Some((t?, attribute)))
+        .collect();
+    let verifier = verifier.regions(Regions {
+        attributes: &made.attributes,
+        seeds: &seeds,
+    });
     Some(verifier.verify(&graph.points, &graph.edges, &read.list))
 }
 
@@ -207,7 +229,20 @@ fn the_verdict_is_that_of_fractions() {
             edges: &made.edges,
             chains: &made.chains,
         };
-        let is_right = wanted.is_met_by(&triangles);
+        let seeds = made.seeds.iter();
+        let seeds: Vec<_> = seeds
+            .map(|&(seed, attribute)| (fractions(&[seed]).remove(0), attribute))
+            .collect();
+        made.attributes = wanted.attributes(&triangles, &seeds);
+        let mut is_labelled = true;
+        if KINDS[kind] == "an attribute changed" {
+            let t = random.below(made.attributes.len());
+            let attribute = &mut made.attributes[t];
+            let other = random.below(3) as f64;
+            is_labelled = attribute.total_cmp(&other).is_eq();
+            *attribute = other;
+        }
+        let is_right = wanted.is_met_by(&triangles) && is_labelled;
         let verdict = judged(&made, &mut random).expect("vertices may be added");
         let what = (
             KINDS[kind],
@@ -241,4 +276,5 @@ fn the_verdict_is_that_of_fractions() {
     assert!(right[5..8].iter().all(|&count| count == 0), "{right:?}");
     assert_eq!([right[10], right[11]], [0; 2], "{right:?}");
     assert!(split > 20, "{split}");
+    assert!((1..ROUNDS).contains(&right[16]), "{right:?}");
 }

@@ -97,7 +97,7 @@ fn texts() {
     let options = format!("{:?}", Verifier::new().limit(7).accept_clockwise(true));
     assert_eq!(
         options,
-        "Verifier { clockwise: true, boundary: None, level: Delaunay, added_from: None, limit: 7, measured: 1000, .. }"
+        "Verifier { clockwise: true, boundary: None, level: Delaunay, added_from: None, regions: None, limit: 7, measured: 1000, .. }"
     );
 }
 

@@ -123,6 +123,7 @@ Violations:
   unused-point, no-triangles, wrong-count     points that are not corners
   added-outside                               a vertex that --steiner allows, outside of the hull
   missing-edge                                an input edge that is not a chain of sides
+  wrong-region                                an attribute that is not that of the region, with --domain holes
   not-delaunay                                a side that should be flipped
   not-canonical                               ties that end at another vertex, with --level canonical
 
@@ -249,7 +250,7 @@ impl Job for Run<'_> {
                 (answer, fitting)
             }
             rule => {
-                let answer = verify_interior(rule, &given, self.own, verifier, &triangles.list)?;
+                let answer = verify_interior(rule, &given, self.own, verifier, &triangles)?;
                 (answer, None)
             }
         };

@@ -67,6 +67,16 @@ pub(super) struct Corners<'a> {
     pub(super) vertices: Option<Vertices<'a>>,
     /// Whether the file lists no vertices, but the coordinates of each corner: then they have no numbers.
     pub(super) is_soup: bool,
+    pub(super) labels: Labels,
+}
+
+/// What a file says of the regions that its triangles lie in.
+pub(super) enum Labels {
+    Nothing,
+    /// The attribute of each triangle.
+    Attributes(Vec<f64>),
+    /// For each triangle a position in the input's regions.
+    Positions(Vec<Option<usize>>),
 }
 
 impl<'a> Edges<'a> {

@@ -2,12 +2,14 @@
 //! `points`. Of a result `triangles` is read, triples of positions in its points or all of them in one list, and
 //! `points`, if it has any; otherwise they are those of the input.
 //!
+//! A result may have `regions`, for each triangle a position in those of the input, or `null`.
+//!
 //! Other programs call these lists `vertices`, `segments`, and `simplices` or `faces`, which are read too.
 //!
 //! A coordinate is a number, or a string for what a JSON number cannot be: `"2/3"`, `"nan"`, `"inf"`,
 //! `"-inf"`. Other members are ignored.
 
-use crate::formats::read::content::{Corners, Edges, Syntax, Vertices};
+use crate::formats::read::content::{Corners, Edges, Labels, Syntax, Vertices};
 use crate::formats::read::json_faults;
 use crate::formats::read::json_pieces::Position;
 use crate::formats::read::source::{ReadError, Source};
@@ -30,6 +32,8 @@ struct Answer<'a, T> {
     points: Option<Vec<Position<'a>>>,
     #[serde(alias = "simplices", alias = "faces")]
     triangles: Vec<T>,
+    #[serde(borrow)]
+    regions: Option<&'a RawValue>,
 }
 
 /// Reads a `.json` with a graph.
@@ -45,13 +49,21 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
 
 /// Reads a `.json` with triangles.
 pub(super) fn read_triangles(source: &Source) -> Result<Corners<'_>, ReadError> {
-    let Answer { points, triangles } = object(source)?
+    let Answer {
+        points,
+        triangles,
+        regions,
+    } = object(source)?
         .or_else(|error| flat(source).ok_or_else(|| json_faults::of_triangles(source, &error)))?;
     Ok(Corners {
-        triangles,
         first: 0,
         first_vertex: 0,
         is_soup: false,
+        labels: regions
+            .and_then(|list| serde_json::from_str(list.get()).ok())
+            .filter(|positions: &Vec<_>| positions.len() == triangles.len())
+            .map_or(Labels::Nothing, Labels::Positions),
+        triangles,
         vertices: points.map(|points| vertices(source, points)),
     })
 }
@@ -63,6 +75,7 @@ fn flat(source: &Source) -> Option<Answer<'_, [usize; 3]>> {
     rest.is_empty().then(|| Answer {
         points: answer.points,
         triangles: triangles.to_vec(),
+        regions: answer.regions,
     })
 }
 

@@ -3,7 +3,7 @@
 //! An input takes the vertices and the lines, and no faces. A result takes the vertices and the faces, which must be
 //! triangles, and no lines. So one file can be both: an input, and its triangulation.
 
-use crate::formats::read::content::{Corners, Edges, Vertices};
+use crate::formats::read::content::{Corners, Edges, Labels, Vertices};
 use crate::formats::read::source::{ReadError, Source, no_vertex};
 
 /// The contents of a file.
@@ -101,6 +101,7 @@ impl<'a> Mesh<'a> {
                 first_vertex: self.vertices.first,
                 vertices: Some(self.vertices),
                 is_soup: false,
+                labels: Labels::Nothing,
             }),
         }
     }

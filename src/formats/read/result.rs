@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::formats::read::content::{Corners, Vertices};
+use crate::formats::read::content::{Corners, Labels, Vertices};
 use crate::formats::read::matching::{self, Matched, Matching};
 use crate::formats::read::source::{ReadError, ResultError, Source};
 use crate::formats::read::{geojson, json, msh, obj, off, ply, stl, triangle, vtk, wkt};
@@ -79,6 +79,9 @@ pub struct Triangles {
     pub strangers: Vec<usize>,
     /// How vertices were matched with those of the input.
     pub matched: Matched,
+    /// The attribute of each triangle's region, where the file has them: in a `.ele` the first attribute. NaN stands
+    /// for a region that the input lacks.
+    pub attributes: Option<Vec<f64>>,
 }
 
 /// Reads a triangulation of `input`; `node` is the `.node` beside a `.ele`.
@@ -212,6 +215,15 @@ fn by_input_vertices<S>(
             count + strangers.len() - 1
         })
     };
+    let attribute = |position: Option<usize>| match position {
+        Some(region) => (input.regions.get(region)).map_or(f64::NAN, |region| region.attribute),
+        None => 0.0,
+    };
+    let attributes = match corners.labels {
+        Labels::Nothing => None,
+        Labels::Attributes(attributes) => Some(attributes),
+        Labels::Positions(positions) => Some(positions.into_iter().map(attribute).collect()),
+    };
     let triangles = corners.triangles.into_iter();
     Triangles {
         list: triangles
@@ -220,6 +232,7 @@ fn by_input_vertices<S>(
         first: corners.first,
         strangers,
         matched,
+        attributes,
     }
 }
 

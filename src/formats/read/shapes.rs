@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use crate::formats::read::content::{Corners, Edges, Syntax, Vertices};
+use crate::formats::read::content::{Corners, Edges, Labels, Syntax, Vertices};
 use crate::formats::read::mesh::no_triangle;
 use crate::formats::read::source::{ReadError, Source};
 
@@ -109,6 +109,7 @@ impl<'a> Shapes<'a> {
                 ..Vertices::plain(self.source, corners, 0)
             }),
             is_soup: true,
+            labels: Labels::Nothing,
         })
     }
 

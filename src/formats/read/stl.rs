@@ -15,7 +15,7 @@
 //! right for that number, whatever its title begins with.
 
 use crate::formats::read::binary::{Kind, Number};
-use crate::formats::read::content::{Corners, Syntax, Vertices};
+use crate::formats::read::content::{Corners, Labels, Syntax, Vertices};
 use crate::formats::read::source::{ReadError, Source, quoted};
 use crate::formats::read::token_lines::Lines;
 
@@ -41,6 +41,7 @@ pub(super) fn read(source: &Source) -> Result<Corners<'_>, ReadError> {
             ..Vertices::plain(source, coordinates, 0)
         }),
         is_soup: true,
+        labels: Labels::Nothing,
     })
 }
 

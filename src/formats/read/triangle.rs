@@ -20,7 +20,7 @@
 //! triangles and the areas of regions, which limit triangles where a mesh is refined. A region without an attribute has 0. The vertices of a `.ele` are numbered
 //! as in the `.node` beside it; without one, from 0 or 1 as the triangles are, as Triangle does.
 
-use crate::formats::read::content::{Corners, Edges, Field, Syntax, Vertices};
+use crate::formats::read::content::{Corners, Edges, Field, Labels, Syntax, Vertices};
 use crate::formats::read::source::{ReadError, Source, no_vertex, quoted};
 use crate::formats::read::token_lines::{Line, Lines, Records};
 use crate::formats::{Column, Coordinate};
@@ -179,6 +179,9 @@ pub(super) fn read_ele<'a>(
         }
     }
 
+    // Without a number of attributes there are none.
+    let has_attributes = line.token().is_some_and(|number| number != b"0");
+
     // The triangles.
     let records = Records {
         name: "triangle",
@@ -186,10 +189,15 @@ pub(super) fn read_ele<'a>(
         count,
     };
     let mut first_triangle = 0;
-    let triangles = records.read(&mut lines, &mut first_triangle, |line| {
-        let mut corner = || line.index("a vertex's number");
-        Ok([corner()?, corner()?, corner()?])
-    })?;
+    let (triangles, labels) = if has_attributes {
+        let row = |line: &mut Line<'_>| Ok((corners(line)?, attribute(line)?));
+        let rows = records.read(&mut lines, &mut first_triangle, row)?;
+        let (triangles, attributes) = rows.into_iter().unzip();
+        (triangles, Labels::Attributes(attributes))
+    } else {
+        let triangles = records.read(&mut lines, &mut first_triangle, corners)?;
+        (triangles, Labels::Nothing)
+    };
     if let Some(line) = lines.next_line() {
         let message = format!("the first line announces only {count} triangles");
         return Err(line.error(message));
@@ -204,8 +212,15 @@ pub(super) fn read_ele<'a>(
             .as_ref()
             .map_or(first_triangle, |vertices| vertices.first),
         is_soup: false,
+        labels,
         vertices,
     })
+}
+
+/// Reads the corners of a triangle.
+fn corners(line: &mut Line<'_>) -> Result<[usize; 3], ReadError> {
+    let mut corner = || line.index("a vertex's number");
+    Ok([corner()?, corner()?, corner()?])
 }
 
 /// Reads the holes, if the file goes on; they are numbered from 0 or 1, or, if there are none, from `first`.
@@ -247,7 +262,7 @@ fn seed_count(lines: &mut Lines<'_>, what: &str) -> Result<usize, ReadError> {
     line.map_or(Ok(0), |mut line| line.index(what))
 }
 
-/// The attribute of a region, or 0 if the line ends.
+/// The attribute of a region or of a triangle, or 0 if the line ends.
 fn attribute(line: &mut Line<'_>) -> Result<f64, ReadError> {
     let Some(token) = line.token() else {
         return Ok(0.0);

@@ -75,6 +75,46 @@ impl Wanted<'_> {
         self.edges.iter().filter(is_split).count()
     }
 
+    /// The attribute that each triangle must have: that of the last seed that can be reached from it without crossing
+    /// an edge, 0 without one.
+    pub fn attributes(&self, triangles: &[[Exact; 3]], seeds: &[(Exact, f64)]) -> Vec<f64> {
+        let corners: Vec<Triangle<'_, _>> = triangles.iter().map(|t| t.each_ref()).collect();
+        let is_edge = |[a, b]: Side<'_, _>| {
+            let edges = self.edges.iter();
+            let mut edges = edges.map(|edge| edge.map(|v| &self.points[v]));
+            edges.any(|edge| is_on(edge, a) && is_on(edge, b))
+        };
+        let is_open = |i: usize, j: usize| {
+            let other = sides(corners[j]);
+            let mut shared = sides(corners[i]).into_iter();
+            shared.any(|[a, b]| other.contains(&[b, a]) && !is_edge([a, b]))
+        };
+        let mut faces: Vec<usize> = (0..corners.len()).collect();
+        for i in 0..corners.len() {
+            for j in (0..corners.len()).filter(|&j| is_open(i, j)) {
+                let [one, other] = [faces[i], faces[j]];
+                faces.iter_mut().for_each(|face| {
+                    if *face == one {
+                        *face = other;
+                    }
+                });
+            }
+        }
+        let mut attributes = vec![0.0; corners.len()];
+        for (seed, attribute) in seeds {
+            let holds = |t: Triangle<'_, _>| {
+                let is_right = |[a, b]: Side<'_, _>| orient(a, b, seed) == std::cmp::Ordering::Less;
+                !sides(t).into_iter().any(is_right)
+            };
+            if let Some(found) = corners.iter().position(|&t| holds(t)) {
+                for t in (0..corners.len()).filter(|&t| faces[t] == faces[found]) {
+                    attributes[t] = *attribute;
+                }
+            }
+        }
+        attributes
+    }
+
     /// The sides of the chains; of the hull those that have no point on their right.
     fn outline(&self) -> Vec<Side<'_, BigRational>> {
         if self.chains.is_empty() {

@@ -1,12 +1,16 @@
 //! A triangulation to verify, its changes, what is certain of it without the verifier, and domains in a right
-//! answer: a hole, some of its triangles, and the hull of all points but one.
+//! answer: a hole, some of its triangles, the hull of all points but one, and regions.
 
 use std::collections::BTreeSet;
 
-use sweep_cdt::verify::{Report, Verifier, Violation, Violations};
+use num_rational::BigRational;
+use sweep_cdt::domain::locate_seeds;
+use sweep_cdt::verify::{Regions, Report, Verifier, Violation, Violations};
 use sweep_cdt::{Error, triangulate};
 
 use sweep_cdt_testing::boundary;
+use sweep_cdt_testing::oracle::arrangement::fractions;
+use sweep_cdt_testing::oracle::refined::Wanted;
 use sweep_cdt_testing::oracle::{canonical, check, crosses, firm_sides, is_right, sorted};
 
 /// What is verified.
@@ -254,4 +258,57 @@ pub(super) fn judge_unused(case: &Case, hull: &[usize]) {
     let verdict = within.verify(&case.points, &[], &triangles);
     let list = verdict.map_or_else(|violations| violations.list, |_| Vec::new());
     assert_eq!(list, [Violation::UnusedPoint { vertex }], "of {case:?}");
+}
+
+/// Panics unless the triangles of a right answer must have the attributes of the faces in which the first and the last
+/// triangle lie, and no others; and unless points are found in triangles that have them for corners.
+pub(super) fn judge_regions(case: &Case) {
+    let Case {
+        points,
+        edges,
+        triangles,
+    } = case;
+    if !is_small(case) || triangles.is_empty() {
+        return;
+    }
+    let seeds = [(0, 1.0), (triangles.len() - 1, 2.0)];
+    let exact = fractions(points);
+    let wanted = Wanted {
+        points: &exact,
+        edges,
+        chains: &[],
+    };
+    let places: Vec<_> = triangles
+        .iter()
+        .map(|t| t.map(|v| exact[v].clone()))
+        .collect();
+    let third = |corners: &[_; 3], i: usize| -> BigRational {
+        let sum: BigRational = corners.iter().map(|p: &[BigRational; 2]| &p[i]).sum();
+        sum / BigRational::from_integer(3.into())
+    };
+    let middles = seeds.map(|(t, attribute)| ([0, 1].map(|i| third(&places[t], i)), attribute));
+    let mut attributes = wanted.attributes(&places, &middles);
+    let verify = |attributes: &[f64]| {
+        let regions = Regions {
+            attributes,
+            seeds: &seeds,
+        };
+        let verifier = Verifier::new().regions(regions);
+        let verdict = verifier.verify(points, edges, triangles);
+        verdict.map_or_else(|violations| violations.list, |_| Vec::new())
+    };
+    assert_eq!(verify(&attributes), [], "{attributes:?} of {case:?}");
+    for triangle in 0..triangles.len() {
+        attributes[triangle] += 1.0;
+        let found = verify(&attributes);
+        assert_eq!(found, [Violation::WrongRegion { triangle }], "{case:?}");
+        attributes[triangle] -= 1.0;
+    }
+    let turned: Vec<[usize; 3]> = triangles.iter().map(|&[a, b, c]| [b, a, c]).collect();
+    for list in [triangles, &turned] {
+        for (found, point) in locate_seeds(points, list, points).iter().zip(points) {
+            let is_there = found.is_some_and(|t| list[t].iter().any(|&v| points[v] == *point));
+            assert!(is_there, "{point:?} in triangle {found:?} of {case:?}");
+        }
+    }
 }

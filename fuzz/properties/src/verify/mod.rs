@@ -7,7 +7,7 @@
 //! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares
 //! code with the verifier. What the verifier calls canonical must be the sweep's answer. Its options must
 //! not change its verdict, and faults are as deep as fractions say. The last points may be vertices that the input
-//! lacks. Holes and other domains are declared in a right answer. Some bytes are a
+//! lacks. Holes, other domains and regions are declared in a right answer. Some bytes are a
 //! result whose vertices have moved.
 
 mod case;
@@ -19,7 +19,8 @@ use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Report, Verifier, Violation, Violations, verify};
 
 use self::case::{
-    Case, change, is_certainly_right, judge_hole, judge_part, judge_unused, judge_wound,
+    Case, change, is_certainly_right, judge_hole, judge_part, judge_regions, judge_unused,
+    judge_wound,
 };
 use crate::reached;
 use sweep_cdt_testing::oracle::canonical;
@@ -175,6 +176,7 @@ fn judge(case: &Case, in_parallel: bool) {
             }
             judge_part(case);
             judge_unused(case, &hull);
+            judge_regions(case);
         }
     }
     let chains: Vec<Vec<usize>> = triangles.iter().map(|t| t.to_vec()).collect();

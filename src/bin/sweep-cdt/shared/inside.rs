@@ -4,10 +4,10 @@
 //! it. Its boundary and the edges in it are what the verifier then asks of the result.
 
 use clap::ValueEnum;
-use sweep_cdt::domain::{Domain, DomainError, Rule};
-use sweep_cdt::formats::{Coordinate, Graph};
+use sweep_cdt::domain::{Domain, DomainError, Rule, locate_seeds};
+use sweep_cdt::formats::{Coordinate, Graph, Triangles};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Verifier, Violation};
+use sweep_cdt::verify::{Regions, Verifier, Violation};
 use sweep_cdt::{Triangulation, triangulate};
 
 use super::arithmetic::Given;
@@ -113,16 +113,34 @@ struct Interior {
     numbers: Vec<usize>,
 }
 
-/// Verifies that triangles fill the interior by a rule. The first `own` points are the input's, the others added.
+/// Verifies that triangles fill the interior by a rule, and that they have the attributes of its regions, if the result
+/// has any. The first `own` points are the input's, the others added.
 pub(crate) fn verify_interior<S: Coordinate, T: Scalar + Sync>(
     rule: Inside,
     given: &Given<'_, S, T>,
     own: usize,
     verifier: Verifier<'_>,
-    triangles: &[[usize; 3]],
+    triangles: &Triangles,
 ) -> Result<Answer, Failure> {
     let interior = Interior::of(rule, given, &proven(given, own)?)?;
-    Ok(interior.verify(given, verifier, triangles))
+    let list = &triangles.list;
+    let regions = &given.graph.regions;
+    let (Some(attributes), Inside::Holes, false) =
+        (&triangles.attributes, rule, regions.is_empty())
+    else {
+        return Ok(interior.verify(given, verifier, list));
+    };
+    let seeds: Vec<[S; 2]> = regions.iter().map(|region| region.seed.clone()).collect();
+    let places = locate_seeds(&given.graph.points, list, &seeds).into_iter();
+    let seeds = places.zip(regions);
+    let seeds: Vec<(usize, f64)> = seeds
+        .filter_map(|(place, region)| Some((place?, region.attribute)))
+        .collect();
+    let regions = Regions {
+        attributes,
+        seeds: &seeds,
+    };
+    Ok(interior.verify(given, verifier.regions(regions), list))
 }
 
 /// A rule by which triangles that do not fill the hull fill the interior, if there is one. The first `own` points are

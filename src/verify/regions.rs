@@ -1,0 +1,72 @@
+//! Check 9, where triangles have the attributes of regions, as Triangle gives them (its option `-A`).
+//!
+//! The fixed sides cut the triangles into *faces*: what is reached without passing one. A region is named by a point in
+//! it, its *seed*. All triangles of the face that holds the seed must have the region's attribute, and those of a face
+//! without a seed 0. So it is enough to flood the faces, and to know in which triangle each seed lies.
+//!
+//! It is made where the triangles are a constrained triangulation: otherwise there are no faces.
+//!
+//! Cost: O(n + k) for n triangles and k seeds, 8 bytes a triangle.
+
+use super::report::{Level, Record};
+use super::sides::Sides;
+use super::soup::Soup;
+use super::violation::Violation;
+use crate::scalar::Scalar;
+
+/// Attributes of triangles, and what they must be; for [`Verifier::regions`](super::Verifier::regions).
+#[derive(Clone, Copy, Debug)]
+pub struct Regions<'a> {
+    /// The attribute of each triangle.
+    pub attributes: &'a [f64],
+    /// For each region the triangle that holds a point of it, and its attribute. Of several in one face the last one
+    /// counts, as in Triangle.
+    pub seeds: &'a [(usize, f64)],
+}
+
+/// Checks the attribute of each triangle.
+pub(super) fn check<S: Scalar>(
+    soup: &Soup<'_, S>,
+    sides: &Sides,
+    regions: Regions<'_>,
+    record: &mut Record,
+) {
+    if record.findings.reached() < Some(Level::Constrained) {
+        return;
+    }
+    let (faces, count) = faces(soup, sides);
+    let mut wanted = vec![0.0; count];
+    for &(triangle, attribute) in regions.seeds {
+        if let Some(&face) = faces.get(triangle) {
+            wanted[face] = attribute;
+        }
+    }
+    for (triangle, &face) in faces.iter().enumerate() {
+        if regions.attributes.get(triangle) != Some(&wanted[face]) {
+            record.findings.add(Violation::WrongRegion { triangle });
+        }
+    }
+}
+
+/// For each triangle the number of its face, and how many faces there are.
+fn faces<S: Scalar>(soup: &Soup<'_, S>, sides: &Sides) -> (Vec<usize>, usize) {
+    let mut faces: Vec<Option<usize>> = vec![None; soup.triangles.len()];
+    let mut count = 0;
+    let mut waiting = Vec::new();
+    for first in 0..faces.len() {
+        waiting.push(first);
+        let is_new = faces[first].is_none();
+        while let Some(t) = waiting.pop() {
+            if faces[t].is_some() {
+                continue;
+            }
+            faces[t] = Some(count);
+            let twins = (3 * t..3 * t + 3).filter_map(|side| sides.free_twin(side));
+            waiting.extend(twins.map(|twin| twin / 3));
+        }
+        count += usize::from(is_new);
+    }
+    let faces = faces.into_iter();
+    let faces = faces.map(|face| face.expect("each triangle was a first one"));
+    (faces.collect(), count)
+}
