@@ -1,16 +1,21 @@
 //! Crates behind one signature, and the time and memory of their calls that triangulate.
 //!
 //! The triangles of the first five cover the hull, those of the others the polygon that the points bound in
-//! their order.
+//! their order: one ring, or the outer one and then holes, each closed by an edge to its first point.
 
 use std::collections::HashMap;
+use std::fmt::Debug;
 use std::fs;
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
+use geo::triangulate_delaunay::{DelaunayTriangulationConfig, TriangulateDelaunay};
+use geo::{Coord, LineString, Polygon};
 use ghx_constrained_delaunay::constrained_triangulation::ConstrainedTriangulationConfiguration;
 use ghx_constrained_delaunay::constrained_triangulation_from_2d_vertices;
 use ghx_constrained_delaunay::triangulation::TriangulationConfiguration;
 use ghx_constrained_delaunay::types::{Edge, Vertex};
+use i_triangle::i_overlay::i_float::adapter::FloatPointAdapter;
 use i_triangle::i_overlay::i_float::int::point::IntPoint;
 use i_triangle::int::unchecked::IntUncheckedTriangulatable;
 use poly2tri_rs::{Point, SweeperBuilder};
@@ -126,26 +131,91 @@ pub(crate) fn i_triangle(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
         .collect())
 }
 
+/// `i_triangle` on the finest grid that it makes for doubles.
+pub(crate) fn i_triangle_grid(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
+    let grid = FloatPointAdapter::<[f64; 2], i64>::with_iter_conservative(input.points.iter());
+    let points: Vec<IntPoint<i64>> = input.points.iter().map(|p| grid.float_to_int(p)).collect();
+    let shape: Vec<Vec<IntPoint<i64>>> = rings(input)
+        .into_iter()
+        .map(|ring| points[ring].to_vec())
+        .collect();
+    let result = stopwatch.time(|| {
+        let delaunay = shape.uncheck_triangulate().into_delaunay();
+        delaunay.into_triangulation::<u32>()
+    });
+    let place = |p: &IntPoint<i64>| {
+        points
+            .iter()
+            .position(|q| q == p)
+            .expect("a point of the input")
+    };
+    let corners = result.indices.as_chunks::<3>().0.iter();
+    Ok(corners
+        .map(|t| t.map(|v| place(&result.points[v as usize])))
+        .collect())
+}
+
+/// `geo`, which has `spade` triangulate, without its snapping.
+pub(crate) fn geo(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
+    let line = |ring: Range<usize>| LineString::from(input.points[ring].to_vec());
+    let mut lines: Vec<LineString> = rings(input).into_iter().map(line).collect();
+    let outer = lines.remove(0);
+    let polygon = Polygon::new(outer, lines);
+    let settings = DelaunayTriangulationConfig { snap_radius: 0.0 };
+    let result = stopwatch.time(|| polygon.constrained_triangulation(settings));
+    let places = Places::new(input);
+    let corner = |Coord { x, y }| places.find([x, y]);
+    let triangles = result.map_err(|error| format!("{error:?}"))?;
+    Ok(triangles.iter().map(|t| t.to_array().map(corner)).collect())
+}
+
+/// `earcutr`, an older port.
+pub(crate) fn earcutr(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
+    let numbers = input.points.as_flattened();
+    let holes = holes(input);
+    let corners = stopwatch.time(|| earcutr::earcut(numbers, &holes, 2));
+    let corners = corners.map_err(|error| format!("{error:?}"))?;
+    Ok(corners.as_chunks().0.to_vec())
+}
+
 /// `earcut`, whose triangles are not Delaunay.
 pub(crate) fn earcut(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
-    let corners = stopwatch.time(|| ears(input));
+    let holes = holes(input);
+    let corners = stopwatch.time(|| ears(input, &holes));
     Ok(triples(&corners))
 }
 
 /// `earcut`, and its flips to Delaunay triangles.
 pub(crate) fn earcut_refined(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
+    let holes = holes(input);
     let corners = stopwatch.time(|| {
-        let mut corners = ears(input);
+        let mut corners = ears(input, &holes);
         earcut::refine(&mut corners, &input.points);
         corners
     });
     Ok(triples(&corners))
 }
 
-fn ears(input: &Input) -> Vec<u32> {
+fn ears(input: &Input, holes: &[u32]) -> Vec<u32> {
     let mut corners = Vec::new();
-    earcut::Earcut::new().earcut_slice(&input.points, &[], &mut corners);
+    earcut::Earcut::new().earcut_slice(&input.points, holes, &mut corners);
     corners
+}
+
+/// The rings of a polygon: each ends where an edge leads back.
+fn rings(input: &Input) -> Vec<Range<usize>> {
+    let mut start = 0;
+    let ends = input.edges.iter().filter(|[a, b]| b < a);
+    ends.map(|&[last, _]| std::mem::replace(&mut start, last + 1)..last + 1)
+        .collect()
+}
+
+/// Where holes begin.
+fn holes<N: TryFrom<usize, Error: Debug>>(input: &Input) -> Vec<N> {
+    let holes = rings(input).into_iter().skip(1);
+    holes
+        .map(|ring| N::try_from(ring.start).expect("few points"))
+        .collect()
 }
 
 fn triples(corners: &[u32]) -> Vec<[usize; 3]> {

@@ -42,12 +42,14 @@ struct Crate {
 const ALL: &[Kind] = &[Kind::Points, Kind::Edges, Kind::Polygons];
 const POINTS: &[Kind] = &[Kind::Points];
 const POLYGONS: &[Kind] = &[Kind::Polygons];
+/// Only tests/programs asks for these.
+const UNTIMED: &[Kind] = &[];
 
 /// The name of the first program.
 pub(crate) const OURS: &str = "sweep-cdt";
 
 #[rustfmt::skip]
-const CRATES: [Crate; 11] = [
+const CRATES: [Crate; 14] = [
     Crate { name: OURS, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: crates::ours },
     Crate { name: "spade", package: "spade", kinds: ALL, is_inside: false, is_exact: true, call: crates::spade },
     Crate { name: "delaunator", package: "delaunator", kinds: POINTS, is_inside: false, is_exact: false, call: crates::delaunator },
@@ -59,6 +61,9 @@ const CRATES: [Crate; 11] = [
     Crate { name: "earcut", package: "earcut", kinds: POLYGONS, is_inside: true, is_exact: false, call: crates::earcut },
     Crate { name: "earcut refined", package: "earcut", kinds: POLYGONS, is_inside: true, is_exact: false, call: crates::earcut_refined },
     Crate { name: "poly2tri-rs", package: "poly2tri-rs", kinds: POLYGONS, is_inside: true, is_exact: false, call: crates::poly2tri },
+    Crate { name: "i_triangle grid", package: "i_triangle", kinds: UNTIMED, is_inside: true, is_exact: false, call: crates::i_triangle_grid },
+    Crate { name: "geo", package: "geo", kinds: UNTIMED, is_inside: true, is_exact: true, call: crates::geo },
+    Crate { name: "earcutr", package: "earcutr", kinds: UNTIMED, is_inside: true, is_exact: false, call: crates::earcutr },
 ];
 
 /// All programs that can run here; this crate is the first. `folder` takes what is compiled.
