@@ -10,10 +10,10 @@ OPENING = """\
 this page. It needs nothing but a clone with Rust and Python: it builds what is in Rust and installs what is in Python.
 Named programs are asked alone, and the page gets their rows.
 
-Asked are {points} sets of points and {edges} of points with edges (`tests/data/hard.jsonl`: inputs that broke programs
-before, and more in the folder that `SWEEP_CDT_HARD` names; here it named none), and {polygons} polygons, {holed} of them
-with holes (the rings among these inputs, and made ones). Only valid ones are asked as polygons; among the others are
-equal points, points on edges and edges that overlap.
+Asked are {points} sets of points and {edges} of points with edges, from `tests/data/hard.jsonl`: inputs that broke
+programs before, and tests of theirs. (`SWEEP_CDT_HARD` may name a folder of more.) And {polygons} polygons, {holed} of
+them with holes: the rings among these inputs, and made ones. Only valid rings are asked as polygons; among the other
+inputs are equal points, points on edges and edges that overlap.
 
 Each program is judged by what it promises: a *level* and a *domain* of [verifying](verifying.md). Its answer
 
@@ -34,15 +34,16 @@ run fails.
 NOTES = """\
 What to know before blaming a program:
 
-- Coordinates of added points are rounded, so that those on an edge lie off it in doubles, and the boundary is not the
-  given one: most of the broken answers of `triangle pq` and `meshpy, angles` are of that kind.
-- `earcut` and its ports leave out points on straight lines, or nearly so. The area is right, the triangles do not meet
-  side to side. `geo` decides by rounded centres which triangles are inside.
-- `vtk Delaunay2D` and `gmsh triangulate` start from a large but finite box, so that their hull may be dented.
-  Their triangles run both ways, and are turned before they are judged. VTK is asked for tolerance 0, `geo` for no
-  snapping, `startinpy` for a tolerance of 1e-300.
-- `i_triangle` and `shapely` promise less than they are asked for here: the first works on a grid of its own, whose points
-  are taken for those of the input.
+- Coordinates of added points are rounded. One on an edge then lies off it, in doubles, and the boundary is not the given
+  one. All wrong answers of `triangle pq` and `meshpy, angles` have added points on the boundary.
+- `mapbox_earcut` and `earcut` leave out points on straight lines, or nearly so. The area is right, to 1e-19 of it, but
+  triangles do not meet side to side. `earcutr` and `geo` keep slivers outside of the polygon, of at most 1e-10 of its
+  area. `vtk ContourTriangulator` leaves gaps, up to most of the polygon.
+- `vtk Delaunay2D` and `gmsh triangulate` leave dents in the hull. Their triangles run both ways, and are turned before
+  they are judged. VTK is asked for tolerance 0, `geo` for no snapping, `startinpy` for a tolerance of 1e-300.
+- `libigl` is wrong only where points are equal, and `PythonCDT` refuses these inputs, as it says.
+- `i_triangle` works on a grid of its own, whose points are taken for those of the input.
+- Where a crate panics, that is counted as a crash.
 """
 
 KINDS = [("rounded", "near"), ("broken", "breaks"), ("refuses", "refuses"), ("crashes", "crashes"), ("hangs", "hangs")]

@@ -107,6 +107,15 @@ def by_vtk(kind, is_binary):
 
     return write
 
+def by_gmsh(path, points, corners):
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    surface = gmsh.model.addDiscreteEntity(2)
+    gmsh.model.mesh.addNodes(2, surface, range(1, len(points) + 1), points.flatten())
+    gmsh.model.mesh.addElementsByType(surface, 2, [], corners.flatten() + 1)
+    gmsh.write(str(path))
+    gmsh.finalize()
+
 def polygons(points, corners):
     return shapely.MultiPolygon([shapely.Polygon(points[t, :2]) for t in corners])
 
@@ -120,6 +129,7 @@ WRITERS = [
     ("meshio", "stl", "text", by_meshio()),
     ("meshio", "msh", "text, version 2.2", by_meshio(file_format="gmsh22", binary=False)),
     ("meshio", "msh", "text, version 4.1", by_meshio(file_format="gmsh", binary=False)),
+    ("gmsh", "msh", "text, version 4.1", by_gmsh),
     ("meshio", "vtu", "by way of meshio convert", by_meshio()),
     ("trimesh", "ply", "binary", by_trimesh()),
     ("trimesh", "ply", "text, --tolerance 1e-7", by_trimesh(encoding="ascii")),
@@ -131,7 +141,7 @@ WRITERS = [
     ("vtk", "vtk", "grid, binary", by_vtk("vtkUnstructuredGridWriter", True)),
     ("vtk", "vtk", "grid, text", by_vtk("vtkUnstructuredGridWriter", False)),
     ("vtk", "stl", "binary", by_vtk("vtkSTLWriter", True)),
-    ("shapely", "wkt", "", lambda path, *mesh: path.write_text(shapely.to_wkt(polygons(*mesh), rounding_precision=17))),
+    ("shapely", "wkt", "", lambda path, *mesh: path.write_text(shapely.to_wkt(polygons(*mesh), rounding_precision=20))),
     ("shapely", "geojson", "", lambda path, *mesh: path.write_text(shapely.to_geojson(polygons(*mesh)))),
 ]
 

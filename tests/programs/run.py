@@ -4,9 +4,9 @@
     python3 tests/programs/run.py [PROGRAM...]
 
 asks the programs of `programs.py` (or those named) the questions of `questions.py`, judges each answer with
-`sweep-cdt verify`, and writes the table and the lists of docs/programs.md, of all programs asked so far. It builds the
-command and the crates of benches/peers, and installs packages in target/programs/venv, unless PROGRAMS_PYTHON names a
-Python that has them. Answers that are wrong, and right ones of at most JUDGED triangles, are judged a second time, by
+`sweep-cdt verify`, and writes docs/programs.md, with all programs asked so far. With further inputs, in a folder that
+SWEEP_CDT_HARD names, the page goes to target/programs/further. It builds the command and the crates of benches/peers,
+and installs packages in target/programs/venv, unless PROGRAMS_PYTHON names a Python that has them. Answers that are wrong, and right ones of at most JUDGED triangles, are judged a second time, by
 `exact.py`. Where the two do not agree, the run says so and ends with status 1.
 
 Programs are asked in processes of their own, which get PATIENCE seconds for each question: some crash, or never end.
@@ -22,8 +22,11 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDER = ROOT / "target/programs"
-DOCUMENT = ROOT / "docs/programs.md"
+VENV = ROOT / "target/programs/venv"
+# The page of the repository is that of its own inputs.
+IS_FURTHER = "SWEEP_CDT_HARD" in os.environ
+FOLDER = ROOT / "target/programs" / ("further" if IS_FURTHER else "own")
+DOCUMENT = FOLDER / "programs.md" if IS_FURTHER else ROOT / "docs/programs.md"
 COMMAND = pathlib.Path(os.environ.get("SWEEP_CDT", ROOT / "target/release/sweep-cdt"))
 PACKAGES = "numpy scipy matplotlib shapely vtk gmsh libigl startinpy PythonCDT triangle cgal meshpy manifold3d mapbox_earcut"
 PATIENCE = 10
@@ -35,9 +38,9 @@ def prepare():
     """Builds and installs, and goes on in the Python that has the packages."""
     for arguments in ([], ["--manifest-path", "benches/peers/Cargo.toml"]):
         subprocess.run(["cargo", "build", "--release", "--locked", *arguments], cwd=ROOT, check=True)
-    python = FOLDER / "venv/bin/python"
+    python = VENV / "bin/python"
     if not python.exists():
-        subprocess.run([sys.executable, "-m", "venv", FOLDER / "venv"], check=True)
+        subprocess.run([sys.executable, "-m", "venv", VENV], check=True)
         # One by one: what cannot be installed is left out.
         for package in PACKAGES.split():
             subprocess.run([python, "-m", "pip", "install", "--quiet", package])
@@ -216,7 +219,7 @@ def main():
         rows, against = run(program, program.questions(asked))
         disagreements += against
         counts = collections.Counter(row["verdict"] for row in rows.values())
-        print(f"{program.name}: {', '.join(f'{kind} {count}' for kind, count in sorted(counts.items()))}")
+        print(f"{program.name}: {', '.join(f'{kind} {count}' for kind, count in sorted(counts.items()))}", flush=True)
         (FOLDER / f"{program.name}.result.json").write_text(json.dumps({"version": program.version(), "rows": rows}))
     results = {p.name: FOLDER / f"{p.name}.result.json" for p in PROGRAMS}
     results = {name: json.loads(path.read_text()) for name, path in results.items() if path.exists()}

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Spoils right answers and has both judges look at them: `sweep-cdt verify` and `exact.py` must find the same level.
+
+    cargo build --release
+    pip install shapely
+    python3 tests/programs/spoil.py [ANSWERS] [SEED]
+
+The command triangulates questions of `questions.py` with fewer than POINTS points. In each answer one thing is changed:
+a triangle is missing, doubled, reversed or cut in three, a side is flipped, two vertices change places, one takes the
+place of another, or nothing. Prints how often each change gave which level. Ends with status 1 if the two do not agree.
+"""
+
+import collections
+import json
+import random
+import subprocess
+import sys
+
+import programs
+import questions
+import run
+
+POINTS = 150
+
+def drop(triangles, _, dice):
+    del triangles[dice.randrange(len(triangles))]
+
+def double(triangles, _, dice):
+    triangles.append(dice.choice(triangles))
+
+def reverse(triangles, _, dice):
+    dice.choice(triangles).reverse()
+
+def flip(triangles, _, dice):
+    beyond = {(t[k - 2], t[k - 1]): (t, t[k]) for t in triangles for k in range(3)}
+    if inner := [side for side in beyond if side[::-1] in beyond]:
+        a, b = dice.choice(inner)
+        (one, c), (other, d) = beyond[a, b], beyond[b, a]
+        one[:], other[:] = [c, a, d], [d, b, c]
+
+def flips(triangles, points, dice):
+    for _ in range(5):
+        flip(triangles, points, dice)
+
+def cut(triangles, points, dice):
+    a, b, c = triangles.pop(dice.randrange(len(triangles)))
+    v = dice.randrange(points)
+    triangles += [[a, b, v], [b, c, v], [c, a, v]]
+
+def swap(triangles, points, dice):
+    a, b = dice.randrange(points), dice.randrange(points)
+    triangles[:] = [[{a: b, b: a}.get(v, v) for v in t] for t in triangles]
+
+def replace(triangles, points, dice):
+    a, b = dice.randrange(points), dice.randrange(points)
+    moved = [[b if v == a else v for v in t] for t in triangles]
+    triangles[:] = [t for t in moved if len(set(t)) == 3]
+
+def nothing(*_):
+    pass
+
+def main():
+    answers, seed = [int(word) for word in (*sys.argv[1:], "500", "1")[:2]]
+    run.FOLDER.mkdir(parents=True, exist_ok=True)
+    asked = [(kind, q) for kind, list in questions.questions().items() for q in list if len(q.points) < POINTS]
+    dice = random.Random(seed)
+    found = collections.Counter()
+    disagreements = 0
+    for _ in range(answers):
+        kind, question = dice.choice(asked)
+        domain = dice.choice(["even-odd", "nonzero", "holes"]) if kind == "polygons" else "hull"
+        program = programs.Program("", "", kind, "delaunay", domain, None)
+        for path in run.FOLDER.glob("answer.*"):
+            path.unlink()
+        command = [run.COMMAND, "triangulate", run.source_of(question, program), "-o", run.FOLDER / "answer.json"]
+        command += ["--inside", domain]
+        subprocess.run(command, check=True, capture_output=True)
+        triangles = json.loads((run.FOLDER / "answer.json").read_text())["triangles"]
+        change = dice.choice([drop, double, reverse, flip, flips, cut, swap, replace, nothing])
+        change(triangles, len(question.points), dice)
+        run.write(programs.Answer(triangles), run.FOLDER / "answer")
+        row, against = run.judge(question, program)
+        found[change.__name__, row["reached"]] += 1
+        if against:
+            disagreements += 1
+            print(f"{question.name:44} {domain:8} {change.__name__:8} {against}")
+    for (change, level), count in sorted(found.items()):
+        print(f"{change:8} {level:12} {count}")
+    if disagreements:
+        sys.exit(f"the two judges do not agree on {disagreements} answers")
+
+if __name__ == "__main__":
+    main()
