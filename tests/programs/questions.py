@@ -45,16 +45,14 @@ class Question:
 
 def hard():
     """The hard inputs by name."""
-    texts = (ROOT / "tests/data/hard.jsonl").read_text().splitlines()
+    lines = (ROOT / "tests/data/hard.jsonl").read_text().splitlines()
+    inputs = {content["name"]: content for content in map(json.loads, lines)}
     if folder := os.environ.get("SWEEP_CDT_HARD"):
-        texts += [path.read_text() for path in pathlib.Path(folder).glob("*.json")]
-    inputs = {}
-    for text in texts:
-        content = json.loads(text)
-        inputs.setdefault(content["name"], content)
-    for _, content in sorted(inputs.items()):
+        for path in pathlib.Path(folder).glob("*.json"):
+            inputs.setdefault(path.stem, json.loads(path.read_text()))
+    for name, content in sorted(inputs.items()):
         points = [[float(x), float(y)] for x, y in content["points"]]
-        yield content["name"], points, content["edges"], content["expect"]
+        yield name, points, content["edges"], content["expect"]
 
 def polygons_of(name, rings):
     """Rings that do not touch as a question."""

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Judges the results of other programs: which keep what they promise, and on which inputs they do not.
 
-    python3 tests/programs/run.py [PROGRAM...]
+    python3 tests/programs/run.py [--here] [PROGRAM...]
 
 asks the programs of `programs.py` (or those named) the questions of `questions.py`, judges each answer with
 `sweep-cdt verify`, and writes docs/programs.md, with all programs asked so far. With further inputs, in a folder that
 SWEEP_CDT_HARD names, the page goes to target/programs/further. It builds the command and the crates of benches/peers,
-and installs packages in target/programs/venv, unless PROGRAMS_PYTHON names a Python that has them. Answers that are wrong, and right ones of at most JUDGED triangles, are judged a second time, by
-`exact.py`. Where the two do not agree, the run says so and ends with status 1.
+and installs packages in target/programs/venv; with --here it does not, and asks those that this Python has. Answers
+that are wrong, and right ones of at most JUDGED triangles, are judged a second time, by `exact.py`. Where the two do
+not agree, the run says so and ends with status 1.
 
 Programs are asked in processes of their own, which get PATIENCE seconds for each question: some crash, or never end.
 """
@@ -30,6 +31,8 @@ DOCUMENT = FOLDER / "programs.md" if IS_FURTHER else ROOT / "docs/programs.md"
 COMMAND = pathlib.Path(os.environ.get("SWEEP_CDT", ROOT / "target/release/sweep-cdt"))
 PACKAGES = "numpy scipy matplotlib shapely vtk gmsh libigl startinpy PythonCDT triangle cgal meshpy manifold3d mapbox_earcut"
 PATIENCE = 10
+# And so many more for the first one after a start.
+START = 60
 JUDGED = 300
 # Violations that are no deeper count as rounding.
 MAX_DEPTH = "1e-12"
@@ -44,8 +47,7 @@ def prepare():
         # One by one: what cannot be installed is left out.
         for package in PACKAGES.split():
             subprocess.run([python, "-m", "pip", "install", "--quiet", package])
-    os.environ["PROGRAMS_PYTHON"] = str(python)
-    os.execv(python, [python, *sys.argv])
+    os.execv(python, [python, __file__, "--here", *sys.argv[1:]])
 
 def write(answer, target):
     """Writes a result; triangles by coordinates as .wkt, others as .json."""
@@ -90,12 +92,13 @@ class Asked:
         """What the program says."""
         for suffix in (".json", ".wkt"):
             (FOLDER / "answer").with_suffix(suffix).unlink(missing_ok=True)
-        if self.process is None:
+        is_new = self.process is None
+        if is_new:
             command = [sys.executable, __file__, "--worker", self.name]
             pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
             self.process = subprocess.Popen(command, text=True, start_new_session=True, **pipes)
         print(number, file=self.process.stdin, flush=True)
-        ready, _, _ = select.select([self.process.stdout], [], [], PATIENCE)
+        ready, _, _ = select.select([self.process.stdout], [], [], PATIENCE + START * is_new)
         if line := ready and self.process.stdout.readline():
             return line.strip()
         if not ready:
@@ -203,14 +206,16 @@ def run(program, asked):
     process.end()
     return rows, disagreements
 
-def main():
+def main(names):
     import questions
     from document import document
     from programs import PROGRAMS
 
     FOLDER.mkdir(parents=True, exist_ok=True)
     asked = questions.questions()
-    chosen = [p for p in PROGRAMS if not sys.argv[1:] or p.name in sys.argv[1:]]
+    if unknown := set(names) - {p.name for p in PROGRAMS}:
+        sys.exit(f"no such programs: {', '.join(sorted(unknown))}; there are: {', '.join(p.name for p in PROGRAMS)}")
+    chosen = [p for p in PROGRAMS if not names or p.name in names]
     disagreements = 0
     for program in chosen:
         if not program.version():
@@ -230,9 +235,7 @@ def main():
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--worker"]:
         worker(sys.argv[2])
-    elif "PROGRAMS_PYTHON" not in os.environ:
-        prepare()
-    elif os.path.realpath(sys.prefix) != os.path.realpath(pathlib.Path(os.environ["PROGRAMS_PYTHON"]).parents[1]):
-        os.execv(os.environ["PROGRAMS_PYTHON"], [os.environ["PROGRAMS_PYTHON"], *sys.argv])
+    elif sys.argv[1:2] == ["--here"]:
+        main(sys.argv[2:])
     else:
-        main()
+        prepare()

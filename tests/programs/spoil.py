@@ -21,6 +21,16 @@ import questions
 import run
 
 POINTS = 150
+SQUARE = [[0, 0], [2, 0], [2, 2], [0, 2]]
+# Answers that only one check of `exact.py` refuses each: points, triangles, level.
+KNOWN = [
+    ("overlap", SQUARE, [[0, 1, 2], [0, 1, 3]], "none"),
+    ("corner_in_side", [*SQUARE, [1, 1]], [[0, 1, 2], [0, 4, 3], [4, 2, 3]], "none"),
+    ("unused", [*SQUARE, [1, 0.5]], [[0, 1, 2], [0, 2, 3]], "none"),
+    ("gap", SQUARE, [[0, 1, 2], [0, 2, 3]][:1], "none"),
+    ("not_delaunay", [*SQUARE[:2], [3, 2], [0, 2]], [[0, 1, 2], [0, 2, 3]], "constrained"),
+    ("right", SQUARE, [[0, 1, 2], [0, 2, 3]], "delaunay"),
+]
 
 def drop(triangles, _, dice):
     del triangles[dice.randrange(len(triangles))]
@@ -59,6 +69,14 @@ def replace(triangles, points, dice):
 def nothing(*_):
     pass
 
+def judged(question, kind, domain, triangles):
+    """The level that the command finds, and what the second judge says against it."""
+    for path in run.FOLDER.glob("answer.*"):
+        path.unlink()
+    run.write(programs.Answer(triangles), run.FOLDER / "answer")
+    row, against = run.judge(question, programs.Program("", "", kind, "delaunay", domain, None))
+    return row["reached"], against
+
 def main():
     answers, seed = [int(word) for word in (*sys.argv[1:], "500", "1")[:2]]
     run.FOLDER.mkdir(parents=True, exist_ok=True)
@@ -66,21 +84,22 @@ def main():
     dice = random.Random(seed)
     found = collections.Counter()
     disagreements = 0
+    for name, points, triangles, right in KNOWN:
+        level, against = judged(questions.Question(name, points), "points", "hull", triangles)
+        if against or level != right:
+            disagreements += 1
+            print(f"{name:44} the command finds {level}, right is {right}; {against}")
     for _ in range(answers):
         kind, question = dice.choice(asked)
         domain = dice.choice(["even-odd", "nonzero", "holes"]) if kind == "polygons" else "hull"
-        program = programs.Program("", "", kind, "delaunay", domain, None)
-        for path in run.FOLDER.glob("answer.*"):
-            path.unlink()
-        command = [run.COMMAND, "triangulate", run.source_of(question, program), "-o", run.FOLDER / "answer.json"]
-        command += ["--inside", domain]
+        source = run.source_of(question, programs.Program("", "", kind, "", domain, None))
+        command = [run.COMMAND, "triangulate", source, "-o", run.FOLDER / "right.json", "--inside", domain]
         subprocess.run(command, check=True, capture_output=True)
-        triangles = json.loads((run.FOLDER / "answer.json").read_text())["triangles"]
+        triangles = json.loads((run.FOLDER / "right.json").read_text())["triangles"]
         change = dice.choice([drop, double, reverse, flip, flips, cut, swap, replace, nothing])
         change(triangles, len(question.points), dice)
-        run.write(programs.Answer(triangles), run.FOLDER / "answer")
-        row, against = run.judge(question, program)
-        found[change.__name__, row["reached"]] += 1
+        level, against = judged(question, kind, domain, triangles)
+        found[change.__name__, level] += 1
         if against:
             disagreements += 1
             print(f"{question.name:44} {domain:8} {change.__name__:8} {against}")
