@@ -66,10 +66,11 @@ const CRATES: [Crate; 14] = [
     Crate { name: "earcutr", package: "earcutr", kinds: UNTIMED, is_inside: true, is_exact: false, call: crates::earcutr },
 ];
 
-/// All programs that can run here; this crate is the first. `folder` takes what is compiled.
+/// All programs that are timed and can run here; this crate is the first. `folder` takes what is compiled.
 pub(crate) fn all(folder: &Path, python: &Path) -> Vec<Program> {
     let this = std::env::current_exe().expect("this program");
-    let crates = CRATES.iter().map(|entry| Program {
+    let timed = CRATES.iter().filter(|entry| !entry.kinds.is_empty());
+    let crates = timed.map(|entry| Program {
         name: entry.name,
         version: locked_version(entry.package),
         command: [this.to_string_lossy().as_ref(), "cell", entry.name]
