@@ -43,7 +43,8 @@ What to know before blaming a program:
   they are judged. VTK is asked for tolerance 0, `geo` for no snapping, `startinpy` for a tolerance of 1e-300.
 - `libigl` is wrong only where points are equal, and `PythonCDT` refuses these inputs, as it says.
 - `i_triangle` works on a grid of its own, whose points are taken for those of the input.
-- Where a crate panics, that is counted as a crash.
+- Where a crate panics, that is counted as a crash. The crashes of `triangle` with edges are on inputs with equal points,
+  and differ from run to run.
 """
 
 KINDS = [("rounded", "near"), ("broken", "breaks"), ("refuses", "refuses"), ("crashes", "crashes"), ("hangs", "hangs")]
