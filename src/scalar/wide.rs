@@ -30,22 +30,25 @@ pub(super) fn in_circle(rows: [[i64; 2]; 3]) -> Ordering {
 }
 
 /// The same for differences below 2^30.
-fn narrow([[ax, ay], [bx, by], [cx, cy]]: [[i64; 2]; 3]) -> Ordering {
-    let det = product(ax * ax + ay * ay, bx * cy - cx * by)
-        + product(bx * bx + by * by, cx * ay - ax * cy)
-        + product(cx * cx + cy * cy, ax * by - bx * ay);
-    det.cmp(&0)
+fn narrow([a, b, c]: [[i64; 2]; 3]) -> Ordering {
+    let (from_b, to_b) = (minus(a, b), minus(c, b));
+    let cross = |[ax, ay]: [i64; 2], [bx, by]: [i64; 2]| ax * by - bx * ay;
+    let dot = |[ax, ay]: [i64; 2], [bx, by]: [i64; 2]| ax * bx + ay * by;
+    let left = product(cross(from_b, to_b), dot(a, c));
+    left.cmp(&product(dot(from_b, to_b), cross(a, c)))
 }
 
 /// The same for differences below 2^62.
 fn middle([a, b, c]: [[i64; 2]; 3]) -> Ordering {
-    let lift = |[x, y]: [i64; 2]| product(x, x) + product(y, y);
+    let (from_b, to_b) = (minus(a, b), minus(c, b));
     let cross = |[ax, ay]: [i64; 2], [bx, by]: [i64; 2]| product(ax, by) - product(bx, ay);
-    let (high, low) = add(
-        add(long(lift(a), cross(b, c)), long(lift(b), cross(c, a))),
-        long(lift(c), cross(a, b)),
-    );
-    high.cmp(&0).then(low.cmp(&0))
+    let dot = |[ax, ay]: [i64; 2], [bx, by]: [i64; 2]| product(ax, bx) + product(ay, by);
+    let left = long(cross(from_b, to_b), dot(a, c));
+    left.cmp(&long(dot(from_b, to_b), cross(a, c)))
+}
+
+fn minus([ax, ay]: [i64; 2], [bx, by]: [i64; 2]) -> [i64; 2] {
+    [ax - bx, ay - by]
 }
 
 fn product(a: i64, b: i64) -> i128 {
