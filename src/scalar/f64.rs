@@ -21,6 +21,7 @@ use num_traits::float::FloatCore;
 use robust::Coord;
 
 use super::doubles::{exponent, power};
+use super::whole::{largest, whole};
 use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, unbounded, wide};
 
 impl Scalar for f64 {
@@ -114,27 +115,6 @@ fn differences<const N: usize>(points: [[f64; 2]; N], last: [f64; 2]) -> Option<
     (exact && is_whole).then_some(rows)
 }
 
-/// Numbers in units of a power of two, which makes those as large as `size` integers of 61 bits, and whether it
-/// makes integers of all.
-#[inline(always)]
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the products are below 2^61"
-)]
-#[expect(clippy::float_cmp, reason = "asks for exact equality")]
-fn whole<const N: usize>(numbers: &[[f64; 2]; N], size: f64) -> ([[i64; 2]; N], bool) {
-    // The unit must be a normal double.
-    let exponent = exponent(size).max(-900);
-    let (unit, per_unit) = (power(exponent - 60), power(60 - exponent));
-    let (mut integers, mut is_whole) = ([[0; 2]; N], true);
-    let flat = integers.as_flattened_mut().iter_mut();
-    for (integer, &x) in flat.zip(numbers.as_flattened()) {
-        *integer = (x * per_unit) as i64;
-        is_whole &= *integer as f64 * unit == x;
-    }
-    (integers, is_whole)
-}
-
 /// Whether the adaptive expansions neither under- nor overflow on this coordinate (Shewchuk 1997,
 /// section 1): zero or of a size within 2^-142..=2^201.
 fn is_moderate(x: f64) -> bool {
@@ -166,12 +146,6 @@ fn moderate<const N: usize>(points: [[f64; 2]; N]) -> Option<[[f64; 2]; N]> {
 
 fn scale<const N: usize>(points: [[f64; 2]; N], factor: f64) -> [[f64; 2]; N] {
     points.map(|point| point.map(|x| x * factor))
-}
-
-fn largest<const N: usize>(points: &[[f64; 2]; N]) -> f64 {
-    // The bits of numbers that are not negative have their order.
-    let bits = points.as_flattened().iter().map(|x| x.abs().to_bits());
-    f64::from_bits(bits.fold(0, u64::max))
 }
 
 /// The points in units of a power of two that makes integers of all of them.

@@ -3,7 +3,7 @@
 //! scalars use them too.
 //!
 //! Cost: 5 to 15 ns for a test. Big integers, for a microsecond, only for in-circle tests with differences
-//! above 2^62.
+//! above 2^61.
 
 use std::cmp::Ordering;
 
@@ -113,7 +113,7 @@ pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> (Ordering, Stage) {
 
 /// The sign of the in-circle determinant whose rows are the differences of three points to a fourth,
 /// and the integers it took.
-#[expect(clippy::cast_possible_truncation, reason = "only what is below 2^62")]
+#[expect(clippy::cast_possible_truncation, reason = "only what is below 2^61")]
 pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> (Ordering, Stage) {
     let span = rows
         .iter()
@@ -122,7 +122,7 @@ pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> (Ordering, Stage) {
     // A power of two that divides all of them changes no sign.
     let zeros = span.trailing_zeros() & 127;
     let rows = rows.map(|row| row.map(|x| x >> zeros));
-    if span >> zeros < 1 << 62 {
+    if span >> zeros < 1 << 61 {
         let sign = wide::in_circle(rows.map(|row| row.map(|x| x as i64)));
         (sign, Stage::Integers)
     } else {

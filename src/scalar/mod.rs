@@ -29,6 +29,7 @@ mod rational;
 mod rug;
 mod scale;
 mod unbounded;
+mod whole;
 mod wide;
 
 use std::cmp::Ordering;
@@ -36,6 +37,7 @@ use std::cmp::Ordering;
 pub(crate) use rational::integers;
 pub(crate) use scale::{Scale, is_in_range};
 pub use unbounded::Unbounded;
+pub(crate) use whole::WholePoints;
 
 /// A coordinate type with exact predicates.
 ///

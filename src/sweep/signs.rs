@@ -17,7 +17,7 @@ use super::artificial::{self, Artificial};
 use super::vertices::Vertices;
 use crate::ids::{VertexId, narrow};
 use crate::probe::Probe;
-use crate::scalar::{Scalar, Scale, Stage, filter};
+use crate::scalar::{Scalar, Scale, Stage, WholePoints, filter};
 
 /// The exact signs, by rank. A probe that the caller passes counts how they were decided.
 #[derive(Debug)]
@@ -27,7 +27,15 @@ pub(super) struct Signs<'a, S> {
     pub(super) artificial: Artificial,
     /// For each vertex its place from left to right, if the search structure asked for them.
     places: Vec<u32>,
+    /// How many in-circle tests the filter left open so far, and the vertices as integers once they are many.
+    near_ties: usize,
+    whole: Option<WholePoints>,
 }
+
+/// So many near-ties, and one for so many vertices, are worth integers of all: these take the time of a quarter of
+/// a test for each vertex.
+const NEAR_TIES: usize = 16;
+const VERTICES_A_TIE: usize = 4;
 
 impl<'a, S: Scalar> Signs<'a, S> {
     /// The signs of these points, whose sorted and merged vertices are given.
@@ -39,6 +47,8 @@ impl<'a, S: Scalar> Signs<'a, S> {
             vertices,
             artificial,
             places: Vec::new(),
+            near_ties: 0,
+            whole: None,
         }
     }
 
@@ -166,7 +176,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
     /// across it must be flipped (figure 3).
     #[inline(always)]
     pub(super) fn must_flip(
-        &self,
+        &mut self,
         [p, a, b]: [VertexId; 3],
         q: VertexId,
         probe: &mut impl Probe,
@@ -191,7 +201,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
     #[cold]
     #[inline(never)]
     fn must_flip_exact(
-        &self,
+        &mut self,
         [p, a, b]: [VertexId; 3],
         q: VertexId,
         probe: &mut impl Probe,
@@ -219,7 +229,13 @@ impl<'a, S: Scalar> Signs<'a, S> {
 
     /// On which side of the circle through `a`, `b`, `c` the vertex `d` lies, all real, where the filter for
     /// exact doubles does not decide: `Greater` for inside.
-    fn in_circle_exact(&self, [a, b, c, d]: [VertexId; 4], probe: &mut impl Probe) -> Ordering {
+    fn in_circle_exact(&mut self, [a, b, c, d]: [VertexId; 4], probe: &mut impl Probe) -> Ordering {
+        if let Some(whole) = &self.whole
+            && let Some(sign) = whole.in_circle([a, b, c, d].map(VertexId::index))
+        {
+            probe.count(|c| c.count_in_circle(Stage::Integers));
+            return sign;
+        }
         let scale = self.vertices.scale;
         let doubles = [a, b, c, d].map(|v| self.approx(v));
         let filtered = if scale.is_exact() {
@@ -234,6 +250,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
         let (sign, stage) = if let Some(sign) = scale.in_circle_by_integers(doubles) {
             (sign, Stage::Integers)
         } else if are_coordinates(doubles, scale) {
+            self.count_near_tie();
             let [a, b, c, d] = &doubles;
             f64::in_circle_exact(a, b, c, d)
         } else {
@@ -242,6 +259,22 @@ impl<'a, S: Scalar> Signs<'a, S> {
         };
         probe.count(|c| c.count_in_circle(stage));
         sign
+    }
+
+    /// Counts a test that took exact coordinates; makes integers of all vertices when these are many.
+    #[cold]
+    #[inline(never)]
+    fn count_near_tie(&mut self) {
+        self.near_ties += 1;
+        let n = self.vertices.len();
+        if self.near_ties == NEAR_TIES + n / VERTICES_A_TIE && self.vertices.scale.tells_equal() {
+            self.whole = Some(WholePoints::of(&self.vertices.approx[..n]));
+        }
+    }
+
+    /// Bytes of the arrays that grow with the input.
+    pub(super) fn memory(&self) -> usize {
+        self.vertices.memory() + self.whole.as_ref().map_or(0, WholePoints::memory)
     }
 
     /// The leftmost of two vertices, the upper one where x is equal.

@@ -149,7 +149,7 @@ impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
     /// Bytes of the arrays that grow with the input.
     pub(super) fn memory(&self) -> usize {
         self.fabric.mesh.memory()
-            + self.fabric.signs.vertices.memory()
+            + self.fabric.signs.memory()
             + self.front.memory()
             + self.edges.memory()
             + self.chains.memory()
