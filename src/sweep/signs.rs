@@ -32,8 +32,8 @@ pub(super) struct Signs<'a, S> {
     whole: Option<WholePoints>,
 }
 
-/// So many near-ties, and one for so many vertices, are worth integers of all: these take the time of a quarter of
-/// a test for each vertex.
+/// So many near-ties, and one for so many vertices, are worth integers of all: these take about a third of a test
+/// for each vertex.
 const NEAR_TIES: usize = 16;
 const VERTICES_A_TIE: usize = 4;
 
