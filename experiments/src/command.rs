@@ -11,7 +11,7 @@ use sweep_cdt::generate::{KINDS, Kind};
 
 use crate::contestant::Contestant;
 use crate::experiments::{self, Experiment, cells};
-use crate::measure::{Cell, Source};
+use crate::measure::{Cell, Source, Variant};
 use crate::plan::{Plan, Store};
 use crate::report::{self, Method};
 
@@ -42,6 +42,9 @@ struct Options {
     /// A `.poly` file besides; may be repeated.
     #[arg(long)]
     file: Vec<PathBuf>,
+    /// Runs Triangle too, Shewchuk's program, which is here (table1 only).
+    #[arg(long, value_name = "PROGRAM")]
+    triangle: Option<PathBuf>,
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// How often each variant is timed on each input: an odd number has a median, 0 only counts [default: 5, or
@@ -94,10 +97,17 @@ pub(crate) fn run(command: Command, contestants: &[Contestant]) -> Result<()> {
     let experiment = ALL.iter().find(|experiment| experiment.name == name);
     let experiment = experiment.ok_or(format!("no experiment {name}; --help lists them"))?;
     let options = command.options;
+    let mut variants = (experiment.variants)(contestants);
+    if let Some(program) = &options.triangle {
+        if name != experiments::TABLE_1.name {
+            return Err("only table1 takes --triangle".into());
+        }
+        variants.push(Variant::triangle(program));
+    }
     let plan = Plan::new(
         *experiment,
         chosen_cells(experiment, &options)?,
-        (experiment.variants)(contestants),
+        variants,
         options.seed,
         options
             .repetitions

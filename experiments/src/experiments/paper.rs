@@ -5,7 +5,7 @@ use std::fmt::Write;
 use sweep_cdt::{Algorithm, Heuristics};
 
 use super::{Experiment, cells, default_structure};
-use crate::measure::{Row, Variant};
+use crate::measure::{Row, TRIANGLE, Variant};
 use crate::report::{Shape, View};
 
 /// Table 1: nine sets of parcels and contour lines, and its algorithms as ratios to the sweep.
@@ -148,7 +148,8 @@ fn beside_table_1(rows: &[Row]) -> String {
          them in random order. The paper's sets are real and partly tiled, those here are \
          generated with about as many points and edges.\n\n\
          | set | data | points | paper: M-INC | paper: F-S | paper: LS-D&C | here: M-INC | here: F-S | \
-         here: LS-D&C | here: SL of 2005 |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+         here: LS-D&C | here: SL of 2005 | here: Triangle |\n\
+         |---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
     );
     for set in PAPER_1 {
         let total = |variant: &str| {
@@ -159,7 +160,7 @@ fn beside_table_1(rows: &[Row]) -> String {
         let Some(sweep) = total(SL) else {
             continue;
         };
-        let here = [M_INC, F_S, LS_DC, Z_2005].map(|variant| {
+        let here = [M_INC, F_S, LS_DC, Z_2005, TRIANGLE].map(|variant| {
             let ratio = total(variant).map(|time| format!("{:.2}", time / sweep));
             ratio.unwrap_or_default()
         });

@@ -23,7 +23,7 @@ pub(crate) struct Row {
     pub(crate) points: usize,
     pub(crate) edges: usize,
     pub(crate) triangles: usize,
-    /// A number for the result: equal for all variants on this input.
+    /// A number for the result: equal for all variants on this input, and empty for another program's.
     pub(crate) result: String,
     /// Whether divide and conquer made the result.
     pub(crate) is_divided: bool,

@@ -1,10 +1,11 @@
 //! A variant: one way to triangulate an input, which a cell compares with others by what it counts, by the
 //! processor's time, and by a fingerprint of the result.
 
+use std::error::Error;
 use std::fmt;
 use std::time::Duration;
 
-use sweep_cdt::{Algorithm, Error, Heuristics, Run, Stats, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Heuristics, Run, Stats, Triangulation, Triangulator};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::runs::{Sample, convert};
 
@@ -12,8 +13,9 @@ use super::row::{Row, Timed};
 use crate::contestant::Contestant;
 use crate::fronts::{Structure, Watched};
 
-type Count = dyn Fn(&Input, &mut Row) -> Result<(), Error>;
-type Time = dyn Fn(&Input) -> Result<Timed, Error>;
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
+type Count = dyn Fn(&Input, &mut Row) -> Result<()>;
+type Time = dyn Fn(&Input) -> Result<Timed>;
 
 /// One way to triangulate.
 pub(crate) struct Variant {
@@ -31,6 +33,20 @@ impl fmt::Debug for Variant {
 }
 
 impl Variant {
+    /// What counts, and what is timed; its time does not grow with the length of the front.
+    pub(super) fn new(
+        name: &str,
+        count: impl Fn(&Input, &mut Row) -> Result<()> + 'static,
+        time: impl Fn(&Input) -> Result<Timed> + 'static,
+    ) -> Variant {
+        Variant {
+            name: name.to_owned(),
+            is_linear: false,
+            count: Box::new(count),
+            time: Box::new(time),
+        }
+    }
+
     /// A structure, with the default algorithm and heuristics.
     pub(crate) fn structure(contestant: &Contestant) -> Variant {
         Variant::sweep(
@@ -49,10 +65,9 @@ impl Variant {
         heuristics: Heuristics,
     ) -> Variant {
         let (counted, runs) = (contestant.clone(), contestant.clone());
-        Variant {
-            name: name.to_owned(),
-            is_linear: contestant.is_linear(),
-            count: Box::new(move |input, row| {
+        let variant = Variant::new(
+            name,
+            move |input, row| {
                 let run = Triangulator::new()
                     .front(Watched::new(counted.front().clone()))
                     .algorithm(algorithm)
@@ -62,8 +77,12 @@ impl Variant {
                 row.work(run.front.structure.work());
                 take_over(&run, row);
                 Ok(())
-            }),
-            time: Box::new(move |input| timed(|| runs.run(input, algorithm, heuristics))),
+            },
+            move |input| timed(|| Ok(runs.run(input, algorithm, heuristics)?)),
+        );
+        Variant {
+            is_linear: contestant.is_linear(),
+            ..variant
         }
     }
 
@@ -74,33 +93,32 @@ impl Variant {
         let run = |points: &[[S; 2]], input: &Input| {
             Triangulator::new().triangulate_with_stats(points, &input.edges)
         };
-        Variant {
-            name: name.to_owned(),
-            is_linear: false,
-            count: Box::new(move |input, row| {
+        Variant::new(
+            name,
+            move |input, row| {
                 take_over(&run(&points(input), input)?, row);
                 Ok(())
-            }),
-            time: Box::new(move |input| {
+            },
+            move |input| {
                 let points = points(input);
                 timed(|| Ok(run(&points, input)?.stats))
-            }),
-        }
+            },
+        )
     }
 
     /// Triangulates once, and writes all counts into the row.
-    pub(super) fn count(&self, input: &Input, row: &mut Row) -> Result<(), Error> {
+    pub(super) fn count(&self, input: &Input, row: &mut Row) -> Result<()> {
         (self.count)(input, row)
     }
 
     /// Triangulates once, for the times.
-    pub(super) fn time(&self, input: &Input) -> Result<Timed, Error> {
+    pub(super) fn time(&self, input: &Input) -> Result<Timed> {
         (self.time)(input)
     }
 }
 
 /// A run with the processor's time that it took.
-fn timed(run: impl FnOnce() -> Result<Stats, Error>) -> Result<Timed, Error> {
+fn timed(run: impl FnOnce() -> Result<Stats>) -> Result<Timed> {
     let start = processor();
     let stats = run()?;
     let taken = processor().zip(start).map(|(end, start)| end - start);

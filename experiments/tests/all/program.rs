@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use sweep_cdt::formats::{InputFormat, write_graph};
@@ -241,4 +241,52 @@ fn a_file_of_ones_own_is_a_cell() {
     let rows = counts(&out.join("fronts.csv"));
     let mine = rows.iter().filter(|row| row["data"] == "mine");
     assert!(mine.clone().count() > 10 && mine.clone().all(|row| row["points"] == "200"));
+}
+
+/// A program that prints Triangle's times and writes the triangle that it is given.
+#[cfg(unix)]
+fn pretended(folder: &Path, triangle: &str) -> PathBuf {
+    use std::os::unix::fs::PermissionsExt;
+
+    let program = folder.join("triangle");
+    let script = format!(
+        "#!/bin/sh\necho 'Delaunay milliseconds:  27'\necho 'Segment milliseconds:  5'\n\
+         printf '1 3 0\\n0 {triangle}\\n' > \"${{2%.poly}}.1.ele\"\n"
+    );
+    fs::write(&program, script).expect("a file");
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("a program");
+    program
+}
+
+#[cfg(unix)]
+#[test]
+fn triangle_is_timed_and_verified() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("three.poly");
+    fs::write(&file, "3 2 0 0\n0 0 0\n1 2 0\n2 0 2\n0 0\n0\n").expect("a file");
+    let run = |experiment, triangle| {
+        let program = pretended(folder.path(), triangle);
+        let paths = [&file, &program].map(|path| path.to_str().expect("UTF-8"));
+        let arguments = [experiment, "--quick", "--cell", "3", "--file", paths[0]];
+        let out = folder.path().join(triangle);
+        let output = output(&[&arguments[..], &["--triangle", paths[1]]].concat(), &out);
+        (output, out)
+    };
+    let (right, out) = run("table1", "0 1 2");
+    assert!(right.status.success(), "{right:?}");
+    let rows = fs::read_to_string(out.join("cells/0003.csv")).expect("a file");
+    let row = rows.lines().find(|row| row.contains(",Triangle,"));
+    assert!(
+        row.is_some_and(|row| row.ends_with(",32.0,32.0,32.0")),
+        "{rows}"
+    );
+    for (experiment, triangle, expected) in [
+        ("table1", "0 2 1", "runs the wrong way round"),
+        ("table2", "0 1 2", "only table1 takes --triangle"),
+    ] {
+        let (wrong, _) = run(experiment, triangle);
+        assert!(!wrong.status.success());
+        let error = String::from_utf8_lossy(&wrong.stderr);
+        assert!(error.contains(expected), "{error}");
+    }
 }
