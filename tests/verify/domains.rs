@@ -185,3 +185,15 @@ fn many_points_beside_many_sides_are_located() {
         .verify(&points, &edges, &triangles);
     assert!(verdict.is_ok(), "{}", verdict.unwrap_err());
 }
+
+#[test]
+fn a_declared_side_does_not_bend_at_an_added_point() {
+    let square = [vec![0, 1, 2, 3]];
+    let triangles = [[1, 2, 4], [2, 3, 4], [3, 0, 4]];
+    for y in [-1, 0, 1] {
+        let points = [[0, 0], [4, 0], [4, 4], [0, 4], [2, y]];
+        let verifier = Verifier::new().boundary(&square).added_from(4);
+        let verdict = verifier.verify(&points, &[], &triangles);
+        assert_eq!(verdict.is_ok(), y == 0, "{y}: {verdict:?}");
+    }
+}
