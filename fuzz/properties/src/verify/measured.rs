@@ -1,7 +1,8 @@
-//! How deep faults are, and vertices that the input lacks: as the oracle has them in fractions.
+//! How deep faults are, vertices that the input lacks, and levels: as the oracle has them.
 
-use sweep_cdt::verify::{Verifier, Violation, Violations};
+use sweep_cdt::verify::{Level, Verifier, Violation, Violations};
 use sweep_cdt_testing::oracle::arrangement::fractions;
+use sweep_cdt_testing::oracle::is_right;
 use sweep_cdt_testing::oracle::refined::{Wanted, depth, height, is_near};
 
 use super::case::{Case, is_defined, is_small};
@@ -61,5 +62,48 @@ pub(super) fn judge_added(case: &Case) {
             wanted.split_edges(&triangles),
             "{case:?}"
         );
+    }
+}
+
+/// Panics unless the levels are those of the definition. Edges need not be Delaunay: so with all sides for edges, a
+/// right triangulation is one that tiles the hull, and with the case's own edges besides a constrained one.
+pub(super) fn judge_levels(case: &Case) {
+    if !is_defined(case) || !is_small(case) {
+        return;
+    }
+    let Case {
+        points,
+        edges,
+        triangles,
+    } = case;
+    let sides = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let sides: Vec<[usize; 2]> = sides.collect();
+    let both = [&edges[..], &sides].concat();
+    let verdict = |level| {
+        Verifier::new()
+            .level(level)
+            .verify(points, edges, triangles)
+    };
+    let reached = match verdict(Level::Canonical) {
+        Ok(report) => report.level,
+        Err(violations) => violations.report.level,
+    };
+    for level in [
+        Level::Tiling,
+        Level::Constrained,
+        Level::Delaunay,
+        Level::Canonical,
+    ] {
+        let is_reached = verdict(level).is_ok();
+        assert_eq!(is_reached, reached >= Some(level), "{level:?} of {case:?}");
+        let expected = match level {
+            Level::Tiling => is_right(points, &sides, triangles),
+            Level::Constrained => is_right(points, &both, triangles),
+            Level::Delaunay => is_right(points, edges, triangles),
+            _ => continue,
+        };
+        assert_eq!(is_reached, expected, "{level:?} of {case:?}");
     }
 }

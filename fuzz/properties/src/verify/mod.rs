@@ -6,7 +6,7 @@
 //! triangulation is unique up to cocircular vertices, so a result that the oracle's
 //! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares
 //! code with the verifier. What the verifier calls canonical must be the sweep's answer. Its options must
-//! not change its verdict, and faults are as deep as fractions say. The last points may be vertices that the input
+//! not change its verdict, levels are what they say, and faults are as deep as fractions say. The last points may be vertices that the input
 //! lacks. Holes, other domains and regions are declared in a right answer. Some bytes are a
 //! result whose vertices have moved.
 
@@ -149,6 +149,7 @@ fn judge(case: &Case, in_parallel: bool) {
         measured::judge_depths(case, violations);
     }
     measured::judge_added(case);
+    measured::judge_levels(case);
     let verifier = Verifier::new();
     if in_parallel {
         let again = verifier.verify_parallel(points, edges, triangles);
