@@ -268,13 +268,11 @@ fn collections_in_collections_do_not_recurse() {
         format!("{begin}{}", "]}".repeat(depth))
     };
     assert!(graph("geojson", &geojson(101)).points.is_empty());
-    let error = read(InputFormat::Geojson, &source(&geojson(102)), None).expect_err("deep");
-    assert!(
-        error
-            .to_string()
-            .ends_with(": more than 100 objects are in each other")
-    );
-    assert!(read(InputFormat::Geojson, &source(&geojson(depth)), None).is_err());
+    for depth in [102, depth] {
+        let error = read(InputFormat::Geojson, &source(&geojson(depth)), None).expect_err("deep");
+        let error = error.to_string();
+        assert!(error.ends_with(": more than 100 objects are in each other"));
+    }
 }
 
 #[test]
