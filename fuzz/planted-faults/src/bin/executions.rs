@@ -14,7 +14,7 @@ use std::{env, thread};
 use sweep_cdt_properties::{TARGETS, seeds};
 use sweep_cdt_testing::Random;
 
-/// An execution takes a fraction of a millisecond; one that takes so long has no end.
+/// An execution takes milliseconds; one that takes so long has no end, or the machine is very busy.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 fn main() {
