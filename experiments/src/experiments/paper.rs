@@ -45,7 +45,7 @@ pub(crate) const TABLE_1: Experiment = Experiment {
         View {
             name: "flips",
             title: "Flips, a point",
-            about: "Sides swapped by the legalization.",
+            about: "Sides swapped by the legalization. An algorithm that swaps none has no line.",
             measure: |row| Some(row.flips as f64 / row.points.max(1) as f64),
             shape: Shape::Growth,
         },
