@@ -74,12 +74,16 @@ impl Contestant {
         &self.front
     }
 
-    pub(crate) fn is_linear(&self) -> bool {
+    /// Whether its time grows with the length of the front.
+    pub fn is_linear(&self) -> bool {
         self.is_linear
     }
 
-    /// Sweeps.
-    pub(crate) fn run(
+    /// Sweeps with the structure whose time counts.
+    ///
+    /// # Errors
+    /// As [`Triangulator::triangulate`].
+    pub fn run(
         &self,
         input: &Input,
         algorithm: Algorithm,

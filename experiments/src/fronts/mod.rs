@@ -36,6 +36,5 @@ pub use rank_table::RankTable;
 pub use sample_tree::SampleTree;
 pub use sorted_array::SortedArray;
 pub use structure::{AnyFront, FromEnd, Structure};
-pub(crate) use structure::{Seen, Watched};
 pub use treap::Treap;
 pub use uniform_table::UniformTable;

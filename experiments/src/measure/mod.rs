@@ -3,6 +3,7 @@
 mod row;
 mod triangle;
 mod variant;
+mod watched;
 
 use std::error::Error;
 use std::path::PathBuf;

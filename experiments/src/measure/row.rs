@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use sweep_cdt::Stats;
 use sweep_cdt::front::Work;
 
-use crate::fronts::Seen;
+use super::watched::Seen;
 
 /// The columns. All up to `repetitions` are the same in every run and on every platform; the others, whose
 /// names end in `_ms`, are times.

@@ -10,8 +10,9 @@ use sweep_cdt_testing::Input;
 use sweep_cdt_testing::runs::{Sample, convert};
 
 use super::row::{Row, Timed};
+use super::watched::Watched;
 use crate::contestant::Contestant;
-use crate::fronts::{Structure, Watched};
+use crate::fronts::Structure;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 type Count = dyn Fn(&Input, &mut Row) -> Result<()>;

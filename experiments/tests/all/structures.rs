@@ -181,8 +181,6 @@ fn equal_and_infinite_x_are_borne_and_the_upper_node_found() {
     }
 }
 
-/// Hard inputs of more points would take long with every structure.
-const LARGEST: usize = 3000;
 /// Random inputs, and bytes for each.
 const CASES: u64 = 400;
 const BYTES: usize = 160;
@@ -197,13 +195,9 @@ fn assert_same_steps(Input { points, edges }: &Input, heuristics: Heuristics, fr
 
 #[test]
 fn on_inputs_that_broke_other_programs() {
-    let hard = Hard::own();
-    let small = || {
-        hard.iter()
-            .filter(|hard| hard.input.points.len() <= LARGEST)
-    };
-    assert!(small().count() > 100, "there are hard inputs");
-    for hard in small() {
+    let own = Hard::own();
+    assert!(own.len() > 100, "there are hard inputs");
+    for hard in own.iter().chain(&Hard::further()) {
         assert_same_steps(&hard.input, Heuristics::FAST, &hard.name);
     }
 }

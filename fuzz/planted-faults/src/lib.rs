@@ -121,11 +121,12 @@ pub fn plant(file: &Path, source: &str, faults: &[Fault]) -> Result<String, Stri
 }
 
 /// What of the crate's folder is needed to build a target: all that its manifest names.
-const NEEDED: [&str; 7] = [
+const NEEDED: [&str; 8] = [
     "Cargo.toml",
     "README.md",
     "benches",
     "examples",
+    "experiments",
     "src",
     "testing",
     "tests/targets",

@@ -1,12 +1,14 @@
 //! A front structure may be slow, but never changes a step; and it keeps to its contract alone, too.
 //!
-//! Half of the inputs are swept with every structure, one of which names nodes that are as bad as can be:
-//! the events must be those of the first. The other half is no input of a sweep: points go on and off a
+//! Half of the inputs are swept with every structure of the crate and of the experiments, and with two that
+//! name nodes that are as bad as can be: the events must be those of the first. The other half is no input of a sweep: points go on and off a
 //! front in ways that no sweep would take, and a list of them is the judge (`test_alone`).
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, SkipList};
+use sweep_cdt_experiments::fronts::AnyFront;
+use sweep_cdt_experiments::{Contestant, standard};
 use sweep_cdt_testing::fronts::FrontKind;
 
 use crate::reached;
@@ -41,6 +43,10 @@ fn judge(Input { points, edges }: &Input, choices: u64) {
     let steps = Steps::of(points, edges, heuristics);
     for (name, front) in FrontKind::ALL {
         steps.assert_same(points, edges, front, name);
+    }
+    for contestant in standard() {
+        let front = contestant.front().clone();
+        steps.assert_same_with(points, edges, front, contestant.name());
     }
     let astray = Astray::default();
     steps.assert_same_with(points, edges, astray, "a structure that leads astray");
@@ -151,9 +157,18 @@ struct Model<'a> {
     /// From left to right.
     nodes: Vec<FrontNode>,
     front: Front,
-    hash_table: HashTable,
-    skip_list: SkipList,
-    linear: Linear,
+    structures: Vec<(String, AnyFront)>,
+}
+
+/// The structures, the crate's two that count their work as those that do not, too.
+fn structures() -> Vec<(String, AnyFront)> {
+    let named = |contestant: Contestant| (contestant.name().to_owned(), contestant.front().clone());
+    let mut structures: Vec<_> = standard().into_iter().map(named).collect();
+    let hash_table = AnyFront::new(HashTable::default());
+    structures.push(("hash table without counts".to_owned(), hash_table));
+    let skip_list = AnyFront::new(SkipList::default());
+    structures.push(("skip list without counts".to_owned(), skip_list));
+    structures
 }
 
 impl Model<'_> {
@@ -164,13 +179,11 @@ impl Model<'_> {
             inserted: 0,
             nodes: Vec::new(),
             front: Front::new(points.len()),
-            hash_table: HashTable::default(),
-            skip_list: SkipList::default(),
-            linear: Linear::default(),
+            structures: structures(),
         };
-        model.hash_table.begin(domain);
-        model.skip_list.begin(domain);
-        model.linear.begin(domain);
+        for (_, structure) in &mut model.structures {
+            structure.begin(domain);
+        }
         model
     }
 
@@ -201,9 +214,9 @@ impl Model<'_> {
         let place = self.place(x) - choice % (equal.count() + 1);
         self.front.insert(node, self.before(place));
         self.nodes.insert(place, node);
-        self.hash_table.inserted(node, x);
-        self.skip_list.inserted(node, x);
-        self.linear.inserted(node, x);
+        for (_, structure) in &mut self.structures {
+            structure.inserted(node, x);
+        }
         self.check();
     }
 
@@ -211,26 +224,26 @@ impl Model<'_> {
         let node = self.nodes.remove(choice % self.nodes.len());
         let x = self.x(node);
         self.front.remove(node);
-        self.hash_table.removed(node, x);
-        self.skip_list.removed(node, x);
-        self.linear.removed(node, x);
+        for (_, structure) in &mut self.structures {
+            structure.removed(node, x);
+        }
         self.check();
     }
 
     /// Whether each structure names a node, from which the walk ends where the list says.
     fn search(&mut self, x: f64) {
         let expected = self.before(self.place(x));
-        let starts = [
-            self.hash_table.locate(x, &self.front),
-            self.skip_list.locate(x, &self.front),
-            self.linear.locate(x, &self.front),
-        ];
-        for start in starts {
-            assert!(self.front.contains(start), "{start:?} is not on the front");
+        let structures = self.structures.iter_mut();
+        let starts: Vec<_> = structures.map(|(_, s)| s.locate(x, &self.front)).collect();
+        for ((name, _), start) in self.structures.iter().zip(starts) {
+            assert!(
+                self.front.contains(start),
+                "{name}: {start:?} is not on the front"
+            );
             assert_eq!(
                 self.walk(start, x),
                 expected,
-                "from {start:?} (left) to {x}"
+                "{name}: from {start:?} (left) to {x}"
             );
         }
     }
