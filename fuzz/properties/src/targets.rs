@@ -106,8 +106,13 @@ const CHANGES: &[Lead] = &[
 ];
 
 /// The first byte says that a generated input follows, and in which style it is written; the second which
-/// file is read again, or that the trace is; the other twelve are three damages.
-const FILES: &[Lead] = &[("a damaged file", &[8; 14]), ("a trace", &[250; 14])];
+/// file is read again, or that the trace is; the other twelve are three damages. Of a file in a form of other
+/// programs four bytes choose this form.
+const FILES: &[Lead] = &[
+    ("a damaged file", &[8; 14]),
+    ("a trace", &[250; 14]),
+    ("a binary mesh of another program", &[11, 5, 21, 7, 193]),
+];
 
 impl Target {
     const fn named(self, name: &'static str, test: fn(&[u8])) -> Target {

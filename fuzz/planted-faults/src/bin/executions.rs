@@ -1,4 +1,6 @@
-//! Runs one fuzz target on bytes from a fixed seed until it fails: `executions TARGET LIMIT SEEDS`.
+//! Runs one fuzz target on bytes from a fixed seed until it fails: `executions TARGET LIMIT SEEDS [NUMBER]`.
+//!
+//! Another number in place of 1 gives other bytes, so that a long run can be made in pieces.
 //!
 //! Prints `found N MESSAGE` if execution `N` failed, or did not end within [`PATIENCE`]; otherwise `none`.
 //! The bytes are random, or, every second time, a seed of the file `SEEDS` with some changes.
@@ -19,10 +21,13 @@ const PATIENCE: Duration = Duration::from_secs(10);
 
 fn main() {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    let [name, limit, seeds] = &arguments[..] else {
-        panic!("executions TARGET LIMIT SEEDS");
+    let [name, limit, seeds, number @ ..] = &arguments[..] else {
+        panic!("executions TARGET LIMIT SEEDS [NUMBER]");
     };
     let limit: u64 = limit.parse().expect("a number");
+    let number = number
+        .first()
+        .map_or(1, |number| number.parse().expect("a number"));
     let target = TARGETS.iter().find(|target| target.name == name);
     let test = target.expect("a target").test;
 
@@ -42,7 +47,7 @@ fn main() {
         }
     });
 
-    let mut source = Source::new(Path::new(seeds));
+    let mut source = Source::new(Path::new(seeds), number);
     for execution in 1..=limit {
         let bytes = source.next();
         if panic::catch_unwind(|| test(&bytes)).is_err() {
@@ -62,10 +67,10 @@ struct Source {
 }
 
 impl Source {
-    fn new(seeds: &Path) -> Source {
+    fn new(seeds: &Path, number: u64) -> Source {
         let seeds = seeds::read(seeds).expect("a file of seeds");
         Source {
-            random: Random::new(1),
+            random: Random::new(number),
             seeds: seeds.into_keys().collect(),
         }
     }

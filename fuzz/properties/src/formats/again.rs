@@ -2,8 +2,8 @@
 
 use num_rational::BigRational;
 use sweep_cdt::formats::{
-    Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read, read_result,
-    write_graph, write_node,
+    Column, Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read,
+    read_result, write_graph, write_node,
 };
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Triangulation, triangulate};
@@ -130,6 +130,7 @@ pub(super) fn assert_reads<S: Exact>(
             .all(|(x, y)| x.is_same(y));
     assert!(is_same, "{format:?}: {again:?} for {graph:?}");
     assert_eq!(again.edges, graph.edges, "{format:?}");
+    assert_eq!(heights(&again), heights(graph), "{format:?}");
     if format == InputFormat::Node {
         let values = |graph: &Graph<S>| -> Vec<Vec<f64>> {
             graph
@@ -150,6 +151,15 @@ pub(super) fn assert_reads<S: Exact>(
     if format != InputFormat::Json {
         assert_eq!(counts(&again), counts(graph), "{format:?}");
     }
+}
+
+/// The height of each vertex, 0 where there is none.
+pub(super) fn heights<S>(graph: &Graph<S>) -> Vec<f64> {
+    let mut columns = graph.columns.iter();
+    let column = columns.find(|column| column.name == Column::HEIGHT);
+    let mut heights = column.map_or_else(Vec::new, |column| column.values.clone());
+    heights.resize(graph.points.len(), 0.0);
+    heights
 }
 
 /// Each format of results, and the file of it with the triangulation; the vertices of an `ele` follow

@@ -2,16 +2,20 @@
 //!
 //! The first byte picks what the others are: a file of one of the formats as it stands, numbers, a trace,
 //! or an input that is written in every format, read back bit for bit, and read once more after some
-//! damage. The judge is equality alone: of coordinates by their bits, of edges and triangles by index.
+//! damage; or a file that another program might have written. The judge is equality alone: of coordinates by their
+//! bits, of edges and triangles by index.
 
 mod again;
 mod files;
+mod foreign;
 
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
 use sweep_cdt::Heuristics;
 use sweep_cdt::draw::ViolationsPicture;
-use sweep_cdt::formats::{Coordinate, Graph, Input, ResultFormat, Source, read, read_result};
+use sweep_cdt::formats::{
+    Column, Coordinate, Graph, Input, ResultFormat, Source, read, read_result,
+};
 use sweep_cdt::trace::Trace;
 use sweep_cdt::verify::Verifier;
 
@@ -22,6 +26,8 @@ use sweep_cdt_testing::{Steps, generators};
 
 /// The first byte, but for half of its bits, of a file of which the second byte says who reads it.
 const OTHERS: u8 = 12;
+/// The same of a file in a form that the crate does not write.
+const FOREIGN: u8 = 11;
 
 /// The property for the bytes.
 pub fn test(bytes: &[u8]) {
@@ -35,6 +41,9 @@ pub fn test(bytes: &[u8]) {
             try_reader(others[usize::from(which) % others.len()], rest);
         }
         // Reading is total but for a type that has no values.
+        _ if first & 15 == FOREIGN => {
+            foreign::judge(&mut Unstructured::new(rest)).unwrap_or_default();
+        }
         _ => structured(first >> 4, &mut Unstructured::new(rest)).unwrap_or_default(),
     }
 }
@@ -45,8 +54,14 @@ fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
     let damage: [[u8; 4]; 3] = bytes.arbitrary()?;
     let input = generators::read(bytes)?;
     reached::sample(&input);
+    let has_heights = which & 64 != 0 && !input.points.is_empty();
+    let heights = Column {
+        name: Column::HEIGHT.to_owned(),
+        values: (0..input.points.len()).map(height).collect(),
+    };
     let graph = Graph {
         points: input.points,
+        columns: has_heights.then_some(heights).into_iter().collect(),
         edges: input.edges,
         first_vertex: usize::from(style & 1),
         first_edge: usize::from(style >> 1 & 1),
@@ -68,6 +83,11 @@ fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
     Ok(())
 }
 
+/// The height of a vertex.
+fn height(v: usize) -> f64 {
+    [812.5, 0.0, -1e-7, 3e300][v % 4]
+}
+
 /// The same graph, every other vertex divided by a number.
 fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
     let divided = |(v, point): (usize, &[f64; 2])| {
@@ -79,6 +99,7 @@ fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
     };
     Graph {
         points: graph.points.iter().enumerate().map(divided).collect(),
+        columns: graph.columns.clone(),
         edges: graph.edges.clone(),
         first_vertex: graph.first_vertex,
         first_edge: graph.first_edge,

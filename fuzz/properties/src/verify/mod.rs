@@ -1,18 +1,19 @@
 //! The verifier accepts what is right and nothing else, and no input makes it panic.
 //!
-//! The triangles are a right answer with up to three changes, or garbage, or they go round a hub more than
-//! once. For few points the judge is [`is_right`](sweep_cdt_testing::oracle::is_right), which compares
+//! The triangles are a right answer with up to three changes, or garbage, or they go round a hub, some of them more
+//! than once or with dents. For few points the judge is [`is_right`](sweep_cdt_testing::oracle::is_right), which compares
 //! everything with everything in exact integers. For more points it is uniqueness: a constrained Delaunay
 //! triangulation is unique up to cocircular vertices, so a result that the oracle's
 //! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares
 //! code with the verifier. What the verifier calls canonical must be the sweep's answer. Its options must
-//! not change its verdict, levels are what they say, and faults are as deep as fractions say. The last points may be vertices that the input
-//! lacks. Holes, other domains and regions are declared in a right answer. Some bytes are a
-//! result whose vertices have moved.
+//! not change its verdict, levels are what they say, and faults are as deep as fractions say. The last points may be
+//! vertices that the input lacks, also on the sides of a declared domain. Holes, other domains and regions are declared
+//! in a right answer. Some bytes are a result whose vertices have moved.
 
 mod case;
 mod measured;
 mod moved;
+mod outline;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::triangulate;
@@ -53,6 +54,7 @@ pub fn test(bytes: &[u8]) {
     let case = match style & 3 {
         0 if style >> 6 == 0 => wound(&mut bytes),
         0 if style >> 6 == 1 => return moved::judge(&mut bytes).unwrap_or_default(),
+        0 if style >> 6 == 2 => dented(&mut bytes),
         0 => garbage(&mut bytes),
         count => changed(count, &mut bytes),
     };
@@ -106,6 +108,24 @@ fn wound(bytes: &mut Unstructured<'_>) -> Result<Case> {
     Ok(case)
 }
 
+/// The same with rim points at several distances from the hub, so that the closed lines turn right at some.
+fn dented(bytes: &mut Unstructured<'_>) -> Result<Case> {
+    let counts: [u8; 2] = bytes.arbitrary()?;
+    let n = 5 + usize::from(counts[0] % 8);
+    let over = 1 + usize::from(counts[1] % 2);
+    let mut points = vec![[0.0, 0.0]];
+    for i in 0..n {
+        let distance = *bytes.choose(&[1.0, 1.0, 1.0, 0.5, 0.25, 0.125, 1.0 - f64::EPSILON])?;
+        points.push(RIM[i * RIM.len() / n].map(|x| distance * x));
+    }
+    let triangles = (0..n).map(|i| [0, 1 + i, 1 + (i + over) % n]);
+    Ok(Case {
+        triangles: triangles.collect(),
+        points,
+        edges: Vec::new(),
+    })
+}
+
 /// A right answer to an input, changed so many times.
 fn changed(count: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
     let mut words = [[0; 4]; 3];
@@ -147,8 +167,10 @@ fn judge(case: &Case, in_parallel: bool) {
     check_short_list(case, &verdict);
     if let Err(violations) = &verdict {
         measured::judge_depths(case, violations);
+        outline::judge_turns(case, violations);
     }
     measured::judge_added(case);
+    outline::judge_declared(case);
     measured::judge_levels(case);
     let verifier = Verifier::new();
     if in_parallel {

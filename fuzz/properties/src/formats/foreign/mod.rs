@@ -1,0 +1,92 @@
+//! Files as other programs write them: binary numbers of all types in both orders, strips, polylines, single precision,
+//! polygons with holes.
+//!
+//! The crate writes none of these, so the writers are our own and share nothing with it. They know what they mean: the
+//! points, edges, heights and triangles that must be read, or that the file is no triangulation and must be refused.
+
+mod meant;
+mod numbers;
+mod ply;
+mod shapes;
+mod shapes_text;
+mod soup;
+mod vtk;
+
+use arbitrary::{Result, Unstructured};
+use sweep_cdt::formats::{Graph, Input, InputFormat, Matched, ResultFormat, read, read_result};
+use sweep_cdt::{Triangulation, triangulate};
+use sweep_cdt_testing::generators;
+
+use self::meant::Meant;
+use super::again::{heights, source};
+use sweep_cdt_testing::oracle::canonical;
+
+/// The heights of vertices, in turn.
+const HEIGHTS: [f64; 5] = [812.5, 0.0, -3.0, 1e-7, 1e300];
+
+/// A generated input and its triangulation, in one of the forms.
+pub(super) fn judge(bytes: &mut Unstructured<'_>) -> Result<()> {
+    let [form, style, number, height]: [u8; 4] = bytes.arbitrary()?;
+    match form % 8 {
+        0 => return shapes::judge(style, bytes),
+        1 => {
+            let points = generators::read(bytes)?.points;
+            soup::judge(points, [style, number, height]);
+            return Ok(());
+        }
+        _ => {}
+    }
+    let input = generators::read(bytes)?;
+    // Edges that cross are left out.
+    let edges = match triangulate(&input.points, &input.edges) {
+        Ok(_) => input.edges,
+        Err(_) => Vec::new(),
+    };
+    let result = triangulate(&input.points, &edges).expect("edges that do not cross");
+    // Small ones fit into more types.
+    let few = if height & 1 == 0 { 3 } else { HEIGHTS.len() };
+    let of_vertex = |v: usize| HEIGHTS[(v + usize::from(height >> 1)) % few];
+    let has_heights = height >> 6 != 0;
+    let count = if has_heights { input.points.len() } else { 0 };
+    let meant = Meant {
+        heights: (0..count).map(of_vertex).collect(),
+        points: input.points,
+        edges,
+        triangles: result.triangles().collect(),
+    };
+    let (name, file) = match form % 8 {
+        2..5 => ("ply", ply::write(&meant, style, number)),
+        _ => ("vtk", vtk::write(&meant, style, number)),
+    };
+    judge_input(name.parse().expect("a format"), &file, &meant);
+    judge_result(name.parse().expect("a format"), &file, &meant, &result);
+    Ok(())
+}
+
+/// Panics unless the file reads as the points, heights and edges that it means.
+fn judge_input(format: InputFormat, file: &[u8], meant: &Meant) {
+    let shown = || format!("{} of {meant:?}", String::from_utf8_lossy(file));
+    let graph = match read(format, &source(file), None) {
+        Ok(Input::Doubles(graph)) => graph,
+        other => panic!("{other:?}: {}", shown()),
+    };
+    assert_eq!(graph.points, meant.points, "{}", shown());
+    assert_eq!(graph.edges, meant.edges, "{}", shown());
+    let mut expected = meant.heights.clone();
+    expected.resize(meant.points.len(), 0.0);
+    assert_eq!(heights(&graph), expected, "{}", shown());
+}
+
+/// Panics unless the file reads as the triangles that it means.
+fn judge_result(format: ResultFormat, file: &[u8], meant: &Meant, result: &Triangulation) {
+    let shown = || format!("{} of {meant:?}", String::from_utf8_lossy(file));
+    let input = Graph {
+        points: meant.points.clone(),
+        ..Graph::default()
+    };
+    let read = read_result(format, &source(file), None, &input);
+    let read = read.unwrap_or_else(|error| panic!("{error}: {}", shown()));
+    assert_eq!(read.matched, Matched::Equal, "{}", shown());
+    let list = canonical(result, &read.list);
+    assert_eq!(list, result.canonical_triangles(), "{}", shown());
+}
