@@ -6,7 +6,7 @@
 //! | `poly` | vertices, edges, and seeds of holes and regions (Triangle's format) | the same |
 //! | `json` | an object with `points` and `edges`, or with `triangles` and maybe `points` | all of them and more |
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
-//! | `obj`, `off`, `ply`, `vtk`, `msh` | vertices, lines and triangles | the same (Wavefront, Geomview, Stanford, VTK, Gmsh) |
+//! | `obj`, `off`, `ply`, `vtk`, `vtu`, `msh` | vertices, lines and triangles | the same (Wavefront, Geomview, Stanford, VTK, Gmsh) |
 //! | `stl` | triangles by their coordinates | the same |
 //! | `geojson`, `wkt` | points, lines, rings of polygons; or triangles | the same |
 //! | `svg` | | a picture |

@@ -44,6 +44,7 @@ mod statistics;
 mod trace;
 #[path = "../verify/mod.rs"]
 mod verify;
+mod vtu;
 mod work;
 
 use std::collections::BTreeSet;

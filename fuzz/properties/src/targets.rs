@@ -111,7 +111,7 @@ const CHANGES: &[Lead] = &[
 const FILES: &[Lead] = &[
     ("a damaged file", &[8; 14]),
     ("a trace", &[250; 14]),
-    ("a binary mesh of another program", &[11, 5, 21, 7, 193]),
+    ("a binary mesh of another program", &[11, 5, 21, 7, 193, 95]),
 ];
 
 impl Target {

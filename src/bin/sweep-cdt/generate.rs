@@ -28,7 +28,7 @@ pub(crate) struct Generate {
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
 
-    /// File to write: .poly, .node, .json, .obj, .off, .ply, .vtk, .msh, .geojson or .wkt; `-` for standard output
+    /// File to write: .poly, .node, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .geojson or .wkt; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
     output: FileArgument,
 
@@ -42,7 +42,7 @@ Output, which the other subcommands read; numbered from 0:
   .poly    Triangle's vertices and segments
   .node    Triangle's vertices; the edges are left out
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}
-  .obj, .off, .ply, .vtk, .msh
+  .obj, .off, .ply, .vtk, .vtu, .msh
            vertices and lines, with heights of 0
   .geojson, .wkt
            points and lines

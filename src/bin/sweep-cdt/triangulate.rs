@@ -83,8 +83,8 @@ Input:
            Points of holes and regions are read for --inside; markers of vertices and edges are ignored
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\".
            They may be called vertices and segments
-  .obj, .off, .ply, .vtk, .msh
-           vertices, and lines for edges; faces are ignored. .ply and .vtk may be binary
+  .obj, .off, .ply, .vtk, .vtu, .msh
+           vertices, and lines for edges; faces are ignored. .ply, .vtk and .vtu may be binary
   .geojson, .wkt
            points, and lines and rings of polygons for edges; equal points become one vertex
   Heights (a third coordinate, or the first attribute of a vertex) and other columns of the vertices
@@ -98,7 +98,7 @@ Output, with the triangles always in the same order:
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0. With --inside also the boundary, and the
            region of each triangle. With --split-crossings also the chain of each edge of the input
-  .obj, .off, .ply, .vtk, .msh, .stl
+  .obj, .off, .ply, .vtk, .vtu, .msh, .stl
            vertices and triangles for 3D programs, as text; z is the height, or 0
   .geojson, .wkt
            a polygon for each triangle

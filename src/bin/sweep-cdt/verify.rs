@@ -103,8 +103,8 @@ Result:
   .ele     Triangle's triangles, numbered from 0 or 1, and the .node beside it, if there is one
   .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; numbered from 0; with
            \"points\": [[x, y], ...] or without. Also simplices or faces, and vertices
-  .obj, .off, .ply, .vtk, .msh
-           vertices and faces; z is ignored. .ply and .vtk may be binary
+  .obj, .off, .ply, .vtk, .vtu, .msh
+           vertices and faces; z is ignored. .ply, .vtk and .vtu may be binary
   .stl, .geojson, .wkt
            triangles by the coordinates of their corners, and no others; .stl may be binary
   If the result has coordinates, its vertices are matched with those of the input by them, exactly

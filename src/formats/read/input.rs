@@ -5,6 +5,7 @@ use num_rational::BigRational;
 use crate::formats::read::content::{Edges, Vertices};
 use crate::formats::read::matching::{find, is_finite};
 use crate::formats::read::source::{ReadError, Source};
+use crate::formats::read::vtu::Unpacked;
 use crate::formats::read::{geojson, json, msh, obj, off, ply, triangle, vtk, wkt};
 use crate::formats::{Column, Coordinate, CoordinateError, Graph, Region};
 
@@ -38,6 +39,8 @@ pub enum InputFormat {
     Ply,
     /// VTK's points and lines, as text or binary.
     Vtk,
+    /// VTK's points and lines, as XML.
+    Vtu,
     /// Gmsh's nodes and lines, as text.
     Msh,
     /// Points, lines and polygons of maps, as JSON.
@@ -49,9 +52,9 @@ pub enum InputFormat {
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        use InputFormat::{Geojson, Json, Msh, Node, Obj, Off, Ply, Poly, Vtk, Wkt};
+        use InputFormat::{Geojson, Json, Msh, Node, Obj, Off, Ply, Poly, Vtk, Vtu, Wkt};
         match self {
-            Obj | Off | Ply | Vtk | Msh => true,
+            Obj | Off | Ply | Vtk | Vtu | Msh => true,
             Node | Poly | Json | Geojson | Wkt => false,
         }
     }
@@ -106,7 +109,7 @@ pub fn read(
     source: &Source,
     node: Option<&Source>,
 ) -> Result<Input, ReadError> {
-    let mut content = match format {
+    let content = match format {
         InputFormat::Node => triangle::read_node(source).map(without_edges)?,
         InputFormat::Poly => triangle::read_poly(source, node)?,
         InputFormat::Json => json::read(source)?,
@@ -114,10 +117,19 @@ pub fn read(
         InputFormat::Off => off::read(source)?.into_graph()?,
         InputFormat::Ply => ply::read(source)?.into_graph()?,
         InputFormat::Vtk => vtk::read(source)?.into_graph()?,
+        InputFormat::Vtu => {
+            let unpacked = Unpacked::of(source)?;
+            return input(format, unpacked.mesh()?.into_graph()?);
+        }
         InputFormat::Msh => msh::read(source)?.into_graph()?,
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
     };
+    input(format, content)
+}
+
+/// The contents of a file, with their numbers.
+fn input(format: InputFormat, mut content: Edges<'_>) -> Result<Input, ReadError> {
     // First as doubles; if a coordinate is a fraction, all once more as rationals.
     let is_exact = |error| match error {
         CoordinateError::Fraction => true,

@@ -22,6 +22,9 @@ mod token_lines;
 mod triangle;
 mod vtk;
 mod vtk_arrays;
+mod vtu;
+mod vtu_arrays;
+mod vtu_elements;
 mod wkt;
 mod words;
 

@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use crate::formats::read::content::{Corners, Labels, Vertices};
 use crate::formats::read::matching::{self, Matched, Matching};
 use crate::formats::read::source::{ReadError, ResultError, Source};
+use crate::formats::read::vtu::Unpacked;
 use crate::formats::read::{geojson, json, msh, obj, off, ply, stl, triangle, vtk, wkt};
 use crate::formats::{Coordinate, CoordinateError, Graph};
 use crate::verify::{Offenders, Violation};
@@ -35,6 +36,8 @@ pub enum ResultFormat {
     Ply,
     /// VTK's points, and polygons or cells, as text or binary.
     Vtk,
+    /// VTK's points and cells, as XML.
+    Vtu,
     /// Gmsh's nodes and triangles, as text.
     Msh,
     /// Triangles alone, as text or binary.
@@ -46,23 +49,30 @@ pub enum ResultFormat {
 }
 
 impl ResultFormat {
-    fn read<'a>(
+    /// Reads a file, and makes something of it.
+    fn read<T>(
         self,
-        source: &'a Source,
-        node: Option<&'a Source>,
-    ) -> Result<Corners<'a>, ReadError> {
-        match self {
-            ResultFormat::Ele => triangle::read_ele(source, node),
-            ResultFormat::Json => json::read_triangles(source),
-            ResultFormat::Obj => obj::read(source)?.into_triangles(),
-            ResultFormat::Off => off::read(source)?.into_triangles(),
-            ResultFormat::Ply => ply::read(source)?.into_triangles(),
-            ResultFormat::Vtk => vtk::read(source)?.into_triangles(),
-            ResultFormat::Msh => msh::read(source)?.into_triangles(),
-            ResultFormat::Stl => stl::read(source),
-            ResultFormat::Geojson => geojson::read(source)?.into_triangles(),
-            ResultFormat::Wkt => wkt::read(source)?.into_triangles(),
-        }
+        source: &Source,
+        node: Option<&Source>,
+        make: impl FnOnce(Corners<'_>) -> Result<T, ResultError>,
+    ) -> Result<T, ResultError> {
+        let corners = match self {
+            ResultFormat::Ele => triangle::read_ele(source, node)?,
+            ResultFormat::Json => json::read_triangles(source)?,
+            ResultFormat::Obj => obj::read(source)?.into_triangles()?,
+            ResultFormat::Off => off::read(source)?.into_triangles()?,
+            ResultFormat::Ply => ply::read(source)?.into_triangles()?,
+            ResultFormat::Vtk => vtk::read(source)?.into_triangles()?,
+            ResultFormat::Vtu => {
+                let unpacked = Unpacked::of(source)?;
+                return make(unpacked.mesh()?.into_triangles()?);
+            }
+            ResultFormat::Msh => msh::read(source)?.into_triangles()?,
+            ResultFormat::Stl => stl::read(source)?,
+            ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
+            ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
+        };
+        make(corners)
     }
 }
 
@@ -140,15 +150,16 @@ impl Matching {
         node: Option<&Source>,
         input: &Graph<S>,
     ) -> Result<Triangles, ResultError> {
-        let corners = format.read(source, node)?;
-        let (matched, places) = match &corners.vertices {
-            Some(vertices) => {
-                self.places(vertices, corners.is_soup, &points_of(vertices)?, input)?
-            }
-            None => (Matched::Unplaced, None),
-        };
-        let places = places.as_deref();
-        Ok(by_input_vertices(corners, matched, places, input))
+        format.read(source, node, |corners| {
+            let (matched, places) = match &corners.vertices {
+                Some(vertices) => {
+                    self.places(vertices, corners.is_soup, &points_of(vertices)?, input)?
+                }
+                None => (Matched::Unplaced, None),
+            };
+            let places = places.as_deref();
+            Ok(by_input_vertices(corners, matched, places, input))
+        })
     }
 }
 
@@ -176,10 +187,10 @@ pub fn added_points<S: Coordinate>(
     node: Option<&Source>,
     input: &Graph<S>,
 ) -> Result<Vec<[S; 2]>, ResultError> {
-    match format.read(source, node)?.vertices {
+    format.read(source, node, |corners| match corners.vertices {
         Some(vertices) => matching::added(&vertices, points_of(&vertices)?, input),
         None => Ok(Vec::new()),
-    }
+    })
 }
 
 /// The vertices of a file, in the type of the input's.

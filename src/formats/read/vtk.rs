@@ -211,16 +211,7 @@ impl<'a> File<'a> {
             return Err(ReadError::of_file(&source.name, message));
         }
         for (at, (kind, cell)) in types.into_iter().zip(&cells).enumerate() {
-            let error = |what: String| of_cell(source, at, &what);
-            match kind {
-                1 | 2 => {}
-                3 | 4 => self.faces.add_lines(cell),
-                5 | 7 | 8 | 9 => self.faces.add(cell, error),
-                6 => self.faces.add_strip(cell),
-                _ => self
-                    .faces
-                    .refuse(|| error(format!("cells of type {kind} are no triangles"))),
-            }
+            add_cell(&mut self.faces, kind, cell, source, at);
         }
         Ok(())
     }
@@ -245,6 +236,24 @@ impl<'a> File<'a> {
             });
         }
         Ok(())
+    }
+}
+
+/// Adds a cell of one of VTK's types.
+pub(super) fn add_cell(
+    faces: &mut Faces,
+    kind: usize,
+    corners: &[usize],
+    source: &Source,
+    at: usize,
+) {
+    let error = |what: String| of_cell(source, at, &what);
+    match kind {
+        1 | 2 => {}
+        3 | 4 => faces.add_lines(corners),
+        5 | 7 | 8 | 9 => faces.add(corners, error),
+        6 => faces.add_strip(corners),
+        _ => faces.refuse(|| error(format!("cells of type {kind} are no triangles"))),
     }
 }
 

@@ -9,10 +9,10 @@ use crate::formats::{Column, Coordinate, Graph};
 
 /// What is written: the vertices of a graph with triangles of a result, or with the edges.
 pub(super) struct Mesh<'a, S> {
-    graph: &'a Graph<S>,
-    heights: Option<&'a Column>,
-    lines: &'a [[usize; 2]],
-    triangles: Vec<[usize; 3]>,
+    pub(super) graph: &'a Graph<S>,
+    pub(super) heights: Option<&'a Column>,
+    pub(super) lines: &'a [[usize; 2]],
+    pub(super) triangles: Vec<[usize; 3]>,
 }
 
 impl<'a, S: Coordinate> Mesh<'a, S> {
@@ -158,7 +158,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     }
 
     /// The columns but the heights.
-    fn others(&self) -> Vec<&'a Column> {
+    pub(super) fn others(&self) -> Vec<&'a Column> {
         let columns = self.graph.columns.iter();
         columns
             .filter(|column| column.name != Column::HEIGHT)
@@ -166,7 +166,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     }
 
     /// Writes a line for each vertex: what `before` appends, x, y, z, and its numbers in other columns.
-    fn write_vertices(
+    pub(super) fn write_vertices(
         &self,
         before: impl Fn(usize, &mut Vec<u8>) + Sync + Send,
         others: &[&Column],
@@ -213,7 +213,7 @@ fn write_elements<const N: usize>(
 }
 
 /// Writes a line for each face: this word, if there is one, and the corners, numbered from `first`.
-fn write_faces<const N: usize>(
+pub(super) fn write_faces<const N: usize>(
     before: &[u8],
     first: usize,
     faces: &[[usize; N]],

@@ -5,6 +5,7 @@ mod json;
 mod mesh;
 mod rows;
 mod shapes;
+mod vtu;
 
 use std::io::{self, Write};
 
@@ -45,6 +46,8 @@ pub enum OutputFormat {
     Ply,
     /// VTK's points and cells, as text.
     Vtk,
+    /// VTK's points and cells, as XML.
+    Vtu,
     /// Gmsh's nodes and triangles, as text of version 2.2.
     Msh,
     /// Triangles alone, as text.
@@ -119,6 +122,7 @@ pub fn write_domain<S: Coordinate>(
         OutputFormat::Off => Mesh::of(graph, domain).write_off(out),
         OutputFormat::Ply => Mesh::of(graph, domain).write_ply(out),
         OutputFormat::Vtk => Mesh::of(graph, domain).write_vtk(out),
+        OutputFormat::Vtu => Mesh::of(graph, domain).write_vtu(out),
         OutputFormat::Msh => Mesh::of(graph, domain).write_msh(out),
         OutputFormat::Stl => Mesh::of(graph, domain).write_stl(out),
         OutputFormat::Geojson => shapes::write_geojson(graph, domain, out),
@@ -158,6 +162,7 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Off => Mesh::of_graph(graph).write_off(out),
         InputFormat::Ply => Mesh::of_graph(graph).write_ply(out),
         InputFormat::Vtk => Mesh::of_graph(graph).write_vtk(out),
+        InputFormat::Vtu => Mesh::of_graph(graph).write_vtu(out),
         InputFormat::Msh => Mesh::of_graph(graph).write_msh(out),
         InputFormat::Geojson => shapes::write_geojson_graph(graph, out),
         InputFormat::Wkt => shapes::write_wkt_graph(graph, out),

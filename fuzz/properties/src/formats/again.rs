@@ -16,21 +16,23 @@ const POINTS: usize = 64;
 const CHARACTERS: usize = 2000;
 
 /// The formats of inputs that came later.
-pub(super) const INPUTS: [InputFormat; 7] = [
+pub(super) const INPUTS: [InputFormat; 8] = [
     InputFormat::Obj,
     InputFormat::Off,
     InputFormat::Ply,
     InputFormat::Vtk,
+    InputFormat::Vtu,
     InputFormat::Msh,
     InputFormat::Geojson,
     InputFormat::Wkt,
 ];
 
 /// The formats of results that came later.
-pub(super) const RESULTS: [ResultFormat; 7] = [
+pub(super) const RESULTS: [ResultFormat; 8] = [
     ResultFormat::Off,
     ResultFormat::Ply,
     ResultFormat::Vtk,
+    ResultFormat::Vtu,
     ResultFormat::Msh,
     ResultFormat::Stl,
     ResultFormat::Geojson,

@@ -40,8 +40,10 @@ impl Reader {
     pub(super) fn may_be_binary(self) -> bool {
         matches!(
             self,
-            Reader::Input(InputFormat::Ply | InputFormat::Vtk)
-                | Reader::Result(ResultFormat::Ply | ResultFormat::Vtk | ResultFormat::Stl)
+            Reader::Input(InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)
+                | Reader::Result(
+                    ResultFormat::Ply | ResultFormat::Vtk | ResultFormat::Vtu | ResultFormat::Stl
+                )
         )
     }
 }

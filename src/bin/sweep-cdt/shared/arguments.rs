@@ -20,7 +20,7 @@ use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 /// Arguments that name an input.
 #[derive(clap::Args)]
 pub(crate) struct InputArgs {
-    /// File to read: .node, .poly, .json, .obj, .off, .ply, .vtk, .msh, .geojson or .wkt; `-` for standard input
+    /// File to read: .node, .poly, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .geojson or .wkt; `-` for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: FileArgument,
 
@@ -59,7 +59,7 @@ impl InputArgs {
 /// Arguments that name a result.
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
-    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .msh, .stl, .geojson
+    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson
     /// or .wkt; `-` for standard input
     #[arg(value_name = "RESULT")]
     pub(crate) result: FileArgument,
@@ -105,7 +105,7 @@ impl ResultArgs {
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
-    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .msh, .stl, .geojson, .wkt or .svg; may be given
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson, .wkt or .svg; may be given
     /// several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,

@@ -1,5 +1,5 @@
 //! Files as other programs write them: binary numbers of all types in both orders, strips, polylines, single precision,
-//! polygons with holes.
+//! XML with packed arrays, polygons with holes.
 //!
 //! The crate writes none of these, so the writers are our own and share nothing with it. They know what they mean: the
 //! points, edges, heights and triangles that must be read, or that the file is no triangulation and must be refused.
@@ -11,6 +11,7 @@ mod shapes;
 mod shapes_text;
 mod soup;
 mod vtk;
+mod vtu;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::formats::{Graph, Input, InputFormat, Matched, ResultFormat, read, read_result};
@@ -26,7 +27,7 @@ const HEIGHTS: [f64; 5] = [812.5, 0.0, -3.0, 1e-7, 1e300];
 
 /// A generated input and its triangulation, in one of the forms.
 pub(super) fn judge(bytes: &mut Unstructured<'_>) -> Result<()> {
-    let [form, style, number, height]: [u8; 4] = bytes.arbitrary()?;
+    let [form, style, number, height, packing]: [u8; 5] = bytes.arbitrary()?;
     match form % 8 {
         0 => return shapes::judge(style, bytes),
         1 => {
@@ -54,12 +55,26 @@ pub(super) fn judge(bytes: &mut Unstructured<'_>) -> Result<()> {
         edges,
         triangles: result.triangles().collect(),
     };
-    let (name, file) = match form % 8 {
+    let (name, mut file) = match form % 8 {
         2..5 => ("ply", ply::write(&meant, style, number)),
-        _ => ("vtk", vtk::write(&meant, style, number)),
+        5 | 6 => ("vtk", vtk::write(&meant, style, number)),
+        _ => ("vtu", vtu::write(&meant, style, number, packing)),
     };
-    judge_input(name.parse().expect("a format"), &file, &meant);
-    judge_result(name.parse().expect("a format"), &file, &meant, &result);
+    let as_input: InputFormat = name.parse().expect("a format");
+    let as_result: ResultFormat = name.parse().expect("a format");
+    judge_input(as_input, &file, &meant);
+    judge_result(as_result, &file, &meant, &result);
+    // A byte that is damaged may change what is read, or be refused, and nothing else.
+    let at = usize::from(bytes.arbitrary::<u16>()?) % file.len();
+    file[at] = bytes.arbitrary()?;
+    let damaged = source(&file);
+    drop(read(as_input, &damaged, None));
+    drop(read_result(
+        as_result,
+        &damaged,
+        None,
+        &Graph::<f64>::default(),
+    ));
     Ok(())
 }
 

@@ -20,17 +20,6 @@ pub(super) fn write(meant: &Meant, style: u8, number: u8) -> Vec<u8> {
     let place = form(Kind::holding(number, &all));
     let has_offsets = style & 2 != 0;
     let is_polydata = style & 4 != 0;
-    let lines = if style & 8 != 0 {
-        polylines(&meant.edges)
-    } else {
-        meant.edges.iter().map(|edge| edge.to_vec()).collect()
-    };
-    let has_strips = style & 16 != 0;
-    let faces = if has_strips {
-        strips(&meant.triangles)
-    } else {
-        meant.triangles.iter().map(|t| t.to_vec()).collect()
-    };
 
     let version = if has_offsets { "5.1" } else { "3.0" };
     let mut file = Vec::new();
@@ -58,38 +47,64 @@ pub(super) fn write(meant: &Meant, style: u8, number: u8) -> Vec<u8> {
             .for_each(|x| place.put(x, &mut file));
     }
     file.push(b'\n');
+    let Cells { list, types, lines } = Cells::of(meant, style);
     if is_polydata {
-        let name = if has_strips {
+        let (lines, faces) = list.split_at(lines);
+        let name = if has_strips(style) {
             "TRIANGLE_STRIPS"
         } else {
             "POLYGONS"
         };
-        cells("LINES", &lines, form, has_offsets, &mut file);
-        cells(name, &faces, form, has_offsets, &mut file);
+        cells("LINES", lines, form, has_offsets, &mut file);
+        cells(name, faces, form, has_offsets, &mut file);
         return file;
     }
-    let line = |cell: &Vec<usize>| if cell.len() == 2 { 3 } else { 4 };
-    let face = |_: &Vec<usize>| match (has_strips, style & 32) {
-        (true, _) => 6,
-        (false, 0) => 5,
-        (false, _) => 7,
-    };
-    let types: Vec<usize> = lines
-        .iter()
-        .map(line)
-        .chain(faces.iter().map(face))
-        .collect();
-    cells(
-        "CELLS",
-        &[lines, faces].concat(),
-        form,
-        has_offsets,
-        &mut file,
-    );
+    cells("CELLS", &list, form, has_offsets, &mut file);
     writeln!(file, "CELL_TYPES {}", types.len()).expect(GROWS);
     form(Kind::I32).put_indices(&types, &mut file);
     file.push(b'\n');
     file
+}
+
+/// What is meant as cells of VTK's types.
+pub(super) struct Cells {
+    pub(super) list: Vec<Vec<usize>>,
+    pub(super) types: Vec<usize>,
+    /// How many of them are lines; they are the first.
+    lines: usize,
+}
+
+impl Cells {
+    /// Lines or polylines, then triangles, polygons or strips.
+    pub(super) fn of(meant: &Meant, style: u8) -> Cells {
+        let lines = if style & 8 != 0 {
+            polylines(&meant.edges)
+        } else {
+            meant.edges.iter().map(|edge| edge.to_vec()).collect()
+        };
+        let faces = if has_strips(style) {
+            strips(&meant.triangles)
+        } else {
+            meant.triangles.iter().map(|t| t.to_vec()).collect()
+        };
+        let line = |cell: &Vec<usize>| if cell.len() == 2 { 3 } else { 4 };
+        let face = match (has_strips(style), style & 32) {
+            (true, _) => 6,
+            (false, 0) => 5,
+            (false, _) => 7,
+        };
+        let mut types: Vec<usize> = lines.iter().map(line).collect();
+        types.resize(lines.len() + faces.len(), face);
+        Cells {
+            types,
+            lines: lines.len(),
+            list: [lines, faces].concat(),
+        }
+    }
+}
+
+fn has_strips(style: u8) -> bool {
+    style & 16 != 0
 }
 
 fn name_of(kind: Kind) -> &'static str {
