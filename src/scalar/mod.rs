@@ -12,21 +12,25 @@
 //! |---|---|
 //! | `f64` | filter, then machine integers, then adaptive expansions (crate `robust`), then big integers where exponents are extreme |
 //! | `f32` | as `f64`, which holds every `f32` |
-//! | `i32`, `i64` | 128-bit integers where they suffice, else big integers |
-//! | `BigRational` | filter, then integers over a common denominator |
+//! | `i32`, `i64`, `i128` | 128-bit integers where they suffice, else big integers |
+//! | `BigRational`, `Ratio<i64>` | filter, then integers over a common denominator |
 //! | any [`Unbounded`] number (`BigInt`, your own, ...) | filter, then its own arithmetic |
-//! | `rug::Rational` (feature `rug`) | filter, then GMP's arithmetic |
+//! | `rug::Rational`, `rug::Integer` (feature `rug`) | filter, then GMP's arithmetic |
 
 mod doubles;
 mod f32;
 mod f64;
 pub(crate) mod filter;
 pub(crate) mod frame;
+mod i128;
 mod integer;
 mod lattice;
+mod ratio;
 mod rational;
 #[cfg(feature = "rug")]
 mod rug;
+#[cfg(feature = "rug")]
+mod rug_integer;
 mod scale;
 mod unbounded;
 mod whole;

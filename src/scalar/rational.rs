@@ -30,11 +30,12 @@ impl Scalar for BigRational {
     }
 
     fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
-        let unit = odd_unit(points.as_flattened())?;
+        let small = |x: &Self| x.denom().to_u128().and_then(odd_part);
+        let unit = odd_unit(points.as_flattened().iter().map(small))?;
         if unit == 1 {
             all_doubles(points, double)
         } else {
-            all_doubles(points, |x| whole(x, unit))
+            all_doubles(points, |x| whole(x.numer().to_i128()?, small(x)?, unit))
         }
     }
 
@@ -115,11 +116,10 @@ fn double(number: &BigRational) -> Option<f64> {
 
 /// The least common multiple of the odd parts of all denominators: times this number, all are whole but for
 /// powers of two. `None` if it or a denominator is large, negative or zero.
-fn odd_unit(numbers: &[BigRational]) -> Option<u64> {
+pub(super) fn odd_unit(parts: impl Iterator<Item = Option<(u128, u32)>>) -> Option<u64> {
     let mut unit = 1;
-    for number in numbers {
-        let (odd, _) = small_denominator(number)?;
-        let odd = u64::try_from(odd).ok()?;
+    for part in parts {
+        let odd = u64::try_from(part?.0).ok()?;
         if unit % odd != 0 {
             let least = Ratio::new(unit, odd);
             unit = unit.checked_mul(*least.denom())?;
@@ -128,19 +128,17 @@ fn odd_unit(numbers: &[BigRational]) -> Option<u64> {
     Some(unit)
 }
 
-/// The odd part of the denominator, and the power of two in it.
-fn small_denominator(number: &BigRational) -> Option<(u128, u32)> {
-    let denominator = number.denom().to_u128().filter(|&size| size > 0)?;
+/// The odd part of a denominator that is not zero, and the power of two in it.
+pub(super) fn odd_part(denominator: u128) -> Option<(u128, u32)> {
     let zeros = denominator.trailing_zeros();
-    Some((denominator >> zeros, zeros))
+    (denominator > 0).then(|| (denominator >> zeros, zeros))
 }
 
-/// The double that equals the number times `unit`, a multiple of the odd part of its denominator, if there is
-/// one of moderate size.
-fn whole(number: &BigRational, unit: u64) -> Option<f64> {
-    let (odd, zeros) = small_denominator(number)?;
+/// The double that equals `unit` times a fraction, whose denominator has these parts, if there is one of moderate
+/// size. The unit is a multiple of the odd part.
+pub(super) fn whole(numerator: i128, (odd, zeros): (u128, u32), unit: u64) -> Option<f64> {
     let factor = (u128::from(unit) / odd).cast_signed();
-    let product = number.numer().to_i128()?.checked_mul(factor)?;
+    let product = numerator.checked_mul(factor)?;
     let is_double = product.unsigned_abs() >> product.trailing_zeros().min(127) < 1 << 53;
     is_double.then(|| product as f64 / (1_u128 << zeros) as f64)
 }

@@ -5,6 +5,7 @@
 //! what [`approx`](Scalar::approx) must be.
 
 use std::cmp::Ordering;
+use std::ops::{Add, Mul, Sub};
 
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -64,7 +65,7 @@ impl Scalar for Rational {
         if let Some([a, b, c]) = doubles([a, b, c]) {
             return f64::orient2d_exact(&a, &b, &c);
         }
-        (cross(&minus(a, c), &minus(b, c)).cmp0(), Stage::Own)
+        (area(a, b, c).cmp0(), Stage::Own)
     }
 
     fn in_circle_exact(
@@ -76,10 +77,7 @@ impl Scalar for Rational {
         if let Some([a, b, c, d]) = doubles([a, b, c, d]) {
             return f64::in_circle_exact(&a, &b, &c, &d);
         }
-        let [a, b, c] = [a, b, c].map(|p| minus(p, d));
-        let determinant =
-            lift(&a) * cross(&b, &c) + lift(&b) * cross(&c, &a) + lift(&c) * cross(&a, &b);
-        (determinant.cmp0(), Stage::Own)
+        (determinant([a, b, c], d).cmp0(), Stage::Own)
     }
 }
 
@@ -96,24 +94,50 @@ fn doubles<const N: usize>(points: [&[Rational; 2]; N]) -> Option<[[f64; 2]; N]>
 
 /// The same number in pure Rust.
 fn pure(number: &Rational) -> BigRational {
-    let integer = |x: &Integer| {
-        let sign = match x.cmp0() {
-            Ordering::Less => Sign::Minus,
-            _ => Sign::Plus,
-        };
-        BigInt::from_bytes_le(sign, &x.to_digits(Order::Lsf))
+    BigRational::new_raw(big(number.numer()), big(number.denom()))
+}
+
+/// The same integer in pure Rust.
+pub(super) fn big(integer: &Integer) -> BigInt {
+    let sign = match integer.cmp0() {
+        Ordering::Less => Sign::Minus,
+        _ => Sign::Plus,
     };
-    BigRational::new_raw(integer(number.numer()), integer(number.denom()))
+    BigInt::from_bytes_le(sign, &integer.to_digits(Order::Lsf))
 }
 
-fn minus(a: &[Rational; 2], b: &[Rational; 2]) -> [Rational; 2] {
-    [0, 1].map(|i| Rational::from(&a[i] - &b[i]))
+/// Numbers of GMP with the operators that determinants need.
+pub(super) trait Gmp:
+    Clone
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+{
 }
 
-fn lift(p: &[Rational; 2]) -> Rational {
-    Rational::from(p[0].square_ref()) + Rational::from(p[1].square_ref())
+impl Gmp for Integer {}
+impl Gmp for Rational {}
+
+/// Twice the area of the triangle `a`, `b`, `c`.
+pub(super) fn area<T: Gmp>(a: &[T; 2], b: &[T; 2], c: &[T; 2]) -> T {
+    cross(&minus(a, c), &minus(b, c))
 }
 
-fn cross(p: &[Rational; 2], q: &[Rational; 2]) -> Rational {
-    Rational::from(&p[0] * &q[1]) - Rational::from(&p[1] * &q[0])
+/// The in-circle determinant.
+pub(super) fn determinant<T: Gmp>(points: [&[T; 2]; 3], d: &[T; 2]) -> T {
+    let [a, b, c] = points.map(|p| minus(p, d));
+    cross(&b, &c) * &lift(&a) + cross(&c, &a) * &lift(&b) + cross(&a, &b) * &lift(&c)
+}
+
+fn minus<T: Gmp>(a: &[T; 2], b: &[T; 2]) -> [T; 2] {
+    [0, 1].map(|i| a[i].clone() - &b[i])
+}
+
+fn lift<T: Gmp>([x, y]: &[T; 2]) -> T {
+    x.clone() * x + y.clone() * y
+}
+
+fn cross<T: Gmp>(p: &[T; 2], q: &[T; 2]) -> T {
+    p[0].clone() * &q[1] - p[1].clone() * &q[0]
 }

@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::{BigRational, Ratio};
 use num_traits::{FromPrimitive, ToPrimitive};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Algorithm, Corners, Error, Heuristics, Repeater, Triangulator};
@@ -57,6 +57,8 @@ pub fn all() -> Vec<Run> {
     runs.extend(with::<f32>("f32"));
     runs.extend(with::<i32>("i32"));
     runs.extend(with::<i64>("i64"));
+    runs.extend(with::<i128>("i128"));
+    runs.extend(with::<Ratio<i64>>("Ratio<i64>"));
     runs.extend(with::<BigInt>("BigInt"));
     runs.extend(with::<BigRational>("BigRational"));
     runs.extend(with::<Archetype>("archetype"));
@@ -200,6 +202,19 @@ impl Sample for i32 {
 impl Sample for i64 {
     fn of(x: f64) -> Option<i64> {
         integer(x)
+    }
+}
+
+impl Sample for i128 {
+    fn of(x: f64) -> Option<i128> {
+        integer(x)
+    }
+}
+
+impl Sample for Ratio<i64> {
+    fn of(x: f64) -> Option<Ratio<i64>> {
+        let exact = BigRational::from_float(x)?;
+        Some(Ratio::new(exact.numer().to_i64()?, exact.denom().to_i64()?))
     }
 }
 

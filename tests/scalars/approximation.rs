@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::{BigRational, Ratio};
 use num_traits::{Signed, ToPrimitive, Zero};
 use sweep_cdt::scalar::{Scalar, Unbounded};
 
@@ -99,6 +99,20 @@ fn approximations() {
         .filter_map(|x| Some((x.numer().to_i64()?, x)))
         .collect();
     check_approx(&small);
+    let wide: Vec<_> = integers
+        .iter()
+        .filter_map(|x| Some((x.numer().to_i128()?, x)))
+        .collect();
+    check_approx(&wide);
+    let part = |x: &BigInt| x.to_i64();
+    let ratios = |x| {
+        let numbers: &BigRational = x;
+        Some((
+            Ratio::new_raw(part(numbers.numer())?, part(numbers.denom())?),
+            x,
+        ))
+    };
+    check_approx(&numbers.iter().filter_map(ratios).collect::<Vec<_>>());
     #[cfg(feature = "rug")]
     check_approx(&numbers.iter().map(|x| (to_rug(x), x)).collect::<Vec<_>>());
 }
@@ -131,6 +145,54 @@ fn whole_range_of_integers() {
     }
 }
 
+/// The differences need 129 bits, and their products 258.
+#[test]
+fn whole_range_of_wide_integers() {
+    let mut random = Random::new(10);
+    for _ in 0..3000 {
+        let shift = random.below(128);
+        let ends = [i128::MIN, i128::MAX, 0, -1, i128::MIN + 1, i128::MAX - 1];
+        let bits = |r: &mut Random| i128::from(r.bits().cast_signed()) << 64 | i128::from(r.bits());
+        let points: [[i128; 2]; 4] = [(); 4].map(|()| {
+            [(); 2].map(|()| match random.below(3) {
+                0 => ends[random.below(6)] >> shift,
+                _ => bits(&mut random) >> shift,
+            })
+        });
+        let exact = points.map(|p| p.map(|x| BigRational::from_integer(x.into())));
+        check(&points, reference(&exact), "i128");
+    }
+}
+
+/// Numerators and denominators of any size, whose products overflow; some lie on a line or a circle.
+#[test]
+fn whole_range_of_ratios() {
+    let mut random = Random::new(13);
+    for round in 0..3000 {
+        let shift = random.below(63);
+        let ends = [i64::MIN, i64::MAX, 1, -1, i64::MIN + 1, i64::MAX - 1];
+        let mut part = || match random.below(3) {
+            0 => ends[random.below(6)],
+            _ => random.bits().cast_signed() >> shift,
+        };
+        let mut ratio = || {
+            let (numerator, denominator) = (part(), part());
+            // `new` negates a negative denominator, which overflows for the least one.
+            let denominator = denominator.checked_abs().filter(|&d| d > 0).unwrap_or(7);
+            Ratio::new(numerator.max(-i64::MAX), denominator)
+        };
+        let mut points = [(); 4].map(|()| [ratio(), ratio()]);
+        if round % 3 == 0 {
+            // A rectangle.
+            let [[x, y], [z, w], ..] = points;
+            points = [[x, y], [z, y], [z, w], [x, w]];
+        }
+        let big = |x: Ratio<i64>| BigRational::new((*x.numer()).into(), (*x.denom()).into());
+        let exact = points.map(|p| p.map(big));
+        check(&points, reference(&exact), "Ratio<i64>");
+    }
+}
+
 #[test]
 fn what_is_no_number() {
     for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -138,6 +200,13 @@ fn what_is_no_number() {
     }
     assert_eq!(Scalar::compare(&0.0, &-0.0), Ordering::Equal);
     assert_eq!(Scalar::compare(&0f32, &-0f32), Ordering::Equal);
+    // As `new_raw` makes them: no number, and two that are negative.
+    assert!(!Scalar::is_finite(&Ratio::<i64>::new_raw(1, 0)));
+    let [negative, less] = [1, 3].map(|numerator| Ratio::new_raw(numerator, -2_i64));
+    assert_eq!((negative.approx(), less.approx()), (-0.5, -1.5));
+    assert_eq!(less.compare(&negative), Ordering::Less);
+    assert_eq!(negative.compare(&Ratio::from_integer(0)), Ordering::Less);
+    assert_eq!(Scalar::as_doubles(&[[negative, less]]), None);
     for numerator in [0, 1] {
         assert!(!Scalar::is_finite(&BigRational::new_raw(
             numerator.into(),
@@ -254,6 +323,15 @@ fn doubles_stand_for_numbers_up_to_one_factor() {
             let exact: Vec<BigRational> = numbers.iter().map(exact).collect();
             let rationals: Vec<_> = exact.iter().map(|x| (x.clone(), x)).collect();
             check_doubles(&rationals, true);
+            let small = |x: &BigInt| x.to_i64();
+            let ratio = |x| {
+                let number: &BigRational = x;
+                Some((
+                    Ratio::new(small(number.numer())?, small(number.denom())?),
+                    x,
+                ))
+            };
+            check_doubles(&exact.iter().filter_map(ratio).collect::<Vec<_>>(), true);
         }
         let exact: Vec<BigRational> = numbers
             .iter()
@@ -261,6 +339,8 @@ fn doubles_stand_for_numbers_up_to_one_factor() {
             .collect();
         let integers: Vec<_> = numbers.iter().copied().zip(&exact).collect();
         check_doubles(&integers, true);
+        let wide = numbers.iter().map(|&x| i128::from(x)).zip(&exact);
+        check_doubles(&wide.collect::<Vec<_>>(), true);
         let integers: Vec<_> = numbers
             .iter()
             .map(|&x| BigInt::from(x))
@@ -272,6 +352,8 @@ fn doubles_stand_for_numbers_up_to_one_factor() {
     let large = (1_i64 << 53) + 1;
     let exact = BigRational::from(BigInt::from(large));
     check_doubles(&[(large, &exact)], false);
+    check_doubles(&[(i128::from(large), &exact)], false);
+    check_doubles(&[(Ratio::from_integer(large), &exact)], false);
     check_doubles(&[(BigInt::from(large), &exact)], false);
     check_doubles(&[(exact.clone(), &exact)], false);
     let primes = [4_294_967_291_i64, 4_294_967_279, 4_294_967_231].map(|p| rational_of(1, p));

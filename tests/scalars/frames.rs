@@ -2,7 +2,7 @@
 //! steps, never the clock.
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::{BigRational, Ratio};
 use sweep_cdt::scalar::{Scalar, Unbounded};
 use sweep_cdt::verify::verify;
 use sweep_cdt::{Counters, Triangulator};
@@ -106,6 +106,7 @@ fn points_close_together_and_far_from_zero() {
         );
     }
     check_filtered(&at(|x| (1 << 62) + x), "i64");
+    check_filtered(&at(|x| (1 << 126) + i128::from(x)), "i128");
     check_filtered(&at(|x| (BigInt::from(1) << 90) + x), "BigInt");
     let crude = at(|x| Crude::<true>(&one + tiny(31) * BigInt::from(x)));
     check_filtered(&crude, "a number of one's own");
@@ -189,6 +190,33 @@ fn differences() {
     small.sort_unstable();
     let exact = |&x: &i64| (x, BigRational::from(BigInt::from(x)));
     check_difference(&small.iter().map(exact).collect::<Vec<_>>());
+    let mut wide: Vec<i128> = small
+        .iter()
+        .map(|&x| i128::from(x) << random.below(64))
+        .collect();
+    wide.extend([i128::MIN, i128::MAX, 0]);
+    wide.sort_unstable();
+    let exact = |&x: &i128| (x, BigRational::from(BigInt::from(x)));
+    check_difference(&wide.iter().map(exact).collect::<Vec<_>>());
+    let mut ratios: Vec<Ratio<i64>> = small
+        .iter()
+        .map(|&x| {
+            Ratio::new(
+                x.max(-i64::MAX),
+                1 + (random.bits() >> 1 >> random.below(63)).cast_signed() / 2,
+            )
+        })
+        .collect();
+    let exact = |x: &Ratio<i64>| BigRational::new((*x.numer()).into(), (*x.denom()).into());
+    ratios.sort_by_key(exact);
+    let pair = |x: &Ratio<i64>| (*x, exact(x));
+    check_difference(&ratios.iter().map(pair).collect::<Vec<_>>());
+    #[cfg(feature = "rug")]
+    {
+        let whole = |x: &BigRational| (to_rug(x).into_numer_denom().0, x.trunc());
+        let integers: Vec<_> = numbers.iter().map(BigRational::trunc).collect();
+        check_difference(&integers.iter().map(whole).collect::<Vec<_>>());
+    }
 }
 
 /// What the default takes for near must not be lost or rounded to the largest double.

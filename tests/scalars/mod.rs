@@ -12,7 +12,7 @@ mod rounded;
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::{BigRational, Ratio};
 use num_traits::{ToPrimitive, Zero};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt_testing::Random;
@@ -119,6 +119,14 @@ fn check_all(points: &Points, what: &str) {
         );
     }
     if let Some(integers) = whole(&rationals, ToPrimitive::to_i64) {
+        check(&integers, expected, what);
+        check(
+            &integers.map(|p| p.map(Ratio::from_integer)),
+            expected,
+            what,
+        );
+    }
+    if let Some(integers) = whole(&rationals, ToPrimitive::to_i128) {
         check(&integers, expected, what);
     }
     if let Some(integers) = whole(&rationals, ToPrimitive::to_i32) {

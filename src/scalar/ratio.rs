@@ -1,0 +1,104 @@
+//! `Ratio<i64>`: fractions of machine integers, whose own arithmetic overflows and is not used.
+//!
+//! They are compared by products of 128 bits, go as doubles where they are doubles up to one common factor, and
+//! else as [`BigRational`] (`super::rational`), which has integers of any size for the common denominator.
+//!
+//! Why it is right: products of two numbers of 64 bits fit in 128. An approximation is the quotient of two integers
+//! to at least 64 bits, rounded down with the last bit set where a rest was dropped. So its conversion to a double is
+//! that of the exact quotient: to the nearest, monotone, and off by at most 2^-53 of it.
+//!
+//! Cost: a division of 128 bits for an approximation; where the filter decides nothing, a few microseconds.
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::{BigRational, Ratio};
+
+use super::doubles::power;
+use super::rational::{odd_part, odd_unit, whole};
+use super::{Scalar, Stage, all_doubles, filtered_in_circle, filtered_orient2d};
+
+/// Numerator and denominator, the latter not negative: `new_raw` may make it so.
+fn parts(number: &Ratio<i64>) -> [i128; 2] {
+    let (numerator, denominator) = (i128::from(*number.numer()), i128::from(*number.denom()));
+    if denominator < 0 {
+        [-numerator, -denominator]
+    } else {
+        [numerator, denominator]
+    }
+}
+
+fn big(number: &Ratio<i64>) -> BigRational {
+    let [numerator, denominator] = parts(number).map(BigInt::from);
+    BigRational::new_raw(numerator, denominator)
+}
+
+fn big_points<const N: usize>(points: [&[Ratio<i64>; 2]; N]) -> [[BigRational; 2]; N] {
+    points.map(|point| point.each_ref().map(big))
+}
+
+impl Scalar for Ratio<i64> {
+    /// Whether the denominator is not zero, as `new_raw` may make it.
+    fn is_finite(&self) -> bool {
+        *self.denom() != 0
+    }
+
+    fn approx(&self) -> f64 {
+        let [numerator, denominator] = parts(self);
+        let size = numerator.unsigned_abs();
+        let shift = size.leading_zeros().saturating_sub(1);
+        let (size, denominator) = (size << (shift & 127), denominator.unsigned_abs());
+        let whole = size / denominator;
+        let quotient = (whole | u128::from(whole * denominator != size)) as f64;
+        let quotient = quotient * power(-i64::from(shift));
+        if numerator < 0 { -quotient } else { quotient }
+    }
+
+    fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+        let small = |x: &Self| u128::try_from(*x.denom()).ok().and_then(odd_part);
+        let unit = odd_unit(points.as_flattened().iter().map(small))?;
+        all_doubles(points, |x| whole(i128::from(*x.numer()), small(x)?, unit))
+    }
+
+    fn difference(&self, other: &Self) -> Option<(f64, i64)> {
+        big(self).difference(&big(other))
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        let ([a, b], [c, d]) = (parts(self), parts(other));
+        (a * d).cmp(&(c * b))
+    }
+
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+        filtered_orient2d([a, b, c])
+    }
+
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+        filtered_in_circle([a, b, c, d])
+    }
+
+    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
+        let [a, b, c, d] = big_points([a, b, c, d]);
+        BigRational::depth(&a, &b, &c, &d)
+    }
+
+    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
+        let [a, b, c] = big_points([a, b, c]);
+        BigRational::height(&a, &b, &c)
+    }
+
+    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        let [a, b, c] = big_points([a, b, c]);
+        BigRational::orient2d_exact(&a, &b, &c)
+    }
+
+    fn in_circle_exact(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
+        let [a, b, c, d] = big_points([a, b, c, d]);
+        BigRational::in_circle_exact(&a, &b, &c, &d)
+    }
+}
