@@ -16,6 +16,7 @@
 //! | `BigRational`, `Ratio<i64>` | filter, then integers over a common denominator |
 //! | any [`Unbounded`] number (`BigInt`, your own, ...) | filter, then its own arithmetic |
 //! | `rug::Rational`, `rug::Integer` (feature `rug`) | filter, then GMP's arithmetic |
+//! | `&S` for each of these | as `S` |
 
 mod doubles;
 mod f32;
@@ -27,6 +28,7 @@ mod integer;
 mod lattice;
 mod ratio;
 mod rational;
+mod reference;
 #[cfg(feature = "rug")]
 mod rug;
 #[cfg(feature = "rug")]
@@ -55,6 +57,9 @@ pub(crate) use whole::WholePoints;
 /// give the same answer each time. With a type that breaks this the sweep returns no correct result: it
 /// may return a wrong one, panic, or take long. The verifier, which asks the same predicates, is no judge
 /// of them.
+///
+/// References to all scalars of this crate are scalars too; for those to your own type see
+/// [`scalar_by_reference!`](crate::scalar_by_reference).
 ///
 /// A predicate answers with an [`Ordering`]: the sign of the determinant compared with zero.
 ///
