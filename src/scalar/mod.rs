@@ -18,6 +18,7 @@
 //! | `rug::Rational`, `rug::Integer` (feature `rug`) | filter, then GMP's arithmetic |
 //! | `&S` for each of these | as `S` |
 
+mod conformance;
 mod doubles;
 mod f32;
 mod f64;
@@ -40,6 +41,7 @@ mod wide;
 
 use std::cmp::Ordering;
 
+pub use conformance::{Nonconformity, conformance};
 pub(crate) use rational::integers;
 pub(crate) use scale::{Scale, is_in_range};
 pub use unbounded::Unbounded;
@@ -54,7 +56,7 @@ pub(crate) use whole::WholePoints;
 /// differences of coordinates. Numbers whose arithmetic is exact without bounds need [`Unbounded`] only.
 ///
 /// Everything relies on that: that the predicates are exact, agree with one another and with `compare`, and
-/// give the same answer each time. With a type that breaks this the sweep returns no correct result: it
+/// give the same answer each time. [`conformance`] tests a type of your own. With a type that breaks this the sweep returns no correct result: it
 /// may return a wrong one, panic, or take long. The verifier, which asks the same predicates, is no judge
 /// of them.
 ///

@@ -5,6 +5,7 @@
 #![expect(clippy::cast_possible_truncation, reason = "chosen to fit")]
 
 mod approximation;
+mod conforming;
 mod frames;
 mod predicates;
 mod rounded;
