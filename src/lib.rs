@@ -8,12 +8,14 @@ pub mod domain;
 #[cfg(feature = "formats")]
 pub mod draw;
 mod error;
+mod fans;
 #[cfg(feature = "formats")]
 pub mod formats;
 pub mod front;
 #[cfg(feature = "generate")]
 pub mod generate;
 mod ids;
+mod locate;
 mod mesh;
 mod probe;
 mod recorder;
@@ -30,6 +32,8 @@ mod triangulator;
 pub mod verify;
 
 pub use error::Error;
+pub use fans::Fans;
+pub use locate::Location;
 pub use repeater::Repeater;
 pub use settings::{Algorithm, Corners, Heuristics};
 pub use stats::{ByCause, Counters, Stats};

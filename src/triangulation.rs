@@ -1,6 +1,9 @@
 //! The result: triangles, their neighbours, constrained sides, hull, duplicates, and the vertices along each
 //! edge. Everything is an index into the caller's input.
 
+#[cfg(feature = "parallel")]
+use rayon::prelude::*;
+
 use crate::chains::Chains;
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, Side, Triangle};
@@ -92,14 +95,17 @@ impl Triangulation {
     /// The sides that are input edges or pieces of them, each once, as pairs of vertices (the triangle
     /// that lists it lies to the left).
     pub fn constrained_edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        self.triangles.iter().enumerate().flat_map(|(t, triangle)| {
-            (0..3).filter_map(move |side| {
-                let across = triangle.across(side);
-                let is_listed = across.is_open() || across.triangle().index() > t;
-                (across.is_fixed() && is_listed).then(|| {
-                    [mesh::next(side), mesh::prev(side)].map(|i| triangle.vertex(i).index())
-                })
-            })
+        (0..self.len()).flat_map(|t| self.constrained_edges_of(t))
+    }
+
+    /// Those of them that triangle `t` lists.
+    fn constrained_edges_of(&self, t: usize) -> impl Iterator<Item = [usize; 2]> + '_ {
+        let triangle = &self.triangles[t];
+        (0..3).filter_map(move |side| {
+            let across = triangle.across(side);
+            let is_listed = across.is_open() || across.triangle().index() > t;
+            (across.is_fixed() && is_listed)
+                .then(|| [mesh::next(side), mesh::prev(side)].map(|i| triangle.vertex(i).index()))
         })
     }
 
@@ -168,6 +174,34 @@ impl Triangulation {
     fn across(&self, t: usize, side: usize) -> Side {
         assert!(side < 3, "a triangle has sides 0, 1 and 2");
         self.triangles[t].across(narrow(side))
+    }
+}
+
+#[cfg(feature = "parallel")]
+impl Triangulation {
+    /// All triangles, by number, on all threads of the current rayon pool.
+    ///
+    /// ```
+    /// use rayon::prelude::*;
+    ///
+    /// let points: Vec<_> = (0..1000).map(|i| [i * i % 997, i]).collect();
+    /// let result = sweep_cdt::triangulate(&points, &[])?;
+    /// let area = |[a, b, c]: [usize; 3]| {
+    ///     let [[ax, ay], [bx, by], [cx, cy]] = [points[a], points[b], points[c]];
+    ///     i64::from((bx - ax) * (cy - ay) - (by - ay) * (cx - ax))
+    /// };
+    /// let one: i64 = result.triangles().map(area).sum();
+    /// assert_eq!(result.par_triangles().map(area).sum::<i64>(), one);
+    /// # Ok::<(), sweep_cdt::Error>(())
+    /// ```
+    pub fn par_triangles(&self) -> impl IndexedParallelIterator<Item = [usize; 3]> + Clone + '_ {
+        self.triangles.par_iter().map(corners)
+    }
+
+    /// What [`constrained_edges`](Triangulation::constrained_edges) lists, on all threads of the current rayon pool.
+    pub fn par_constrained_edges(&self) -> impl ParallelIterator<Item = [usize; 2]> + Clone + '_ {
+        let numbers = (0..self.len()).into_par_iter();
+        numbers.flat_map_iter(|t| self.constrained_edges_of(t))
     }
 }
 

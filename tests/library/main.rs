@@ -9,6 +9,7 @@
 //! * `draw`: one picture of each kind, as a snapshot.
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
 //!   work, and none that is abandoned by the sweep has another result.
+//! * `location`: where points lie, and what is around a vertex.
 //! * `statistics`: what a run reports of itself and its progress. `fronts`: the steps that search structures
 //!   leave. `bands`: the sweep on all cores. `files`: odd files. `meshes`, `meshes_refused`: formats of other
 //!   programs. `generated`: the kinds of generated data.
@@ -33,6 +34,7 @@ mod fronts;
 mod generated;
 mod hard;
 mod limits;
+mod location;
 mod meshes;
 mod meshes_refused;
 mod properties;

@@ -1,0 +1,192 @@
+//! Where a point lies in a triangulation: jump and walk (Mücke, Saias and Zhu 1999), with exact signs.
+//!
+//! The walk starts at the nearest triangle of a sample, or at one that the caller names. From each triangle it goes on
+//! across a side that has the point on its other side, until there is none.
+//!
+//! Why it is right: a triangle is left only across a side that has the point strictly on its other side, by an exact
+//! sign. Where there is no such side the triangle holds the point, and the signs that are zero tell the side or the
+//! corner. Where nothing is across, the point is outside: the hull is convex. Doubles choose only where the walk starts.
+//!
+//! Why it ends: where edges keep triangles from being Delaunay, a walk may come back to where it was. So the side that
+//! is tried first is drawn at random in each triangle (Devillers, Pion and Teillaud 2001), which lets no walk go round
+//! for ever. If one takes more steps than there are triangles, all of them are looked at instead. So are few triangles.
+//!
+//! Cost: about n^(1/3) triangles to start from and as many steps for n triangles over points that are spread evenly;
+//! from a triangle near by as many steps as lie between. O(n) at worst.
+
+use std::cmp::Ordering;
+
+use crate::ids::{TriangleId, VertexId};
+use crate::mesh::{Side, next, prev};
+use crate::scalar::Scalar;
+use crate::triangulation::Triangulation;
+
+/// So few triangles are looked at one by one.
+const FEW: usize = 6;
+
+/// Where a point lies; the same wherever the search began.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Location {
+    /// Inside this triangle.
+    Triangle(usize),
+    /// Inside a side, opposite this corner of this triangle: of the lower number, where it has two.
+    Side {
+        /// The triangle.
+        triangle: usize,
+        /// The side of it: 0, 1 or 2.
+        side: usize,
+    },
+    /// At this vertex: the lowest of several equal points.
+    Vertex(usize),
+    /// Outside of the hull. If there are no triangles, everything is.
+    Outside,
+}
+
+impl Triangulation {
+    /// Where a point lies. `points` are those that were triangulated.
+    ///
+    /// A point with a coordinate that is not finite is outside.
+    ///
+    /// # Panics
+    /// If there are fewer points than were triangulated.
+    ///
+    /// ```
+    /// use sweep_cdt::Location;
+    ///
+    /// let points = [[0, 0], [4, 0], [4, 4], [0, 4]];
+    /// let result = sweep_cdt::triangulate(&points, &[[0, 2]])?;
+    /// let Location::Triangle(t) = result.locate(&points, &[3, 1]) else {
+    ///     panic!("it is inside one");
+    /// };
+    /// assert!(result.triangle(t).contains(&1));
+    /// assert_eq!(result.locate(&points, &[4, 4]), Location::Vertex(2));
+    /// assert!(matches!(result.locate(&points, &[3, 3]), Location::Side { .. }));
+    /// assert_eq!(result.locate(&points, &[5, 1]), Location::Outside);
+    /// # Ok::<(), sweep_cdt::Error>(())
+    /// ```
+    pub fn locate<S: Scalar>(&self, points: &[[S; 2]], query: &[S; 2]) -> Location {
+        let near = |point: &[S; 2]| [point[0].approx(), point[1].approx()];
+        if !query.iter().all(S::is_finite) {
+            return Location::Outside;
+        }
+        let to = near(query);
+        let distance = |t: usize| {
+            let [x, y] = near(&points[self.triangles[t].vertex(0).index()]);
+            (x - to[0]).powi(2) + (y - to[1]).powi(2)
+        };
+        let root = (1..).find(|root: &usize| root.pow(3) >= self.len());
+        let step = self.len() / root.unwrap_or(1);
+        let starts = (0..self.len()).step_by(step.max(1));
+        let start = starts.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+        self.locate_from(points, query, start.unwrap_or(0))
+    }
+
+    /// The same, from a triangle near by: that of the last point, where points come in some order. A triangle
+    /// that does not exist counts as the first one.
+    ///
+    /// # Panics
+    /// If there are fewer points than were triangulated.
+    ///
+    /// ```
+    /// use sweep_cdt::Location;
+    ///
+    /// let points: Vec<_> = (0..400).map(|i| [f64::from(i % 20), f64::from(i / 20)]).collect();
+    /// let result = sweep_cdt::triangulate(&points, &[])?;
+    /// let mut last = 0;
+    /// for step in 0..100 {
+    ///     let query = [f64::from(step) * 0.19, 7.25];
+    ///     let found = result.locate_from(&points, &query, last);
+    ///     assert_eq!(found, result.locate(&points, &query));
+    ///     if let Location::Triangle(t) = found {
+    ///         last = t;
+    ///     }
+    /// }
+    /// # Ok::<(), sweep_cdt::Error>(())
+    /// ```
+    pub fn locate_from<S: Scalar>(
+        &self,
+        points: &[[S; 2]],
+        query: &[S; 2],
+        triangle: usize,
+    ) -> Location {
+        if !query.iter().all(S::is_finite) {
+            return Location::Outside;
+        }
+        if self.len() <= FEW {
+            return self.look(points, query);
+        }
+        let start = if triangle < self.len() { triangle } else { 0 };
+        self.walk(points, query, start)
+            .unwrap_or_else(|| self.look(points, query))
+    }
+
+    /// Walks from a triangle, unless that takes too many steps.
+    fn walk<S: Scalar>(&self, points: &[[S; 2]], query: &[S; 2], start: usize) -> Option<Location> {
+        let mut turns = self.turns(points, query, start);
+        let (mut t, mut random) = (start, 1_u32);
+        for _ in 0..=self.len() {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let first = (random >> 16) % 3;
+            let sides = [first, next(first), prev(first)];
+            let Some(side) = sides.into_iter().find(|&side| turns(side).is_lt()) else {
+                return Some(self.at(t, [0, 1, 2].map(turns)));
+            };
+            let across = self.triangles[t].across(side);
+            if across.is_open() {
+                return Some(Location::Outside);
+            }
+            t = across.triangle().index();
+            turns = self.turns(points, query, t);
+        }
+        None
+    }
+
+    /// Looks at all triangles.
+    fn look<S: Scalar>(&self, points: &[[S; 2]], query: &[S; 2]) -> Location {
+        let holds = |t: &usize| (0..3).all(|side| self.turns(points, query, *t)(side).is_ge());
+        match (0..self.len()).find(holds) {
+            Some(t) => self.at(t, [0, 1, 2].map(self.turns(points, query, t))),
+            None => Location::Outside,
+        }
+    }
+
+    /// The turn from each side of a triangle to the point: to the left where the triangle is.
+    fn turns<'a, S: Scalar>(
+        &'a self,
+        points: &'a [[S; 2]],
+        query: &'a [S; 2],
+        t: usize,
+    ) -> impl Fn(u32) -> Ordering + Copy + 'a {
+        let corner = move |i| &points[self.triangles[t].vertex(i).index()];
+        move |side| S::orient2d(corner(next(side)), corner(prev(side)), query)
+    }
+
+    /// The place in a triangle of a point with these turns from its sides, none of them to the right.
+    fn at(&self, t: usize, turns: [Ordering; 3]) -> Location {
+        let [a, b, c] = turns.map(Ordering::is_eq);
+        let vertex = |i| Location::Vertex(VertexId::index(self.triangles[t].vertex(i)));
+        let side = |i| {
+            let across = self.triangles[t].across(i);
+            let here = Side::new(TriangleId::at(t), i);
+            let lower = if across.is_open() {
+                here
+            } else {
+                here.min(across.unfixed())
+            };
+            Location::Side {
+                triangle: lower.triangle().index(),
+                side: lower.corner() as usize,
+            }
+        };
+        // On two sides it is where they meet, opposite the third one.
+        match [a, b, c] {
+            [false, false, false] => Location::Triangle(t),
+            [true, false, false] => side(0),
+            [false, true, false] => side(1),
+            [false, false, true] => side(2),
+            [_, true, true] => vertex(0),
+            [true, _, true] => vertex(1),
+            [true, true, _] => vertex(2),
+        }
+    }
+}

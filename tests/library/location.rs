@@ -1,0 +1,203 @@
+//! Where points lie, and what is around a vertex, against a look at all triangles in whole numbers.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Location, Triangulation, triangulate};
+use sweep_cdt_testing::Random;
+
+type Point = [i64; 2];
+
+/// Points of a lattice of even numbers, and edges that are pieces of its rows or do not cross for other reasons:
+/// those that a triangulation takes one by one.
+pub(crate) fn input(
+    random: &mut Random,
+    count: usize,
+    width: usize,
+) -> (Vec<Point>, Vec<[usize; 2]>) {
+    let even = |random: &mut Random| i64::try_from(random.below(width)).expect("small") * 2;
+    let points: Vec<Point> = (0..count).map(|_| [even(random), even(random)]).collect();
+    let mut edges = Vec::new();
+    for _ in 0..count / 2 {
+        edges.push([random.below(count), random.below(count)]);
+        if triangulate(&points, &edges).is_err() {
+            edges.pop();
+        }
+    }
+    (points, edges)
+}
+
+/// What a look at every triangle finds.
+fn expected(result: &Triangulation, points: &[Point], query: Point) -> Location {
+    let turn = |a: Point, b: Point| {
+        let [[ax, ay], [bx, by], [x, y]] = [a, b, query].map(|p| p.map(i128::from));
+        (bx - ax) * (y - ay) - (by - ay) * (x - ax)
+    };
+    if result.is_empty() {
+        return Location::Outside;
+    }
+    if let Some(vertex) = points.iter().position(|&point| point == query) {
+        return Location::Vertex(vertex);
+    }
+    for (t, corners) in result.triangles().enumerate() {
+        let [a, b, c] = corners.map(|v| points[v]);
+        let turns = [turn(b, c), turn(c, a), turn(a, b)];
+        if turns.iter().all(|&turn| turn > 0) {
+            return Location::Triangle(t);
+        }
+        if turns.iter().all(|&turn| turn >= 0) {
+            let side = turns.iter().position(|&turn| turn == 0).expect("one is");
+            return Location::Side { triangle: t, side };
+        }
+    }
+    Location::Outside
+}
+
+/// From everywhere, in one scalar.
+fn check<S: Scalar>(points: &[[S; 2]], query: &[S; 2], result: &Triangulation, right: Location) {
+    assert_eq!(result.locate(points, query), right);
+    for hint in (0..=result.len()).step_by(1 + result.len() / 7) {
+        assert_eq!(
+            result.locate_from(points, query, hint),
+            right,
+            "from {hint}"
+        );
+    }
+}
+
+#[test]
+fn every_point_of_a_lattice_is_found() {
+    let mut random = Random::new(1);
+    let mut found = [0; 4];
+    for round in 0..60 {
+        let (count, width) = [(3, 2), (8, 3), (20, 5), (60, 7), (120, 40)][round % 5];
+        let (points, edges) = input(&mut random, count, width);
+        let result = triangulate(&points, &edges).expect("edges that do not cross");
+        let doubles: Vec<_> = points.iter().map(|p| p.map(|x| x as f64 * 0.5)).collect();
+        let third = |x: i64| BigRational::new(x.into(), BigInt::from(3));
+        let thirds: Vec<_> = points.iter().map(|p| p.map(third)).collect();
+        let end = 2 * i64::try_from(width).expect("small");
+        for x in (-1..end).step_by(1 + width / 10) {
+            for y in (-1..end).step_by(1 + width / 10) {
+                let right = expected(&result, &points, [x, y]);
+                check(&points, &[x, y], &result, right);
+                check(&doubles, &[x, y].map(|x| x as f64 * 0.5), &result, right);
+                check(&thirds, &[x, y].map(third), &result, right);
+                found[match right {
+                    Location::Triangle(_) => 0,
+                    Location::Side { .. } => 1,
+                    Location::Vertex(_) => 2,
+                    Location::Outside => 3,
+                }] += 1;
+            }
+        }
+    }
+    assert!(found.iter().all(|&count| count > 300), "{found:?}");
+}
+
+/// Doubles next to a side, whose determinant rounds to zero or to the wrong sign.
+#[test]
+fn points_next_to_a_side_are_told_from_those_on_it() {
+    let points = [
+        [12.0, 12.0],
+        [24.0, 24.0],
+        [0.5, 0.5],
+        [30.0, 1.0],
+        [1.0, 30.0],
+    ];
+    let result = triangulate(&points, &[[2, 1]]).expect("one edge");
+    let at = |x: f64, y: f64| result.locate(&points, &[x, y]);
+    let next = 5.0_f64.next_up();
+    assert!(matches!(at(5.0, 5.0), Location::Side { .. }));
+    let (below, above) = (at(next, 5.0), at(5.0, next));
+    assert!(matches!((below, above), (Location::Triangle(a), Location::Triangle(b)) if a != b));
+}
+
+#[test]
+fn what_is_no_number_is_outside() {
+    let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let result = triangulate(&points, &[]).expect("no edges");
+    for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(result.locate(&points, &[x, 0.1]), Location::Outside);
+        assert_eq!(result.locate_from(&points, &[0.1, x], 0), Location::Outside);
+    }
+    let line = triangulate(&points[..2], &[]).expect("no edges");
+    assert_eq!(line.locate(&points[..2], &[0.0, 0.0]), Location::Outside);
+}
+
+/// Many triangles, where the walk is long: the number of steps is not counted, but a look at all would take minutes.
+#[test]
+fn many_points_are_found_among_many() {
+    let points = Random::new(2).points(100_000);
+    let result = triangulate(&points, &[]).expect("no edges");
+    for query in Random::new(3).points(20_000) {
+        // Away from the hull.
+        let query = query.map(|x| 0.05 + 0.9 * x);
+        let Location::Triangle(t) = result.locate(&points, &query) else {
+            panic!("random points lie inside of triangles: {query:?}");
+        };
+        let [a, b, c] = result.triangle(t).map(|v| points[v]);
+        let turns = [[a, b], [b, c], [c, a]].map(|[a, b]| f64::orient2d(&a, &b, &query));
+        assert!(turns.iter().all(|turn| turn.is_gt()), "{query:?}");
+    }
+}
+
+#[test]
+fn fans_have_all_triangles_in_order() {
+    let mut random = Random::new(4);
+    for round in 0..40 {
+        let (count, width) = [(3, 2), (8, 3), (30, 5), (60, 30)][round % 4];
+        let (points, edges) = input(&mut random, count, width);
+        let result = triangulate(&points, &edges).expect("edges that do not cross");
+        let fans = result.fans();
+        for v in 0..count + 2 {
+            let around: Vec<_> = fans.around(v).collect();
+            let vertex = result.representative(v);
+            let corner = |t: usize| result.triangle(t).iter().position(|&w| w == vertex);
+            let has = |t| corner(t).map(|corner| (t, corner));
+            let mut sorted = around.clone();
+            sorted.sort_unstable();
+            assert_eq!(
+                sorted,
+                (0..result.len()).filter_map(has).collect::<Vec<_>>()
+            );
+            for pair in around.windows(2) {
+                let [(t, i), (u, j)] = [pair[0], pair[1]];
+                let shared = [
+                    result.triangle(t)[(i + 2) % 3],
+                    result.triangle(u)[(j + 1) % 3],
+                ];
+                assert_eq!(shared[0], shared[1], "counter-clockwise");
+            }
+            let (Some(&(t, i)), Some(&(u, j))) = (around.first(), around.last()) else {
+                continue;
+            };
+            let is_on_hull = result.hull().any(|w| w == vertex);
+            let [clockwise, other] = [(t, (i + 2) % 3), (u, (j + 1) % 3)];
+            let across = [clockwise, other].map(|(t, side)| result.neighbor(t, side));
+            assert_eq!(
+                across,
+                if is_on_hull {
+                    [None; 2]
+                } else {
+                    [Some(u), Some(t)]
+                }
+            );
+        }
+    }
+}
+
+#[cfg(feature = "parallel")]
+#[test]
+fn all_threads_list_the_same() {
+    use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+
+    let (points, edges) = input(&mut Random::new(5), 200, 50);
+    let result = triangulate(&points, &edges).expect("edges that do not cross");
+    assert_eq!(result.par_triangles().len(), result.len());
+    let triangles: Vec<_> = result.par_triangles().collect();
+    assert_eq!(triangles, result.triangles().collect::<Vec<_>>());
+    let sides: Vec<_> = result.par_constrained_edges().collect();
+    assert!(sides.len() > 5, "{}", sides.len());
+    assert_eq!(sides, result.constrained_edges().collect::<Vec<_>>());
+}
