@@ -115,6 +115,28 @@ impl ChainNotes {
 }
 
 impl Chains {
+    /// Those of edges with these vertices along them, at least one each; `None` if that is too much.
+    #[cfg(feature = "serde")]
+    pub(crate) fn of(lists: &[Vec<u32>]) -> Option<Chains> {
+        let inside: usize = lists.iter().map(|list| list.len().saturating_sub(2)).sum();
+        if inside > LIMIT || lists.len() > LIMIT {
+            return None;
+        }
+        let mut chains = Chains::default();
+        for (e, list) in lists.iter().enumerate() {
+            let ends = [*list.first()?, *list.last()?];
+            chains.ends.push(ends);
+            if list.len() > 2 {
+                let from = narrow(chains.inside.len());
+                chains.inside.extend_from_slice(&list[1..list.len() - 1]);
+                chains
+                    .split
+                    .push((narrow(e), from, narrow(chains.inside.len())));
+            }
+        }
+        Some(chains)
+    }
+
     /// The memory of the ends.
     pub(crate) fn into_ends(self) -> Vec<[u32; 2]> {
         self.ends

@@ -16,6 +16,7 @@
 /// assert_eq!(error.to_string(), "edges 0 and 1 cross");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Error {
     /// A coordinate of this point is NaN or infinite.

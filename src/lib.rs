@@ -21,6 +21,8 @@ mod probe;
 mod recorder;
 mod repeater;
 pub mod scalar;
+#[cfg(feature = "serde")]
+mod serialized;
 mod settings;
 mod stats;
 mod sweep;

@@ -26,6 +26,7 @@ const FEW: usize = 6;
 
 /// Where a point lies; the same wherever the search began.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Location {
     /// Inside this triangle.
     Triangle(usize),

@@ -7,7 +7,7 @@ use crate::scalar::Stage;
 /// What one run of the sweep met and did.
 ///
 /// All but the times are the same for every run on the same input with the same settings. Where the
-/// platform has no clock (`wasm32-unknown-unknown`) the times are zero. With the feature `formats` it is
+/// platform has no clock (`wasm32-unknown-unknown`) the times are zero. With the feature `serde` it is
 /// serialized (`serde`) by the names of its fields, times in seconds.
 ///
 /// ```
@@ -20,7 +20,7 @@ use crate::scalar::Stage;
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "formats", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Stats {
     /// Input points.
@@ -34,13 +34,13 @@ pub struct Stats {
     /// Vertices on the border of the hull.
     pub hull: usize,
     /// Time of the initialization (section 3.3; table 2).
-    #[cfg_attr(feature = "formats", serde(serialize_with = "seconds"))]
+    #[cfg_attr(feature = "serde", serde(with = "seconds"))]
     pub initialization: Duration,
     /// Time of the sweeping (section 3.4; table 2).
-    #[cfg_attr(feature = "formats", serde(serialize_with = "seconds"))]
+    #[cfg_attr(feature = "serde", serde(with = "seconds"))]
     pub sweeping: Duration,
     /// Time of the finalization (section 3.5; table 2).
-    #[cfg_attr(feature = "formats", serde(serialize_with = "seconds"))]
+    #[cfg_attr(feature = "serde", serde(with = "seconds"))]
     pub finalization: Duration,
     /// Whether divide and conquer made the result, because it was asked for or because the sweep was
     /// abandoned. Then times and counters hold the work of both.
@@ -51,14 +51,32 @@ pub struct Stats {
     pub counters: Counters,
 }
 
-#[cfg(feature = "formats")]
-fn seconds<S: serde::Serializer>(time: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_f64(time.as_secs_f64())
+/// Times as seconds.
+#[cfg(feature = "serde")]
+mod seconds {
+    use std::time::Duration;
+
+    use serde::de::{Deserialize, Deserializer, Error};
+    use serde::ser::Serializer;
+
+    pub(super) fn serialize<S: Serializer>(
+        time: &Duration,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.serialize_f64(time.as_secs_f64())
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Duration, D::Error> {
+        let seconds = f64::deserialize(deserializer)?;
+        Duration::try_from_secs_f64(seconds).map_err(D::Error::custom)
+    }
 }
 
 /// How often the sweep did each kind of work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "formats", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Counters {
     /// Orientation tests decided by the floating-point filter.
@@ -118,7 +136,7 @@ pub struct Counters {
 
 /// Triangles by what made them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "formats", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct ByCause {
     /// The first triangle, which is artificial (figure 6).

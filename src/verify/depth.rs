@@ -28,6 +28,7 @@ pub(super) const MEASURED: usize = 1000;
 ///
 /// The size is right to about 1e-15 of itself. What is too small for a double is the smallest one.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Depth(f64);
 
 impl Depth {
@@ -67,6 +68,7 @@ impl fmt::Display for Depth {
 
 /// The depths of violations: how many there are in each decade, and the greatest.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Depths {
     /// For each [decade](Depth::decade) that has any, how many.

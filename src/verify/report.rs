@@ -11,6 +11,7 @@ use super::violation::Violation;
 ///
 /// A *side* is a side of a triangle, counted once however many triangles have it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Report {
     /// Input points.
@@ -59,6 +60,7 @@ impl Report {
 
 /// What is wrong with a triangulation.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Violations {
     /// The level that was asked for.
@@ -144,6 +146,11 @@ impl std::error::Error for Violations {}
     strum::VariantArray,
 )]
 #[strum(serialize_all = "lowercase")]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 #[non_exhaustive]
 pub enum Level {
     /// The triangles tile the hull, or the declared domain, and every point there is a corner.

@@ -8,6 +8,11 @@ use super::depth::Depth;
 /// One fault. All numbers are indices into what the caller gave; of equal points the lowest is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(rename_all = "kebab-case")
+)]
 #[non_exhaustive]
 pub enum Violation {
     /// More points or corners of triangles than the verifier can number.

@@ -10,6 +10,7 @@
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
 //!   work, and none that is abandoned by the sweep has another result.
 //! * `location`: where points lie, and what is around a vertex.
+//!   `serialized`: results as data.
 //! * `statistics`: what a run reports of itself and its progress. `fronts`: the steps that search structures
 //!   leave. `bands`: the sweep on all cores. `files`: odd files. `meshes`, `meshes_refused`: formats of other
 //!   programs. `generated`: the kinds of generated data.
@@ -42,6 +43,7 @@ mod random;
 mod runs;
 #[path = "../scalars/mod.rs"]
 mod scalars;
+mod serialized;
 mod statistics;
 mod trace;
 #[path = "../verify/mod.rs"]
