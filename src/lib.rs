@@ -15,6 +15,7 @@ pub mod front;
 #[cfg(feature = "generate")]
 pub mod generate;
 mod ids;
+pub mod input;
 mod locate;
 mod mesh;
 mod probe;

@@ -9,7 +9,7 @@
 //! * `draw`: one picture of each kind, as a snapshot.
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
 //!   work, and none that is abandoned by the sweep has another result.
-//! * `location`: where points lie, and what is around a vertex.
+//! * `location`: where points lie, and what is around a vertex. `input`: points and edges in other forms.
 //!   `serialized`: results as data.
 //! * `statistics`: what a run reports of itself and its progress. `fronts`: the steps that search structures
 //!   leave. `bands`: the sweep on all cores. `files`: odd files. `meshes`, `meshes_refused`: formats of other
@@ -34,6 +34,7 @@ mod files;
 mod fronts;
 mod generated;
 mod hard;
+mod input;
 mod limits;
 mod location;
 mod meshes;
