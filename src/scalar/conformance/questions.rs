@@ -187,7 +187,7 @@ impl<'a, S: Scalar> Questions<'a, S> {
         format!("{function}({})", points.join(", "))
     }
 
-    fn equal<T: PartialEq + Debug>(
+    fn equal<T: Copy + PartialEq + Debug>(
         &self,
         call: impl Fn() -> String,
         answer: impl FnOnce() -> T,
