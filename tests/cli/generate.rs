@@ -120,11 +120,11 @@ fn what_cannot_be_generated_is_refused() {
         ("uniform 5 --seed -1", "unexpected argument '-1' found"),
         (
             "uniform 5 -o a.svg",
-            "the format of a.svg is not known: add --output-format with one of node, poly, json, obj, off, ply, vtk, msh, geojson, wkt",
+            "the format of a.svg is not known: add --output-format with one of node, poly, json, obj, off, ply, vtk, vtu, msh, geojson, wkt",
         ),
         (
             "uniform 5 -o a",
-            "the format of a is not known: add --output-format with one of node, poly, json, obj, off, ply, vtk, msh, geojson, wkt",
+            "the format of a is not known: add --output-format with one of node, poly, json, obj, off, ply, vtk, vtu, msh, geojson, wkt",
         ),
     ] {
         assert_refused(&folder, &format!("generate {arguments}"), message);
