@@ -27,6 +27,7 @@ mod coordinate;
 mod geo;
 mod graph;
 mod read;
+mod split;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError};
@@ -38,6 +39,7 @@ pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
     added_points, read, read_result,
 };
+pub use split::Splitting;
 pub use write::{
     CrossingsFormat, OutputFormat, write, write_crossings, write_domain, write_graph, write_node,
 };

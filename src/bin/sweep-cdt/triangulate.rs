@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 
 use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
-use sweep_cdt::formats::Coordinate;
+use sweep_cdt::formats::{Coordinate, Splitting};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
 
@@ -17,7 +17,7 @@ use crate::shared::inside::InsideArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::resources::limit_threads;
 use crate::shared::settings::Settings;
-use crate::shared::splitting::{SplitArgs, Splitting};
+use crate::shared::splitting::{SplitArgs, triangulated, write_splitting};
 use crate::shared::tables::{write_json, write_statistics};
 use crate::shared::verification::{self, verify};
 
@@ -205,7 +205,7 @@ impl Job for Run<'_> {
         if report {
             outputs.add(Destination::standard(), |out| {
                 if let Some(splitting) = &self.splitting {
-                    splitting.write(given.name, out)?;
+                    write_splitting(splitting, given.name, out)?;
                 }
                 match &stats {
                     Some(stats) if arguments.stats => write_statistics(stats, out)?,
@@ -216,7 +216,7 @@ impl Job for Run<'_> {
                     Some(report) => {
                         let (answer, level) = (Ok(report), Level::Delaunay);
                         let splitting = self.splitting.as_ref();
-                        let input = splitting.map(|splitting| splitting.triangulated(given.name));
+                        let input = splitting.map(|splitting| triangulated(splitting, given.name));
                         let input = input.as_deref().unwrap_or(given.name);
                         verification::write_verdict(&answer, level, "the result", input, out)
                     }

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use sweep_cdt::Error;
-use sweep_cdt::crossings::{Exact, Split, split};
-use sweep_cdt::formats::{Column, Coordinate, Graph, Input};
+use sweep_cdt::crossings::Exact;
+use sweep_cdt::formats::{Coordinate, Graph, Input, Splitting};
 
 use super::failure::Failure;
 
@@ -24,14 +24,6 @@ pub(crate) struct SplitArgs {
     split_crossings: bool,
 }
 
-/// What the splitting came to.
-pub(crate) struct Splitting {
-    vertices: usize,
-    edges: [usize; 2],
-    rounds: usize,
-    displacement: f64,
-}
-
 impl SplitArgs {
     /// Whether it is asked for.
     pub(crate) fn is_asked(&self) -> bool {
@@ -42,11 +34,11 @@ impl SplitArgs {
     pub(crate) fn apply(&self, name: &str, input: Input) -> Result<(Input, Splitting), Failure> {
         Ok(match input {
             Input::Doubles(graph) => {
-                let (graph, splitting) = divided(name, graph)?;
+                let (graph, splitting) = divided(name, &graph)?;
                 (Input::Doubles(graph), splitting)
             }
             Input::Rationals(graph) => {
-                let (graph, splitting) = divided(name, graph)?;
+                let (graph, splitting) = divided(name, &graph)?;
                 (Input::Rationals(graph), splitting)
             }
         })
@@ -65,79 +57,35 @@ impl SplitArgs {
 
 fn divided<S: Coordinate + Exact>(
     name: &str,
-    graph: Graph<S>,
+    graph: &Graph<S>,
 ) -> Result<(Graph<S>, Splitting), Failure> {
-    let split = split(&graph.points, &graph.edges)
-        .map_err(|error| Failure::Error(format!("{name}: {}", graph.as_numbered(error))))?;
-    let splitting = Splitting {
-        vertices: split.points.len() - graph.points.len(),
-        edges: [graph.edges.len(), split.edges.len()],
-        rounds: split.rounds,
-        displacement: split.displacement,
-    };
-    let columns = graph
-        .columns
-        .iter()
-        .map(|column| extended(column, &graph, &split));
-    let graph = Graph {
-        columns: columns.collect(),
-        points: split.points,
-        edges: split.edges,
-        pieces_of: split.pieces_of,
-        ..graph
-    };
-    Ok((graph, splitting))
+    graph
+        .split_crossings()
+        .map_err(|error| Failure::Error(format!("{name}: {}", graph.as_numbered(error))))
 }
 
-/// A column with the numbers of new vertices: each in proportion between the ends of the first edge that goes
-/// through it.
-fn extended<S: Coordinate>(column: &Column, graph: &Graph<S>, split: &Split<S>) -> Column {
-    let mut values = column.values.clone();
-    values.resize(split.points.len(), f64::NAN);
-    let near = |v: usize| split.points[v].each_ref().map(S::approx);
-    for (piece, &edge) in split.edges.iter().zip(&split.pieces_of) {
-        let [a, b] = graph.edges[edge];
-        let [from, to] = [a, b].map(near);
-        let direction = [to[0] - from[0], to[1] - from[1]];
-        let axis = usize::from(direction[1].abs() > direction[0].abs());
-        for &v in piece {
-            if values[v].is_nan() {
-                let share = (near(v)[axis] - from[axis]) / direction[axis];
-                let value = values[a] + share * (values[b] - values[a]);
-                values[v] = if value.is_finite() { value } else { values[a] };
-            }
-        }
-    }
-    Column {
-        name: column.name.clone(),
-        values,
+/// What was triangulated in place of the input called `name`.
+pub(crate) fn triangulated(splitting: &Splitting, name: &str) -> String {
+    if splitting.rounds == 0 {
+        name.to_owned()
+    } else {
+        format!("the split edges of {name}")
     }
 }
 
-impl Splitting {
-    /// What was triangulated in place of the input called `name`.
-    pub(crate) fn triangulated(&self, name: &str) -> String {
-        if self.rounds == 0 {
-            name.to_owned()
-        } else {
-            format!("the split edges of {name}")
-        }
-    }
-
-    /// Writes it: one line.
-    pub(crate) fn write(&self, name: &str, out: &mut impl Write) -> io::Result<()> {
-        let Splitting {
-            vertices,
-            edges: [edges, pieces],
-            rounds,
-            displacement,
-        } = self;
-        write!(out, "{name}: {edges} edges split into {pieces}, ")?;
-        write!(out, "new vertices {vertices}, rounds {rounds}, ")?;
-        let displacement = displacement.text();
-        writeln!(
-            out,
-            "greatest displacement {displacement} units in the last place"
-        )
-    }
+/// Writes what the splitting came to: one line.
+pub(crate) fn write_splitting(
+    splitting: &Splitting,
+    name: &str,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let [edges, pieces] = splitting.edges;
+    let (vertices, rounds) = (splitting.vertices, splitting.rounds);
+    write!(out, "{name}: {edges} edges split into {pieces}, ")?;
+    write!(out, "new vertices {vertices}, rounds {rounds}, ")?;
+    let displacement = splitting.displacement.text();
+    writeln!(
+        out,
+        "greatest displacement {displacement} units in the last place"
+    )
 }
