@@ -118,10 +118,7 @@ impl Browser {
     }
 
     pub(crate) fn click(&self, id: &str) {
-        let found = self.send(
-            "/element",
-            &json!({"using": "css selector", "value": format!("#{id}")}),
-        );
+        let found = self.found(id);
         let element = found.as_object().and_then(|found| found.values().next());
         let element = element.and_then(Value::as_str).expect("an element");
         self.send(&format!("/element/{element}/click"), &json!({}));
@@ -165,12 +162,19 @@ impl Browser {
         BASE64_STANDARD.decode(picture).expect("base64")
     }
 
+    /// The element with this id, as the driver refers to it.
+    pub(crate) fn found(&self, id: &str) -> Value {
+        let query = json!({"using": "css selector", "value": format!("#{id}")});
+        self.send("/element", &query)
+    }
+
     fn perform(&self, actions: &Value) {
         self.send("/actions", &json!({ "actions": actions }));
     }
 
+    /// Sends a command of `WebDriver`.
     #[track_caller]
-    fn send(&self, command: &str, body: &Value) -> Value {
+    pub(crate) fn send(&self, command: &str, body: &Value) -> Value {
         let request = self.agent.post(format!("{}{command}", self.session));
         value(request.send(body.to_string()))
     }

@@ -1,0 +1,376 @@
+//! What a visitor of the page does, in headless Chromium.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use super::browser::Browser;
+use super::{command, program};
+
+/// The page, opened in a window of that size; nothing where it cannot be. The folder must be kept while it is shown.
+fn visit(size: [u32; 2]) -> Option<(Browser, TempDir)> {
+    let program = program()?;
+    let browser = Browser::open(size)?;
+    let folder = TempDir::new().expect("a temporary folder");
+    let path = folder.path().join("page.html");
+    fs::write(&path, sweep_cdt_page::page(program).expect("a page")).expect("a file");
+    browser.load(&path, "");
+    wait(&browser, "answer && !isBusy");
+    Some((browser, folder))
+}
+
+/// Waits until a script returns true.
+#[track_caller]
+fn wait(browser: &Browser, condition: &str) {
+    let start = Instant::now();
+    while browser.run(&format!("return !!({condition})")) != true {
+        assert!(start.elapsed() < Duration::from_secs(50), "{condition}");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[track_caller]
+fn assert_quiet(browser: &Browser) {
+    assert_eq!(browser.console(), Vec::<Value>::new());
+}
+
+/// What the page says of the input, of edges that cross, and of what is wrong.
+#[track_caller]
+fn said(browser: &Browser) -> [String; 3] {
+    wait(browser, "!isBusy");
+    ["summary", "crossings", "notice"].map(|id| {
+        let text = browser.run(&format!("return element('{id}').textContent"));
+        text.as_str().expect("a text").to_owned()
+    })
+}
+
+/// Drops a file on the page, and waits until it is asked about.
+fn drop_file(browser: &Browser, name: &str, text: &str) {
+    browser.run(&format!(
+        "const files = new DataTransfer();
+         files.items.add(new File([{}], {}));
+         const options = {{ dataTransfer: files, bubbles: true, cancelable: true }};
+         window.askedBefore = computer.last;
+         document.dispatchEvent(new DragEvent('drop', options))",
+        json!(text),
+        json!(name)
+    ));
+    wait(browser, "computer.last !== askedBefore");
+}
+
+/// Turns to the page in the frame with this id, which scripts and clicks are for from now on; without an id, back to
+/// the page itself.
+fn enter(browser: &Browser, frame: Option<&str>) {
+    let frame = frame.map(|id| browser.found(id));
+    browser.send("/frame", &json!({ "id": frame }));
+}
+
+fn choose(browser: &Browser, name: &str, value: &str) {
+    browser.run(&format!(
+        "document.querySelector('[name={name}][value={value}]').click()"
+    ));
+}
+
+/// Four corners, and two edges that cross.
+fn draw_a_cross(browser: &Browser) {
+    browser.click("clear");
+    let corners = [[300, 300], [600, 600], [300, 600], [600, 300]];
+    for corner in corners {
+        browser.drag(corner, corner);
+    }
+    browser.drag(corners[0], corners[1]);
+    assert_eq!(said(browser)[0], "4 points, 1 edge: 2 triangles.");
+    browser.drag(corners[2], corners[3]);
+}
+
+#[test]
+fn points_and_edges_are_drawn_moved_erased_and_undone() {
+    let Some((browser, _folder)) = visit([1280, 800]) else {
+        return;
+    };
+    draw_a_cross(&browser);
+    let [summary, crossings, notice] = said(&browser);
+    assert_eq!(summary, "4 points, 2 edges: 4 triangles.");
+    assert!(
+        crossings.starts_with("1 pair of edges crosses. The triangulation is that of their pieces")
+    );
+    assert_eq!(notice, "");
+    assert_eq!(
+        browser
+            .run("return [...answer.crossings].map(Math.round)")
+            .as_array()
+            .map(Vec::len),
+        Some(2)
+    );
+
+    // Unless they are split they are shown without a triangulation, which is no failure.
+    browser.run("document.querySelector('[name=split]').click()");
+    let [summary, crossings, notice] = said(&browser);
+    assert_eq!(summary, "4 points, 2 edges.");
+    assert!(crossings.ends_with("They have no triangulation, unless they are split."));
+    assert_eq!(notice, "");
+
+    choose(&browser, "tool", "move");
+    browser.drag([600, 300], [500, 650]);
+    let moved = said(&browser);
+    assert_eq!(moved, ["4 points, 2 edges: 2 triangles.", "", ""]);
+    choose(&browser, "tool", "erase");
+    browser.drag([300, 300], [300, 300]);
+    assert_eq!(said(&browser)[0], "3 points, 1 edge: 1 triangle.");
+    browser.click("undo");
+    assert_eq!(said(&browser), moved);
+    browser.click("undo");
+    assert_eq!(said(&browser)[0], summary);
+    browser.run("document.querySelector('#show-steps').click()");
+    wait(&browser, "!element('steps-notice').hidden");
+    assert!(
+        browser
+            .text("steps-notice")
+            .contains("up to the first edges")
+    );
+    assert_quiet(&browser);
+}
+
+#[test]
+fn files_are_dropped() {
+    let Some((browser, _folder)) = visit([1280, 800]) else {
+        return;
+    };
+    let square = "4 points, 4 edges: 2 triangles.";
+    let files = [
+        (
+            "map.geojson",
+            r#"{"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4],[0,4],[0,0]]]}"#,
+            square,
+            "",
+        ),
+        // What is wrong is said, and the input before it stays.
+        (
+            "a.node",
+            "2 2 0 0\n0 0 0\n1 nan 1\n",
+            square,
+            "a.node: vertex 1 has a coordinate that is not finite",
+        ),
+        ("a.poly", "4 2 0 0\n0 0 0\n", square, "a.poly:"),
+        ("a.foo", "?", square, "there is no format `foo`"),
+        (
+            "twice.node",
+            "4 2 0 0\n0 0 0\n1 1 0\n2 0 1\n3 1 0\n",
+            "4 points, 0 edges (1 duplicate): 1 triangle.",
+            "",
+        ),
+        (
+            "one.node",
+            "1 2 0 0\n0 5 5\n",
+            "1 point, 0 edges: 0 triangles.",
+            "",
+        ),
+        (
+            "none.node",
+            "0 2 0 0\n",
+            "0 points, 0 edges: 0 triangles.",
+            "",
+        ),
+        (
+            "far.json",
+            r#"{"points": [[-1.7e308,-1.7e308],[1.7e308,-1.7e308],[0,1.7e308]]}"#,
+            "3 points, 0 edges: 1 triangle.",
+            "",
+        ),
+        (
+            "near.json",
+            r#"{"points": [[0,0],[5e-324,0],[0,5e-324]]}"#,
+            "3 points, 0 edges: 1 triangle.",
+            "",
+        ),
+        (
+            "thirds.json",
+            r#"{"points": [["1/3",0],[1,0],[0,1]]}"#,
+            "3 points, 0 edges: 1 triangle.",
+            "",
+        ),
+    ];
+    for (name, text, summary, notice) in files {
+        drop_file(&browser, name, text);
+        let [found, _, refused] = said(&browser);
+        assert_eq!(found, summary, "{name}");
+        assert!(
+            refused.starts_with(notice) && refused.is_empty() == notice.is_empty(),
+            "{name}: {refused}"
+        );
+        let places = browser.run("return [...view.at].every(Number.isFinite)");
+        assert_eq!(places, true, "{name} is drawn nowhere");
+    }
+    assert_quiet(&browser);
+}
+
+/// The steps of the input that is drawn, in the page that the command makes of it.
+#[test]
+fn the_sweep_of_a_drawing_plays() {
+    let Some((browser, folder)) = visit([1280, 800]) else {
+        return;
+    };
+    draw_a_cross(&browser);
+    choose(&browser, "tool", "erase");
+    browser.drag([400, 400], [400, 400]);
+    assert_eq!(said(&browser)[0], "4 points, 1 edge: 2 triangles.");
+    let drawing = browser.run("return new TextDecoder().decode(input.files)");
+    fs::write(
+        folder.path().join("drawing.json"),
+        drawing.as_str().expect("a text"),
+    )
+    .expect("a file");
+    let steps = String::from_utf8(command(folder.path(), "trace drawing.json")).expect("a text");
+
+    browser.click("show-steps");
+    wait(&browser, "element('player').src.startsWith('blob:')");
+    enter(&browser, Some("player"));
+    wait(&browser, "document.getElementById('play')");
+    // The first line of a trace is its version.
+    assert_eq!(browser.run("return trace.total"), steps.lines().count() - 1);
+    browser.click("last");
+    let text = browser.text("sentence");
+    assert!(
+        text.starts_with("The triangulation has 2 triangles"),
+        "{text}"
+    );
+    enter(&browser, None);
+    assert_quiet(&browser);
+}
+
+/// The files that the page saves, from the button's own function.
+fn saved(browser: &Browser, file: &str) -> Vec<u8> {
+    let bytes = browser.run(&format!(
+        "element('format').value = {};
+         return chosenFile().then(async ([, {{ output }}]) => {{
+           const reader = new FileReader();
+           const done = new Promise((resolve) => (reader.onload = resolve));
+           reader.readAsDataURL(new Blob([output]));
+           await done;
+           return reader.result.split(',')[1];
+         }})",
+        json!(file)
+    ));
+    let bytes = BASE64_STANDARD.decode(bytes.as_str().expect("a text"));
+    bytes.expect("base64")
+}
+
+/// The time is printed; no test fails by the clock.
+#[test]
+fn a_hundred_thousand_points() {
+    let Some((browser, folder)) = visit([1280, 800]) else {
+        return;
+    };
+    browser.run(
+        "element('kind').value = 'uniform';
+         element('count').value = 100000;
+         window.start = performance.now();
+         element('generate').requestSubmit();
+         const look = () => isBusy ? setTimeout(look) : (window.took = performance.now() - start);
+         look()",
+    );
+    assert_eq!(
+        said(&browser)[0],
+        "100,000 points, 0 edges: 199,972 triangles."
+    );
+    wait(&browser, "window.took");
+    eprintln!(
+        "100,000 uniform points: {}, drawn after {} ms",
+        browser.text("doing"),
+        browser.run("return Math.round(took)")
+    );
+    let generate = "generate uniform 100000 -o uniform.poly";
+    command(folder.path(), generate);
+    let triangulate = "triangulate uniform.poly -o - --output-format";
+    assert!(saved(&browser, "result ele") == command(folder.path(), &format!("{triangulate} ele")));
+    let poly = fs::read(folder.path().join("uniform.poly")).expect("a file");
+    assert!(saved(&browser, "graph poly") == poly);
+    // Too many for steps, which is said.
+    browser.click("show-steps");
+    wait(&browser, "!element('steps-notice').hidden");
+    let notice = browser.text("steps-notice");
+    assert!(notice.contains("steps are shown of up to"), "{notice}");
+    assert_quiet(&browser);
+}
+
+/// A linear front takes its time; the page can be used meanwhile, and after it is stopped.
+#[test]
+fn a_long_computation_is_stopped() {
+    let Some((browser, _folder)) = visit([800, 600]) else {
+        return;
+    };
+    browser.run(
+        "document.querySelector('[name=front]').value = 'linear';
+         document.querySelector('[name=method]').value = 'sweep';
+         element('kind').value = 'uniform';
+         element('count').value = 1000000;
+         element('generate').requestSubmit()",
+    );
+    wait(&browser, "!element('stop').hidden");
+    let summary = browser.run("return element('summary').textContent");
+    browser.click("stop");
+    let [same, _, notice] = said(&browser);
+    assert_eq!((json!(same), notice.as_str()), (summary, "Stopped."));
+    browser.run("document.querySelector('[name=front]').value = 'hash'");
+    drop_file(&browser, "one.node", "1 2 0 0\n0 5 5\n");
+    assert_eq!(said(&browser), ["1 point, 0 edges: 0 triangles.", "", ""]);
+    assert_quiet(&browser);
+}
+
+/// Nothing is loaded, nothing is wider than the window, and every control has a name.
+#[test]
+fn the_page_fits_and_loads_nothing() {
+    for size in [[1920, 1080], [1280, 800], [390, 800], [320, 640]] {
+        let Some((browser, _folder)) = visit(size) else {
+            return;
+        };
+        let found = browser.run(
+            "const { scrollWidth } = document.documentElement;
+             const isOut = (item) => item.getBoundingClientRect().right > innerWidth + 1;
+             const controls = [...document.querySelectorAll('button, select, input, textarea')];
+             const isNamed = (item) => item.textContent && item.tagName === 'BUTTON'
+               || item.labels?.length || item.ariaLabel;
+             const loaded = performance.getEntriesByType('resource').map(({ name }) => name);
+             return [scrollWidth - innerWidth, controls.filter(isOut).map(({ id }) => id),
+               controls.filter((item) => !isNamed(item)).map(({ id }) => id),
+               loaded.filter((name) => !/^(blob|data):/.test(name))]",
+        );
+        assert_eq!(found, json!([0, [], [], []]), "{size:?}");
+        assert_quiet(&browser);
+    }
+}
+
+/// Pictures of the page to look at, written to the folder that `SWEEP_CDT_SCREENSHOTS` names.
+#[test]
+fn screenshots() {
+    let Some(folder) = std::env::var_os("SWEEP_CDT_SCREENSHOTS").map(PathBuf::from) else {
+        eprintln!("skipped: SWEEP_CDT_SCREENSHOTS names no folder");
+        return;
+    };
+    fs::create_dir_all(&folder).expect("a folder");
+    for size in [[1280, 800], [390, 800]] {
+        let Some((browser, _page)) = visit(size) else {
+            return;
+        };
+        let shoot = |name: &str| {
+            let file: &Path = &folder.join(format!("computes-{name}-{}.png", size[0]));
+            fs::write(file, browser.picture()).expect("a file");
+        };
+        shoot("example");
+        drop_file(
+            &browser,
+            "cross.json",
+            r#"{"points": [[0,0],[4,3],[0,3],[4,0],[2,4]], "edges": [[0,1],[2,3]]}"#,
+        );
+        said(&browser);
+        shoot("cross");
+        browser.click("show-steps");
+        wait(&browser, "element('player').src.startsWith('blob:')");
+        std::thread::sleep(Duration::from_millis(500));
+        shoot("steps");
+    }
+}
