@@ -2,7 +2,7 @@
 
 const element = (id) => document.getElementById(id);
 const computer = new Computer();
-const view = new View(element("canvas"));
+const view = new View(element("canvas"), element("tools"));
 const input = new Input();
 /** The answer that is drawn. */
 let answer = null;

@@ -6,12 +6,13 @@ const colour = (name) => getComputedStyle(document.documentElement).getPropertyV
 const ROOM_FOR_NUMBERS = 30;
 /** So many triangles are filled; of more, the sides alone are drawn. */
 const MOST_FILLED = 20_000;
-/** What the tools take above, in pixels. */
-const TOOLS = 52;
+/** What is left free at each side, in pixels, and below, where the hint stands. */
+const [MARGIN, BELOW] = [30, 36];
 
 class View {
-  constructor(canvas) {
-    this.canvas = canvas;
+  /** `tools` stand above the picture. */
+  constructor(canvas, tools) {
+    Object.assign(this, { canvas, tools });
     this.context = canvas.getContext("2d");
     this.frame([[0, 0], [1000, 700]]);
   }
@@ -50,10 +51,11 @@ class View {
   }
 
   showAll() {
-    const room = [this.width - 60, this.height - TOOLS - 50];
+    const above = this.tools.offsetTop + this.tools.offsetHeight + 20;
+    const room = [this.width - 2 * MARGIN, this.height - above - BELOW];
     const scales = [0, 1].map((axis) => Math.max(room[axis], 50) / (2 * this.size[axis]));
     this.scale = Math.min(...scales, 1e6);
-    this.centre = [0, TOOLS / 4 / this.scale];
+    this.centre = [0, (above - BELOW) / 2 / this.scale];
     this.isMoved = false;
   }
 
