@@ -1,9 +1,9 @@
 //! What the page draws and says of an input: a line of JSON, and then numbers.
 //!
-//! The numbers are little-endian: the vertices as pairs of doubles, those of the input first; the edges of the input as
-//! pairs of 32 bits; the triangles as triples of 32 bits; the places where edges cross as pairs of doubles; the
-//! edges that cross as pairs of 32 bits. The line says how many there are of each. So a million points pass from one
-//! memory to the other without becoming text.
+//! The numbers are little-endian, places as pairs of doubles, the rest in 32 bits each: the vertices, those of the input
+//! first; the edges of the input; the triangles; their sides, first those between two of them, then those of one; the
+//! places where edges cross; the edges that cross. The line says how many there are of each. So a million points pass
+//! from one memory to the other without becoming text.
 
 use std::io;
 
@@ -19,8 +19,36 @@ pub(crate) struct Picture {
     summary: Summary,
     vertices: Vec<[f64; 2]>,
     edges: Vec<[usize; 2]>,
-    triangles: Vec<[usize; 3]>,
+    shown: Shown,
     crossings: Vec<Crossing>,
+}
+
+/// Triangles and their sides: those of two triangles, and those of one.
+#[derive(Default)]
+struct Shown {
+    triangles: Vec<[usize; 3]>,
+    inner: Vec<[usize; 2]>,
+    border: Vec<[usize; 2]>,
+}
+
+impl Shown {
+    /// The triangles of a result that are drawn.
+    fn new(result: &Triangulation, is_drawn: impl Fn(usize) -> bool) -> Shown {
+        let mut shown = Shown::default();
+        for t in (0..result.len()).filter(|&t| is_drawn(t)) {
+            let corners = result.triangle(t);
+            shown.triangles.push(corners);
+            for side in 0..3 {
+                let ends = [corners[(side + 1) % 3], corners[(side + 2) % 3]];
+                match result.neighbor(t, side).filter(|&across| is_drawn(across)) {
+                    None => shown.border.push(ends),
+                    Some(across) if across > t => shown.inner.push(ends),
+                    Some(_) => {}
+                }
+            }
+        }
+        shown
+    }
 }
 
 /// The line.
@@ -31,6 +59,8 @@ struct Summary {
     vertices: usize,
     edges: usize,
     triangles: usize,
+    inner: usize,
+    border: usize,
     crossings: usize,
     /// How far splitting moved an edge at most, in units in the last place, if edges were split.
     displacement: Option<f64>,
@@ -71,26 +101,24 @@ impl Picture {
         settings: &Settings,
     ) -> Picture {
         let mut domain_refused = None;
-        let mut triangles = Vec::new();
+        let mut shown = Shown::default();
         if let Some((result, _)) = &run {
-            match settings.domain(pieces, result) {
-                Some(Ok(domain)) => {
-                    let inside = domain.inside();
-                    triangles.extend(inside.map(|t| result.triangle(t)));
+            shown = match settings.domain(pieces, result) {
+                None => Shown::new(result, |_| true),
+                Some(Ok(domain)) => Shown::new(result, |t| domain.is_inside(t)),
+                Some(Err(error)) => {
+                    domain_refused = Some(pieces.domain_as_numbered(error).to_string());
+                    Shown::new(result, |_| true)
                 }
-                refused => {
-                    let refused = refused.and_then(Result::err);
-                    let refused = refused.map(|error| pieces.domain_as_numbered(error));
-                    domain_refused = refused.map(|error| error.to_string());
-                    triangles.extend(result.triangles());
-                }
-            }
+            };
         }
         let summary = Summary {
             points: graph.points.len(),
             vertices: pieces.points.len(),
             edges: graph.edges.len(),
-            triangles: triangles.len(),
+            triangles: shown.triangles.len(),
+            inner: shown.inner.len(),
+            border: shown.border.len(),
             crossings: crossings.len(),
             displacement: None,
             domain_refused,
@@ -101,7 +129,7 @@ impl Picture {
             summary,
             vertices: pieces.points.iter().map(near).collect(),
             edges: graph.edges.clone(),
-            triangles,
+            shown,
             crossings,
         }
     }
@@ -117,7 +145,9 @@ impl Picture {
         out.push(b'\n');
         doubles(out, self.vertices.iter().copied());
         indices(out, &self.edges);
-        indices(out, &self.triangles);
+        indices(out, &self.shown.triangles);
+        indices(out, &self.shown.inner);
+        indices(out, &self.shown.border);
         doubles(out, self.crossings.iter().map(Crossing::near));
         let pairs: Vec<[usize; 2]> = self.crossings.iter().map(|found| found.edges).collect();
         indices(out, &pairs);

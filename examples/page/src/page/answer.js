@@ -4,7 +4,7 @@ class Answer {
   constructor(bytes) {
     const end = bytes.indexOf(10);
     Object.assign(this, { summary: JSON.parse(new TextDecoder().decode(bytes.subarray(0, end))) });
-    const { vertices, edges, triangles, crossings } = this.summary;
+    const { vertices, edges, triangles, inner, border, crossings } = this.summary;
     let at = end + 1;
     const numbers = (Kind, count) => {
       const length = count * Kind.BYTES_PER_ELEMENT;
@@ -14,33 +14,15 @@ class Answer {
     this.vertices = numbers(Float64Array, 2 * vertices);
     this.edges = numbers(Uint32Array, 2 * edges);
     this.triangles = numbers(Uint32Array, 3 * triangles);
+    this.inner = numbers(Uint32Array, 2 * inner);
+    this.border = numbers(Uint32Array, 2 * border);
     this.crossings = numbers(Float64Array, 2 * crossings);
     this.crossing = new Set(numbers(Uint32Array, 2 * crossings));
-    [this.inner, this.border] = this.sides();
   }
 
   /** The points of the input as pairs. */
   points() {
     return pairs(this.vertices.subarray(0, 2 * this.summary.points));
-  }
-
-  /** The sides of two triangles, and those of one, as ends one after the other. */
-  sides() {
-    const count = this.summary.vertices;
-    const keys = new Float64Array(this.triangles.length);
-    for (let corner = 0; corner < keys.length; corner++) {
-      const next = corner % 3 === 2 ? corner - 2 : corner + 1;
-      const [a, b] = [this.triangles[corner], this.triangles[next]];
-      keys[corner] = Math.min(a, b) * count + Math.max(a, b);
-    }
-    keys.sort();
-    const [inner, border] = [[], []];
-    for (let at = 0; at < keys.length; at++) {
-      const isTwice = keys[at] === keys[at + 1];
-      (isTwice ? inner : border).push(Math.floor(keys[at] / count), keys[at] % count);
-      at += isTwice ? 1 : 0;
-    }
-    return [inner, border];
   }
 }
 

@@ -97,6 +97,20 @@ function draw(line) {
   }
 }
 
+let [isAwaited, lastLine] = [false, null];
+
+/** Draws with the next frame of the screen, however often it is called until then. */
+function drawSoon(line) {
+  lastLine = line;
+  if (!isAwaited) {
+    isAwaited = true;
+    requestAnimationFrame(() => {
+      isAwaited = false;
+      draw(lastLine);
+    });
+  }
+}
+
 /** The steps, in the page that the command writes. */
 async function showSteps() {
   if (hasSteps) {
@@ -173,7 +187,7 @@ for (const tab of ["drawing", "steps"]) {
     }
   };
 }
-new Pointer(view, input, { changed: () => compute(), looked: draw });
+new Pointer(view, input, { changed: () => compute(), looked: drawSoon });
 new ResizeObserver(() => (view.resize(), draw())).observe(element("canvas"));
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw());
 element("settings").onchange = () => compute();
@@ -200,7 +214,7 @@ element("typed").onsubmit = (event) => {
 element("file").onchange = ({ target }) => openFiles(target.files);
 
 // A file may be dropped anywhere; without this the browser would leave the page for it.
-const picture = document.querySelector("main");
+const picture = element("picture");
 document.addEventListener("dragover", (event) => {
   event.preventDefault();
   picture.classList.add("dropping");
@@ -226,7 +240,7 @@ element("canvas").addEventListener("keydown", ({ key }) => {
   const pans = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
   if (moves[key] || pans[key]) {
     (moves[key] ?? (() => view.pan(...pans[key])))();
-    draw();
+    drawSoon();
   }
 });
 

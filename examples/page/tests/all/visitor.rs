@@ -202,6 +202,8 @@ fn files_are_dropped() {
             refused.starts_with(notice) && refused.is_empty() == notice.is_empty(),
             "{name}: {refused}"
         );
+        let is_kept = browser.run("return input.points !== null");
+        assert_eq!(is_kept, true, "nothing can be drawn after {name}");
         let places = browser.run("return [...view.at].every(Number.isFinite)");
         assert_eq!(places, true, "{name} is drawn nowhere");
     }
