@@ -45,8 +45,8 @@ fn run() -> Result<(), Box<dyn Error>> {
     let name = input.name();
     let mut answer = Vec::new();
     match input::read(input, files)? {
-        Input::Doubles(graph) => output::write(&name, graph, settings, wanted, &mut answer)?,
-        Input::Rationals(graph) => output::write(&name, graph, settings, wanted, &mut answer)?,
+        Input::Doubles(graph) => output::write(&name, &graph, settings, wanted, &mut answer)?,
+        Input::Rationals(graph) => output::write(&name, &graph, settings, wanted, &mut answer)?,
     }
     let mut out = std::io::stdout().lock();
     out.write_all(&answer)?;

@@ -17,22 +17,22 @@ const MOST_WITH_STEPS: usize = 50_000;
 /// Writes what is wanted of the input called `name`.
 pub(crate) fn write<S: Coordinate + Exact>(
     name: &str,
-    graph: Graph<S>,
+    graph: &Graph<S>,
     settings: Settings,
     wanted: Wanted,
     out: &mut Vec<u8>,
 ) -> Result<(), Box<dyn Error>> {
     let refused = |graph: &Graph<S>, error| format!("{name}: {}", graph.as_numbered(error));
     if let Wanted::Picture = wanted {
-        let picture = Picture::new(&graph, &settings);
-        let picture = picture.map_err(|error| refused(&graph, error))?;
+        let picture = Picture::new(graph, &settings);
+        let picture = picture.map_err(|error| refused(graph, error))?;
         return Ok(picture.write(out)?);
     }
     if let Wanted::Graph(format) = wanted {
-        return Ok(write_graph(named(&format)?, &graph, out)?);
+        return Ok(write_graph(named(&format)?, graph, out)?);
     }
-    let pieces = settings.pieces(&graph);
-    let graph = pieces.map_err(|error| refused(&graph, error))?;
+    let pieces = settings.pieces(graph);
+    let graph = pieces.map_err(|error| refused(graph, error))?;
     let graph = graph.as_ref();
     match wanted {
         Wanted::Trace(format) => write_trace(name, graph, settings, format, out),
