@@ -1,14 +1,14 @@
 //! The picture of a triangulation, readable with ten points as well as with a million.
 //!
-//! From back to front: the area (pale) and border of the hull or of a domain (a broad orange band, so that an edge
-//! on the border shows inside it), sides of triangles (thin, grey), input edges (blue), vertices (dark dots)
+//! From back to front: the hull around a domain (thin, dashed); the area (pale) and border of the domain, or of the
+//! hull where none is known (a broad orange band, so that an edge on the border shows inside it), sides of triangles (thin, grey), input edges (blue), vertices (dark dots)
 //! and their numbers in the file. Dots and numbers are drawn only if there is room for them. Each line is
 //! drawn once, as part of a long stroke, in relative whole units: about 10 bytes a side.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use super::style::{LEGEND_HEIGHT, mesh_rules, write_legend};
+use super::style::{COLUMN, LEGEND_HEIGHT, mesh_rules, write_legend};
 use super::svg;
 use super::window::{Bounds, PIXEL, Window, places};
 use crate::Triangulation;
@@ -22,8 +22,8 @@ const MOST_NUMBERS: usize = 60;
 const LEAST_SPACING: f64 = 8.0;
 /// The longer side of the points' bounding box.
 const LONG_SIDE: i64 = 1000 * PIXEL;
-/// Room for the legend: no picture is narrower.
-const NARROWEST: i64 = 780 * PIXEL;
+/// What the legend names at most, without and with a domain: no picture is narrower.
+const ENTRIES: [i64; 2] = [4, 5];
 const MARGIN: i64 = 28 * PIXEL;
 
 /// A picture of a triangulation, as SVG.
@@ -58,8 +58,8 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
         }
     }
 
-    /// Draws only the triangles inside a domain of this triangulation, and its border in place of the hull's. The
-    /// vertices and edges of the input are all drawn.
+    /// Draws only the triangles inside a domain of this triangulation, and its border. The hull is a thin dashed line
+    /// around it, with nothing between the two but the vertices and edges of the input, which are all drawn.
     #[must_use]
     pub fn domain(self, domain: &'a Domain<'a>) -> ResultPicture<'a, S> {
         let domain = Some(domain);
@@ -82,7 +82,10 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
         let spacing = bounds.spacing(points.len()) * (LONG_SIDE / PIXEL) as f64;
 
         // The drawing stands in the middle, with a margin around it and the legend below.
-        let [width, height] = [window.size[0].max(NARROWEST), window.size[1]];
+        let [width, height] = [
+            window.size[0].max(ENTRIES[usize::from(domain.is_some())] * COLUMN),
+            window.size[1],
+        ];
         let [width, height] = [width, height].map(|side| side + 2 * MARGIN);
         let left = (width - window.size[0]) / 2;
         let place = |point| {
@@ -97,9 +100,10 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
             let trails = trails(places.len(), sides).into_iter();
             trails.map(|trail| stroke(&places, &trail))
         };
+        let hull: Vec<usize> = result.hull().collect();
         let border = match domain {
             Some(domain) => domain.boundary(),
-            None => vec![result.hull().collect()],
+            None => vec![hull.clone()],
         };
         let closed = |chain: &Vec<usize>| {
             let closed: Vec<usize> = chain.iter().chain(chain.first()).copied().collect();
@@ -111,6 +115,10 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
         };
         // In one path, so that holes are not filled.
         let strokes_of_border: String = border.iter().map(closed).collect();
+        let around = closed(&hull);
+        if domain.is_some() && !around.is_empty() {
+            svg::layer(out, "outside", [around])?;
+        }
         if !strokes_of_border.is_empty() {
             svg::layer(out, "hull", [strokes_of_border])?;
         }
@@ -130,6 +138,9 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
                 format!("{name}: {}", border.iter().map(Vec::len).sum::<usize>()),
             ),
         ];
+        if domain.is_some() {
+            entries.push(("outside", format!("hull: {}", hull.len())));
+        }
         let vertices = || (0..places.len()).filter(|&v| result.representative(v) == v);
         if spacing > LEAST_SPACING {
             svg::layer(out, "vertex", vertices().map(|v| svg::dot(places[v])))?;

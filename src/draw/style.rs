@@ -38,22 +38,30 @@ pub(super) const OCHRE: &str = "#B8A500";
 /// Violations.
 pub(super) const RED: &str = "#D5190B";
 
-/// The colours that the page of steps names: `var(--ink)` in its style sheet, `colour("ink")` in its script.
-pub(super) const PAGE_COLOURS: [(&str, &str); 7] = [
-    ("ink", INK),
-    ("slate", SLATE),
-    ("grey", GREY),
-    ("mist", MIST),
-    ("paper", PAPER),
-    ("blue", BLUE),
-    ("orange", ORANGE),
+/// The colours of the page of steps, by the names that its style sheet (`var(--ink)`) and its script (`colour("ink")`)
+/// have for them: on light paper, as in every other picture, and on dark paper.
+pub(super) const PAGE_COLOURS: [(&str, &str, &str); 13] = [
+    ("ink", INK, "#E6E9EC"),
+    ("slate", SLATE, "#A9B2BB"),
+    ("grey", GREY, "#7D8791"),
+    ("mist", MIST, "#4A525A"),
+    ("sand", SAND, "#22272D"),
+    ("paper", PAPER, "#14171A"),
+    ("blue", BLUE, "#4DB1F0"),
+    ("orange", ORANGE, "#E69F00"),
+    ("green", GREEN, "#1FC596"),
+    ("vermilion", VERMILION, "#FF8A3D"),
+    ("purple", PURPLE, "#E08FBD"),
+    ("sky", SKY, "#7CC8F2"),
+    ("ochre", OCHRE, "#D4C02A"),
 ];
 
-/// The style rules of hull, inner sides, input edges and vertices, and of their samples in the legend, for vertices
+/// The style rules of hull, hull outside of a domain, inner sides, input edges and vertices, and of their samples in the legend, for vertices
 /// that are about `spacing` pixels apart.
 pub(super) fn mesh_rules(spacing: f64) -> String {
     format!(
-        ".hull {{ stroke: {ORANGE}; fill: {SAND} }}
+        ".outside {{ stroke: {SLATE}; stroke-width: 100; stroke-dasharray: 500 400; fill: none }}
+.hull {{ stroke: {ORANGE}; fill: {SAND} }}
 .side {{ stroke: {GREY} }}
 .edge {{ stroke: {BLUE} }}
 .vertex {{ stroke: {INK} }}
@@ -85,7 +93,8 @@ pub(super) fn mesh_widths(scope: &str, spacing: f64) -> String {
 
 /// The height of the legend.
 pub(super) const LEGEND_HEIGHT: i64 = 44 * PIXEL;
-const COLUMN: i64 = 195 * PIXEL;
+/// What an entry of the legend takes of the width.
+pub(super) const COLUMN: i64 = 195 * PIXEL;
 const SAMPLE: i64 = 24 * PIXEL;
 
 /// Draws the legend, the strip under a picture that says what its lines are: a sample of each class of lines with

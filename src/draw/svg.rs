@@ -1,6 +1,8 @@
 //! The text of an SVG picture: its beginning, its paths, its labels, and circles, the circumcircles of in-circle tests.
 //!
-//! Places are whole numbers of a hundredth of a [`PIXEL`], y downwards.
+//! Places are whole numbers, y downwards: a [`PIXEL`] is a hundred of them. The view box is in pixels, and the picture
+//! fills whatever window or element it is shown in: a browser scales it to fit, and a program that has no window takes
+//! the pixels of the view box for its size.
 
 use std::fmt::Display;
 use std::io::{self, Write};
@@ -11,30 +13,31 @@ use super::window::{PIXEL, Window};
 /// A path is ended when its text is this long: some programs refuse much longer attributes.
 const LONGEST_PATH: usize = 100_000;
 
-/// Begins a picture with the style rules of its classes.
+/// Begins a picture of this size with the style rules of its classes.
 pub(super) fn begin(
     out: &mut impl Write,
     [width, height]: [i64; 2],
     style: &str,
 ) -> io::Result<()> {
+    let [across, down] = [width, height].map(|side| side as f64 / PIXEL as f64);
     write!(
         out,
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{}" height="{}" viewBox="0 0 {width} {height}">
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="100%" height="100%" viewBox="0 0 {across} {down}">
 <style>
 path {{ fill: none; stroke-linecap: round; stroke-linejoin: round }}
 {style}text {{ font: {}px sans-serif; fill: {INK}; paint-order: stroke; stroke: {PAPER}; stroke-width: 350 }}
 </style>
+<g transform="scale({})">
 <rect width="{width}" height="{height}" fill="{PAPER}"/>
 "#,
-        width / PIXEL,
-        height / PIXEL,
         15 * PIXEL,
+        1.0 / PIXEL as f64,
     )
 }
 
 /// Ends a picture.
 pub(super) fn end(out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "</svg>")
+    writeln!(out, "</g>\n</svg>")
 }
 
 /// Writes the pieces of a layer, joined to few paths.

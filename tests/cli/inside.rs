@@ -119,6 +119,8 @@ fn every_format_holds_what_is_inside() {
     assert_eq!(lines(&text("frame.obj"), "v "), 8);
     let svg = text("frame.svg");
     assert!(svg.contains("triangles: 8") && svg.contains("border: 8"));
+    // The hull goes round it, and can be told from the border.
+    assert!(svg.contains("<path class=\"outside\" d=\"M") && svg.contains("hull: 4"));
     let area = svg.lines().find(|line| line.contains("class=\"hull\""));
     assert_eq!(area.map(|path| path.matches('M').count()), Some(2));
     // The diagonal of the hole is not drawn.
@@ -133,6 +135,7 @@ fn every_format_holds_what_is_inside() {
     let whole = run(&folder, "frame.json -o - --output-format svg");
     assert_eq!([sides(&svg), sides(printed(&whole))], [8, 9]);
     assert!(printed(&whole).contains("hull: 4"));
+    assert!(!printed(&whole).contains("class=\"outside"));
 }
 
 #[test]
