@@ -87,7 +87,8 @@ impl Trace {
     /// - in the end all artificial triangles are gone, the others are as many as the last step says, they
     ///   fill one simple polygon, every vertex is a corner and every fixed edge a side.
     ///
-    /// Some changes cannot be noticed without geometry. None of them changes a triangle:
+    /// Some changes cannot be noticed without geometry; [`compare`](Self::compare) notices all. None of them
+    /// changes a triangle:
     ///
     /// - a test is missing or comes at another time, except the one just before a flip;
     /// - a switch of a mixed part is missing;
@@ -106,5 +107,41 @@ impl Trace {
             return Err(BadTrace { line: 1, message });
         }
         replay::replay(&self.events)
+    }
+
+    /// Compares it, step by step, with `events`: those of a run on the same input with the same heuristics, from its
+    /// first one.
+    ///
+    /// So every change is noticed, also those that [`replay`](Self::replay) does not notice. A trace may begin later
+    /// than the run and end earlier.
+    ///
+    /// ```
+    /// use sweep_cdt::Triangulator;
+    /// use sweep_cdt::trace::Trace;
+    ///
+    /// let mut events = Vec::new();
+    /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
+    /// Triangulator::new().triangulate_observed(&points, &[], |event| events.push(event))?;
+    /// let trace = Trace { skipped: 2, events: events[2..5].to_vec() };
+    /// trace.compare(&events)?;
+    ///
+    /// let trace = Trace { skipped: 2, events: vec![events[2], events[4]] };
+    /// assert_eq!(trace.compare(&events).unwrap_err().line, 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BadTrace`] names the first line that differs, and what the run has in its place.
+    pub fn compare(&self, events: &[Event]) -> Result<(), BadTrace> {
+        let mut run = events.iter().skip(self.skipped);
+        for (line, step) in (2..).zip(&self.events) {
+            let message = match run.next() {
+                Some(taken) if taken == step => continue,
+                Some(taken) => format!("`{step}` is not what the run does: `{taken}`"),
+                None => format!("`{step}` is not what the run does: it is over"),
+            };
+            return Err(BadTrace { line, message });
+        }
+        Ok(())
     }
 }

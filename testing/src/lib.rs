@@ -9,6 +9,7 @@
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
 //! * [`boundary`] finds the closed chains around a set of triangles.
+//! * [`page`] reads a page of steps as its script does.
 //! * [`minimize`] makes a failing input small.
 //! * `peers` (with the feature of this name) calls other crates that triangulate.
 //!
@@ -22,6 +23,7 @@ pub mod fronts;
 pub mod generators;
 pub mod minimize;
 pub mod oracle;
+pub mod page;
 #[cfg(feature = "peers")]
 pub mod peers;
 pub mod runs;

@@ -14,6 +14,7 @@ mod outputs;
 #[cfg(unix)]
 mod places;
 mod refuted;
+mod replay;
 mod runs;
 mod statistics;
 #[cfg(target_os = "linux")]

@@ -1,43 +1,16 @@
-//! Traces: recorded, replayed, refused.
+//! Traces: recorded, drawn, refused.
 
 use std::fs;
 use std::process::Output;
 
-use serde_json::Value;
+use serde_json::{Value, json};
+use sweep_cdt_testing::page::{data_of_page, words_of_steps};
 
-use crate::{FORMATS, assert_fails, feed, folder, names, printed, sweep_cdt, text};
+use crate::{FORMATS, assert_fails, folder, names, printed, sweep_cdt, text};
 
-fn run(arguments: &str) -> Output {
+pub(crate) fn run(arguments: &str) -> Output {
     let output = sweep_cdt(FORMATS, arguments).output();
     output.expect("the command starts")
-}
-
-fn replay(trace: &[u8]) -> Output {
-    feed(&mut sweep_cdt(FORMATS, "replay -"), trace)
-}
-
-/// The triangles of an input as `replay` prints them.
-fn triangles(input: &str) -> String {
-    let output = run(&format!("triangulate {input} -o - --output-format json"));
-    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
-    let list = json["triangles"].as_array().expect("triangles");
-    let line = |triangle: &Value| format!("{} {} {}\n", triangle[0], triangle[1], triangle[2]);
-    list.iter().map(line).collect()
-}
-
-#[test]
-fn replay_prints_the_triangles_of_the_result() {
-    for input in ["ten.poly", "thirds.json", "split.poly"] {
-        for settings in [
-            "",
-            "--output-format jsonl",
-            "--heuristics paper --front skip-list",
-        ] {
-            let trace = run(&format!("trace {input} {settings}"));
-            let replayed = replay(printed(&trace).as_bytes());
-            assert_eq!(printed(&replayed), triangles(input), "{input} {settings}");
-        }
-    }
 }
 
 #[test]
@@ -86,14 +59,6 @@ fn drawn(name: &str, arguments: &str) -> String {
     fs::read_to_string(&path).expect("a file")
 }
 
-/// The JSON in a page.
-fn steps_in(page: &str) -> Value {
-    let start = "<script type=\"application/json\" id=\"trace\">";
-    let (_, rest) = page.split_once(start).expect("the steps");
-    let (json, _) = rest.split_once("</script>").expect("an end of the steps");
-    serde_json::from_str(json).expect("JSON")
-}
-
 #[test]
 fn the_page_holds_all_steps_and_loads_nothing() {
     let page = drawn("steps.html", "");
@@ -111,33 +76,28 @@ fn the_page_holds_all_steps_and_loads_nothing() {
 
     let trace = run("trace ten.poly");
     let lines = printed(&trace).lines().count();
-    let shown = steps_in(&page);
+    let shown = data_of_page(&page);
     assert_eq!(shown["first"], 1);
     assert_eq!(shown["total"], lines - 1);
-    let steps = shown["steps"].as_array().expect("steps");
+    assert_eq!(shown["notices"], json!([]));
+    let steps = words_of_steps(&shown);
     assert_eq!(steps.len(), lines - 1);
     assert_eq!(steps[0][1], "Vertex 0 is the next one in sweep order.");
-    let last = &steps[lines - 2][1];
-    assert!(
-        last.as_str()
-            .expect("a sentence")
-            .starts_with("The triangulation has")
-    );
+    assert!(steps[lines - 2][1].starts_with("The triangulation has"));
 }
 
 #[test]
 fn a_stretch_of_the_steps_is_drawn_on_demand() {
-    let whole = steps_in(&drawn("steps.html", ""));
-    let stretch = "--from 3 --to 6";
-    let page = steps_in(&drawn("steps.html", stretch));
-    assert_eq!(page["first"], 3);
+    let whole = data_of_page(&drawn("steps.html", ""));
+    let stretch = "--from 9 --to 12";
+    let page = data_of_page(&drawn("steps.html", stretch));
+    assert_eq!(page["first"], 9);
     assert_eq!(page["total"], whole["total"]);
     let sentences = |page: &Value| {
-        let steps = page["steps"].as_array().expect("steps").iter();
-        let sentence = |step: &Value| step[1].as_str().expect("a sentence").to_owned();
-        steps.map(sentence).collect::<Vec<_>>()
+        let steps = words_of_steps(page).into_iter();
+        steps.map(|[_, sentence]| sentence).collect::<Vec<_>>()
     };
-    let expected = &sentences(&whole)[2..6];
+    let expected = &sentences(&whole)[8..12];
     assert_eq!(sentences(&page), expected);
 
     let sheet = drawn("steps.svg", stretch);
@@ -155,10 +115,101 @@ fn a_stretch_of_the_steps_is_drawn_on_demand() {
         .iter()
         .filter_map(|title| title.split(' ').next())
         .collect();
-    assert_eq!(numbers, ["3", "4", "5", "6"]);
+    assert_eq!(numbers, ["9", "10", "11", "12"]);
     // The namespace is a name, not a place.
     assert_eq!(sheet.matches("http").count(), 1);
     assert!(sheet.contains("xmlns=\"http://www.w3.org/2000/svg\""));
+}
+
+/// A page opens at the step of a vertex or an edge, a sheet shows the steps around it.
+#[test]
+fn steps_around_a_place() {
+    let trace = run("trace ten.poly");
+    let lines: Vec<&str> = printed(&trace).lines().collect();
+    let step = |start: &str| {
+        lines
+            .iter()
+            .position(|line| line.starts_with(start))
+            .expect("a step")
+    };
+    for (place, start) in [
+        ("vertex:8", "point 8:"),
+        ("edge:2", "edge 2:"),
+        ("vertex:0", "triangle 0 "),
+    ] {
+        let page = data_of_page(&drawn("steps.html", &format!("--around {place}")));
+        assert_eq!(
+            [&page["start"], &page["first"]],
+            [step(start), 1],
+            "{place}"
+        );
+    }
+    let page = data_of_page(&drawn("steps.html", "--around step:50"));
+    assert_eq!(page["start"], 50);
+    let sheet = drawn("steps.svg", "--around step:50");
+    assert!(sheet.contains(">20  ") && sheet.contains(">79  ") && !sheet.contains(">80  "));
+    for (place, error) in [
+        ("vertex:99", "ten.poly: there is no step at vertex 99"),
+        ("edge:77", "ten.poly: there is no step at edge 77"),
+        ("step:99999", "ten.poly: there is no step at step 99999"),
+    ] {
+        assert_fails(
+            &run(&format!(
+                "trace ten.poly -o /dev/null --output-format html --around {place}"
+            )),
+            error,
+        );
+    }
+    for wrong in [
+        "--around vertex:8",
+        "-o a.html --around 8",
+        "-o a.html --around edge:1 --from 3",
+    ] {
+        assert_eq!(
+            run(&format!("trace ten.poly {wrong}")).status.code(),
+            Some(2),
+            "{wrong}"
+        );
+    }
+}
+
+/// A run that a page has no room for begins there with the first point event; standard error says so.
+#[test]
+fn a_long_run_is_cut_where_it_shows_most() {
+    let folder = folder(&[]);
+    let generated = sweep_cdt(&folder, "generate uniform 40000 -o many.node").output();
+    printed(&generated.expect("the command starts"));
+    let trace = |arguments: &str| {
+        let output = sweep_cdt(&folder, &format!("trace many.node -o a.html {arguments}")).output();
+        let output = output.expect("the command starts");
+        assert_eq!(output.status.code(), Some(0));
+        let page = fs::read_to_string(folder.path().join("a.html")).expect("a page");
+        assert!(
+            (15_000_000..20_200_000).contains(&page.len()),
+            "{}",
+            page.len()
+        );
+        let data = data_of_page(&page);
+        let (first, total) = (
+            data["first"].as_u64().expect("a step"),
+            data["total"].as_u64().expect("a step"),
+        );
+        let last = first - 1 + words_of_steps(&data).len() as u64;
+        let note = format!(
+            "note: a.html holds steps {first} to {last} of {total}, as many as fit into 20 MB; --around chooses others\n"
+        );
+        assert_eq!(text(&output.stderr), note);
+        assert_eq!(data["sorted"], json!([]));
+        (first, last, total, data)
+    };
+    let (first, last, total, data) = trace("");
+    assert!(words_of_steps(&data)[0][1].starts_with("The sweep line meets vertex"));
+    assert!(first > 40_000 && last < total);
+    let (first, last, _, data) = trace("--around vertex:17");
+    let start = data["start"].as_u64().expect("a step");
+    assert!(first <= start && start <= last);
+    let at = usize::try_from(start - first).expect("a step of the page");
+    assert!(words_of_steps(&data)[at][1].starts_with("The sweep line meets vertex 17."));
 }
 
 #[test]
@@ -192,48 +243,63 @@ fn steps_that_there_are_not_are_refused() {
     assert_eq!(printed(&rest).lines().count(), 2);
 }
 
+/// The steps up to the error are written, in every format, and the error says so.
 #[test]
-fn a_stretch_of_the_steps_is_written_on_demand() {
-    let whole = run("trace ten.poly");
-    let lines: Vec<&str> = printed(&whole).lines().collect();
-    let part = run("trace ten.poly --from 4 --to 6");
-    let expected = [
-        "sweep-cdt trace 3 from step 4",
-        lines[4],
-        lines[5],
-        lines[6],
-    ];
-    assert_eq!(printed(&part).lines().collect::<Vec<_>>(), expected);
-    assert_fails(
-        &replay(&part.stdout),
-        "standard input:1: the trace lacks its first 3 steps",
+fn a_trace_of_edges_that_cross_ends_there() {
+    let crossing = r#"{"points":[[0,0],[1,1],[0,1],[1,0]],"edges":[[0,1],[2,3]]}"#;
+    let folder = folder(&[("crossing.json", crossing)]);
+    let trace = |arguments: &str| {
+        let output = sweep_cdt(&folder, &format!("trace crossing.json {arguments}")).output();
+        output.expect("the command starts")
+    };
+    let printed = trace("");
+    let error = "error: crossing.json: edges 0 and 1 cross; ";
+    let there =
+        |place: &str, steps: usize| format!("{error}{place} has the {steps} steps up to there\n");
+    let steps = text(&printed.stdout);
+    let count = steps.lines().count() - 1;
+    assert!(
+        count > 10
+            && steps
+                .lines()
+                .last()
+                .is_some_and(|line| line.contains(" 1 ") || line.contains("edge"))
     );
-}
-
-#[test]
-fn what_is_no_trace_is_refused_by_line() {
+    assert_eq!(text(&printed.stderr), there("standard output", count));
+    assert_eq!(printed.status.code(), Some(1));
+    for name in ["a.txt", "a.jsonl", "a.html", "a.svg"] {
+        let output = trace(&format!("-o {name}"));
+        assert_eq!(text(&output.stderr), there(name, count), "{name}");
+        assert_eq!(output.status.code(), Some(1));
+    }
+    assert_eq!(
+        fs::read_to_string(folder.path().join("a.txt")).expect("a file"),
+        steps
+    );
+    let page = fs::read_to_string(folder.path().join("a.html")).expect("a file");
+    assert_eq!(data_of_page(&page)["refused"], "edges 0 and 1 cross");
+    let error = format!("a.txt:{}: the trace ends too early", count + 2);
+    let output = sweep_cdt(&folder, "replay a.txt").output();
+    assert_fails(&output.expect("the command starts"), &error);
+    let output = sweep_cdt(&folder, "replay a.txt --input crossing.json").output();
     assert_fails(
-        &replay(b"sweep-cdt trace 3\nsorted 0\nhello\n"),
-        "standard input:3: is no step: \"hello\"",
+        &output.expect("the command starts"),
+        "crossing.json: edges 0 and 1 cross",
     );
     assert_fails(
-        &replay(b"\xff"),
-        "standard input:1: is not the header `sweep-cdt trace 3`",
-    );
-    assert_fails(
-        &run("replay nowhere.txt"),
-        "nowhere.txt: no such file or directory",
+        &trace("--from 999"),
+        "crossing.json: edges 0 and 1 cross; the last step is "
+            .to_owned()
+            .as_str(),
     );
 }
 
 #[test]
 fn wrong_input_leaves_no_file() {
-    let crossing = r#"{"points":[[0,0],[1,1],[0,1],[1,0]],"edges":[[0,1],[2,3]]}"#;
-    let folder = folder(&[("crossing.json", crossing)]);
-    let output = sweep_cdt(&folder, "trace crossing.json -o steps.txt").output();
-    assert_fails(
-        &output.expect("the command starts"),
-        "crossing.json: edges 0 and 1 cross",
-    );
-    assert_eq!(names(folder.path()), ["crossing.json"]);
+    let wrong = r#"{"points":[[0,0],[1,1],[0,1]],"edges":[[0,9]]}"#;
+    let folder = folder(&[("wrong.json", wrong)]);
+    let output = sweep_cdt(&folder, "trace wrong.json -o steps.txt").output();
+    let error = text(&output.expect("the command starts").stderr).to_owned();
+    assert!(error.starts_with("error: wrong.json: "), "{error}");
+    assert_eq!(names(folder.path()), ["wrong.json"]);
 }

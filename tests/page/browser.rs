@@ -111,6 +111,19 @@ impl Browser {
         self.send("/execute/sync", &json!({"script": script, "args": []}))
     }
 
+    /// What a script passes to `done`.
+    pub(crate) fn run_async(&self, script: &str) -> Value {
+        let script = format!("const done = arguments[0]; {script}");
+        self.send("/execute/async", &json!({"script": script, "args": []}))
+    }
+
+    /// Asks for dark pages.
+    pub(crate) fn darken(&self) {
+        let dark = json!({"features": [{"name": "prefers-color-scheme", "value": "dark"}]});
+        let command = json!({"cmd": "Emulation.setEmulatedMedia", "params": dark});
+        self.send("/goog/cdp/execute", &command);
+    }
+
     /// The text of the element with this id.
     pub(crate) fn text(&self, id: &str) -> String {
         let text = self.run(&format!("return document.getElementById('{id}').innerText"));

@@ -2,9 +2,12 @@
 //! print so and pass; in continuous integration, where `CI` is `true`, they fail.
 #![cfg(feature = "formats")]
 
+mod access;
 mod browser;
 mod controls;
+mod drawing;
 mod pictures;
+mod words;
 
 use std::fs;
 use std::ops::RangeInclusive;

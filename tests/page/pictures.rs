@@ -100,10 +100,10 @@ fn extreme_inputs() {
 }
 
 /// The last step with a change of that name, and the last one with these words.
-const FIND: &str = "const lastWith = (wanted) => trace.first + trace.steps.findLastIndex(
-    (step) => step[2].some(([name]) => name === wanted));
-  const lastWords = (words) => trace.first + trace.steps.findLastIndex(
-    (step) => step[1].includes(words));";
+const FIND: &str = "const lastWith = (wanted) => SORTED + 1 + trace.steps.findLastIndex(
+    (_, at) => changesOf(SORTED + 1 + at).some(([name]) => name === wanted));
+  const lastWords = (words) => SORTED + 1 + trace.steps.findLastIndex(
+    (_, at) => textOf(SORTED + 1 + at)[1].includes(words));";
 
 /// Written to the folder that `SWEEP_CDT_SCREENSHOTS` names.
 #[test]
@@ -123,10 +123,20 @@ fn screenshots() {
 
     let (small, large) = (page(&graph, ALL), page(&many(1500), ALL));
     let part = page(&graph, 150..=170);
-    for size in [[1280, 800], [800, 600], [480, 800], [390, 800]] {
+    let (hundred, most) = (page(&many(100), ALL), page(&many(25_000), ALL));
+    for (size, is_dark) in [
+        ([1920, 1080], false),
+        ([1280, 800], false),
+        ([1280, 800], true),
+        ([390, 800], false),
+        ([320, 640], true),
+    ] {
         let Some(browser) = Browser::open(size) else {
             return;
         };
+        if is_dark {
+            browser.darken();
+        }
         for (name, (_, page), script) in [
             ("input", &small, "show(0)"),
             ("illegal", &small, "show(lastWith('illegal'))"),
@@ -141,12 +151,15 @@ fn screenshots() {
             ("end", &small, "show(LAST)"),
             ("legend", &part, "element('legend').open = true"),
             ("large", &large, "show(9000)"),
+            ("hundred", &hundred, "show(600)"),
+            ("most", &most, "show(150000)"),
             ("near", &large, "show(9000); element('near-step').click()"),
         ] {
             browser.load(page, "");
             browser.run(&format!("{FIND} {script}"));
             assert_quiet(&browser);
-            let file = format!("{name}-{}x{}.png", size[0], size[1]);
+            let scheme = if is_dark { "-dark" } else { "" };
+            let file = format!("{name}-{}{scheme}.png", size[0]);
             fs::write(folder.join(file), browser.picture()).expect("a file");
         }
     }

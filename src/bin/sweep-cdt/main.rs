@@ -9,6 +9,7 @@
 mod certificate;
 mod crossings;
 mod generate;
+mod replay;
 mod shared;
 mod trace;
 mod triangulate;
@@ -39,7 +40,7 @@ enum Command {
     Verify(verify::Verify),
     Crossings(crossings::Crossings),
     Trace(trace::Trace),
-    Replay(trace::Replay),
+    Replay(replay::Replay),
     Generate(generate::Generate),
 }
 

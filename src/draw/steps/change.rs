@@ -1,10 +1,31 @@
 //! What an event changes in the picture.
 
-use serde::ser::{Serialize, SerializeSeq, Serializer};
-
 use crate::trace::{Event, Outcome, PseudoPolygon, Vertex, Why};
 
-/// A change of the picture. The last four only highlight something while their step is shown.
+/// The names of changes in the page, and how many numbers follow each.
+pub(super) const KINDS: [(&str, usize); 19] = [
+    ("sweep", 1),
+    ("swept", 0),
+    ("end", 0),
+    ("add", 3),
+    ("remove", 3),
+    ("pierce", 3),
+    ("join", 2),
+    ("leave", 1),
+    ("edge", 2),
+    ("upper", 1),
+    ("lower", 1),
+    ("fix", 2),
+    ("about", 1),
+    ("vertex", 1),
+    ("line", 2),
+    ("gone", 2),
+    ("legal", 4),
+    ("illegal", 4),
+    ("fixed", 4),
+];
+
+/// A change of the picture. The last five only highlight something while their step is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Change {
     /// The sweep line comes to a vertex; the edge event before it is over.
@@ -29,6 +50,8 @@ pub(super) enum Change {
     Border(PseudoPolygon, Vertex),
     /// A constraint is there, and the pseudo-polygons are gone.
     Fix([Vertex; 2]),
+    /// Look at this edge of the input.
+    About(u32),
     /// Look at this vertex.
     Vertex(Vertex),
     /// Look at this line.
@@ -40,7 +63,7 @@ pub(super) enum Change {
 }
 
 impl Change {
-    /// Its name and vertices in the page; P-1 and P-2 are -1 and -2.
+    /// Its name and numbers in the page; P-1 and P-2 are -1 and -2.
     fn code(&self) -> (&'static str, Vec<i64>) {
         let codes = |vertices: &[Vertex]| vertices.iter().copied().map(number).collect();
         match self {
@@ -56,6 +79,7 @@ impl Change {
             Change::Border(PseudoPolygon::Upper, v) => ("upper", codes(&[*v])),
             Change::Border(PseudoPolygon::Lower, v) => ("lower", codes(&[*v])),
             Change::Fix(ends) => ("fix", codes(ends)),
+            Change::About(edge) => ("about", vec![i64::from(*edge)]),
             Change::Vertex(v) => ("vertex", codes(&[*v])),
             Change::Line(ends) => ("line", codes(ends)),
             Change::Gone(ends) => ("gone", codes(ends)),
@@ -65,24 +89,22 @@ impl Change {
         }
     }
 
+    /// Appends the position of its name in [`KINDS`], and its numbers.
+    pub(super) fn encode(&self, numbers: &mut Vec<i64>) {
+        let (name, codes) = self.code();
+        let kind = (0..).zip(KINDS).find(|(_, (other, _))| *other == name);
+        numbers.extend(kind.map(|(kind, _)| kind));
+        numbers.extend(codes);
+    }
+
     /// The vertices that the picture must show.
     pub(super) fn vertices(&self) -> Vec<usize> {
+        if matches!(self, Change::About(_)) {
+            return Vec::new();
+        }
         let (_, codes) = self.code();
         let real = |code: &i64| usize::try_from(*code).ok();
         codes.iter().filter_map(real).collect()
-    }
-}
-
-/// As a list: the name, then the vertices.
-impl Serialize for Change {
-    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
-        let (name, vertices) = self.code();
-        let mut list = serializer.serialize_seq(Some(1 + vertices.len()))?;
-        list.serialize_element(name)?;
-        for vertex in &vertices {
-            list.serialize_element(vertex)?;
-        }
-        list.end()
     }
 }
 
@@ -125,7 +147,9 @@ pub(super) fn changes(event: &Event) -> Vec<Change> {
         ],
         Event::FrontInsert { vertex, after } => vec![C::Join(vertex, after), C::Vertex(vertex)],
         Event::FrontRemove { vertex } => vec![C::Leave(vertex), C::Vertex(vertex)],
-        Event::Edge { upper, lower, .. } => vec![C::Edge([upper, lower]), C::Vertex(upper)],
+        Event::Edge { edge, upper, lower } => {
+            vec![C::Edge([upper, lower]), C::About(edge), C::Vertex(upper)]
+        }
         Event::Switch {
             segment: [a, b], ..
         } if a == b => vec![C::Vertex(a)],

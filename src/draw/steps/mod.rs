@@ -8,9 +8,12 @@
 //! the right. A test that involves one of them has no circle.
 
 mod change;
+mod choice;
+mod data;
 mod page;
 mod panel;
 mod scene;
+mod sections;
 mod sheet;
 mod story;
 mod style;

@@ -1,19 +1,19 @@
 // The controls: which step is shown, and which part of the plane. And the legend.
 
-const element = (id) => document.getElementById(id);
-const view = new View(element("picture"));
 let number = BEFORE;
 let scene = sceneAt(number);
+const view = new View(element("picture"));
 let timer = null;
 let addressTimer = null;
 
 /** Shows a step; the address follows a little later, since browsers limit how often it may change. */
 function show(wanted) {
-  const before = number;
   number = Math.min(Math.max(Math.round(wanted) || BEFORE, BEFORE), LAST);
-  scene = sceneAt(number, scene, before);
+  number = stepAt(positionOf(number));
+  scene = sceneAt(number);
+  say("");
   view.follow(scene.step);
-  describe();
+  describe(scene);
   view.draw(scene);
   addressTimer ??= setTimeout(() => {
     addressTimer = null;
@@ -21,53 +21,20 @@ function show(wanted) {
   }, 200);
 }
 
-/** Shows the words of the current step, and the list of the steps around it. */
-function describe() {
-  const [heading, sentence] = textOf(number);
-  element("position").textContent = `Step ${number} of ${trace.total}`;
-  element("heading").textContent = heading;
-  element("sentence").textContent = sentence;
-  element("slider").value = number;
-  const rows = element("steps");
-  const count = Math.max(Math.floor(rows.clientHeight / 26), 0);
-  const start = Math.max(Math.min(number - Math.floor(count / 3), LAST + 1 - count), BEFORE);
-  const numbers = Array.from({ length: count }, (_, row) => start + row);
-  rows.replaceChildren(...numbers.filter((step) => step <= LAST).map(row));
-}
-
-function row(step) {
-  const [item, button, label, text] = ["li", "button", "b", "span"].map((name) =>
-    document.createElement(name),
-  );
-  label.textContent = step;
-  text.textContent = textOf(step)[1];
-  button.title = text.textContent;
-  button.append(label, text);
-  button.onclick = () => show(step);
-  if (step === number) {
-    button.setAttribute("aria-current", "step");
-  }
-  item.append(button);
-  return item;
-}
-
-function textOf(step) {
-  if (step > BEFORE) {
-    const [heading, sentence] = trace.steps[step - trace.first];
-    return [trace.headings[heading], sentence];
-  }
-  const input = `${trace.points.length} vertices and ${trace.edges.length} edges.`;
-  return BEFORE === 0 ? ["Input", input] : ["Before the first step of this page", input];
+/** Shows the step so many positions farther. */
+function move(positions) {
+  show(stepAt(Math.min(positionOf(number) + positions, positionOf(LAST))));
 }
 
 /** The next step in a direction that begins a point event, an edge event or a part of the algorithm. */
 function nextEvent(direction) {
   const begins = (change) => ["sweep", "swept", "edge", "end"].includes(change[0]);
   let at = number + direction;
-  while (at > BEFORE && at < LAST && !trace.steps[at - trace.first][2].some(begins)) {
+  while (at > SORTED && at < LAST && !changesOf(at).some(begins)) {
     at += direction;
   }
-  return at;
+  // The sorting has no events.
+  return direction < 0 && at <= SORTED ? BEFORE : Math.max(at, Math.min(SORTED + 1, LAST));
 }
 
 function play(wanted = timer === null) {
@@ -77,7 +44,7 @@ function play(wanted = timer === null) {
     if (number === LAST) {
       show(BEFORE);
     }
-    const advance = () => (number < LAST ? show(number + 1) : play(false));
+    const advance = () => (number < LAST ? move(1) : play(false));
     timer = setInterval(advance, 1000 / element("speed").value);
   }
   element("play").textContent = timer === null ? "Play" : "Pause";
@@ -86,7 +53,7 @@ function play(wanted = timer === null) {
 /** Shows the step that the address names, as in `#step=120`. */
 function followAddress() {
   const step = /^#step=(\d+)$/.exec(location.hash);
-  show(step ? Number(step[1]) : number);
+  show(step ? Number(step[1]) : number === BEFORE ? trace.start : number);
 }
 
 function look(move) {
@@ -96,12 +63,13 @@ function look(move) {
 
 /** The legend, drawn in the same styles as the picture. */
 function drawLegend(list) {
+  list.replaceChildren();
   for (const style of trace.styles.filter(({ meaning }) => meaning)) {
     const item = document.createElement("li");
     const sample = document.createElement("canvas");
     [sample.width, sample.height] = [68, 36];
-    const painter = Object.create(View.prototype);
-    Object.assign(painter, { context: sample.getContext("2d"), spacing: 1, scale: 100 });
+    sample.setAttribute("aria-hidden", "true");
+    const painter = new Painter(sample.getContext("2d"), 100);
     painter.context.scale(2, 2);
     if (style.fill || style.hatch) {
       painter.stroke(style, [[3, 15], [31, 15], [17, 3]], true);
@@ -119,36 +87,52 @@ function drawLegend(list) {
 const ACTIONS = {
   first: () => show(BEFORE),
   "event-before": () => show(nextEvent(-1)),
-  before: () => show(number - 1),
+  before: () => move(-1),
   play: () => play(),
-  after: () => show(number + 1),
+  after: () => move(1),
   "event-after": () => show(nextEvent(1)),
   last: () => show(LAST),
   nearer: () => look(() => view.zoom(1.4)),
   farther: () => look(() => view.zoom(1 / 1.4)),
+  spread: () => {
+    isSpread = !isSpread;
+    show(number);
+  },
   "near-step": () => look(() => view.showStep(scene.step)),
   whole: () => look(() => view.showAll()),
-};
-const KEYS = {
-  Home: "first", PageUp: "event-before", ArrowLeft: "before", " ": "play", ArrowRight: "after",
-  PageDown: "event-after", End: "last", "+": "nearer", "=": "nearer", "-": "farther", z: "near-step", 0: "whole",
+  search: () => element("search").focus(),
 };
 
-for (const [id, act] of Object.entries(ACTIONS)) {
+const KEYS = {
+  Home: "first", PageUp: "event-before", ArrowLeft: "before", " ": "play", ArrowRight: "after",
+  PageDown: "event-after", End: "last", "+": "nearer", "=": "nearer", "-": "farther", z: "near-step", 0: "whole", "/": "search",
+};
+
+for (const [id, act] of Object.entries(ACTIONS).filter(([id]) => id !== "search")) {
   element(id).onclick = act;
 }
 document.addEventListener("keydown", (event) => {
   const action = KEYS[event.key];
-  const isTaken = event.ctrlKey || event.metaKey || event.altKey || event.target.matches("select");
+  const isTyped = event.target.matches("select, input:not([type=range], [type=checkbox])");
+  const isPressed = [" ", "Enter"].includes(event.key) && event.target.matches("button, summary, [type=checkbox]");
+  const isTaken = event.ctrlKey || event.metaKey || event.altKey || isTyped || isPressed;
   if (action && !isTaken) {
     event.preventDefault();
     ACTIONS[action]();
   }
 });
-element("slider").oninput = (event) => show(event.target.valueAsNumber);
+element("slider").oninput = (event) => show(stepAt(event.target.valueAsNumber));
+element("follow").onchange = (event) => {
+  view.isFollowing = event.target.checked;
+  show(number);
+};
+element("searching").onsubmit = (event) => {
+  event.preventDefault();
+  search(element("search").value);
+};
 element("speed").onchange = () => play(timer !== null);
 window.addEventListener("hashchange", followAddress);
-new ResizeObserver(() => look(() => (view.resize(), describe()))).observe(element("picture"));
+new ResizeObserver(() => look(() => (view.resize(), describe(scene)))).observe(element("picture"));
 
 const fingers = new Map();
 const canvas = element("picture");
@@ -173,14 +157,15 @@ canvas.onwheel = (event) => {
   look(() => view.zoom(Math.exp(-event.deltaY / 400), [event.offsetX, event.offsetY]));
 };
 
-Object.assign(element("slider"), { min: BEFORE, max: LAST });
-if (trace.steps.length < trace.total) {
-  element("notice").hidden = false;
-  element("notice").textContent =
-    `This page holds steps ${trace.first} to ${LAST} of ${trace.total}.`;
+element("notice").hidden = trace.notices.length === 0;
+element("notice").textContent = trace.notices.join(" ");
+for (const wide of document.querySelectorAll("details")) {
+  wide.open = innerWidth > 860 && wide.id === "legend";
 }
-if (innerWidth <= 860) {
-  element("legend").open = false;
-}
+listSections(element("sections").querySelector("ul"));
 drawLegend(element("legend").querySelector("ul"));
+dark.addEventListener("change", () => {
+  drawLegend(element("legend").querySelector("ul"));
+  view.draw(scene);
+});
 followAddress();

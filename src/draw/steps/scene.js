@@ -1,122 +1,100 @@
-// The state of the sweep after any step, rebuilt from copies kept at regular intervals.
+// The state of the sweep after any step.
 
-const trace = JSON.parse(document.getElementById("trace").textContent);
-/** The number of the step before the first one of this page, and of its last one. */
-const BEFORE = trace.first - 1;
-const LAST = BEFORE + trace.steps.length;
-const LEFT = -1;
-const RIGHT = -2;
-const COPY_EVERY = 250;
-
-class Scene {
+/** The advancing front: its moves, each of which can be taken back, and copies of it between them. */
+class Front {
   constructor() {
-    this.triangles = new Map();
-    this.front = [LEFT, RIGHT];
-    this.fixed = new Map();
-    this.sweep = null;
-    this.isSwept = false;
-    this.edge = null;
-    this.pierced = [];
-    this.upper = [];
-    this.lower = [];
-    /** What the last step changed. */
-    this.step = [];
+    /** Each move: its step, the vertex, the one left of it, and whether it joins. */
+    this.moves = [];
+    this.vertices = [LEFT, RIGHT];
+    this.copies = [[0, [LEFT, RIGHT]]];
+    this.done = 0;
   }
 
-  copy() {
-    const copy = Object.assign(new Scene(), this);
-    copy.triangles = new Map(this.triangles);
-    copy.fixed = new Map(this.fixed);
-    for (const list of ["front", "pierced", "upper", "lower"]) {
-      copy[list] = [...this[list]];
-    }
-    return copy;
+  join(step, v, left) {
+    this.note([step, v, left, true]);
   }
 
-  advance(changes) {
-    this.step = changes;
-    for (const [name, ...vertices] of changes) {
-      this.change(name, vertices);
+  leave(step, v) {
+    this.note([step, v, this.vertices[this.vertices.indexOf(v) - 1], false]);
+  }
+
+  note(move) {
+    this.moves.push(move);
+    this.turn(move, true);
+    this.done += 1;
+    const [at, copy] = this.copies.at(-1);
+    if (this.done - at > Math.max(500, copy.length)) {
+      this.copies.push([this.done, [...this.vertices]]);
     }
   }
 
-  change(name, vertices) {
-    const [v, after] = vertices;
-    switch (name) {
-      case "sweep":
-        this.sweep = v;
-        this.edge = null;
-        break;
-      case "swept":
-        this.sweep = this.edge = null;
-        this.isSwept = true;
-        break;
-      case "end":
-        this.front = [];
-        break;
-      case "add":
-        this.triangles.set(key(vertices), vertices);
-        break;
-      case "pierce":
-        this.pierced.push(vertices);
-        this.triangles.delete(key(vertices));
-        break;
-      case "remove":
-        this.triangles.delete(key(vertices));
-        break;
-      case "join":
-        this.front.splice(this.front.indexOf(after) + 1, 0, v);
-        break;
-      case "leave":
-        this.front.splice(this.front.indexOf(v), 1);
-        break;
-      case "edge":
-        this.edge = vertices;
-        this.forgetPolygons();
-        break;
-      case "upper":
-      case "lower":
-        this[name].push(v);
-        break;
-      case "fix":
-        this.fixed.set(key(vertices), vertices);
-        this.forgetPolygons();
-        break;
+  /** Takes a move, or takes it back. */
+  turn([, v, left, joins], isForward) {
+    if (joins === isForward) {
+      this.vertices.splice(this.vertices.indexOf(left) + 1, 0, v);
+    } else {
+      this.vertices.splice(this.vertices.indexOf(v), 1);
     }
   }
 
-  forgetPolygons() {
-    this.pierced = [];
-    this.upper = [];
-    this.lower = [];
+  finish() {
+    this.goTo(0);
+  }
+
+  /** Brings it to the state after so many moves. */
+  goTo(wanted) {
+    const copy = this.copies[after(this.copies.length, (at) => this.copies[at][0], wanted) - 1];
+    if (Math.abs(wanted - this.done) > wanted - copy[0]) {
+      [this.done, this.vertices] = [copy[0], [...copy[1]]];
+    }
+    while (this.done < wanted) {
+      this.turn(this.moves[this.done++], true);
+    }
+    while (this.done > wanted) {
+      this.turn(this.moves[--this.done], false);
+    }
+  }
+
+  /** Its vertices after a step, from P-1 to P-2. */
+  at(step) {
+    this.goTo(after(this.moves.length, (at) => this.moves[at][0], step));
+    return this.vertices;
   }
 }
 
-/** The same for vertices in any order. */
-function key(vertices) {
-  return [...vertices].sort((a, b) => a - b).join();
-}
+const past = new History();
 
-const copies = [new Scene()];
-copies[0].advance(trace.base);
-copies[0].step = [];
-
-/** The state after a step. Reuses `current`, the state after step `currentNumber`, if that is earlier. */
-function sceneAt(number, current, currentNumber) {
-  const wanted = number - BEFORE;
-  let at = Math.min(Math.floor(wanted / COPY_EVERY), copies.length - 1) * COPY_EVERY;
-  let scene;
-  const currentAt = current ? currentNumber - BEFORE : -1;
-  if (currentAt >= at && currentAt <= wanted) {
-    [scene, at] = [current, currentAt];
-  } else {
-    scene = copies[at / COPY_EVERY].copy();
-  }
-  while (at < wanted) {
-    scene.advance(trace.steps[at][2]);
-    at += 1;
-    if (at === copies.length * COPY_EVERY) {
-      copies.push(scene.copy());
+/** The state after a step, with what the step changed. */
+function sceneAt(number) {
+  const scene = {
+    number,
+    front: number >= past.endsAt ? [] : past.front.at(number),
+    isSwept: number >= past.isSweptFrom,
+    sweep: null,
+    edge: null,
+    pierced: [],
+    upper: [],
+    lower: [],
+    step: changesOf(number),
+    /** The step that began the point event or edge event. */
+    begun: BEFORE,
+  };
+  let at = after(past.marks.length, (mark) => past.marks[mark][0], number);
+  let hasPolygons = true;
+  while (at > 0) {
+    const [step, name, vertices] = past.marks[--at];
+    if (name === "sweep" || name === "swept") {
+      scene.begun = Math.max(scene.begun, step);
+      scene.sweep = name === "sweep" && !scene.isSwept ? vertices[0] : null;
+      break;
+    } else if (name === "edge") {
+      scene.begun = Math.max(scene.begun, step);
+      scene.edge ??= vertices;
+      hasPolygons = false;
+    } else if (name === "fix") {
+      hasPolygons = false;
+    } else if (hasPolygons) {
+      scene[name === "pierce" ? "pierced" : name].unshift(name === "pierce" ? vertices : vertices[0]);
     }
   }
   return scene;

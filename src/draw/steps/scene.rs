@@ -104,7 +104,11 @@ impl Scene {
                 self.fixed.insert(ends);
                 self.forget_polygons();
             }
-            Change::Vertex(_) | Change::Line(_) | Change::Gone(_) | Change::Test(..) => {}
+            Change::About(_)
+            | Change::Vertex(_)
+            | Change::Line(_)
+            | Change::Gone(_)
+            | Change::Test(..) => {}
         }
     }
 

@@ -50,9 +50,10 @@ pub(super) const STYLES: [Style; 17] = [
     line("illegal", "test: illegal", VERMILION, 2.0).dash(&[7.0, 6.0]),
     line("gone", "swapped side", VERMILION, 4.0).dash(&[0.1, 8.0]),
     line("came", "new side", VERMILION, 4.0),
-    line("ray", "side to P‑1, P‑2", GREY, 1.0)
+    line("ray", "triangle with P‑1, P‑2", GREY, 1.0)
         .dash(&[2.0, 6.0])
-        .alpha(0.55),
+        .alpha(0.55)
+        .fill(GREY, 0.07),
     line("line", "front segment", INK, 4.0),
     line("quad", "", INK, 1.0).fill(INK, 0.05),
 ];

@@ -1,12 +1,7 @@
-// Draws a scene on a canvas. The styles of lines and areas come with the steps.
+// Draws a scene on a canvas, and moves over it.
 
-const STYLES = Object.fromEntries(trace.styles.map((style) => [style.name, style]));
-/** A colour of the page by its name. */
-const colour = (name) =>
-  getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
-const [INK, GREY, BLUE, PAPER] = ["ink", "grey", "blue", "paper"].map(colour);
-/** Vertices get numbers where they are so far apart, in pixels. */
-const ROOM_FOR_NUMBERS = 24;
+/** Vertices are named where they are so far apart, in pixels. */
+const ROOM_FOR_NUMBERS = 14;
 /** What the buttons take on the left, in pixels. */
 const BUTTONS = 56;
 
@@ -14,17 +9,22 @@ class View {
   constructor(canvas) {
     this.canvas = canvas;
     this.context = canvas.getContext("2d");
-    this.spacing = trace.spacing;
+    this.ground = new Ground();
+    this.isFollowing = true;
     this.resize();
+  }
+
+  /** How far apart neighbours are, in pixels. */
+  get room() {
+    return trace.spacing * this.scale;
   }
 
   /** Fits the canvas to its place on the page. */
   resize() {
-    const ratio = window.devicePixelRatio || 1;
+    this.ratio = window.devicePixelRatio || 1;
     [this.width, this.height] = [this.canvas.clientWidth, this.canvas.clientHeight];
-    this.canvas.width = Math.round(this.width * ratio);
-    this.canvas.height = Math.round(this.height * ratio);
-    this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.canvas.width = Math.round(this.width * this.ratio);
+    this.canvas.height = Math.round(this.height * this.ratio);
     if (!this.isMoved) {
       this.showAll();
     }
@@ -42,15 +42,11 @@ class View {
 
   /** Shows the vertices of a step and what is around them. */
   showStep(changes) {
-    const places = changes.flatMap((change) => this.places(change.slice(1)));
+    const places = this.placesOf(changes);
     if (places.length) {
-      const range = (axis) => {
-        const values = places.map((place) => place[axis]);
-        return [Math.min(...values), Math.max(...values)];
-      };
-      const [[left, right], [top, bottom]] = [range(0), range(1)];
+      const [left, top, right, bottom] = box(places);
       this.pan(this.width / 2 - (left + right) / 2, this.height / 2 - (top + bottom) / 2);
-      const extent = Math.max(right - left, bottom - top, 2 * this.spacing * this.scale);
+      const extent = Math.max(right - left, bottom - top, 2 * this.room);
       this.zoom((0.35 * Math.min(this.width, this.height)) / extent);
     }
   }
@@ -71,54 +67,93 @@ class View {
     this.isMoved = true;
   }
 
-  /** Moves so that at least one of the vertices of a step is visible. */
+  /** Moves no farther than it takes to have all vertices of a step in sight, and zooms out if it must. */
   follow(changes) {
-    const places = changes.flatMap((change) => this.places(change.slice(1)));
-    const isVisible = ([x, y]) => x >= 0 && y >= 0 && x <= this.width && y <= this.height;
-    if (this.isMoved && places.length && !places.some(isVisible)) {
-      const mean = (axis) => places.reduce((sum, place) => sum + place[axis], 0) / places.length;
-      this.pan(this.width / 2 - mean(0), this.height / 2 - mean(1));
+    const places = this.placesOf(changes);
+    const edge = Math.min(40, 0.1 * Math.min(this.width, this.height));
+    const size = [this.width, this.height];
+    if (!this.isFollowing || !this.isMoved || !places.length || this.sees(places, edge)) {
+      return;
     }
+    const [left, top, right, bottom] = box(places);
+    const extents = [right - left, bottom - top];
+    if (extents.some((extent, axis) => extent > size[axis] - 2 * edge)) {
+      this.showStep(changes);
+      return;
+    }
+    const shift = (low, high, length) => Math.max(edge - low, 0) + Math.min(length - edge - high, 0);
+    this.pan(shift(left, right, this.width), shift(top, bottom, this.height));
+  }
+
+  /** Whether all places are on the picture, so far from its edge. */
+  sees(places, edge = 0) {
+    const [right, bottom] = [this.width - edge, this.height - edge];
+    return places.every(([x, y]) => x >= edge && y >= edge && x <= right && y <= bottom);
   }
 
   draw(scene) {
-    const [left, right] = [-10, this.width + 10];
-    this.context.clearRect(0, 0, this.width, this.height);
+    const { context, width, height } = this;
+    if (!width || !height) {
+      return;
+    }
+    this.ground.show(this, scene);
+    const [below, above] = this.ground.layers;
+    const stack = ({ canvas }) => {
+      context.setTransform(1, 0, 0, 1, 0, 0);
+      context.drawImage(canvas, 0, 0);
+      context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    };
+    this.painter = new Painter(context, this.room);
+    context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    stack(below);
+    this.artificial(scene);
     for (const border of ["upper", "lower"]) {
       this.lines(border, scene[border], scene[border].length > 2);
     }
     scene.pierced.forEach((corners) => this.lines("pierced", corners, true));
-    const triangles = [...scene.triangles.values()];
-    for (const corners of triangles.filter((corners) => Math.min(...corners) >= 0)) {
-      this.lines("triangle", corners, true);
-    }
-    for (const corners of triangles.filter((corners) => Math.min(...corners) < 0)) {
-      for (const [x, y] of this.places(corners)) {
-        for (const [end, far] of [[LEFT, left], [RIGHT, right]]) {
-          if (corners.includes(end)) {
-            this.stroke("ray", [[x, y], [far, y]]);
-          }
-        }
-      }
-    }
-    const added = scene.step.filter(([name]) => name === "add");
+    const added = scene.step.filter(([name, ...corners]) => name === "add" && Math.min(...corners) >= 0);
     added.forEach(([, ...corners]) => this.lines("added", corners, true));
     const front = this.places(scene.front);
     if (front.length) {
-      this.stroke("front", [[left, front[0][1]], ...front, [right, front.at(-1)[1]]]);
+      this.painter.stroke("front", [[-10, front[0][1]], ...front, [width + 10, front.at(-1)[1]]]);
     }
-    trace.edges.forEach((ends) => this.lines("input", ends));
-    scene.fixed.forEach((ends) => this.lines("constraint", ends));
+    stack(above);
     if (scene.sweep !== null) {
       const [, y] = this.place(scene.sweep);
-      this.stroke("sweep", [[left, y], [right, y]]);
+      this.painter.stroke("sweep", [[-10, y], [width + 10, y]]);
     }
     if (scene.edge) {
       this.lines("inserted", scene.edge);
-      this.arrowHead(...this.places(scene.edge));
+      this.painter.arrowHead(...this.places(scene.edge));
     }
-    this.vertices(scene);
     this.highlights(scene.step);
+    this.name(scene);
+  }
+
+  /** Triangles with P-1 or P-2, which are directions: they reach to the edge of the picture. */
+  artificial({ number, step }) {
+    const isNew = (corners) => step.some(([name, ...added]) => name === "add" && key(added) === key(corners));
+    for (const triangle of past.artificial.filter((triangle) => past.isThere(triangle, number))) {
+      const corners = past.corners[triangle];
+      const area = this.reaching(corners);
+      if (area.length > 2) {
+        this.painter.stroke(isNew(corners) ? "added" : "ray", area, true);
+      }
+    }
+  }
+
+  /** The outline of a triangle with P-1 or P-2. */
+  reaching(corners) {
+    const [left, right, bottom] = [-10, this.width + 10, this.height + 10];
+    const places = this.places(corners);
+    const far = corners.includes(LEFT) ? left : right;
+    if (places.length === 2) {
+      const [[a, aY], [b, bY]] = places;
+      return [[a, aY], [b, bY], [far, bY], [far, aY]];
+    }
+    // Both artificial points: all that is below.
+    return places.flatMap(([x, y]) => [[left, y], [x, y], [right, y], [right, bottom], [left, bottom]]);
   }
 
   highlights(changes) {
@@ -137,110 +172,41 @@ class View {
           this.circle(name, this.places([a, b, p]));
         }
         const { stroke, dash } = name === "fixed" ? STYLES.line : STYLES[name];
-        this.stroke({ stroke, dash, width: 4 }, this.places([a, b]));
+        this.lines({ stroke, dash, width: 4 }, [a, b]);
         this.ring(q, 7);
       }
     }
   }
 
-  vertices(scene) {
-    const isNumbered = this.spacing * this.scale > ROOM_FOR_NUMBERS;
-    const radius = Math.min(Math.max(this.spacing * this.scale * 0.08, 0.9), 3.6);
-    const sweep = scene.sweep === null ? null : trace.points[scene.sweep];
-    const { context } = this;
-    context.font = "12px system-ui, sans-serif";
-    trace.points.forEach(([px, py], v) => {
-      const [x, y] = this.place(v);
-      if (x < -20 || y < -20 || x > this.width + 20 || y > this.height + 20) {
-        return;
-      }
-      const isBelow = sweep && (py < sweep[1] || (py === sweep[1] && px <= sweep[0]));
-      context.beginPath();
-      context.arc(x, y, radius, 0, 2 * Math.PI);
-      context.fillStyle = isBelow || scene.isSwept ? INK : PAPER;
-      context.fill();
-      context.lineWidth = 1.2;
-      context.strokeStyle = isBelow || scene.isSwept ? INK : GREY;
-      context.stroke();
-      if (isNumbered) {
-        context.lineWidth = 3.5;
-        context.strokeStyle = PAPER;
-        context.strokeText(v, x + 7, y - 7);
-        context.fillStyle = INK;
-        context.fillText(v, x + 7, y - 7);
-      }
-    });
+  /** The numbers of the vertices of the step, and of others. */
+  name({ step }) {
+    const labels = new Labels(this.context, this.width, this.height);
+    const isSeen = ([, place]) => this.sees([place]);
+    const withPlaces = (list) => list.map((v) => [v, this.place(v)]).filter(isSeen);
+    const named = withPlaces(verticesOf(step));
+    let others = [];
+    if (this.room > ROOM_FOR_NUMBERS) {
+      const numbers = new Set(named.map(([v]) => v));
+      others = withPlaces([...trace.points.keys()].filter((v) => trace.points[v] && !numbers.has(v)));
+    }
+    labels.draw(named, others.length > MOST_LABELLED ? [] : others);
+    this.labels = labels.placed;
   }
 
   ring(v, radius) {
-    for (const [x, y] of this.places([v])) {
-      this.context.beginPath();
-      this.context.arc(x, y, radius, 0, 2 * Math.PI);
-      this.context.lineWidth = 2;
-      this.context.strokeStyle = INK;
-      this.context.stroke();
-    }
+    this.places([v]).forEach((place) => this.painter.ring(place, radius));
   }
 
-  /** The circle through three places; a circle that is all but straight is drawn as a line. */
-  circle(style, [[ax, ay], [bx, by], [cx, cy]]) {
-    const [ux, uy, vx, vy] = [bx - ax, by - ay, cx - ax, cy - ay];
-    const area = 2 * (ux * vy - uy * vx);
-    const [u2, v2] = [ux * ux + uy * uy, vx * vx + vy * vy];
-    const [x, y] = [(vy * u2 - uy * v2) / area, (ux * v2 - vx * u2) / area];
-    const radius = Math.hypot(x, y);
-    if (radius < 1e5) {
-      this.context.beginPath();
-      this.context.arc(ax + x, ay + y, radius, 0, 2 * Math.PI);
-      this.paint(STYLES[style]);
-    } else {
-      const far = (this.width + this.height) / Math.hypot(ux, uy);
-      this.stroke(style, [[ax - ux * far, ay - uy * far], [ax + ux * far, ay + uy * far]]);
-    }
-  }
-
-  arrowHead([fromX, fromY], [x, y]) {
-    const turn = Math.atan2(y - fromY, x - fromX);
-    const tip = (angle) => [x - 15 * Math.cos(turn + angle), y - 15 * Math.sin(turn + angle)];
-    this.stroke({ stroke: BLUE, width: 2, fill: BLUE }, [[x, y], tip(0.4), tip(-0.4)], true);
+  circle(style, places) {
+    this.painter.circle(style, places, this.width + this.height);
   }
 
   /** Lines through vertices, without the artificial ones. */
   lines(style, vertices, isClosed = false) {
     const places = this.places(vertices);
     if (places.length > 1) {
-      this.stroke(style, places, isClosed);
+      this.painter.stroke(style, places, isClosed);
     }
-  }
-
-  stroke(style, places, isClosed = false) {
-    const { context } = this;
-    context.beginPath();
-    places.forEach(([x, y]) => context.lineTo(x, y));
-    if (isClosed) {
-      context.closePath();
-    }
-    this.paint(typeof style === "string" ? STYLES[style] : style, isClosed);
-  }
-
-  paint({ stroke, width, dash = [], alpha = 1, fill, fillAlpha = 1, hatch }, isClosed = false) {
-    const { context } = this;
-    // Where triangles are small, their sides are thin and the front is narrow.
-    const room = this.spacing * this.scale;
-    const most = width <= 1.2 ? Math.max(0.05 * room, 0.3) : Math.max(0.2 * room, 4);
-    context.save();
-    context.setLineDash(dash);
-    context.lineWidth = Math.min(width, most);
-    [context.lineCap, context.lineJoin] = ["round", "round"];
-    context.strokeStyle = stroke;
-    if (isClosed && (fill || hatch)) {
-      context.globalAlpha = hatch ? 1 : fillAlpha;
-      context.fillStyle = hatch ? hatching(context, stroke, fillAlpha, hatch) : fill;
-      context.fill();
-    }
-    context.globalAlpha = alpha;
-    context.stroke();
-    context.restore();
   }
 
   place(v) {
@@ -250,24 +216,18 @@ class View {
     return [this.width / 2 + across, this.height / 2 - up];
   }
 
+  /** The places of vertices, without the artificial ones and those that the page lacks. */
   places(vertices) {
-    return vertices.filter((v) => v >= 0).map((v) => this.place(v));
+    return vertices.filter((v) => v >= 0 && trace.points[v]).map((v) => this.place(v));
+  }
+
+  placesOf(changes) {
+    return this.places(verticesOf(changes));
   }
 }
 
-/** The pattern of an area: pale, with lines in this direction. */
-function hatching(context, stroke, alpha, direction) {
-  const tile = new OffscreenCanvas(8, 8);
-  const lines = tile.getContext("2d");
-  [lines.fillStyle, lines.globalAlpha] = [stroke, alpha];
-  lines.fillRect(0, 0, 8, 8);
-  [lines.strokeStyle, lines.globalAlpha] = [stroke, 1];
-  lines.lineWidth = 1.2;
-  const [from, to] = direction === "/" ? [8, 0] : [0, 8];
-  for (const shift of [-8, 0, 8]) {
-    lines.moveTo(shift, from);
-    lines.lineTo(shift + 8, to);
-  }
-  lines.stroke();
-  return context.createPattern(tile, "repeat");
+/** The vertices of changes, each once. */
+function verticesOf(changes) {
+  const ends = ([name, ...vertices]) => (name === "about" ? [] : vertices);
+  return [...new Set(changes.flatMap(ends))].filter((v) => v >= 0);
 }

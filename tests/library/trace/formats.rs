@@ -8,6 +8,7 @@ use sweep_cdt::trace::{
     EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Trace, Vertex, Why,
 };
 use sweep_cdt_testing::Input;
+use sweep_cdt_testing::page::{data_of_page, words_of_steps};
 
 use super::{lines, steps, text};
 use crate::{assert_snapshot, cases};
@@ -183,15 +184,8 @@ fn every_sentence() {
         .write(&mut page)
         .expect("memory takes all");
     let page = String::from_utf8(page).expect("text");
-    let (_, data) = page.split_once("id=\"trace\">").expect("the data");
-    let (data, _) = data.split_once("</script>").expect("its end");
-    let data: serde_json::Value = serde_json::from_str(data).expect("JSON");
     let mut text = String::new();
-    for (event, step) in events.iter().zip(data["steps"].as_array().expect("steps")) {
-        let heading = step[0].as_u64().expect("a number");
-        let heading = usize::try_from(heading).expect("a small number");
-        let heading = data["headings"][heading].as_str().expect("a heading");
-        let sentence = step[1].as_str().expect("a sentence");
+    for (event, [heading, sentence]) in events.iter().zip(words_of_steps(&data_of_page(&page))) {
         text += &format!("{event}\n  {heading}\n  {sentence}\n");
     }
     assert_snapshot(NAMES[0], &text);

@@ -30,6 +30,14 @@ pub(crate) struct InputArgs {
 }
 
 impl InputArgs {
+    /// An input that another argument names.
+    pub(crate) fn new(input: FileArgument, input_format: Option<InputFormat>) -> InputArgs {
+        InputArgs {
+            input,
+            input_format,
+        }
+    }
+
     /// What messages call the input.
     pub(crate) fn name(&self) -> String {
         self.input.input_name()

@@ -2,6 +2,7 @@
 
 pub(crate) mod arguments;
 pub(crate) mod arithmetic;
+pub(crate) mod around;
 pub(crate) mod failure;
 pub(crate) mod files;
 pub(crate) mod inside;
