@@ -20,7 +20,8 @@ use sweep_cdt::verify::{Verifier, Violation, verify};
 use sweep_cdt::{Triangulation, triangulate};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::data::Hard;
-use sweep_cdt_testing::peers::{Answer, PROGRAMS, cdt, delaunator, spade};
+use sweep_cdt_testing::judge::Reply;
+use sweep_cdt_testing::peers::{PROGRAMS, cdt, delaunator, spade};
 
 /// Points on a Weyl sequence: evenly spread, not on a lattice.
 fn spread(n: usize) -> Vec<[f64; 2]> {
@@ -174,7 +175,7 @@ fn sorted(ours: &Triangulation, triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
 }
 
 /// Asks a program in a process of its own.
-fn ask(program: &str, Input { points, edges }: &Input) -> Answer {
+fn ask(program: &str, Input { points, edges }: &Input) -> Reply {
     let folder = tempfile::TempDir::new().expect("a temporary folder");
     let [question, file] = ["question.json", "answer.json"].map(|name| folder.path().join(name));
     let text = serde_json::to_string(&(points, edges)).expect("finite numbers");
@@ -218,7 +219,7 @@ fn answer(program: &str) {
         .find(|(name, _, _)| *name == program)
         .expect("a program of the list");
     let thread = thread::Builder::new().stack_size(STACK);
-    let answer: Answer = thread
+    let answer: Reply = thread
         .spawn(move || run(&points, &edges))
         .expect("a thread")
         .join()

@@ -1,4 +1,4 @@
-//! What the tests, the benchmarks and the fuzz targets share.
+//! What the tests, the benchmarks and the fuzz targets share, and what tests of other programs can use (README.md).
 //!
 //! * [`generators`] turn bytes into inputs that are degenerate nearly every time; [`Random`] makes bytes
 //!   and numbers from a seed.
@@ -6,6 +6,7 @@
 //!   [`segments()`] are the usual ones.
 //! * [`data`] reads the test data; [`binary`] writes inputs for other programs.
 //! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
+//! * [`judge`] decides with the oracle and the verifier whether another program is right.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
 //! * [`boundary`] finds the closed chains around a set of triangles.
@@ -21,6 +22,7 @@ pub mod data;
 pub mod families;
 pub mod fronts;
 pub mod generators;
+pub mod judge;
 pub mod minimize;
 pub mod oracle;
 pub mod page;

@@ -6,11 +6,10 @@ use std::collections::HashMap;
 
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
-/// Triangles, or the message with which the input is refused.
-pub type Answer = Result<Vec<[usize; 3]>, String>;
+use crate::judge::Reply;
 
 /// A crate's function.
-pub type Program = fn(&[[f64; 2]], &[[usize; 2]]) -> Answer;
+pub type Program = fn(&[[f64; 2]], &[[usize; 2]]) -> Reply;
 
 /// All of them, and whether they take edges. (`cdt` does, but answers another question then: it returns
 /// the triangles inside closed chains of edges.)
@@ -21,7 +20,7 @@ pub const PROGRAMS: [(&str, Program, bool); 3] = [
 ];
 
 /// `spade`, which bulk-loads the points and then adds the edges.
-pub fn spade(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Answer {
+pub fn spade(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Reply {
     let vertices = points.iter().map(|&[x, y]| Point2::new(x, y)).collect();
     let result =
         ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(vertices, edges.to_vec())
@@ -38,14 +37,14 @@ pub fn spade(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Answer {
 }
 
 /// `cdt`, without edges.
-pub fn cdt(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
+pub fn cdt(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Reply {
     let points: Vec<(f64, f64)> = points.iter().map(|&[x, y]| (x, y)).collect();
     let triangles = cdt::triangulate_points(&points).map_err(|error| error.to_string())?;
     Ok(triangles.into_iter().map(|(a, b, c)| [a, b, c]).collect())
 }
 
 /// `delaunator`, which returns clockwise triangles.
-pub fn delaunator(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Answer {
+pub fn delaunator(points: &[[f64; 2]], _edges: &[[usize; 2]]) -> Reply {
     let points: Vec<delaunator::Point> = points
         .iter()
         .map(|&[x, y]| delaunator::Point { x, y })

@@ -3,13 +3,15 @@
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::{Error, triangulate};
 
-use crate::valid;
+use crate::{reached, valid};
 use sweep_cdt_testing::Input;
 
 /// As many points at most.
 const POINTS: usize = 12;
 /// As many edges at most.
 const EDGES: usize = 24;
+/// So many bytes they have, with some indices that are out of range.
+pub const BYTES: usize = 1 + 16 * POINTS + 2 * EDGES + 15;
 
 /// The property for the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
@@ -29,7 +31,10 @@ pub fn test(bytes: &[u8]) {
             );
             assert!(vertex >= points.len(), "there is a point {vertex}");
         }
-        Ok(_) | Err(Error::CrossingEdges { .. }) => valid::judge(&input),
+        Ok(_) | Err(Error::CrossingEdges { .. }) => {
+            reached::sample(&input);
+            valid::judge(&input);
+        }
         Err(error) => panic!("no reason for: {error}"),
     }
 }

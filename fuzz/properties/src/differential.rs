@@ -13,23 +13,16 @@
 //! to time how many faults of each kind it has found, and for the first inputs of each kind a row of the table
 //! of cases, minimized.
 
-use std::cell::Cell;
-use std::cmp::Ordering::{Greater, Less};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
-use std::panic::{catch_unwind, set_hook, take_hook};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, Once, OnceLock};
-
-use sweep_cdt::triangulate;
-use sweep_cdt::verify::Verifier;
+use std::sync::{Mutex, OnceLock};
 
 use crate::reached;
-use sweep_cdt_testing::minimize::minimize;
-use sweep_cdt_testing::oracle::{Answer, Graph, Number, Point, check, firm_sides};
-use sweep_cdt_testing::peers::{PROGRAMS, Program};
-use sweep_cdt_testing::{Input, generators, with_integers};
+use sweep_cdt_testing::judge::{self, least, right_answer};
+use sweep_cdt_testing::peers::PROGRAMS;
+use sweep_cdt_testing::{Input, generators};
 
 /// The property for the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
@@ -40,20 +33,13 @@ pub fn test(bytes: &[u8]) {
     };
     for (name, program, takes_edges) in PROGRAMS {
         if is_question(&input, takes_edges) {
-            let fault = fault(&input, &answer, program);
+            let fault = judge::fault(&input, &answer, program);
             count(&input, name, fault, &|input| {
                 let answer = right_answer(input).filter(|_| is_question(input, takes_edges))?;
-                self::fault(input, &answer, program)
+                judge::fault(input, &answer, program)
             });
         }
     }
-}
-
-/// Our result, passed by the oracle, unless edges cross.
-fn right_answer(input: &Input) -> Option<Answer> {
-    let Input { points, edges } = input;
-    let result = triangulate(points, edges).ok()?;
-    Some(check(points, edges, &result))
 }
 
 /// Whether a program may be expected to accept this.
@@ -70,67 +56,6 @@ fn is_question(input: &Input, takes_edges: bool) -> bool {
     (takes_edges || input.edges.is_empty())
         && input.points.as_flattened().iter().all(has_size)
         && (takes_edges || !points.any(|(i, p)| input.points[..i].iter().any(|q| are_close(p, q))))
-}
-
-/// What is wrong with a program's answer: the name of the first violation, that there is none, or that
-/// it panics.
-fn fault(input: &Input, answer: &Answer, program: Program) -> Option<&'static str> {
-    let Input { points, edges } = input;
-    let has_length = |(e, _): &(usize, &[usize; 2])| answer.chains[*e].len() > 1;
-    let numbered = edges.iter().enumerate();
-    let edges: Vec<[usize; 2]> = numbered.filter(has_length).map(|(_, &e)| e).collect();
-    match quietly(|| catch_unwind(|| program(points, &edges))) {
-        Err(_) => Some("panic"),
-        // Without triangles there is nothing to answer.
-        Ok(Err(_)) => (!answer.triangles.is_empty()).then_some("refused"),
-        Ok(Ok(triangles)) => {
-            let verifier = Verifier::new().accept_clockwise(true);
-            let verdict = verifier.verify(points, &edges, &triangles);
-            let is_right =
-                with_integers!(points, |exact| agrees(&exact, points, answer, &triangles));
-            assert_eq!(
-                verdict.is_ok(),
-                is_right,
-                "{verdict:?} of {triangles:?} for\n{input}"
-            );
-            verdict.err().map(|violations| violations.list[0].name())
-        }
-    }
-}
-
-/// Whether triangles, all of one orientation, are the right ones but for choices among cocircular ones.
-///
-/// Their sides with a triangle on one side only are then the hull's, so they cover it once.
-fn agrees<N: Number>(
-    exact: &[Point<N>],
-    points: &[[f64; 2]],
-    answer: &Answer,
-    triangles: &[[usize; 3]],
-) -> bool {
-    let graph = Graph::new(exact, &[]);
-    let turn = |&[a, b, c]: &[usize; 3]| graph.orient(a, b, c);
-    let is_clockwise = triangles.first().is_some_and(|t| turn(t) == Less);
-    let named = |&[a, b, c]: &[usize; 3]| {
-        let corners = if is_clockwise { [b, a, c] } else { [a, b, c] };
-        corners.map(|v| answer.representatives[v])
-    };
-    let triangles: Vec<[usize; 3]> = triangles.iter().map(named).collect();
-    let mut sides = BTreeSet::new();
-    let is_new = |&[a, b, c]: &[usize; 3]| {
-        [[a, b], [b, c], [c, a]]
-            .into_iter()
-            .all(|side| sides.insert(side))
-    };
-    triangles.len() == answer.triangles.len()
-        && triangles.iter().all(|t| turn(t) == Greater)
-        && triangles.iter().all(is_new)
-        && {
-            let theirs = Answer {
-                triangles,
-                ..answer.clone()
-            };
-            firm_sides(points, &theirs) == firm_sides(points, answer)
-        }
 }
 
 /// So many inputs of a kind are written.
@@ -163,9 +88,7 @@ fn count(
     if let Some(fault) = fault
         && *count <= SHOWN
     {
-        let is_other = |input: &Input| assert_ne!(again(input), Some(fault));
-        let least = quietly(|| minimize(&is_other, input));
-        let _ = show(folder, program, fault, &least);
+        let _ = show(folder, program, fault, &least(input, fault, again));
     }
     if counts.values().sum::<u64>() % WRITE == 1 {
         let rows = counts.iter();
@@ -184,51 +107,4 @@ fn show(folder: &Path, program: &str, fault: &str, least: &Input) -> std::io::Re
         .create(true)
         .open(folder.join(name))?;
     writeln!(file, "{least}")
-}
-
-thread_local! {
-    static IS_QUIET: Cell<bool> = const { Cell::new(false) };
-}
-
-/// Calls a function that catches its own panics, which are expected: without the hook, so that they are
-/// neither printed nor end the process.
-///
-/// A fuzz target's process has a panic hook that aborts. One hook around it, set once, that does nothing
-/// on a thread which is asking another program, costs nothing per call, and leaves all other panics as
-/// they are.
-fn quietly<T>(call: impl FnOnce() -> T) -> T {
-    static HOOK: Once = Once::new();
-    HOOK.call_once(|| {
-        let loud = take_hook();
-        set_hook(Box::new(move |panic| {
-            if !IS_QUIET.get() {
-                loud(panic);
-            }
-        }));
-    });
-    let before = IS_QUIET.replace(true);
-    let result = call();
-    IS_QUIET.set(before);
-    result
-}
-
-#[test]
-fn only_other_panics_reach_the_hook() {
-    static HEARD: Mutex<Vec<&str>> = Mutex::new(Vec::new());
-    let loud = take_hook();
-    set_hook(Box::new(move |panic| {
-        match panic.payload().downcast_ref::<&str>() {
-            Some(text @ (&"before" | &"expected" | &"after")) => {
-                HEARD.lock().expect("no panic holds it").push(text);
-            }
-            _ => loud(panic),
-        }
-    }));
-    assert!(catch_unwind(|| panic!("before")).is_err());
-    assert!(quietly(|| catch_unwind(|| panic!("expected"))).is_err());
-    assert!(catch_unwind(|| panic!("after")).is_err());
-    assert_eq!(
-        *HEARD.lock().expect("no panic holds it"),
-        ["before", "after"]
-    );
 }

@@ -11,6 +11,7 @@ use sweep_cdt_experiments::fronts::AnyFront;
 use sweep_cdt_experiments::{Contestant, standard};
 use sweep_cdt_testing::fronts::FrontKind;
 
+use crate::file::File;
 use crate::reached;
 use sweep_cdt_testing::Steps;
 use sweep_cdt_testing::{Input, generators};
@@ -25,8 +26,18 @@ pub fn test(bytes: &[u8]) {
         reached::sample(&input);
         judge(&input, choices >> 1);
     } else {
-        test_alone(&mut bytes).unwrap_or_default();
+        test_alone(&read_alone(&mut bytes).unwrap_or_default());
     }
+}
+
+/// The vertices and changes of a front, if the bytes stand for these.
+pub fn files(bytes: &[u8]) -> Vec<File> {
+    let mut bytes = Unstructured::new(bytes);
+    let choices: u64 = bytes.arbitrary().unwrap_or_default();
+    let alone = (choices & 1 != 0).then(|| read_alone(&mut bytes).unwrap_or_default());
+    let text = alone.map(|(points, changes)| format!("points {points:?}\n{changes:#?}\n"));
+    let file = text.map(|text| ("front.txt".to_owned(), text.into_bytes()));
+    file.into_iter().collect()
 }
 
 /// The input that the bytes stand for, if it is swept.
@@ -116,28 +127,51 @@ const SPECIAL: [f64; 12] = [
     -1e300,
 ];
 
-/// Structures without a sweep, against a list: a byte for the number of vertices, their x, and then one change
-/// or search after the other.
+/// What happens to a front without a sweep.
+#[derive(Clone, Copy, Debug)]
+enum Change {
+    /// The next vertex goes on the front, before some of the equal ones.
+    Insert(usize),
+    /// One of the nodes goes off it.
+    Remove(usize),
+    Search(f64),
+}
+
+/// Points, and what happens to their front.
+type Alone = (Vec<[f64; 2]>, Vec<Change>);
+
+/// A byte for the number of vertices, their x, and then one change or search after the other.
+fn read_alone(bytes: &mut Unstructured<'_>) -> Result<Alone> {
+    let n = usize::from(bytes.arbitrary::<u8>()?) % (VERTICES + 1);
+    let (mut points, mut changes) = Alone::default();
+    for _ in 0..n {
+        points.push([coordinate(bytes)?, 0.0]);
+    }
+    while !bytes.is_empty() {
+        let place = usize::from(bytes.arbitrary::<u8>()?);
+        changes.push(match place % 4 {
+            0 => Change::Remove(place / 4),
+            1 => Change::Search(coordinate(bytes)?),
+            _ => Change::Insert(place / 4),
+        });
+    }
+    Ok((points, changes))
+}
+
+/// Structures without a sweep, against a list.
 ///
 /// The list holds the nodes of the front from left to right, and finds a place by looking at all. Doubles
 /// near the coordinates may be equal where the coordinates are not, and infinite, so both are drawn here
 /// and equal ones lie in any order.
-fn test_alone(bytes: &mut Unstructured<'_>) -> Result<()> {
-    let n = usize::from(bytes.arbitrary::<u8>()?) % (VERTICES + 1);
-    let mut points = Vec::new();
-    for _ in 0..n {
-        points.push([coordinate(bytes)?, 0.0]);
-    }
-    let mut model = Model::new(&points);
-    while !bytes.is_empty() {
-        let place = usize::from(bytes.arbitrary::<u8>()?);
-        match place % 4 {
-            0 if !model.nodes.is_empty() => model.remove(place / 4),
-            1 => model.search(coordinate(bytes)?),
-            _ => model.insert(place / 4),
+fn test_alone((points, changes): &Alone) {
+    let mut model = Model::new(points);
+    for &change in changes {
+        match change {
+            Change::Remove(choice) if !model.nodes.is_empty() => model.remove(choice),
+            Change::Search(x) => model.search(x),
+            Change::Remove(choice) | Change::Insert(choice) => model.insert(choice),
         }
     }
-    Ok(())
 }
 
 /// A small integer, or one of the special numbers.

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
-use sweep_cdt_properties::{TARGETS, Target, seeds};
+use sweep_cdt_properties::{TARGETS, Target, seeds, shown};
+use sweep_cdt_testing::Random;
 use sweep_cdt_testing::data::Hard;
-use sweep_cdt_testing::{Input, Random};
 
 #[derive(Parser)]
 #[command(about = "Runs the fuzz targets of sweep-cdt on files, without a fuzzer")]
@@ -18,6 +18,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Verb {
+    /// Prints the name of every property, and of how many bytes a fuzzer makes its inputs at most.
+    Targets,
     /// Tests a property on files, or on all files of folders; panics where it does not hold.
     Run {
         /// The property.
@@ -45,8 +47,8 @@ enum Verb {
         /// The folder.
         folder: PathBuf,
     },
-    /// Writes the input that a file stands for into a folder: `row.txt`, a row for the table of cases, and
-    /// `input.json` for the command.
+    /// Writes what a file stands for into a folder: points and edges as `row.txt`, a row for the table of cases,
+    /// and as `input.json` for the command, with the steps and a picture; or a trace, a file or a result.
     Show {
         /// The property that the file is for.
         target: String,
@@ -59,6 +61,12 @@ enum Verb {
 
 fn main() -> Result<(), Box<dyn Error>> {
     match Arguments::parse().verb {
+        Verb::Targets => {
+            for Target { name, max_len, .. } in TARGETS {
+                println!("{name} {max_len}");
+            }
+            Ok(())
+        }
         Verb::Run { target, paths } => run(named(&target)?, &paths),
         Verb::Seeds { target, folder } => make_seeds(named(&target)?, &folder),
         Verb::Unpack { folder } => {
@@ -77,7 +85,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             target,
             file,
             folder,
-        } => show(named(&target)?, &file, &folder),
+        } => Ok(shown::show(named(&target)?, &fs::read(file)?, &folder)?),
     }
 }
 
@@ -106,20 +114,6 @@ fn make_seeds(target: &Target, folder: &Path) -> Result<(), Box<dyn Error>> {
         let seeds = target.after_leads(&bytes);
         write(folder, &format!("shape_{kind}"), seeds)?;
     }
-    Ok(())
-}
-
-fn show(target: &Target, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
-    let bytes = fs::read(file)?;
-    let Some(input) = (target.input)(&bytes) else {
-        fs::write(folder.join("row.txt"), format!("{bytes:?}\n"))?;
-        return Ok(());
-    };
-    println!("{input}");
-    fs::write(folder.join("row.txt"), format!("{input}\n"))?;
-    let Input { points, edges } = input;
-    let json = format!("{{\"points\": {points:?}, \"edges\": {edges:?}}}\n");
-    fs::write(folder.join("input.json"), json)?;
     Ok(())
 }
 

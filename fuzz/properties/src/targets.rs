@@ -1,7 +1,9 @@
 //! The table of properties: how bytes stand for an input, and how seeds are made of an input.
 
-use sweep_cdt_testing::{Input, generators};
+use sweep_cdt_testing::Input;
+use sweep_cdt_testing::generators::{self, BYTES};
 
+use crate::file::File;
 use crate::{bits, canonical, differential, formats, fronts, replay, scalars, valid, verify};
 
 /// What the bytes before those of the generated input choose, and these bytes.
@@ -16,6 +18,10 @@ pub struct Target {
     pub test: fn(&[u8]),
     /// The points and edges that the bytes stand for, if the property tests these.
     pub input: fn(&[u8]) -> Option<Input>,
+    /// What else the bytes stand for.
+    pub files: fn(&[u8]) -> Vec<File>,
+    /// A fuzzer makes inputs of at most so many bytes: what the property can read of an input of [`BYTES`].
+    pub max_len: usize,
     /// Bytes that stand for points and edges, if there are any.
     encode: fn(&Input) -> Option<Vec<u8>>,
     /// What comes before these bytes: a seed is made with each.
@@ -28,6 +34,7 @@ pub const TARGETS: &[Target] = &[
     Target {
         input: |bytes| Some(bits::input(bytes)),
         encode: bits::encode,
+        max_len: bits::BYTES,
         ..GENERATED.named("bits", bits::test)
     },
     Target {
@@ -36,20 +43,26 @@ pub const TARGETS: &[Target] = &[
     },
     Target {
         input: fronts::input,
+        files: fronts::files,
         ..CHOOSING.named("fronts", fronts::test)
     },
     CHOOSING.named("canonical", canonical::test),
     Target {
+        files: replay::files,
         leads: DAMAGES,
         ..CHOOSING.named("replay", replay::test)
     },
     Target {
         input: |_| None,
+        files: verify::files,
+        max_len: verify::LEAD + BYTES,
         leads: CHANGES,
         ..GENERATED.named("verify", verify::test)
     },
     Target {
         input: |_| None,
+        files: formats::files,
+        max_len: formats::BYTES,
         leads: FILES,
         ..GENERATED.named("formats", formats::test)
     },
@@ -61,6 +74,8 @@ const GENERATED: Target = Target {
     name: "",
     test: |_| {},
     input: |bytes| Some(generators::input(bytes)),
+    files: |_| Vec::new(),
+    max_len: BYTES,
     encode: generators::encode,
     leads: &[("nothing", &[])],
 };
@@ -69,6 +84,7 @@ const GENERATED: Target = Target {
 /// input.
 const CHOOSING: Target = Target {
     input: |bytes| Some(generators::input_with_choices(bytes).1),
+    max_len: 8 + BYTES,
     leads: &[("the first of everything", &[0; 8])],
     ..GENERATED
 };
@@ -144,5 +160,14 @@ fn seeds_stand_for_their_input() {
                 target.name
             );
         }
+    }
+}
+
+#[test]
+fn a_fuzzer_does_not_cut_seeds_off() {
+    for target in TARGETS {
+        let seeds = crate::seeds::read(&crate::seeds::path(target.name)).expect("a file of seeds");
+        let longest = seeds.keys().map(Vec::len).max();
+        assert!(longest <= Some(target.max_len), "{}", target.name);
     }
 }

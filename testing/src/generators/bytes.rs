@@ -10,6 +10,9 @@ pub const FAR_POINTS: usize = 10;
 /// An input has at most this many edges.
 pub const EDGES: usize = 96;
 
+/// So many bytes stand for an input of most points and edges, with one byte a point and two an edge.
+pub const BYTES: usize = 3 + POINTS + 1 + 2 * EDGES;
+
 pub(super) type Points = Vec<[f64; 2]>;
 
 /// Up to `n` points, as long as there are bytes.

@@ -13,7 +13,7 @@ mod points;
 
 use arbitrary::{Result, Unstructured};
 
-pub use bytes::{EDGES, FAR_POINTS, POINTS};
+pub use bytes::{BYTES, EDGES, FAR_POINTS, POINTS};
 pub use edges::{Pattern, drop_crossings};
 pub use points::Shape;
 

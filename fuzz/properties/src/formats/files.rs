@@ -36,15 +36,25 @@ pub(super) fn others() -> Vec<Reader> {
 }
 
 impl Reader {
-    /// Whether it reads files that are no text, too.
-    pub(super) fn may_be_binary(self) -> bool {
-        matches!(
+    /// Into how many files a zero byte divides what it reads: files that may be no text are one.
+    pub(super) fn parts(self) -> usize {
+        let may_be_binary = matches!(
             self,
             Reader::Input(InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)
                 | Reader::Result(
                     ResultFormat::Ply | ResultFormat::Vtk | ResultFormat::Vtu | ResultFormat::Stl
                 )
-        )
+        );
+        if may_be_binary { 1 } else { 2 }
+    }
+
+    /// The extension by which the command knows such a file.
+    pub(super) fn extension(self) -> &'static str {
+        match self {
+            Reader::Input(format) => format.into(),
+            Reader::Result(format) => format.into(),
+            Reader::Trace | Reader::Numbers => "txt",
+        }
     }
 }
 

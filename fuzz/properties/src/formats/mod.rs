@@ -9,6 +9,8 @@ mod again;
 mod files;
 mod foreign;
 
+use std::panic::catch_unwind;
+
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
 use sweep_cdt::Heuristics;
@@ -21,6 +23,7 @@ use sweep_cdt::verify::Verifier;
 
 use self::again::source;
 use self::files::{READERS, Reader};
+use crate::file::{File, json};
 use crate::reached;
 use sweep_cdt_testing::{Steps, generators};
 
@@ -29,31 +32,105 @@ const OTHERS: u8 = 12;
 /// The same of a file in a form that the crate does not write.
 const FOREIGN: u8 = 11;
 
+/// A fuzzer makes files of at most so many bytes.
+pub const BYTES: usize = 512;
+
+/// What the bytes stand for.
+enum Case {
+    Nothing,
+    /// A file, and who reads it.
+    File(Reader, Vec<u8>),
+    /// A file in a form that the crate does not write.
+    Foreign(Vec<u8>),
+    /// An input that is traced.
+    Traced(Graph<f64>),
+    /// An input that is written in every format, with these numbers; one file is damaged.
+    Written(Graph<f64>, Numbers, u8, [[u8; 4]; 3]),
+}
+
+/// The coordinates of an input that is written.
+#[derive(Clone, Copy)]
+enum Numbers {
+    Doubles,
+    /// Every other one divided by this.
+    Fractions(&'static str),
+}
+
 /// The property for the bytes.
 pub fn test(bytes: &[u8]) {
-    let Some((&first, rest)) = bytes.split_first() else {
-        return;
-    };
-    match (READERS.get(usize::from(first & 15)), rest.split_first()) {
-        (Some(&reader), _) => try_reader(reader, rest),
-        (None, Some((&which, rest))) if first & 15 == OTHERS => {
-            let others = files::others();
-            try_reader(others[usize::from(which) % others.len()], rest);
+    match Case::of(bytes) {
+        Case::Nothing => {}
+        Case::File(reader, file) => try_reader(reader, &file),
+        Case::Traced(graph) => {
+            sample(&graph);
+            run_traced(&graph);
+        }
+        Case::Written(graph, numbers, which, damage) => {
+            sample(&graph);
+            let (reader, file) = written(&graph, numbers, which, damage);
+            try_reader(reader, &file);
         }
         // Reading is total but for a type that has no values.
-        _ if first & 15 == FOREIGN => {
-            foreign::judge(&mut Unstructured::new(rest)).unwrap_or_default();
-        }
-        _ => structured(first >> 4, &mut Unstructured::new(rest)).unwrap_or_default(),
+        Case::Foreign(bytes) => foreign::judge(&mut Unstructured::new(&bytes)).unwrap_or_default(),
     }
 }
 
-/// A generated input: its trace, or written in every format, read back, and once more with some damage.
-fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
+/// The file, with the extension of its format, and the `.node` beside it; the input that is traced or written, and the
+/// file that is damaged, if it comes to that.
+pub fn files(bytes: &[u8]) -> Vec<File> {
+    let input = |name: &str, graph: &Graph<f64>| {
+        let json = json(&graph.points, &graph.edges);
+        (name.to_owned(), json.into_bytes())
+    };
+    match Case::of(bytes) {
+        Case::Nothing => Vec::new(),
+        Case::File(reader, file) => parts(reader, &file),
+        // What goes wrong there is told with the file.
+        Case::Foreign(_) => Vec::new(),
+        Case::Traced(graph) => vec![input("traced.json", &graph)],
+        Case::Written(graph, numbers, which, damage) => {
+            let mut files = vec![input("written.json", &graph)];
+            let damaged = catch_unwind(|| written(&graph, numbers, which, damage));
+            files
+                .extend(damaged.map_or_else(|_| Vec::new(), |(reader, file)| parts(reader, &file)));
+            files
+        }
+    }
+}
+
+fn parts(reader: Reader, file: &[u8]) -> Vec<File> {
+    let parts = file.splitn(reader.parts(), |&byte| byte == 0);
+    let names = [
+        format!("file.{}", reader.extension()),
+        "beside.node".to_owned(),
+    ];
+    names.into_iter().zip(parts.map(<[u8]>::to_vec)).collect()
+}
+
+impl Case {
+    fn of(bytes: &[u8]) -> Case {
+        let Some((&first, rest)) = bytes.split_first() else {
+            return Case::Nothing;
+        };
+        match (READERS.get(usize::from(first & 15)), rest.split_first()) {
+            (Some(&reader), _) => Case::File(reader, rest.to_vec()),
+            (None, Some((&which, rest))) if first & 15 == OTHERS => {
+                let others = files::others();
+                let reader = others[usize::from(which) % others.len()];
+                Case::File(reader, rest.to_vec())
+            }
+            _ if first & 15 == FOREIGN => Case::Foreign(rest.to_vec()),
+            // Reading is total but for a type that has no values.
+            _ => generated(first >> 4, &mut Unstructured::new(rest)).unwrap_or(Case::Nothing),
+        }
+    }
+}
+
+/// A generated input: it is traced, or written in every format, read back, and once more with some damage.
+fn generated(style: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
     let which: u8 = bytes.arbitrary()?;
     let damage: [[u8; 4]; 3] = bytes.arbitrary()?;
     let input = generators::read(bytes)?;
-    reached::sample(&input);
     let has_heights = which & 64 != 0 && !input.points.is_empty();
     let heights = Column {
         name: Column::HEIGHT.to_owned(),
@@ -68,19 +145,38 @@ fn structured(style: u8, bytes: &mut Unstructured<'_>) -> Result<()> {
         ..Graph::default()
     };
     if which >= 192 {
-        run_traced(&graph);
-        return Ok(());
+        return Ok(Case::Traced(graph));
     }
-    let files = match style >> 2 {
-        0 => files::written(&graph),
-        1 => files::written(&with_fractions(&graph, "3")),
-        2 => files::written(&with_fractions(&graph, "1000000007")),
+    let numbers = match style >> 2 {
+        0 => Numbers::Doubles,
+        1 => Numbers::Fractions("3"),
+        2 => Numbers::Fractions("1000000007"),
         // Whole numbers that are no doubles.
-        _ => files::written(&with_fractions(&graph, "1/9007199254740993")),
+        _ => Numbers::Fractions("1/9007199254740993"),
+    };
+    Ok(Case::Written(graph, numbers, which, damage))
+}
+
+/// Writes the input in every format and reads it back; one of the files, damaged, and who reads it.
+fn written(
+    graph: &Graph<f64>,
+    numbers: Numbers,
+    which: u8,
+    damage: [[u8; 4]; 3],
+) -> (Reader, Vec<u8>) {
+    let files = match numbers {
+        Numbers::Doubles => files::written(graph),
+        Numbers::Fractions(divisor) => files::written(&with_fractions(graph, divisor)),
     };
     let (reader, text) = &files[usize::from(which) % files.len()];
-    try_reader(*reader, &files::damaged(text, &damage));
-    Ok(())
+    (*reader, files::damaged(text, &damage))
+}
+
+fn sample(Graph { points, edges, .. }: &Graph<f64>) {
+    reached::sample(&sweep_cdt_testing::Input {
+        points: points.clone(),
+        edges: edges.clone(),
+    });
 }
 
 /// The height of a vertex.
@@ -109,8 +205,7 @@ fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
 
 /// Reads bytes, a zero byte of which ends the file and begins the `.node` beside it, if it is a text.
 fn try_reader(reader: Reader, bytes: &[u8]) {
-    let parts = if reader.may_be_binary() { 1 } else { 2 };
-    let mut files = bytes.splitn(parts, |&byte| byte == 0).map(source);
+    let mut files = bytes.splitn(reader.parts(), |&byte| byte == 0).map(source);
     let main = files.next().expect("there is a first part");
     let node = files.next();
     match reader {

@@ -15,6 +15,7 @@ use sweep_cdt::trace::{Event, Trace, Vertex, Why};
 use counts::judge_counts;
 use damage::{Damage, Kind};
 
+use crate::file::File;
 use crate::reached;
 use sweep_cdt_testing::Random;
 use sweep_cdt_testing::Steps;
@@ -27,23 +28,64 @@ pub fn test(bytes: &[u8]) {
     judge(&input, choices);
 }
 
+/// A run, its trace as it is written, and how that is damaged if the run has a result.
+struct Case {
+    heuristics: Heuristics,
+    steps: Steps,
+    text: String,
+    damage: Option<Damage>,
+}
+
+impl Case {
+    fn new(Input { points, edges }: &Input, choices: u64) -> Case {
+        let random = &mut Random::new(choices);
+        let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
+        let heuristics = random.pick(&settings);
+        let steps = Steps::of(points, edges, heuristics);
+        let text = random.pick(&[text, lines])(&steps.trace);
+        let damage = steps.result.is_ok();
+        let damage = damage.then(|| Damage::new(&text, &steps.trace, random));
+        Case {
+            heuristics,
+            steps,
+            text,
+            damage,
+        }
+    }
+}
+
+/// The trace as it is written, the damaged one, and where that is damaged.
+pub fn files(bytes: &[u8]) -> Vec<File> {
+    let (choices, input) = generators::input_with_choices(bytes);
+    let Case { text, damage, .. } = Case::new(&input, choices);
+    let mut files = vec![("written.txt".to_owned(), text.into_bytes())];
+    if let Some(Damage { kind, at, text }) = damage {
+        let what = format!("{kind:?}, lines {} and {}\n", at[0] + 1, at[1] + 1);
+        files.push(("damage.txt".to_owned(), what.into_bytes()));
+        files.push(("damaged.txt".to_owned(), text.into_bytes()));
+    }
+    files
+}
+
 /// Panics unless the trace of this input, all of whose coordinates are finite, replays, and the damaged
 /// one that follows from `choices` is refused or harmless.
 fn judge(input: &Input, choices: u64) {
-    let Input { points, edges } = input;
-    let random = &mut Random::new(choices);
-    let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
-    let heuristics = random.pick(&settings);
-    let steps = Steps::of(points, edges, heuristics);
+    let Case {
+        heuristics,
+        steps,
+        text,
+        damage,
+    } = Case::new(input, choices);
     let trace = &steps.trace;
-    let text = random.pick(&[text, lines])(trace);
     assert_eq!(Trace::parse(&text).as_ref(), Ok(trace), "read again (left)");
     match &steps.result {
         Ok(result) => {
             let triangles = result.canonical_triangles();
             assert_eq!(trace.replay().as_ref(), Ok(&triangles), "replayed (left)");
             judge_counts(input, heuristics, trace, result);
-            judge_damaged(&Damage::new(&text, trace, random), trace, &triangles);
+            if let Some(damage) = damage {
+                judge_damaged(&damage, trace, &triangles);
+            }
         }
         Err(_) => {
             let line = trace.replay().map_err(|bad| bad.line);

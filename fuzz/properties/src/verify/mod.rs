@@ -14,15 +14,17 @@ mod case;
 mod measured;
 mod moved;
 mod outline;
+mod shown;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Report, Verifier, Violation, Violations, verify};
 
 use self::case::{
-    Case, change, is_certainly_right, judge_hole, judge_part, judge_regions, judge_unused,
-    judge_wound,
+    Case, is_certainly_right, judge_hole, judge_part, judge_regions, judge_unused, judge_wound,
 };
+use self::moved::Moved;
+use crate::file::File;
 use crate::reached;
 use sweep_cdt_testing::oracle::canonical;
 use sweep_cdt_testing::{Input, generators};
@@ -46,19 +48,69 @@ const RIM: [[f64; 2]; 12] = [
     [4.0, -3.0],
 ];
 
-/// The property for the case that the bytes stand for.
-pub fn test(bytes: &[u8]) {
+/// So many bytes come before those of a generated input at most: which case, and three changes.
+pub const LEAD: usize = 13;
+
+/// What the bytes stand for.
+enum Kind {
+    /// Or dented triangles around a hub, of which no more is known.
+    Garbage,
+    /// Triangles around a hub.
+    Wound,
+    /// A right answer to an input, and what is changed.
+    Changed(Input, Vec<[u8; 4]>),
+    /// A result whose vertices have moved.
+    Moved(Option<Moved>),
+}
+
+/// Which of these, and the case to verify: none if vertices have moved.
+fn read(style: u8, bytes: &mut Unstructured<'_>) -> Result<(Kind, Case)> {
+    Ok(match style & 3 {
+        0 if style >> 6 == 0 => (Kind::Wound, wound(bytes)?),
+        0 if style >> 6 == 1 => (Kind::Moved(Moved::read(bytes)?), Case::default()),
+        0 if style >> 6 == 2 => (Kind::Garbage, dented(bytes)?),
+        0 => (Kind::Garbage, garbage(bytes)?),
+        count => {
+            let (input, changes) = changed(count, bytes)?;
+            (Kind::Changed(input, changes), Case::default())
+        }
+    })
+}
+
+/// The style, and what the bytes stand for.
+fn of(bytes: &[u8]) -> (u8, Kind, Case) {
     let mut bytes = Unstructured::new(bytes);
     // Reading is total but for a type that has no values.
     let style: u8 = bytes.arbitrary().unwrap_or_default();
-    let case = match style & 3 {
-        0 if style >> 6 == 0 => wound(&mut bytes),
-        0 if style >> 6 == 1 => return moved::judge(&mut bytes).unwrap_or_default(),
-        0 if style >> 6 == 2 => dented(&mut bytes),
-        0 => garbage(&mut bytes),
-        count => changed(count, &mut bytes),
-    };
-    judge(&case.unwrap_or_default(), style >> 2 & 7 == 0);
+    let (kind, mut case) = read(style, &mut bytes).unwrap_or((Kind::Garbage, Case::default()));
+    if let Kind::Changed(input, changes) = &kind {
+        case = answered(input);
+        for &change in changes {
+            case::change(&mut case, change);
+        }
+    }
+    (style, kind, case)
+}
+
+/// The property for the case that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let (style, kind, case) = of(bytes);
+    match kind {
+        Kind::Moved(moved) => return moved.as_ref().map_or((), Moved::judge),
+        Kind::Wound => judge_wound(&case),
+        Kind::Changed(input, _) => reached::sample(&input),
+        Kind::Garbage => {}
+    }
+    judge(&case, style >> 2 & 7 == 0);
+}
+
+/// The input and the result to verify, with a picture of what is wrong with it; or the file whose vertices have moved.
+pub fn files(bytes: &[u8]) -> Vec<File> {
+    let (_, kind, case) = of(bytes);
+    match kind {
+        Kind::Moved(moved) => moved.map_or_else(Vec::new, Moved::files),
+        _ => case.files(),
+    }
 }
 
 /// Points of any bits, no numbers or on a lattice, and indices of which most are in range.
@@ -99,13 +151,11 @@ fn wound(bytes: &mut Unstructured<'_>) -> Result<Case> {
     let mut points = vec![[0.0, 0.0]];
     points.extend((0..n).map(|i| RIM[i * RIM.len() / n]));
     let triangles = (0..n).map(|i| [0, 1 + i, 1 + (i + over) % n]);
-    let case = Case {
+    Ok(Case {
         triangles: triangles.collect(),
         points,
         edges: Vec::new(),
-    };
-    judge_wound(&case);
-    Ok(case)
+    })
 }
 
 /// The same with rim points at several distances from the hub, so that the closed lines turn right at some.
@@ -126,26 +176,24 @@ fn dented(bytes: &mut Unstructured<'_>) -> Result<Case> {
     })
 }
 
-/// A right answer to an input, changed so many times.
-fn changed(count: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
-    let mut words = [[0; 4]; 3];
-    for word in &mut words[..usize::from(count)] {
-        *word = bytes.arbitrary()?;
+/// An input, and so many changes of its answer.
+fn changed(count: u8, bytes: &mut Unstructured<'_>) -> Result<(Input, Vec<[u8; 4]>)> {
+    let mut words = Vec::new();
+    for _ in 0..count {
+        words.push(bytes.arbitrary()?);
     }
-    let input = generators::read(bytes)?;
-    reached::sample(&input);
-    let Input { points, edges } = input;
+    Ok((generators::read(bytes)?, words))
+}
+
+/// An input with its right answer.
+fn answered(Input { points, edges }: &Input) -> Case {
     // Of edges that cross only some are there, and the others to be missed.
-    let result = triangulate(&points, &edges).or_else(|_| triangulate(&points, &[]));
-    let mut case = Case {
+    let result = triangulate(points, edges).or_else(|_| triangulate(points, &[]));
+    Case {
         triangles: result.map_or_else(|_| Vec::new(), |result| result.triangles().collect()),
-        points,
-        edges,
-    };
-    for word in &words[..usize::from(count)] {
-        change(&mut case, *word);
+        points: points.clone(),
+        edges: edges.clone(),
     }
-    Ok(case)
 }
 
 /// Panics unless the verifier decides right, and the same in all ways to call it.

@@ -1,0 +1,56 @@
+"""Measures which regions of `src/` the corpora reach.
+
+The program of `fuzz/properties` is built with the instrumentation of rustc and runs every property on its corpus and
+seeds. It is the same program that unpacks the seeds and shows what bytes stand for, so there is one build for all.
+"""
+
+import concurrent.futures
+import os
+import re
+import shutil
+
+from . import processes
+from .processes import FUZZ
+
+# Modules whose coverage is measured; the report lists every file of them.
+COVERED = ["sweep/", "front/", "mesh/", "scalar/", "verify/", "bucket.rs"]
+# The target folder of the instrumented program, and the program.
+FOLDER = FUZZ / "target/coverage"
+PROGRAM = FOLDER / "release/sweep-cdt-properties"
+# The program as a command that leaves no profile.
+PROPERTIES = ["env", f"LLVM_PROFILE_FILE={os.devnull}", PROGRAM]
+
+
+def build():
+    """Builds the program, with the messages of cargo."""
+    environment = {**os.environ, "RUSTFLAGS": "-C instrument-coverage", "CARGO_TARGET_DIR": str(FOLDER),
+                   "LLVM_PROFILE_FILE": os.devnull}
+    processes.must(["cargo", "build", "--release", "-p", "sweep-cdt-properties"], shown=True, env=environment)
+
+
+def measure(targets, jobs, tools, out):
+    """File, regions and missed regions, for each file and in all. What is missed is listed in coverage.txt."""
+    profile = out / "profile"
+    shutil.rmtree(profile, ignore_errors=True)
+    profile.mkdir()
+
+    def run(target):
+        raw = profile / f"{target.name}.profraw"
+        processes.run([PROGRAM, "run", target.name, target.seeds, target.corpus],
+                      env={**os.environ, "LLVM_PROFILE_FILE": str(raw)})
+        processes.say(f"  {target.name}")
+        return raw
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        raw = [file for file in pool.map(run, targets) if file.exists()]
+    merged = profile / "all.profdata"
+    processes.must([tools[0], "merge", "-sparse", *raw, "-o", merged])
+    source = FUZZ.parent / "src"
+    sources = [path for path in sorted(source.rglob("*.rs"))
+               if any(str(path.relative_to(source)).startswith(part) for part in COVERED)]
+    text = processes.must([tools[1], "report", PROGRAM, f"-instr-profile={merged}", *sources])
+    (out / "coverage.txt").write_text(
+        processes.must([tools[1], "show", PROGRAM, f"-instr-profile={merged}", "-show-instantiations=false",
+                        "-show-regions", *sources]))
+    rows = re.findall(r"^(\S+\.rs|TOTAL)\s+(\d+)\s+(\d+)\s", text, re.M)
+    return [(name, int(regions), int(missed)) for name, regions, missed in rows]

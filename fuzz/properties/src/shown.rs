@@ -1,0 +1,244 @@
+//! What the bytes of a finding stand for, as files to look at.
+//!
+//! Points and edges become a row for the table of cases, JSON for the command, the steps of their sweep and a
+//! picture: of the triangles, of the edges that cross, or, where the sweep panics or does not end, of the input
+//! alone. The steps are then those up to there. What else a target reads out of its bytes (a damaged trace, a file,
+//! a result to verify, changes of a front) it turns into [`File`]s itself.
+//!
+//! A finding may be a panic or an endless loop in the very code that is called here, so all of it runs in threads
+//! that are waited for some seconds.
+
+use std::any::Any;
+use std::path::Path;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+use std::{fs, io, thread};
+
+use sweep_cdt::crossings::crossings;
+use sweep_cdt::draw::{CrossingsPicture, ResultPicture};
+use sweep_cdt::formats::Graph;
+use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::{Error, Triangulation, Triangulator};
+use sweep_cdt_testing::Input;
+
+use crate::Target;
+use crate::file::{File, json};
+
+/// An answer is waited for so long.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// So many steps are written at most.
+const STEPS: usize = 100_000;
+
+/// Writes what the bytes stand for into the folder.
+///
+/// # Errors
+/// If the folder cannot be written.
+pub fn show(target: &Target, bytes: &[u8], folder: &Path) -> io::Result<()> {
+    let row = match (target.input)(bytes) {
+        Some(input) => {
+            show_input(&input, folder)?;
+            input.to_string()
+        }
+        None => format!("{bytes:?}"),
+    };
+    fs::write(folder.join("row.txt"), row + "\n")?;
+    let (files, bytes) = (target.files, bytes.to_vec());
+    match within(PATIENCE, move || files(&bytes)) {
+        Ok(files) => write(folder, files),
+        Err(why) => fs::write(folder.join("files.txt"), format!("none: {why}\n")),
+    }
+}
+
+fn write(folder: &Path, files: Vec<File>) -> io::Result<()> {
+    let mut files = files.into_iter();
+    files.try_for_each(|(name, content)| fs::write(folder.join(name), content))
+}
+
+fn show_input(input: &Input, folder: &Path) -> io::Result<()> {
+    let Input { points, edges } = input;
+    // Other numbers are none in JSON, and have no place in a picture.
+    let is_finite = points.as_flattened().iter().all(|x| x.is_finite());
+    if is_finite {
+        fs::write(folder.join("input.json"), json(points, edges))?;
+    }
+    let (events, result) = swept(input);
+    let outcome = match &result {
+        Ok(Ok(result)) => format!("{} triangles", result.triangles().count()),
+        Ok(Err(error)) => format!("error: {error}"),
+        Err(why) => why.clone(),
+    };
+    fs::write(folder.join("outcome.txt"), outcome + "\n")?;
+    let mut trace = Vec::new();
+    Trace { skipped: 0, events }.write_text(&mut trace)?;
+    fs::write(folder.join("trace.txt"), trace)?;
+    let picture = is_finite.then(|| picture(input, result.ok())).flatten();
+    picture.map_or(Ok(()), |picture| {
+        fs::write(folder.join("picture.svg"), picture)
+    })
+}
+
+/// The steps of the sweep as far as it comes, and its result.
+fn swept(input: &Input) -> (Vec<Event>, Result<Result<Triangulation, Error>, String>) {
+    let events = Arc::new(Mutex::new(Vec::new()));
+    let (input, seen) = (input.clone(), Arc::clone(&events));
+    let result = within(PATIENCE, move || {
+        let run = Triangulator::new().triangulate_observed(&input.points, &input.edges, |event| {
+            let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
+            if seen.len() < STEPS {
+                seen.push(event);
+            }
+        });
+        run.map(|run| run.triangulation)
+    });
+    let seen = events.lock().unwrap_or_else(PoisonError::into_inner);
+    (seen.clone(), result)
+}
+
+/// Triangles, crossings, or points and edges alone.
+fn picture(input: &Input, result: Option<Result<Triangulation, Error>>) -> Option<Vec<u8>> {
+    let mut graph = Graph {
+        points: input.points.clone(),
+        edges: input.edges.clone(),
+        ..Graph::default()
+    };
+    let n = graph.points.len();
+    graph.edges.retain(|edge| edge.iter().all(|&v| v < n));
+    let plain = graph.clone();
+    let drawn = within(PATIENCE, move || {
+        let mut picture = Vec::new();
+        match result {
+            Some(Ok(result)) => ResultPicture::new(&graph, &result).write(&mut picture),
+            _ => {
+                let found = crossings(&graph.points, &graph.edges).unwrap_or_default();
+                CrossingsPicture::new(&graph, &found).write(&mut picture)
+            }
+        }
+        .map(|()| picture)
+    });
+    let plain = move || {
+        let mut picture = Vec::new();
+        CrossingsPicture::new(&plain, &[]).write(&mut picture)?;
+        Ok(picture)
+    };
+    let drawn: io::Result<Vec<u8>> = drawn.or_else(|_| within(PATIENCE, plain)).ok()?;
+    drawn.ok()
+}
+
+/// What a function returns, or why it does not: it panics, or is not done in time. It then goes on until the
+/// process ends.
+fn within<T: Send + 'static>(
+    patience: Duration,
+    call: impl FnOnce() -> T + Send + 'static,
+) -> Result<T, String> {
+    let (done, waits) = channel();
+    let worker = thread::spawn(move || done.send(call()));
+    match waits.recv_timeout(patience) {
+        Ok(value) => Ok(value),
+        Err(RecvTimeoutError::Timeout) => Err(format!("had not ended after {patience:?}")),
+        Err(RecvTimeoutError::Disconnected) => {
+            let panic = worker.join().err();
+            Err(format!(
+                "panicked: {}",
+                panic.as_deref().map_or("", message)
+            ))
+        }
+    }
+}
+
+fn message<'a>(panic: &'a (dyn Any + Send)) -> &'a str {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or("no message")
+}
+
+#[test]
+fn what_panics_or_does_not_end_is_told() {
+    let panics = within(PATIENCE, || -> u8 { panic!("a {}", "message") });
+    assert_eq!(panics, Err("panicked: a message".to_owned()));
+    let endless = within(Duration::from_millis(20), || {
+        loop {
+            thread::park();
+        }
+    });
+    assert_eq!(
+        endless.map(|()| 0),
+        Err("had not ended after 20ms".to_owned())
+    );
+    assert_eq!(within(PATIENCE, || 1), Ok(1));
+}
+
+#[cfg(test)]
+fn files_of(name: &str, bytes: &[u8]) -> std::collections::BTreeMap<String, String> {
+    let folder = std::env::temp_dir().join(format!("shown-{}-{name}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    let target = crate::TARGETS.iter().find(|target| target.name == name);
+    show(target.expect("a target"), bytes, &folder).expect("a folder");
+    let entries = fs::read_dir(&folder).expect("a folder");
+    let files = entries.map(|entry| {
+        let path = entry.expect("an entry").path();
+        let name = path.file_name().expect("a name").to_string_lossy();
+        let text = fs::read(&path).expect("a file");
+        (
+            name.into_owned(),
+            String::from_utf8_lossy(&text).into_owned(),
+        )
+    });
+    let files = files.collect();
+    fs::remove_dir_all(folder).expect("a folder");
+    files
+}
+
+#[cfg(test)]
+fn seeds_of(name: &str, points: &str, edges: &str) -> Vec<Vec<u8>> {
+    let target = crate::TARGETS.iter().find(|target| target.name == name);
+    target
+        .expect("a target")
+        .seeds(&Input::parse(points, edges))
+}
+
+#[test]
+fn edges_that_cross_have_a_picture_and_the_steps_up_to_there() {
+    let bytes = seeds_of("valid", "0 0, 4 4, 0 4, 4 0, 2 9", "0 1, 2 3");
+    let files = files_of("valid", &bytes[0]);
+    assert!(files["outcome.txt"].starts_with("error: "), "{files:?}");
+    assert!(files["trace.txt"].contains("\npoint "), "{files:?}");
+    assert!(files["picture.svg"].starts_with("<svg "), "{files:?}");
+    assert!(files["row.txt"].contains("\"0 1, 2 3\""), "{files:?}");
+}
+
+#[test]
+fn numbers_without_a_place_have_a_row_and_an_outcome() {
+    let bits = f64::NAN.to_bits().to_le_bytes();
+    let bytes = [&[1][..], &bits, &bits, &[0, 200]].concat();
+    let files = files_of("bits", &bytes);
+    assert!(files["row.txt"].contains("NaN NaN"), "{files:?}");
+    assert!(files["outcome.txt"].starts_with("error: "), "{files:?}");
+    assert!(!files.contains_key("picture.svg"), "{files:?}");
+}
+
+#[test]
+fn what_is_no_geometry_has_files_of_its_own() {
+    let square = |name| seeds_of(name, "0 0, 4 0, 4 3, 0 2", "0 2");
+    let replay = files_of("replay", &square("replay")[0]);
+    assert_ne!(replay["written.txt"], replay["damaged.txt"]);
+    assert!(replay["damage.txt"].contains("line"));
+    let verify = files_of("verify", &square("verify")[0]);
+    assert!(verify["input.json"].contains("[4.0, 3.0]"), "{verify:?}");
+    assert!(verify["result.json"].contains("triangles"), "{verify:?}");
+    assert!(verify["violations.svg"].starts_with("<svg "), "{verify:?}");
+    let written = files_of("formats", &square("formats")[0]);
+    assert!(
+        written["written.json"].contains("[4.0, 3.0]"),
+        "{written:?}"
+    );
+    assert!(
+        written.keys().any(|name| name.starts_with("file.")),
+        "{written:?}"
+    );
+    let file = files_of("formats", b"\x011 2 0 0\n1 0 0\n0 0\n\x001 2 0 0\n");
+    assert_eq!(file["file.poly"], "1 2 0 0\n1 0 0\n0 0\n");
+    assert_eq!(file["beside.node"], "1 2 0 0\n");
+    let front = files_of("fronts", &[1, 0, 0, 0, 0, 0, 0, 0, 2, 4, 8, 2, 0]);
+    assert!(front["front.txt"].contains("Remove"), "{front:?}");
+}
