@@ -13,7 +13,7 @@
 //!     Ok((2..points.len()).map(|i| [0, i - 1, i]).collect())
 //! };
 //! assert_eq!(ask(&Input::parse("0 0, 2 0, 2 2, 0 2", ""), fan), None);
-//! let input = Input::parse("0 0, 4 1, 9 3, 2 4, 1 2", "");
+//! let input = Input::parse("0 0, 4 -1, 8 1, 7 5, 1 3", "");
 //! assert_eq!(ask(&input, fan), Some("not-delaunay"));
 //! let least = least(&input, "not-delaunay", &|input| ask(input, fan));
 //! assert_eq!(least.points.len(), 4);

@@ -15,7 +15,7 @@ use sweep_cdt_testing::{Input, Steps};
 /// Of so many inputs one is looked at.
 const EVERY: u64 = 16;
 /// So many inputs looked at pass between two writings of the file.
-const WRITE: u64 = 64;
+const WRITE: u64 = 16;
 
 /// What an input led to.
 struct Run {
