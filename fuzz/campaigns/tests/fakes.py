@@ -71,7 +71,9 @@ if "--version" in words:
     print("cargo 1")
     sys.exit(" ".join(words) in os.environ.get("FAKE_MISSING", "").split(","))
 if "fuzz" in words:
-    shutil.copytree(fuzz / "fakes", fuzz / "target/x86_64-fake/release", dirs_exist_ok=True)
+    shutil.copytree(fuzz / "fakes", fuzz / "target/x86_64-fake-linux-gnu/release", dirs_exist_ok=True)
+if words[0] == "run":
+    os.execv(fuzz / "properties", ["properties", *words[words.index("--") + 1:]])
 if words[0] == "build":
     (fuzz / "target/coverage/release").mkdir(parents=True, exist_ok=True)
     shutil.copy(fuzz / "properties", fuzz / "target/coverage/release/sweep-cdt-properties")
@@ -96,7 +98,7 @@ if verb == "run":
 '''
 
 RUSTC = '''#!/bin/sh
-[ "$1" = -vV ] && echo "host: x86_64-fake"
+[ "$1" = -vV ] && echo "host: x86_64-fake-linux-gnu"
 [ "$2" = sysroot ] && echo "$FAKE_FUZZ/sysroot"
 exit 0
 '''
@@ -120,6 +122,7 @@ class Workplace:
         self.out = self.fuzz / "target/campaign"
         self.fuzz.mkdir()
         (root / "src").mkdir()
+        shutil.copytree(FUZZ / "oss-fuzz", self.fuzz / "oss-fuzz")
         shutil.copytree(FUZZ / "campaigns", self.fuzz / "campaigns", ignore=shutil.ignore_patterns("tests"))
         shutil.copy(FUZZ / "campaign", self.fuzz)
         (self.fuzz / "Cargo.toml").write_text("".join(f'path = "fuzz_targets/{name}.rs"\n' for name in self.names))
@@ -144,10 +147,13 @@ class Workplace:
 
     def start(self, *words, **environment):
         """Starts the campaign."""
+        return subprocess.Popen([sys.executable, self.fuzz / "campaign", *words], text=True,
+                                env=self.settings(**environment), stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+    def settings(self, **environment):
+        """The environment in which cargo and rustc are those that pretend."""
         path = f"{self.fuzz}/bin:{os.environ['PATH']}"
-        settings = {**os.environ, "PATH": path, "FAKE_FUZZ": str(self.fuzz), "FAKE_LOG": str(self.log), **environment}
-        return subprocess.Popen([sys.executable, self.fuzz / "campaign", *words], env=settings, text=True,
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return {**os.environ, "PATH": path, "FAKE_FUZZ": str(self.fuzz), "FAKE_LOG": str(self.log), **environment}
 
     def run(self, *words, **environment):
         """The exit status of the campaign and what it prints."""
