@@ -34,7 +34,7 @@ class Finding:
             if self.kind == "crash":
                 self._minimise(smallest)
             again = self._again(smallest)
-            if again.artifact:
+            if again.failure():
                 text = again.text
             else:
                 self.note = "Run alone, these bytes did not fail again."
@@ -44,11 +44,8 @@ class Finding:
             (self.folder / "show.txt").write_text(text)
 
     def _again(self, file):
-        """The bytes once more, alone."""
-        unwanted = self.folder / "again"
-        outcome = libfuzzer.run(self.target.binary, f"-exact_artifact_path={unwanted}", file, seconds=SHOWING)
-        unwanted.unlink(missing_ok=True)
-        return outcome
+        """The bytes once more, alone. libFuzzer then writes no file."""
+        return libfuzzer.run(self.target.binary, file, seconds=SHOWING)
 
     def _minimise(self, smallest):
         """Smaller bytes that fail in the same way. What takes long is no such bytes, and would be written as well."""

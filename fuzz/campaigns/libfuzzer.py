@@ -38,12 +38,12 @@ class Outcome:
         self.artifact = next((file for file in reversed(files) if kind(file) != "slow-unit"), None)
 
     def failure(self):
-        """The name of the failure: the panic's place and the start of its message, or what libFuzzer says."""
+        """The name of the failure: the panic's place and the start of its message, or what libFuzzer says; or none."""
         panic = re.search(r"panicked at ([^\n]+)\n([^\n]*)", self.text)
         if panic:
             return f"{panic[1]} {re.sub(r'[0-9]+', 'N', panic[2])[:80]}"
         summary = re.search(r"SUMMARY: ([^\n]+)", self.text)
-        return summary[1] if summary else "unknown"
+        return summary[1] if summary else None
 
 
 def kind(file):

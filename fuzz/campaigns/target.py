@@ -52,7 +52,7 @@ class Target:
             self.executions += outcome.executions
             self.slow.update(outcome.slow)
             if outcome.artifact:
-                self.failures.setdefault(outcome.failure(), outcome)
+                self.failures.setdefault(outcome.failure() or "unknown", outcome)
                 self._put_aside(outcome.artifact, longest)
             elif not outcome.ran and not processes.stopped.is_set():
                 self.broken = outcome.text[-2000:]

@@ -146,7 +146,7 @@ fn within<T: Send + 'static>(
     }
 }
 
-fn message<'a>(panic: &'a (dyn Any + Send)) -> &'a str {
+fn message(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     text.or_else(|| panic.downcast_ref::<&str>().copied())
         .unwrap_or("no message")
