@@ -294,7 +294,9 @@ fn a_missing_format_is_asked_for_by_its_option() {
         let message = text(&asked.stderr);
         let known = match name {
             "--input-format" => "node, poly, json, obj, off, ply, vtk, vtu, msh, geojson, wkt",
-            "--output-format" => "ele, node, json, obj, off, ply, vtk, vtu, msh, stl, geojson, wkt, svg",
+            "--output-format" => {
+                "ele, node, json, obj, off, ply, vtk, vtu, msh, stl, geojson, wkt, svg"
+            }
             _ => "ele, json, obj, off, ply, vtk, vtu, msh, stl, geojson, wkt",
         };
         let advice = format!("is not known: add {name} with one of {known}\n");
