@@ -40,13 +40,13 @@ fn types_that_are_no_coordinates_are_told_what_to_use() {
     assert!(!messages("f64").contains("error["));
     for (coordinate, title) in [
         ("u32", "`u32`"),
-        ("&'static u64", "`&'static u64`"),
+        ("&'static u64", "`&u64`"),
         ("num_rational::Ratio<i32>", "`Ratio<i32>`"),
         ("String", "`String`"),
     ] {
         let said = messages(coordinate);
         for expected in [
-            &format!("{title} is no coordinate: it implements neither `Scalar` nor `Unbounded`"),
+            &format!("{title} is no coordinate: it does not implement `Scalar`"),
             &format!("no exact predicates are known for {title}"),
             "`points.map(|p| p.map(i64::from))` does for `u32`, `i128::from` for `u64`",
             "other fractions, such as `Ratio<i32>`, become `Ratio<i64>` or `BigRational`",

@@ -111,6 +111,15 @@ pub(crate) use whole::WholePoints;
 /// assert_eq!(sweep_cdt::triangulate(&points, &[[0, 2]])?.len(), 2);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no coordinate: it does not implement `Scalar`",
+    label = "no exact predicates are known for `{Self}`",
+    note = "coordinates are `f64`, `f32`, `i32`, `i64`, `i128`, `BigInt`, `BigRational`, `Ratio<i64>`, with the feature `rug` its `Integer` and `Rational`, and references to these",
+    note = "other machine integers fit in one of them: `points.map(|p| p.map(i64::from))` does for `u32`, `i128::from` for `u64`",
+    note = "other fractions, such as `Ratio<i32>`, become `Ratio<i64>` or `BigRational`",
+    note = "a type of `num-bigint` or `num-rational` in another version is another type",
+    note = "a type of your own implements `Scalar`, or `Unbounded` alone if its arithmetic is exact and never overflows"
+)]
 pub trait Scalar: Sized {
     /// Whether [`approx`](Scalar::approx) always returns the value itself.
     const APPROX_IS_EXACT: bool = false;

@@ -50,16 +50,6 @@ use super::{Scalar, Stage, all_doubles, filtered_in_circle, filtered_orient2d};
 /// let (a, b, c) = (point(-3, -5), point(0, 0), point(3, 5));
 /// assert_eq!(Scalar::orient2d(&a, &b, &c), Ordering::Equal);
 /// ```
-// Every type that is no `Scalar` is reported here, since it would be one if it were `Unbounded`.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is no coordinate: it implements neither `Scalar` nor `Unbounded`",
-    label = "no exact predicates are known for `{Self}`",
-    note = "coordinates are `f64`, `f32`, `i32`, `i64`, `i128`, `BigInt`, `BigRational`, `Ratio<i64>`, with the feature `rug` its `Integer` and `Rational`, and references to these",
-    note = "other machine integers fit in one of them: `points.map(|p| p.map(i64::from))` does for `u32`, `i128::from` for `u64`",
-    note = "other fractions, such as `Ratio<i32>`, become `Ratio<i64>` or `BigRational`",
-    note = "a type of `num-bigint` or `num-rational` in another version is another type",
-    note = "a type of your own implements `Scalar`, or `Unbounded` alone if its arithmetic is exact and never overflows"
-)]
 pub trait Unbounded:
     Clone + Ord + Zero + Sub<Output = Self> + Mul<Output = Self> + ToPrimitive
 {
