@@ -92,15 +92,15 @@ fn judge_within(case: &Case, own: usize, triangles: &[[usize; 3]]) {
         edges: &edges,
         chains: &declared,
     };
-    // An edge may have an end outside of the domain.
+    // An edge may have an end outside of the domain, unless it has no length.
     let is_corner = |v: &usize| {
         triangles
             .as_flattened()
             .iter()
             .any(|w| exact[*w] == exact[*v])
     };
-    let is_right =
-        wanted.is_met_by(&places.collect::<Vec<_>>()) && edges.as_flattened().iter().all(is_corner);
+    let has_corners = |[a, b]: &[usize; 2]| exact[*a] == exact[*b] || is_corner(a) && is_corner(b);
+    let is_right = wanted.is_met_by(&places.collect::<Vec<_>>()) && edges.iter().all(has_corners);
     let verifier = Verifier::new().added_from(own).boundary(&declared);
     let verdict = verifier.verify(&case.points, &edges, triangles);
     assert_eq!(

@@ -70,6 +70,7 @@ pub(super) fn wkt(shapes: &[Shape], points: &[[f64; 2]], is_collection: bool, st
         write!(text, "{name}{mark} {nested}").expect(GROWS);
     }
     match is_collection {
+        true if shapes.is_empty() => "GEOMETRYCOLLECTION EMPTY".to_owned(),
         true => format!("SRID=4326;GEOMETRYCOLLECTION ({text})"),
         false => text,
     }
