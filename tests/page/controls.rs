@@ -1,6 +1,6 @@
 //! Each way to go to a step, and to look at it.
 
-use super::{ALL, Browser, assert_quiet, events, many, page, scattered, wait};
+use super::{ALL, Browser, assert_quiet, events, page, scattered, wait};
 
 /// What `WebDriver` calls some keys.
 const ARROW_LEFT: &str = "\u{E012}";
