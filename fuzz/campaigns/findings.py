@@ -27,7 +27,7 @@ class Finding:
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
         smallest, text = self.folder / "bytes", self.outcome.text
-        shutil.copy(self.outcome.artifact, smallest)
+        smallest.write_bytes(self.outcome.content)
         if processes.stopped.is_set():
             self.note = "Not made smaller, as the campaign was stopped."
         else:

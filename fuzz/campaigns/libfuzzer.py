@@ -34,7 +34,8 @@ class Outcome:
         slow = [file for file in files if kind(file) == "slow-unit"]
         # The files of slow inputs, and how many seconds each took.
         self.slow = list(zip(slow, map(int, seconds)))
-        # The file of the finding, if there is one.
+        # What is in the file of the finding, once it is read; and the file, if there is one.
+        self.content = None
         self.artifact = next((file for file in reversed(files) if kind(file) != "slow-unit"), None)
 
     def failure(self):

@@ -51,16 +51,17 @@ class Target:
             self.seconds += time.monotonic() - start
             self.executions += outcome.executions
             self.slow.update(outcome.slow)
-            if outcome.artifact:
+            if outcome.artifact and outcome.artifact.exists():
+                # A later slice that is interrupted may leave half of the same file.
+                outcome.content = outcome.artifact.read_bytes()
                 self.failures.setdefault(outcome.failure() or "unknown", outcome)
-                self._put_aside(outcome.artifact, longest)
+                self._put_aside(outcome.content, longest)
             elif not outcome.ran and not processes.stopped.is_set():
                 self.broken = outcome.text[-2000:]
                 processes.say(f"{self.name} did not run:\n{self.broken}")
 
-    def _put_aside(self, artifact, longest):
+    def _put_aside(self, failing, longest):
         """Removes an input that fails from those that each slice begins with, or none would get past it."""
-        failing = artifact.read_bytes() if artifact.exists() else None
         for folder in [self.corpus, self.seeds]:
             for file in folder.iterdir():
                 # libFuzzer may replace a file of the corpus meanwhile.
