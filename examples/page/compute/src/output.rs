@@ -70,12 +70,19 @@ fn write_trace<S: Coordinate>(
         return Err(message.into());
     }
     let mut events = Vec::new();
-    match settings.triangulate(graph, Some(&mut events)) {
-        Ok(_) | Err(Refusal::CrossingEdges { .. }) => {}
+    let refused = match settings.triangulate(graph, Some(&mut events)) {
+        Ok(_) => None,
+        Err(error @ Refusal::CrossingEdges { .. }) => Some(error),
         Err(error) => return Err(format!("{name}: {}", graph.as_numbered(error)).into()),
-    }
+    };
     match format {
-        Trace::Html => StepsPage::new(graph, &events).write(out)?,
+        Trace::Html => {
+            let page = StepsPage::new(graph, &events);
+            match &refused {
+                Some(error) => page.refused(error).write(out)?,
+                None => page.write(out)?,
+            }
+        }
         Trace::Txt => trace::Trace { skipped: 0, events }.write_text(out)?,
         Trace::Jsonl => trace::Trace { skipped: 0, events }.write_lines(out)?,
     }

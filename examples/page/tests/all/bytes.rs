@@ -178,6 +178,19 @@ fn crossings_holes_and_rules() {
     assert_same(&cases);
 }
 
+/// The steps up to the crossing, after which the command ends with an error.
+#[test]
+fn steps_of_edges_that_cross() {
+    let folder = TempDir::new().expect("a temporary folder");
+    fs::write(folder.path().join("cross.poly"), CROSS).expect("a file");
+    let mut settings = settings();
+    settings["split"] = json!(false);
+    let mut cases = cases_of_file(folder.path(), "cross.poly", &settings, "");
+    cases.retain(|case| case.arguments.starts_with("trace"));
+    assert_eq!(cases.len(), 3);
+    assert_same(&cases);
+}
+
 #[test]
 fn settings_change_the_steps_as_those_of_the_command() {
     let formats = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/formats");

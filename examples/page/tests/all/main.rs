@@ -61,6 +61,8 @@ fn command(folder: &Path, arguments: &str) -> Vec<u8> {
         .output()
         .expect("cargo runs");
     let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments}: {said}");
+    // Steps up to a crossing are written, and then it fails.
+    let is_written = output.status.success() || !output.stdout.is_empty();
+    assert!(is_written, "{arguments}: {said}");
     output.stdout
 }
