@@ -7,7 +7,7 @@ use sweep_cdt::scalar::{Scalar, Unbounded};
 use sweep_cdt::verify::verify;
 use sweep_cdt::{Counters, Triangulator};
 
-use super::approximation::Crude;
+use super::crude::Crude;
 use super::*;
 
 /// The work for these points; panics unless the verifier finds the result right.

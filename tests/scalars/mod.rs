@@ -6,6 +6,7 @@
 
 mod approximation;
 mod conforming;
+mod crude;
 mod frames;
 mod predicates;
 mod rounded;

@@ -8,7 +8,7 @@ use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::triangulate;
 
-use super::approximation::Crude;
+use super::crude::Crude;
 use super::*;
 
 /// The predicates called directly, and the sweep, whose scale is that of all points.

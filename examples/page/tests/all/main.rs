@@ -7,6 +7,7 @@
 #[path = "../../../../tests/page/browser.rs"]
 mod browser;
 mod bytes;
+mod visit;
 mod visitor;
 
 use std::path::{Path, PathBuf};
