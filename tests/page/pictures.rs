@@ -123,14 +123,12 @@ fn screenshots() {
 
     let (small, large) = (page(&graph, ALL), page(&many(1500), ALL));
     let part = page(&graph, 150..=170);
-    let (hundred, most) = (page(&many(100), ALL), page(&many(25_000), ALL));
-    for (size, is_dark) in [
-        ([1920, 1080], false),
-        ([1280, 800], false),
-        ([1280, 800], true),
-        ([390, 800], false),
-        ([320, 640], true),
-    ] {
+    let [ten, hundred, most] = [10, 100, 25_000].map(|count| page(&many(count), ALL));
+    let sizes = [[1920, 1080], [1280, 800], [390, 800], [320, 640]];
+    for (size, is_dark) in sizes
+        .into_iter()
+        .flat_map(|size| [(size, false), (size, true)])
+    {
         let Some(browser) = Browser::open(size) else {
             return;
         };
@@ -151,6 +149,7 @@ fn screenshots() {
             ("end", &small, "show(LAST)"),
             ("legend", &part, "element('legend').open = true"),
             ("large", &large, "show(9000)"),
+            ("ten", &ten, "show(40)"),
             ("hundred", &hundred, "show(600)"),
             ("most", &most, "show(150000)"),
             ("near", &large, "show(9000); element('near-step').click()"),

@@ -92,6 +92,9 @@ fn search_and_sections() {
             named.as_str().is_some_and(|named| named.starts_with(start)),
             "{named}"
         );
+        browser.run("document.querySelector('#heading button').click()");
+        let focused = "return [element('sections').open, document.activeElement.textContent]";
+        assert_eq!(browser.run(focused), json!([true, named]));
         let step = browser.run("return number").as_u64();
         browser.run(&script);
         assert!(browser.run("return number").as_u64() > step);

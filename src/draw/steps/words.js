@@ -32,7 +32,8 @@ function describe(scene) {
   const { number } = scene;
   const [heading, sentence, section] = wordsOf(number);
   element("position").textContent = `Step ${nameOf(number)} of ${trace.total}`;
-  element("heading").textContent = heading;
+  const [what, where] = heading.split(" · ");
+  element("heading").replaceChildren(where ? `${what} · ` : what, ...(where ? [toSection(where)] : []));
   element("sentence").textContent = sentence;
   element("picture").setAttribute("aria-label", `The triangulation after this step: ${heading}. ${sentence}`);
   Object.assign(element("slider"), { max: positionOf(LAST), value: positionOf(number) });
@@ -49,6 +50,18 @@ function describe(scene) {
   const start = Math.max(Math.min(position - Math.floor(most / 3), last + 1 - most), 0);
   const positions = Array.from({ length: Math.min(most, last + 1 - start) }, (_, row) => start + row);
   rows.replaceChildren(...positions.map((at) => row(stepAt(at), number)));
+}
+
+/** A way from a step's heading to its section in the list of the paper's sections. */
+function toSection(name) {
+  const button = document.createElement("button");
+  button.textContent = name;
+  button.title = "Show this section among those of the paper";
+  button.onclick = () => {
+    element("sections").open = true;
+    element("sections").querySelector("[aria-current]")?.focus();
+  };
+  return button;
 }
 
 /** The counters after a step, and by how much the point event or edge event has raised them so far. */
