@@ -326,3 +326,18 @@ fn triangles_are_written_by_the_book() {
         assert_eq!(text.trim_end().replace('\n', "|"), lines, "{format:?}");
     }
 }
+
+/// Corners that stand in the order of the vertices, two of which are duplicates: no number says that they are meant.
+#[test]
+fn corners_are_the_lowest_of_equal_vertices() {
+    let [a, b, c, d] = [[0.0, 0.0], [1.0, -2.0], [2.0, -2.0], [3.0, 0.0]];
+    let points = vec![a, b, c, a, c, d];
+    let graph = Graph {
+        points,
+        ..Graph::default()
+    };
+    let text = "MULTIPOLYGON (((0 0, 1 -2, 2 -2, 0 0)), ((0 0, 2 -2, 3 0, 0 0)))";
+    let result = read_result(ResultFormat::Wkt, &source(text.as_bytes()), None, &graph)
+        .expect("its vertices");
+    assert_eq!(result.list, [[0, 1, 2], [0, 2, 5]]);
+}

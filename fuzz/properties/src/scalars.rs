@@ -1,6 +1,6 @@
 //! Every scalar that holds the coordinates takes the same steps to the same result.
 //!
-//! The predicates of each scalar are another program: expansions of doubles, integers of 128 bits, big
+//! The predicates of each scalar are another program: expansions of doubles, integers of 128 and 256 bits, big
 //! integers, rationals over a common denominator, and for the plainest scalar the textbook's determinants.
 //! One wrong sign changes a step. Some inputs are also scaled to integers, which are stretched,
 //! moved far away or divided. The doubles that approximate such coordinates are rounded, which may change
@@ -8,7 +8,7 @@
 
 use bnum::types::I256;
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::{BigRational, Ratio};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation};
 
@@ -41,9 +41,17 @@ const FEW: usize = 16;
 fn judge(input: &Input, steps: &Steps, scalar: u8, number: usize) {
     let agrees = match scalar % CHOICES {
         0 => agrees_in_single(input, steps),
-        1 => agrees::<i64>(input, steps, "i64") | agrees::<i32>(input, steps, "i32"),
+        1 => {
+            agrees::<i64>(input, steps, "i64")
+                | agrees::<i32>(input, steps, "i32")
+                | agrees::<i128>(input, steps, "i128")
+        }
         2 => agrees::<BigInt>(input, steps, "BigInt"),
-        3 => agrees::<BigRational>(input, steps, "BigRational"),
+        3 => {
+            agrees_by_reference(input, steps);
+            agrees::<BigRational>(input, steps, "BigRational")
+                | agrees::<Ratio<i64>>(input, steps, "Ratio<i64>")
+        }
         4 if input.points.len() <= FEW => agrees::<Archetype>(input, steps, "the plainest scalar"),
         _ => false,
     };
@@ -55,10 +63,19 @@ fn judge(input: &Input, steps: &Steps, scalar: u8, number: usize) {
     let expected = &steps.result;
     match scalar % CHOICES {
         5 => assert_same(&moved(&whole, number), edges, expected, "moved"),
-        6 => assert_same(&divided(&whole, number), edges, expected, "divided"),
+        6 => {
+            let divided = divided(&whole, number);
+            assert_same(&divided, edges, expected, "divided");
+            if let Some(small) = in_machine_integers(&divided) {
+                assert_same(&small, edges, expected, "Ratio<i64>, divided");
+            }
+        }
         7 => {
-            if let Some(stretched) = stretched(&whole) {
-                assert_same(&stretched, edges, expected, "stretched");
+            if let Some(stretched) = stretched(&whole, i64::MIN, u64::MAX) {
+                assert_same(&stretched, edges, expected, "i64, stretched");
+            }
+            if let Some(stretched) = stretched(&whole, i128::MIN, u128::MAX) {
+                assert_same(&stretched, edges, expected, "i128, stretched");
             }
         }
         _ => assert_same(&whole, edges, expected, "as integers"),
@@ -87,6 +104,12 @@ fn agrees<S: Sample>(Input { points, edges }: &Input, steps: &Steps, name: &str)
         assert_same_steps(points, edges, steps, name);
     }
     points.is_some()
+}
+
+/// Panics if points that borrow their coordinates take other steps.
+fn agrees_by_reference(Input { points, edges }: &Input, steps: &Steps) {
+    let borrowed: Vec<[&f64; 2]> = points.iter().map(|[x, y]| [x, y]).collect();
+    assert_same_steps(&borrowed, edges, steps, "&f64");
 }
 
 /// Panics unless the same points in another scalar lead through the same steps, to a result that the
@@ -174,15 +197,27 @@ fn divided(points: &[Whole], number: usize) -> Vec<[BigRational; 2]> {
     })
 }
 
-/// Over the whole range of `i64`, if they do not need more.
-fn stretched(points: &[Whole]) -> Option<Vec<[i64; 2]>> {
+/// The same fractions, not reduced, if their parts fit.
+fn in_machine_integers(points: &[[BigRational; 2]]) -> Option<Vec<[Ratio<i64>; 2]>> {
+    let part = |x: &BigInt| i64::try_from(x).ok();
+    let small = |x: &BigRational| Some(Ratio::new_raw(part(x.numer())?, part(x.denom())?));
+    let points = points.iter();
+    points.map(|[x, y]| Some([small(x)?, small(y)?])).collect()
+}
+
+/// Over the whole range of a type, from its least value on, if they do not need more.
+fn stretched<T, U>(points: &[Whole], least: T, range: U) -> Option<Vec<[T; 2]>>
+where
+    T: TryFrom<BigInt>,
+    BigInt: From<T> + From<U>,
+{
     let coordinates = || points.iter().flatten();
     let (low, high) = (coordinates().min()?, coordinates().max()?);
     let span = (high - low).max(1.into());
-    let factor = BigInt::from(u64::MAX) / span;
-    let stretched = |x: &BigInt| i64::try_from((x - low) * &factor + i64::MIN);
+    let (least, factor) = (BigInt::from(least), BigInt::from(range) / span);
+    let stretched = |x: &BigInt| T::try_from((x - low) * &factor + &least).ok();
     let points = points.iter().map(|p| p.each_ref().map(stretched));
-    let points = points.map(|[x, y]| [x, y].map(|x| x.expect("it is in the range")));
+    let points = points.map(|p| p.map(|x| x.expect("it is in the range")));
     (factor > BigInt::ZERO).then(|| points.collect())
 }
 

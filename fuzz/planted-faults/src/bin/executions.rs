@@ -2,7 +2,8 @@
 //!
 //! Another number in place of 1 gives other bytes, so that a long run can be made in pieces.
 //!
-//! Prints `found N MESSAGE` if execution `N` failed, or did not end within [`PATIENCE`]; otherwise `none`.
+//! Prints `found N MESSAGE` if execution `N` failed, or did not end within [`PATIENCE`]; otherwise `none`. The bytes
+//! that failed go to standard error, in hexadecimal.
 //! The bytes are random, or, every second time, a seed of the file `SEEDS` with some changes.
 
 use std::panic;
@@ -52,6 +53,8 @@ fn main() {
         let bytes = source.next();
         if panic::catch_unwind(|| test(&bytes)).is_err() {
             println!("found {execution} {}", MESSAGE.lock().expect("no panic"));
+            let hex: String = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+            eprintln!("bytes {hex}");
             exit(0);
         }
         DONE.store(execution, Relaxed);

@@ -133,7 +133,8 @@ pub(super) fn assert_reads<S: Exact>(
     assert!(is_same, "{format:?}: {again:?} for {graph:?}");
     assert_eq!(again.edges, graph.edges, "{format:?}");
     assert_eq!(heights(&again), heights(graph), "{format:?}");
-    if format == InputFormat::Node {
+    // Without vertices there are no lines for columns to stand in.
+    if format == InputFormat::Node && !graph.points.is_empty() {
         let values = |graph: &Graph<S>| -> Vec<Vec<f64>> {
             graph
                 .columns
