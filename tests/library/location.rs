@@ -56,7 +56,8 @@ fn expected(result: &Triangulation, points: &[Point], query: Point) -> Location 
 /// From everywhere, in one scalar.
 fn check<S: Scalar>(points: &[[S; 2]], query: &[S; 2], result: &Triangulation, right: Location) {
     assert_eq!(result.locate(points, query), right);
-    for hint in (0..=result.len()).step_by(1 + result.len() / 7) {
+    let some = (0..result.len()).step_by(1 + result.len() / 7);
+    for hint in some.chain([result.len(), usize::MAX]) {
         assert_eq!(
             result.locate_from(points, query, hint),
             right,
@@ -116,10 +117,14 @@ fn points_next_to_a_side_are_told_from_those_on_it() {
 #[test]
 fn what_is_no_number_is_outside() {
     let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-    let result = triangulate(&points, &[]).expect("no edges");
-    for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        assert_eq!(result.locate(&points, &[x, 0.1]), Location::Outside);
-        assert_eq!(result.locate_from(&points, &[0.1, x], 0), Location::Outside);
+    let many = Random::new(4).points(100);
+    for points in [&points[..], &many] {
+        let result = triangulate(points, &[]).expect("no edges");
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for query in [[x, 0.1], [0.1, x], [x, x]] {
+                check(points, &query, &result, Location::Outside);
+            }
+        }
     }
     let line = triangulate(&points[..2], &[]).expect("no edges");
     assert_eq!(line.locate(&points[..2], &[0.0, 0.0]), Location::Outside);
