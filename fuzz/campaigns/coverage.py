@@ -36,6 +36,8 @@ def measure(targets, jobs, tools, out):
 
     def run(target):
         raw = profile / f"{target.name}.profraw"
+        if processes.stopped.is_set():
+            return raw
         processes.run([PROGRAM, "run", target.name, target.seeds, target.corpus],
                       env={**os.environ, "LLVM_PROFILE_FILE": str(raw)})
         processes.say(f"  {target.name}")
@@ -43,6 +45,8 @@ def measure(targets, jobs, tools, out):
 
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         raw = [file for file in pool.map(run, targets) if file.exists()]
+    if processes.stopped.is_set():
+        raise processes.Failed("the campaign was stopped meanwhile")
     merged = profile / "all.profdata"
     processes.must([tools[0], "merge", "-sparse", *raw, "-o", merged])
     source = FUZZ.parent / "src"

@@ -82,7 +82,7 @@ if words[0] == "build":
 '''
 
 PROPERTIES = '''#!{python}
-import os, pathlib, shutil, sys
+import os, pathlib, shutil, sys, time
 verb, fuzz = sys.argv[1], pathlib.Path(os.environ["FAKE_FUZZ"])
 names = [file.name for file in (fuzz / "fakes").iterdir()]
 if verb == "targets":
@@ -96,6 +96,9 @@ if verb == "show":
     content = pathlib.Path(sys.argv[3]).read_bytes()
     (pathlib.Path(sys.argv[4]) / "row.txt").write_text(f"row of {{content}}\\n")
 if verb == "run":
+    with open(os.environ["FAKE_LOG"], "a") as log:
+        log.write(f"{{time.time()}} covering {{sys.argv[2]}}\\n")
+    time.sleep(float(os.environ.get("FAKE_COVERING", 0)))
     pathlib.Path(os.environ["LLVM_PROFILE_FILE"]).write_text("")
 '''
 
