@@ -63,14 +63,14 @@ fn drawn(name: &str, arguments: &str) -> String {
 fn the_page_holds_all_steps_and_loads_nothing() {
     let page = drawn("steps.html", "");
     assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+    let icon = "<link rel=\"icon\" href=\"data:,\">";
+    // A link loads nothing until a reader follows it.
+    let paper = "    <p><a href=\"https://doi.org/10.1080/13658810701492241\" target=\"_blank\" \
+                 rel=\"noopener\">V. Domiter and B. Žalik (2008)</a></p>";
     for source in [
         "http", "src=", "href=", "url(", "@import", "import ", "fetch(",
     ] {
         let found: Vec<&str> = page.lines().filter(|line| line.contains(source)).collect();
-        let icon = "<link rel=\"icon\" href=\"data:,\">";
-        // A link that nothing follows by itself.
-        let paper = "    <p><a href=\"https://doi.org/10.1080/13658810701492241\" target=\"_blank\" \
-                     rel=\"noopener\">V. Domiter and B. Žalik (2008)</a></p>";
         let own: &[&str] = match source {
             "http" => &[paper],
             "href=" => &[icon, paper],

@@ -75,11 +75,11 @@ class Campaigns(unittest.TestCase):
 
     def test_interrupted_at_the_coverage_it_does_not_go_on_with_other_targets(self):
         with Workplace("first", "second", "third") as place:
-            process = place.start("--minutes", "0", "--jobs", "1", FAKE_COVERING="30")
+            process = place.start("--minutes", "0", "--jobs", "1", FAKE_COVERING="5")
             while process.poll() is None and not (place.log.exists() and "covering" in place.log.read_text()):
                 time.sleep(0.05)
             process.send_signal(signal.SIGINT)
-            text, _ = process.communicate(timeout=20)
+            text, _ = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 130, text)
             self.assertIn("Not measured: the campaign was stopped meanwhile", place.report())
             self.assertEqual(place.log.read_text().count("covering"), 1)

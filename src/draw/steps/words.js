@@ -33,7 +33,10 @@ function describe(scene) {
   const [heading, sentence, section] = wordsOf(number);
   element("position").textContent = `Step ${nameOf(number)} of ${trace.total}`;
   const [what, where] = heading.split(" · ");
-  element("heading").replaceChildren(where ? `${what} · ` : what, ...(where ? [toSection(where)] : []));
+  element("heading").textContent = where ? `${what} · ` : what;
+  if (where) {
+    element("heading").append(toSection(where));
+  }
   element("sentence").textContent = sentence;
   element("picture").setAttribute("aria-label", `The triangulation after this step: ${heading}. ${sentence}`);
   Object.assign(element("slider"), { max: positionOf(LAST), value: positionOf(number) });

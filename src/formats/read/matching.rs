@@ -72,7 +72,7 @@ impl Matching {
             let difference = greatest();
             return Ok((Matched::Asked { difference }, None));
         }
-        // Corners without numbers are the lowest of equal vertices, wherever they stand in the file.
+        // The corners of a soup have no numbers: each is the lowest of equal vertices.
         if !is_soup && points == input.points {
             return Ok((Matched::Equal, None));
         }

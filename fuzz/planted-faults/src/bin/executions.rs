@@ -3,8 +3,8 @@
 //! Another number in place of 1 gives other bytes, so that a long run can be made in pieces.
 //!
 //! Prints `found N MESSAGE` if execution `N` failed, or did not end within [`PATIENCE`]; otherwise `none`. The bytes
-//! that failed go to standard error, in hexadecimal.
-//! The bytes are random, or, every second time, a seed of the file `SEEDS` with some changes.
+//! are random, or, every second time, a seed of the file `SEEDS` with some changes. The bytes that failed are printed
+//! to standard error in hexadecimal.
 
 use std::panic;
 use std::path::Path;
