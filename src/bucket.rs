@@ -1,4 +1,6 @@
-//! Numbers spread over buckets: the sort and the front's hash table use the same few lines.
+//! Numbers spread over buckets, and a sample of them: the sort and the front's hash table use the same few lines.
+
+use std::iter::successors;
 
 /// `x`, measured in buckets, as a bucket index in `0..count`, which is below 2^32; clamps, and NaN goes to 0.
 /// It never decreases where `x` grows.
@@ -10,4 +12,14 @@
 #[inline(always)]
 pub(crate) fn bucket(x: f64, count: usize) -> usize {
     (x as u32 as usize).min(count - 1)
+}
+
+/// So many of `n` numbers, or all if there are fewer. They are at multiples of the golden ratio, which fall into
+/// no step with the rows of a lattice.
+pub(crate) fn sampled(n: usize, size: usize) -> impl Iterator<Item = usize> {
+    let fractions = successors(Some(0_u32), |at| Some(at.wrapping_add(0x9E37_79B9)));
+    let spread = fractions.map(move |at| ((u64::from(at) * n as u64) >> 32) as usize);
+    (0..n.min(size))
+        .zip(spread)
+        .map(move |(i, spread)| if n <= size { i } else { spread })
 }

@@ -14,12 +14,11 @@
 //! Differs from the paper: the table is not updated when a node leaves the front; the search notices it.
 //! Intervals may be quantiles or places.
 
-use std::iter::successors;
-
 use super::intervals::{Intervals, Places};
 use super::list::{Front, FrontNode};
 use super::search::{Domain, FrontSearch, Patience};
 use super::work::{Tally, Work};
+use crate::bucket::sampled;
 
 /// Intervals of x that remember their last insertion: O(1) expected, O(log n) at worst. The default.
 ///
@@ -37,16 +36,6 @@ pub struct HashTable<T = ()> {
 const REACH: usize = 16;
 /// How many points a sample has for each interval, and at most.
 const SAMPLE: [usize; 2] = [2, 4096];
-
-/// So many of `n` vertices, or all if there are fewer. They are at multiples of the golden ratio, which fall into
-/// no step with the rows of a lattice.
-fn sampled(n: usize, size: usize) -> impl Iterator<Item = usize> {
-    let fractions = successors(Some(0_u32), |at| Some(at.wrapping_add(0x9E37_79B9)));
-    let spread = fractions.map(move |at| ((u64::from(at) * n as u64) >> 32) as usize);
-    (0..n.min(size))
-        .zip(spread)
-        .map(move |(i, spread)| if n <= size { i } else { spread })
-}
 
 impl Default for HashTable {
     fn default() -> HashTable {

@@ -50,7 +50,7 @@ impl Lattice {
     pub(super) fn of(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Lattice {
         let sample = (0..points).step_by(points.div_ceil(SAMPLE).max(1));
         match Lattice::of_all(sample.map(&point)) {
-            Lattice::UNKNOWN => Lattice::UNKNOWN,
+            lattice if lattice == Lattice::UNKNOWN || points <= SAMPLE => lattice,
             _ => Lattice::of_all((0..points).map(point)),
         }
     }

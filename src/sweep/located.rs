@@ -20,10 +20,13 @@ pub(super) struct Located<'a, S> {
     pub(super) scale: Scale,
 }
 
+/// How many points are looked at together.
+const FEW: usize = 64;
+
 impl<'a, S: Scalar> Located<'a, S> {
     /// Finds doubles and scale of the points.
     pub(super) fn new(points: &'a [[S; 2]]) -> Result<Located<'a, S>, Error> {
-        Located::find(points, || points.iter().all(is_plain))
+        Located::find(points, || are_plain(points))
     }
 
     /// The same, on all threads of the current pool where nothing is stored.
@@ -33,7 +36,7 @@ impl<'a, S: Scalar> Located<'a, S> {
         S: Sync,
     {
         use rayon::prelude::*;
-        Located::find(points, || points.par_iter().all(is_plain))
+        Located::find(points, || points.par_chunks(64 * FEW).all(are_plain))
     }
 
     /// `are_plain` tells whether all points are.
@@ -75,9 +78,13 @@ impl<'a, S: Scalar> Located<'a, S> {
     }
 }
 
-/// Whether the doubles of a point need no factor; then they are finite, too.
-fn is_plain<S: Scalar>(point: &[S; 2]) -> bool {
-    is_in_range(approximate(point))
+/// Whether the doubles of these points need no factor; then they are finite, too.
+fn are_plain<S: Scalar>(points: &[[S; 2]]) -> bool {
+    // All of a few, without branches between them.
+    points.chunks(FEW).all(|few| {
+        let are_plain = few.iter().map(|point| is_in_range(approximate(point)));
+        are_plain.fold(true, |all, is_plain| all & is_plain)
+    })
 }
 
 fn approximate<S: Scalar>(point: &[S; 2]) -> [f64; 2] {

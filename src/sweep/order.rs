@@ -1,29 +1,32 @@
 //! The sweep order of section 3.3: by y, then x, exactly.
 //!
-//! The points are sorted by a coarse key of y, by counting. Then every run of equal keys is sorted by exact
-//! comparison, and equal points merge into the one with the lowest input index.
+//! The points are spread over *buckets* of y, of some hundred points each. In a bucket they are sorted by a
+//! finer key of y, by counting; a long run of one key by a key of its own, which is one of x where all y are
+//! equal. What still has one key is sorted by exact comparison. Then equal points merge into the one with the
+//! lowest input index.
 //!
-//! Why it is right: the key never decreases where y grows, so points of different keys are in order, and equal
-//! points have one key. In a sorted run they are neighbours, and the lowest index comes first.
+//! Why it is right: no key decreases where its coordinate grows, so points of different keys are in order, and
+//! equal points have one key. In a sorted run they are neighbours, and the lowest index comes first.
 //!
-//! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst, when all share
-//! one key. For a moment 16 bytes a point, and 24 more if all share one key.
+//! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst. A bucket fits in the
+//! cache, so all that follows the first pass is fast, and takes no more memory than a bucket.
 //!
 //! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
 
 use std::cmp::Ordering;
 
-use crate::bucket::bucket;
+use crate::bucket::{bucket, sampled};
 use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
 
-/// So few points are sorted fast by comparison too.
-const FEW: usize = 4096;
-/// So few points have one key.
-const ONE_KEY: usize = 20;
-/// How many of more points are looked at to find the middle half of them.
-const SAMPLE: usize = 256;
-/// What is outside the middle half by more than this many times its height is far outside.
+/// About so many points have one bucket, and there are no more buckets than this.
+const BUCKET: usize = 256;
+const BUCKETS: usize = 1024;
+/// So few points are sorted fast by comparison.
+const FEW: usize = 20;
+/// How many points are looked at to find the range of y.
+const SAMPLE: usize = 1024;
+/// What is outside the middle half of them by more than this many times its height is far outside.
 const REACH: f64 = 8.0;
 
 /// The distinct points in sweep order.
@@ -40,22 +43,22 @@ pub(super) struct Order {
 /// A point: its approximated coordinates and its input index.
 type Site = ([f64; 2], u32);
 
-/// A point with its coarse key.
-#[derive(Clone, Copy, Debug, Default)]
-struct Keyed {
-    key: u32,
-    input: u32,
-}
-
 /// Working memory of the sort.
 #[derive(Debug, Default)]
 pub(super) struct Workspace {
-    keyed: Vec<Keyed>,
-    sorted: Vec<Keyed>,
-    /// How often each digit occurs, and then where it begins.
-    places: [Vec<u32>; 2],
-    /// A run of equal keys.
+    /// Where the points of each bucket end.
+    ends: Vec<u32>,
+    /// A bucket, and a long run of one key in it.
+    bucket: Sorted,
+    run: Sorted,
+}
+
+/// Sites that are being sorted.
+#[derive(Debug, Default)]
+struct Sorted {
     sites: Vec<Site>,
+    /// Where the sites of each key end.
+    ends: Vec<u32>,
 }
 
 /// Sorts and merges the points with these input indices, which ascend; `approx` gives the approximated
@@ -68,37 +71,37 @@ pub(super) fn sort<S: Scalar>(
     mut order: Order,
     workspace: &mut Workspace,
 ) -> Order {
-    workspace.sort_by_key(inputs, &approx);
-    let Workspace { keyed, sites, .. } = workspace;
-
-    // Gather in a loop of its own: independent cache misses overlap.
-    order.approx.clear();
-    order.approx.reserve_exact(keyed.len() + 2);
-    let gathered = keyed.iter().map(|item| approx(item.input));
-    order.approx.extend(gathered);
-    order.input.clear();
-    order.input.extend(keyed.iter().map(|item| item.input));
+    spread(inputs, approx, &mut order, &mut workspace.ends);
     order.duplicates.clear();
+    let compare = |a: &Site, b: &Site| compare(points, scale, a, b);
+    let by_index = |a: &Site, b: &Site| compare(a, b).then_with(|| a.1.cmp(&b.1));
+    let Workspace { ends, bucket, run } = workspace;
 
-    // Runs of equal keys, sorted exactly. What is equal has one key. The others move up to what is kept.
     let (mut from, mut kept) = (0, 0);
-    for run in keyed.chunk_by(|a, b| a.key == b.key) {
-        let to = from + run.len();
-        if run.len() > 1 {
-            sites.clear();
-            sites.extend((from..to).map(|i| (order.approx[i], order.input[i])));
-            sites.sort_unstable_by(|a, b| compare(points, scale, a, b).then_with(|| a.1.cmp(&b.1)));
-            for equal in sites.chunk_by(|a, b| compare(points, scale, a, b).is_eq()) {
-                (order.approx[kept], order.input[kept]) = equal[0];
-                kept += 1;
-                let others = equal[1..].iter();
-                order
-                    .duplicates
-                    .extend(others.map(|site| (site.1, equal[0].1)));
+    for &end in &*ends {
+        let to = end as usize;
+        let sites = order.approx[from..to].iter().zip(&order.input[from..to]);
+        bucket.set(sites.map(|(&near, &input)| (near, input)), 1);
+        bucket.sort_runs(|sites| {
+            let [first, ..] = *sites else { return };
+            if sites.len() > FEW && scale.tells_equal() {
+                // All of a lattice's row have one y.
+                let axis = usize::from(sites.iter().any(|site| site.0[1] != first.0[1]));
+                run.set(sites.iter().copied(), axis);
+                run.sort_runs(|sites| sites.sort_unstable_by(by_index));
+                sites.copy_from_slice(&run.sites);
+            } else {
+                sites.sort_unstable_by(by_index);
             }
-        } else {
-            (order.approx[kept], order.input[kept]) = (order.approx[from], order.input[from]);
+        });
+        // What is equal has one key. The others move up to what is kept.
+        for equal in bucket.sites.chunk_by(|a, b| compare(a, b).is_eq()) {
+            (order.approx[kept], order.input[kept]) = equal[0];
             kept += 1;
+            let others = equal[1..].iter();
+            order
+                .duplicates
+                .extend(others.map(|site| (site.1, equal[0].1)));
         }
         from = to;
     }
@@ -117,88 +120,132 @@ fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Or
     axis(1).then_with(|| axis(0))
 }
 
-impl Workspace {
-    /// Puts the points into `keyed` by a coarse key that never decreases with y.
-    ///
-    /// There are four to sixteen keys for each point, so runs of equal keys are short where y is spread. The
-    /// keys are sorted in two counting passes, each by half of their bits. Few points have one key.
-    fn sort_by_key(
-        &mut self,
-        inputs: impl ExactSizeIterator<Item = u32> + Clone,
-        approx: impl Fn(u32) -> [f64; 2],
-    ) {
-        let points = inputs.len();
-        self.keyed.clear();
-        if points <= ONE_KEY {
-            self.keyed
-                .extend(inputs.map(|input| Keyed { key: 0, input }));
+/// Puts the points into `order` by buckets of y, whose ends are noted.
+fn spread(
+    inputs: impl ExactSizeIterator<Item = u32> + Clone,
+    approx: impl Fn(u32) -> [f64; 2],
+    order: &mut Order,
+    ends: &mut Vec<u32>,
+) {
+    let n = inputs.len();
+    let buckets = (n / BUCKET).clamp(1, BUCKETS);
+    if buckets == 1 {
+        ends.clear();
+        ends.push(narrow(n));
+        order.approx.clear();
+        order.approx.reserve_exact(n + 2);
+        order.approx.extend(inputs.clone().map(approx));
+        order.input.clear();
+        order.input.extend(inputs);
+        return;
+    }
+    let (low, high) = range(&inputs, |input| approx(input)[1]);
+    // Neither differences nor products nor the bucket decrease where y grows.
+    let factor = buckets as f64 / (high - low);
+    let bucket_of = |near: [f64; 2]| bucket((near[1] - low) * factor, buckets);
+    ends.clear();
+    ends.resize(buckets, 0);
+    for input in inputs.clone() {
+        ends[bucket_of(approx(input))] += 1;
+    }
+    begin(ends);
+    resize(&mut order.approx, n, 2);
+    resize(&mut order.input, n, 0);
+    for input in inputs {
+        let near = approx(input);
+        let place = &mut ends[bucket_of(near)];
+        (order.approx[*place as usize], order.input[*place as usize]) = (near, input);
+        *place += 1;
+    }
+}
+
+/// Makes an array so long, with room for some more. New memory is not touched: it is zero.
+fn resize<T: Clone + Default>(array: &mut Vec<T>, length: usize, more: usize) {
+    if array.capacity() < length + more {
+        *array = vec![T::default(); length + more];
+    }
+    array.resize(length, T::default());
+}
+
+/// Turns the number of items of each kind into where the first of them goes. When each has been put there and
+/// has moved that on by one, it is where they end.
+fn begin(counts: &mut [u32]) {
+    let mut sum = 0;
+    for count in counts {
+        sum += *count;
+        *count = sum - *count;
+    }
+}
+
+impl Sorted {
+    /// Takes these sites, sorted by a key of one coordinate: two to four keys for each site.
+    fn set(&mut self, sites: impl ExactSizeIterator<Item = Site> + Clone, axis: usize) {
+        let n = sites.len();
+        self.ends.clear();
+        if n <= FEW {
+            self.ends.push(narrow(n));
+            self.sites.clear();
+            self.sites.extend(sites);
             return;
         }
-        let half = (usize::BITS - points.leading_zeros()).div_ceil(2) + 1;
-        let keys = 1_usize << (2 * half);
-        let (low, high) = range(&inputs, |input| approx(input)[1]);
-        // Neither differences nor products nor the bucket decrease where y grows.
+        let keys = 2 * n.next_power_of_two();
+        let (low, high) = extremes(sites.clone().map(|site| site.0[axis]));
         let factor = keys as f64 / (high - low);
-        let key = |y: f64| narrow(bucket((y - low) * factor, keys));
-        // Keys, and how often each digit occurs: the lower and the upper half of their bits.
-        for counts in &mut self.places {
-            counts.clear();
-            counts.resize(1 << half, 0);
+        let key = |site: &Site| bucket((site.0[axis] - low) * factor, keys);
+        self.ends.resize(keys, 0);
+        for site in sites.clone() {
+            self.ends[key(&site)] += 1;
         }
-        let [lower, upper] = &mut self.places;
-        let digit = |key: u32, shift| (key >> shift) as usize & ((1 << half) - 1);
-        self.keyed.extend(inputs.map(|input| {
-            let key = key(approx(input)[1]);
-            lower[digit(key, 0)] += 1;
-            upper[digit(key, half)] += 1;
-            Keyed { key, input }
-        }));
+        begin(&mut self.ends);
+        self.sites.resize(n, ([0.0; 2], 0));
+        for site in sites {
+            let place = &mut self.ends[key(&site)];
+            self.sites[*place as usize] = site;
+            *place += 1;
+        }
+    }
 
-        // The lower half first; each pass keeps the order of equal digits.
-        self.sorted.clear();
-        self.sorted.resize(points, Keyed::default());
-        for (shift, places) in [(0, lower), (half, upper)] {
-            // Counts become the places where the digits begin.
-            let mut sum = 0;
-            for place in &mut *places {
-                sum += *place;
-                *place = sum - *place;
+    /// Sorts each run of one key.
+    fn sort_runs(&mut self, mut sort: impl FnMut(&mut [Site])) {
+        let mut from = 0;
+        for &end in &self.ends {
+            let run = &mut self.sites[from..end as usize];
+            if run.len() > 1 {
+                sort(run);
             }
-            for item in &self.keyed {
-                let place = &mut places[digit(item.key, shift)];
-                self.sorted[*place as usize] = *item;
-                *place += 1;
-            }
-            std::mem::swap(&mut self.keyed, &mut self.sorted);
+            from = end as usize;
         }
     }
 }
 
-/// The range over which keys are spread: that of all y, but for those far outside that of the middle half.
+/// The range over which buckets are spread: that of a sample, but for what is far outside its middle half.
 ///
-/// A few points far away, such as "no data" points, would leave all others with one key. What is beyond
-/// the range shares the first or last key.
+/// A few points far away, such as "no data" points, would leave all others with one bucket. What is beyond
+/// the range shares the first or last one.
 fn range(
     inputs: &(impl ExactSizeIterator<Item = u32> + Clone),
     y: impl Fn(u32) -> f64,
 ) -> (f64, f64) {
-    let points = inputs.len();
-    let (low, high) = inputs.clone().map(&y).fold(
-        (f64::INFINITY, f64::NEG_INFINITY),
-        |(low, high): (f64, f64), y| (y.min(low), y.max(high)),
-    );
-    if points < FEW {
-        return (low, high);
-    }
-    let mut sample: Vec<f64> = (0..SAMPLE)
-        .filter_map(|i| inputs.clone().nth(i * points / SAMPLE).map(&y))
+    let places = sampled(inputs.len(), SAMPLE);
+    let mut sample: Vec<f64> = places
+        .filter_map(|place| inputs.clone().nth(place).map(&y))
         .collect();
     sample.sort_unstable_by(f64::total_cmp);
-    let [first, last] = [1, 3].map(|quarter| sample[quarter * SAMPLE / 4]);
+    let [Some(&low), Some(&high)] = [sample.first(), sample.last()] else {
+        return (0.0, 0.0);
+    };
+    let [first, last] = [1, 3].map(|quarter| sample[quarter * sample.len() / 4]);
     let margin = REACH * (last - first);
     if margin > 0.0 {
         (low.max(first - margin), high.min(last + margin))
     } else {
         (low, high)
     }
+}
+
+/// The least and the largest of some numbers.
+fn extremes(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
+    numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+        (x.min(low), x.max(high))
+    })
 }

@@ -39,6 +39,7 @@ mod limits;
 mod location;
 mod meshes;
 mod meshes_refused;
+mod order;
 mod properties;
 mod random;
 mod runs;
