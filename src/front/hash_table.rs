@@ -4,7 +4,7 @@
 //! If that is empty or its node has left the front, the search looks into the intervals on either side. The
 //! node found is usually near: most nodes leave the front when one beside them joins it.
 //!
-//! Cost: O(1) expected for a search. There are 2 sqrt(n) intervals, about as many as the front has vertices
+//! Cost: O(1) expected for a search. There are sqrt(n) intervals, about as many as the front has vertices
 //! where the points are spread evenly. A dense cluster in a wide domain would crowd a few of many equal
 //! intervals. A sample of the points shows this beforehand; then the intervals end at quantiles of the
 //! sample, and finding one takes O(log n). Where walks are long nevertheless, they are told to the table.
@@ -76,7 +76,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
             self.intervals = Intervals::Places(Places::new(n));
             n
         } else {
-            let count = 2 * n.isqrt() + 1;
+            let count = n.isqrt() + 1;
             let [of_each, most] = SAMPLE;
             let mut sample: Vec<f64> = sampled(n, most.min(of_each * count))
                 .map(|v| domain.x(v))

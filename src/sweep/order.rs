@@ -13,7 +13,7 @@
 //!
 //! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
 
-use std::cmp::Ordering;
+use std::cmp::Ordering::{self, Equal};
 
 use crate::bucket::{bucket, sampled};
 use crate::ids::narrow;
@@ -86,7 +86,8 @@ pub(super) fn sort<S: Scalar>(
             let [first, ..] = *sites else { return };
             if sites.len() > FEW && scale.tells_equal() {
                 // All of a lattice's row have one y.
-                let axis = usize::from(sites.iter().any(|site| site.0[1] != first.0[1]));
+                let is_apart = |site: &Site| site.0[1].partial_cmp(&first.0[1]) != Some(Equal);
+                let axis = usize::from(sites.iter().any(is_apart));
                 run.set(sites.iter().copied(), axis);
                 run.sort_runs(|sites| sites.sort_unstable_by(by_index));
                 sites.copy_from_slice(&run.sites);

@@ -1,14 +1,16 @@
 //! Crates behind one signature, and the time and memory of their calls that triangulate.
 //!
-//! The triangles of the first five cover the hull, those of the others the polygon that the points bound in
+//! The triangles of the first six cover the hull, those of the others the polygon that the points bound in
 //! their order: one ring, or the outer one and then holes, each closed by an edge to its first point.
 
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::fmt::Debug;
 use std::fs;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
+use earcut::Earcut;
 use geo::triangulate_delaunay::{DelaunayTriangulationConfig, TriangulateDelaunay};
 use geo::{Coord, LineString, Polygon};
 use ghx_constrained_delaunay::constrained_triangulation::ConstrainedTriangulationConfiguration;
@@ -20,6 +22,7 @@ use i_triangle::i_overlay::i_float::int::point::IntPoint;
 use i_triangle::int::unchecked::IntUncheckedTriangulatable;
 use poly2tri_rs::{Point, SweeperBuilder};
 use spade::{ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, Triangulation as _};
+use sweep_cdt::{Repeater, Triangulator};
 use sweep_cdt_testing::Input;
 
 /// Triangles, or why there are none.
@@ -30,6 +33,20 @@ pub(crate) fn ours(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
     let result = stopwatch.time(|| sweep_cdt::triangulate(&input.points, &input.edges));
     let result = result.map_err(|error| error.to_string())?;
     Ok(result.triangles().collect())
+}
+
+/// This crate, in memory that is kept from one input to the next.
+pub(crate) fn ours_kept(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
+    REPEATER.with_borrow_mut(|repeater| {
+        let result = stopwatch.time(|| repeater.triangulate(&input.points, &input.edges));
+        let result = result.map_err(|error| error.to_string())?;
+        Ok(result.triangles().collect())
+    })
+}
+
+thread_local! {
+    static REPEATER: RefCell<Repeater<'static>> = RefCell::new(Triangulator::new().repeater());
+    static EARCUT: RefCell<Earcut<f64>> = RefCell::new(Earcut::new());
 }
 
 /// `spade`, by bulk loading.
@@ -198,7 +215,7 @@ pub(crate) fn earcut_refined(input: &Input, stopwatch: &mut Stopwatch) -> Answer
 
 fn ears(input: &Input, holes: &[u32]) -> Vec<u32> {
     let mut corners = Vec::new();
-    earcut::Earcut::new().earcut_slice(&input.points, holes, &mut corners);
+    EARCUT.with_borrow_mut(|earcut| earcut.earcut_slice(&input.points, holes, &mut corners));
     corners
 }
 

@@ -10,7 +10,7 @@ use sweep_cdt::verify::{Verifier, Violation};
 use sweep_cdt_testing::{Input, binary};
 
 use crate::data::{Aim, DataSet, Kind, Of};
-use crate::programs::{OURS, Program};
+use crate::programs::{OURS, OURS_KEPT, Program};
 
 /// How it is measured.
 pub(crate) struct Settings<'a> {
@@ -127,6 +127,11 @@ impl Row {
             .map(|(_, outcome)| outcome)
     }
 
+    /// What was measured of this crate: where there are many inputs, in memory that is kept.
+    pub(crate) fn ours(&self) -> Option<&Cell> {
+        self.cells.iter().rfind(|&cell| is_ours(cell))
+    }
+
     /// The programs with right answers.
     fn rights(&self) -> impl Iterator<Item = (&Cell, Outcome)> {
         let rights = self
@@ -139,7 +144,7 @@ impl Row {
     /// The fastest other program with a right answer; exact ones only if that is wanted.
     pub(crate) fn best(&self, is_exact: bool) -> Option<(&Cell, Outcome)> {
         self.rights()
-            .filter(|(cell, _)| cell.program != OURS && (cell.is_exact || !is_exact))
+            .filter(|(cell, _)| !is_ours(cell) && (cell.is_exact || !is_exact))
             .min_by(|(_, a), (_, b)| a.time[0].total_cmp(&b.time[0]))
     }
 
@@ -152,6 +157,11 @@ impl Row {
         };
         Some(aim.share * other.time[0])
     }
+}
+
+/// Whether a cell is one of this crate.
+fn is_ours(cell: &Cell) -> bool {
+    [OURS, OURS_KEPT].contains(&cell.program)
 }
 
 /// What an answer is, as the verifier judges it.

@@ -45,12 +45,15 @@ const POLYGONS: &[Kind] = &[Kind::Polygons];
 /// Only tests/programs asks for these.
 const UNTIMED: &[Kind] = &[];
 
-/// The name of the first program.
+/// The name of the first program: this crate.
 pub(crate) const OURS: &str = "sweep-cdt";
+/// The same in memory that is kept from one input to the next, where there are many.
+pub(crate) const OURS_KEPT: &str = "sweep-cdt kept";
 
 #[rustfmt::skip]
-const CRATES: [Crate; 14] = [
+const CRATES: [Crate; 15] = [
     Crate { name: OURS, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: crates::ours },
+    Crate { name: OURS_KEPT, package: "sweep-cdt", kinds: POLYGONS, is_inside: false, is_exact: true, call: crates::ours_kept },
     Crate { name: "spade", package: "spade", kinds: ALL, is_inside: false, is_exact: true, call: crates::spade },
     Crate { name: "delaunator", package: "delaunator", kinds: POINTS, is_inside: false, is_exact: false, call: crates::delaunator },
     Crate { name: "cdt", package: "cdt", kinds: POINTS, is_inside: false, is_exact: true, call: crates::cdt },

@@ -149,7 +149,7 @@ const COLUMNS: [&str; 10] = [
 /// A row of the main table: what is behind `best correct peer` is its nanoseconds a point, this crate's, the
 /// share that this is of the best and of spade, and of spade or the best the aim; this crate's bytes a point.
 fn columns(row: &Row) -> [String; COLUMNS.len()] {
-    let ours = row.right(OURS);
+    let ours = row.ours().and_then(|cell| row.right(cell.program));
     let best = row.best(false);
     let spade = row.right("spade");
     let share = |other: Option<Outcome>| match (ours, other) {
@@ -171,10 +171,7 @@ fn columns(row: &Row) -> [String; COLUMNS.len()] {
         row.size[1].to_string(),
         best.map_or("none", |(cell, _)| cell.program).to_owned(),
         best.map_or(String::new(), |(_, outcome)| time(outcome)),
-        row.cells
-            .iter()
-            .find(|cell| cell.program == OURS)
-            .map_or(String::new(), entry),
+        row.ours().map_or(String::new(), entry),
         share(best.map(|(_, outcome)| outcome)),
         share(spade),
         aim.unwrap_or_default(),
