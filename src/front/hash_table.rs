@@ -188,10 +188,11 @@ mod tests {
         });
     }
 
-    /// Four vertices at the left ends of the intervals 0, 1, 2 and 4 of five; each entry looked at is counted.
+    /// Sixteen vertices at the left ends of the intervals 0, 1, 2 and 4 of five, four of which join the front; each
+    /// entry looked at is counted.
     #[test]
     fn looks_are_counted() {
-        let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]];
+        let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]].repeat(4);
         let mut table = HashTable::counting();
         table.begin(Domain::new(&points));
         let mut front = Front::new(points.len());
@@ -226,7 +227,7 @@ mod tests {
         expected.updates += 1;
         // The word changed; the empty entry of the place, the word, and the entry found.
         expected.visited += 1 + 3;
-        expected.bytes = entries.max(4 * size_of::<Option<FrontNode>>() as u64 + 8);
+        expected.bytes = entries.max(16 * size_of::<Option<FrontNode>>() as u64 + 8);
         assert_eq!(table.work(), expected);
 
         table.begin(Domain::new(&points));
@@ -240,7 +241,7 @@ mod tests {
     /// Two clusters need quantiles, whose ends are compared by halves.
     #[test]
     fn comparisons_of_quantiles_are_counted() {
-        let cluster = |from: f64| (0..32).map(move |i| [from + f64::from(i) * 1e-9, 0.0]);
+        let cluster = |from: f64| (0..128).map(move |i| [from + f64::from(i) * 1e-9, 0.0]);
         let points: Vec<[f64; 2]> = cluster(0.0).chain(cluster(1.0)).collect();
         let mut table = HashTable::counting();
         table.begin(Domain::new(&points));
