@@ -103,10 +103,31 @@ fn data_of_no_triangulation_is_refused() {
         .collect();
     let [a, b, c] = torus[0];
     let torus_hull = [c, b, a];
+    // The closed torus of seven vertices beside a triangle.
+    let closed =
+        (0..7).flat_map(|v| [[v, v + 1, v + 3], [v, v + 3, v + 2]].map(|t| t.map(|i| i % 7)));
+    let beside: Vec<[usize; 3]> = closed.chain([[7, 8, 9]]).collect();
+    // An icosahedron whose two poles, which have no neighbour in common, are both vertex 0.
+    let ring = |first: usize, i: usize| first + i % 5;
+    let poles = (0..5).flat_map(|i| {
+        let [a, b] = [1, 6].map(|first| [i, i + 1].map(|i| ring(first, i)));
+        [
+            [0, a[0], a[1]],
+            [a[0], b[0], a[1]],
+            [b[0], b[1], a[1]],
+            [0, b[1], b[0]],
+        ]
+    });
+    let poles: Vec<[usize; 3]> = poles.collect();
     for (field, value, expected) in [
         (
             "triangles",
             json!([[0, 1, 1]]),
+            "a triangle has a corner twice",
+        ),
+        (
+            "triangles",
+            json!([[0, 1, 0]]),
             "a triangle has a corner twice",
         ),
         (
@@ -151,6 +172,11 @@ fn data_of_no_triangulation_is_refused() {
         ),
         (
             "duplicates",
+            json!([[5, 6]]),
+            "a duplicate is of none before it",
+        ),
+        (
+            "duplicates",
             json!([[6, 1], [5, 1]]),
             "the duplicates are not in order",
         ),
@@ -173,6 +199,8 @@ fn data_of_no_triangulation_is_refused() {
     for (triangles, hull) in [
         (pinched, json!([0, 1, 2])),
         (json!(torus[1..]), json!(torus_hull)),
+        (json!(beside), json!([7, 8, 9])),
+        (json!(poles), json!([])),
     ] {
         let data = json!({"triangles": triangles, "hull": hull, "duplicates": [], "edges": []});
         let refused = serde_json::from_value::<Triangulation>(data).expect_err("no disk");
