@@ -1,15 +1,16 @@
 //! The sweep order of section 3.3: by y, then x, exactly.
 //!
-//! The points are spread over *buckets* of y, of some hundred points each. In a bucket they are sorted by a
-//! finer key of y, by counting; a long run of one key by a key of its own, which is one of x where all y are
-//! equal. What still has one key is sorted by exact comparison. Then equal points merge into the one with the
-//! lowest input index.
+//! The points are spread over *buckets* of y, each of some hundred points, or some thousand where there are
+//! millions. A bucket is sorted by a finer key of y, by counting. A long run of one key is sorted again by
+//! counting, by a key of its own: of x where all y are equal. What still has one key is sorted by exact
+//! comparison. Then equal points merge into the one with the lowest input index.
 //!
 //! Why it is right: no key decreases where its coordinate grows, so points of different keys are in order, and
 //! equal points have one key. In a sorted run they are neighbours, and the lowest index comes first.
 //!
 //! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst. A bucket fits in the
-//! cache, so all that follows the first pass is fast, and takes no more memory than a bucket.
+//! cache, so that what follows is fast. For a moment it takes up to 40 bytes for each point of the largest
+//! bucket, and as much for each point of the longest run: 80 bytes a point if all have one y.
 //!
 //! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
 
@@ -83,13 +84,12 @@ pub(super) fn sort<S: Scalar>(
         let sites = order.approx[from..to].iter().zip(&order.input[from..to]);
         bucket.set(sites.map(|(&near, &input)| (near, input)), 1);
         bucket.sort_runs(|sites| {
-            let [first, ..] = *sites else { return };
             if sites.is_sorted_by(|a, b| by_index(a, b).is_lt()) {
                 return;
             }
             if sites.len() > FEW && scale.tells_equal() {
                 // All of a lattice's row have one y.
-                let is_apart = |site: &Site| site.0[1].partial_cmp(&first.0[1]) != Some(Equal);
+                let is_apart = |site: &Site| site.0[1].partial_cmp(&sites[0].0[1]) != Some(Equal);
                 let axis = usize::from(sites.iter().any(is_apart));
                 run.set(sites.iter().copied(), axis);
                 run.sort_runs(|sites| sites.sort_unstable_by(by_index));
