@@ -174,17 +174,17 @@ impl Mesh {
     #[inline(always)]
     pub(crate) fn flip(&mut self, side: Side) -> Side {
         let (t, i) = (side.triangle(), side.corner());
-        let upper = *self.get(t);
-        let across = upper.across(i);
+        let upper = self.get(t);
+        let (p, across, bp) = (upper.vertex(i), upper.across(i), upper.across(next(i)));
         let (u, j) = (across.triangle(), across.corner());
-        let lower = *self.get(u);
-        let (aq, bp) = (lower.across(next(j)), upper.across(next(i)));
+        let lower = self.get(u);
+        let (q, aq) = (lower.vertex(j), lower.across(next(j)));
         let record = &mut self.triangles[t.index()];
-        record.set_vertex(prev(i), lower.vertex(j));
+        record.set_vertex(prev(i), q);
         record.set_across(i, aq);
         record.set_across(next(i), Side::new(u, next(j)));
         let record = &mut self.triangles[u.index()];
-        record.set_vertex(prev(j), upper.vertex(i));
+        record.set_vertex(prev(j), p);
         record.set_across(j, bp);
         record.set_across(next(j), Side::new(t, next(i)));
         self.relink(aq, Side::new(t, i));
