@@ -5,7 +5,7 @@
 //! node found is usually near: most nodes leave the front when one beside them joins it.
 //!
 //! Cost: O(1) expected for a search. There are sqrt(n) intervals, about as many as the front has vertices
-//! where the points are spread evenly. A dense cluster in a wide domain would crowd a few of many equal
+//! where the points are spread evenly, and a single one for a few points. A dense cluster in a wide domain would crowd a few of many equal
 //! intervals. A sample of the points shows this beforehand; then the intervals end at quantiles of the
 //! sample, and finding one takes O(log n). Where walks are long nevertheless, they are told to the table.
 //! When they add up to more than a few steps a vertex, it asks for the places of all vertices from left to
@@ -32,6 +32,8 @@ pub struct HashTable<T = ()> {
     tally: T,
 }
 
+/// Fewer vertices have one interval, for their front is short.
+const FEW: usize = 24;
 /// How many intervals are searched on either side before the last node inserted is taken.
 const REACH: usize = 16;
 /// How many points a sample has for each interval, and at most.
@@ -76,14 +78,15 @@ impl<T: Tally> FrontSearch for HashTable<T> {
             self.intervals = Intervals::Places(Places::new(n));
             n
         } else {
-            let count = n.isqrt() + 1;
-            let [of_each, most] = SAMPLE;
-            let mut sample: Vec<f64> = sampled(n, most.min(of_each * count))
-                .map(|v| domain.x(v))
-                .collect();
-            sample.sort_unstable_by(f64::total_cmp);
-            // Only one of equal x is on the front.
-            sample.dedup();
+            let count = if n < FEW { 1 } else { n.isqrt() + 1 };
+            let mut sample: Vec<f64> = Vec::new();
+            if count > 1 {
+                let [of_each, most] = SAMPLE;
+                sample.extend(sampled(n, most.min(of_each * count)).map(|v| domain.x(v)));
+                sample.sort_unstable_by(f64::total_cmp);
+                // Only one of equal x is on the front.
+                sample.dedup();
+            }
             self.intervals = Intervals::new(&sample, count);
             self.tally = T::default();
             count
@@ -188,11 +191,11 @@ mod tests {
         });
     }
 
-    /// Sixteen vertices at the left ends of the intervals 0, 1, 2 and 4 of five, four of which join the front; each
-    /// entry looked at is counted.
+    /// Twenty-four vertices at the left ends of the intervals 0, 1, 2 and 4 of five, four of which join the front;
+    /// each entry looked at is counted.
     #[test]
     fn looks_are_counted() {
-        let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]].repeat(4);
+        let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]].repeat(6);
         let mut table = HashTable::counting();
         table.begin(Domain::new(&points));
         let mut front = Front::new(points.len());
@@ -227,7 +230,7 @@ mod tests {
         expected.updates += 1;
         // The word changed; the empty entry of the place, the word, and the entry found.
         expected.visited += 1 + 3;
-        expected.bytes = entries.max(16 * size_of::<Option<FrontNode>>() as u64 + 8);
+        expected.bytes = entries.max(24 * size_of::<Option<FrontNode>>() as u64 + 8);
         assert_eq!(table.work(), expected);
 
         table.begin(Domain::new(&points));

@@ -119,6 +119,7 @@ impl Mesh {
     }
 
     /// Marks a side of a triangle as a constrained edge, from both sides of it.
+    #[inline(always)]
     pub(crate) fn fix(&mut self, side: Side) {
         self.connect(side.fix(), self.across(side));
     }

@@ -13,7 +13,7 @@
 //! and with b = [`DIFFERENCES`] no difference is. The unit is at least 2^-172, since no coordinate is below
 //! 2^-120 in size but zero, so nothing underflows.
 //!
-//! Cost: a look at a few points; where they lie on such a lattice, one pass over all.
+//! Cost: a look at a few points; where they lie on such a lattice, one pass over all, or two.
 
 use std::cmp::Ordering;
 
@@ -28,7 +28,7 @@ const IN_CIRCLE: i64 = 12;
 /// generators of random numbers return, gain nothing.
 const DIFFERENCES: i64 = 48;
 /// How many points are looked at before all are.
-const SAMPLE: usize = 64;
+const SAMPLE: usize = 16;
 
 /// What is known of the lattice of some points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,27 +48,24 @@ impl Lattice {
 
     /// That of these points, whose coordinates are zero or from 2^-120 to 2^200 in size.
     pub(super) fn of(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Lattice {
-        let sample = (0..points).step_by(points.div_ceil(SAMPLE).max(1));
-        match Lattice::of_all(sample.map(&point)) {
-            lattice if lattice == Lattice::UNKNOWN || points <= SAMPLE => lattice,
-            _ => Lattice::of_all((0..points).map(point)),
+        let all = (0..points).map(&point);
+        let sample = all.clone().step_by(points.div_ceil(SAMPLE).max(1));
+        let (unit, ranges) = unit_and_ranges(sample);
+        let lattice = Lattice::new(unit, ranges);
+        if lattice == Lattice::UNKNOWN || points <= SAMPLE {
+            return lattice;
         }
+        // Nearly always the sample has the unit of all.
+        if let Some(ranges) = ranges_in_units(all.clone(), lattice.per_unit) {
+            return Lattice::new(unit, ranges);
+        }
+        let (unit, ranges) = unit_and_ranges(all);
+        Lattice::new(unit, ranges)
     }
 
-    fn of_all(points: impl Iterator<Item = [f64; 2]>) -> Lattice {
-        let mut unit = 200;
-        let mut ranges = [(f64::INFINITY, f64::NEG_INFINITY); 2];
-        for point in points {
-            for (x, (least, most)) in point.into_iter().zip(&mut ranges) {
-                (*least, *most) = (x.min(*least), x.max(*most));
-                if x != 0.0 {
-                    // The last bit of the mantissa that is set, or else the one before all of them.
-                    let zeros = (x.to_bits() | 1 << 52).trailing_zeros();
-                    unit = unit.min(exponent(x.abs()) - 52 + i64::from(zeros));
-                }
-            }
-        }
-        let longest = ranges.map(|(least, most)| most - least);
+    /// That with this unit, a power of two, and these ranges of x and y.
+    fn new(unit: i64, ranges: [Range; 2]) -> Lattice {
+        let longest = ranges.map(|[least, most]| most - least);
         let longest = longest.into_iter().fold(power(unit), f64::max);
         let bits = exponent(longest) - unit + i64::from(longest > power(exponent(longest)));
         if bits > DIFFERENCES {
@@ -93,6 +90,57 @@ impl Lattice {
     pub(super) fn in_circle(self, points: [[f64; 2]; 4]) -> Option<Ordering> {
         (self.bits <= DIFFERENCES).then(|| in_circle(points, self.per_unit))
     }
+}
+
+/// The least and the greatest coordinate.
+type Range = [f64; 2];
+
+/// Of no points.
+const NO_RANGES: [Range; 2] = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+
+/// A range with one more number in it.
+#[inline(always)]
+fn extended([least, most]: Range, x: f64) -> Range {
+    [
+        if x < least { x } else { least },
+        if x > most { x } else { most },
+    ]
+}
+
+/// The exponent of the largest unit of which all coordinates are multiples, and the ranges of x and y.
+fn unit_and_ranges(points: impl Iterator<Item = [f64; 2]>) -> (i64, [Range; 2]) {
+    let mut unit = 200;
+    let mut ranges = NO_RANGES;
+    for point in points {
+        for (x, range) in point.into_iter().zip(&mut ranges) {
+            *range = extended(*range, x);
+            if x != 0.0 {
+                // The last bit of the mantissa that is set, or else the one before all of them.
+                let zeros = (x.to_bits() | 1 << 52).trailing_zeros();
+                unit = unit.min(exponent(x.abs()) - 52 + i64::from(zeros));
+            }
+        }
+    }
+    (unit, ranges)
+}
+
+/// The ranges of x and y, if all coordinates are multiples of a unit and at most 2^51 of them. Without branches, so
+/// that it is fast.
+#[expect(clippy::float_cmp, reason = "integers are rounded to themselves")]
+fn ranges_in_units(points: impl Iterator<Item = [f64; 2]>, per_unit: f64) -> Option<[Range; 2]> {
+    // Adding and subtracting it rounds smaller numbers to integers.
+    let rounding = 1.5 * power(52);
+    let mut ranges = NO_RANGES;
+    let mut are_multiples = true;
+    for point in points {
+        let units = point.map(|x| x * per_unit);
+        let rounded = units.map(|x| (x + rounding) - rounding);
+        are_multiples &= (units[0] == rounded[0]) & (units[1] == rounded[1]);
+        ranges = [extended(ranges[0], point[0]), extended(ranges[1], point[1])];
+    }
+    // Larger ones are not rounded to integers.
+    let are_small = |range: Range| range.iter().all(|x| (x * per_unit).abs() < power(51));
+    (are_multiples && ranges.into_iter().all(are_small)).then_some(ranges)
 }
 
 /// The side of the circle through `a`, `b`, `c` on which `d` lies, from integers.
@@ -130,10 +178,27 @@ mod tests {
             let lattice = Lattice::of(points.len(), |i| points[i]);
             assert_eq!((lattice != Lattice::UNKNOWN).then_some(lattice.bits), bits);
         }
-        // Beyond the sample.
-        let mut points = vec![[0.0, 1.0]; 1000];
-        points[501] = [0.1, 0.0];
-        assert_eq!(Lattice::of(points.len(), |i| points[i]), Lattice::UNKNOWN);
+        // A point beyond the sample, which has the unit 1.
+        for (point, bits) in [
+            ([0.1, 0.0], None),
+            ([0.5, 0.0], Some(1)),
+            ([power(30), power(31)], Some(31)),
+            ([power(30) + 0.5, 0.0], Some(32)),
+            ([power(48), 0.0], Some(48)),
+            ([power(48) + 1.0, 0.0], None),
+            ([power(70), 0.0], None),
+        ] {
+            let mut points = vec![[0.0, 1.0]; 1000];
+            points[501] = point;
+            let lattice = Lattice::of(points.len(), |i| points[i]);
+            assert_eq!((lattice != Lattice::UNKNOWN).then_some(lattice.bits), bits);
+        }
+        // Far from zero, where half a unit is not rounded.
+        let far = -power(51);
+        let mut points: Vec<_> = (0..1000).map(|i| [far - f64::from(i), far]).collect();
+        points[501] = [far - 0.5, far];
+        let lattice = Lattice::of(points.len(), |i| points[i]);
+        assert_eq!((lattice.bits, lattice.per_unit), (11, 2.0));
     }
 
     /// Random points on lattices of each width, a third of them nearly on one circle, against big integers.

@@ -4,7 +4,9 @@
 //! the rest of the edge waits until the hull is complete ([`super::rests`]). Where the part runs above
 //! the front, the *pocket* between them is filled (figures 13 and 14). Then the part lies inside the
 //! triangulation. If it is a side already, that is marked as fixed. Otherwise the pierced triangles are
-//! replaced by two pseudo-polygons (figure 12). Overlapping edges share their parts.
+//! replaced by two pseudo-polygons (figure 12). Overlapping edges share their parts. Where the edges at the
+//! upper end are few and sides already, as most of maps and drawings are, they are found by the numbers of their
+//! ends.
 //!
 //! ```text
 //!    upper                               A pocket (figure 13): the front runs below the edge, here at
@@ -20,8 +22,8 @@
 //! when it is filled, the edge lies inside the triangulation. A new edge blocks views and opens none, so all
 //! sides that it does not pierce remain locally Delaunay.
 //!
-//! Cost: one turn around the upper end for all edges there, and one test for each node passed and each
-//! triangle pierced, or two where a pocket is filled.
+//! Cost: at most [`FEW`] turns around the upper end by numbers, and one by tests for all edges there. One test for
+//! each node passed and each triangle pierced, or two where a pocket is filled.
 //!
 //! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in
 //! one lower pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are
@@ -40,11 +42,86 @@ use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{EdgePosition, Event, Why};
 
+/// For so few edges a turn around the upper end for each takes no longer than the flips that made the triangles there.
+const FEW: usize = 4;
+
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
-        self.list_edges(upper);
-        self.insert_edges(upper, self.leftmost(upper))
+        let leftmost = self.leftmost(upper);
+        if !self.find_sides(upper, leftmost) {
+            self.list_edges(upper);
+            return self.insert_edges(upper, leftmost);
+        }
+        for k in 0..self.obstacles.present.len() {
+            let (lower, edge) = self.edges.at(upper)[k];
+            self.fix_edge(upper, lower, edge, self.obstacles.present[k]);
+        }
+        Ok(())
+    }
+
+    /// Whether the edges whose upper end is `upper` are sides already, and these are listed. `leftmost` is the side
+    /// opposite `upper` of the leftmost triangle there.
+    #[inline(always)]
+    fn find_sides(&mut self, upper: VertexId, leftmost: Side) -> bool {
+        self.obstacles.present.clear();
+        let edges = self.edges.at(upper);
+        if edges.len() > FEW {
+            return false;
+        }
+        for &(lower, _) in edges {
+            let Some(side) = self.spoke(leftmost, lower) else {
+                return false;
+            };
+            self.obstacles.present.push(side);
+        }
+        true
+    }
+
+    /// The side between `v` and the vertex opposite `leftmost`, which is on the front, if there is one.
+    #[inline(always)]
+    fn spoke(&self, leftmost: Side, v: VertexId) -> Option<Side> {
+        let mesh = &self.fabric.mesh;
+        let [_, a, mut b] = mesh.around(leftmost);
+        if a == v {
+            return Some(leftmost.prev());
+        }
+        let mut at = leftmost;
+        while b != v {
+            let across = mesh.across(at.next());
+            if across.is_open() {
+                return None;
+            }
+            at = across.next();
+            [_, _, b] = mesh.around(at);
+        }
+        Some(at.next())
+    }
+
+    /// Makes a side that is a whole edge a fixed one.
+    #[inline(always)]
+    fn fix_edge(&mut self, upper: VertexId, lower: VertexId, edge: u32, side: Side) {
+        self.fabric.report(|name| Event::Edge {
+            edge,
+            upper: name(upper),
+            lower: name(lower),
+        });
+        self.fabric.report(|name| Event::Part {
+            from: name(upper),
+            to: name(lower),
+            position: EdgePosition::Present,
+        });
+        self.fix_side([upper, lower], side);
+    }
+
+    /// Makes a side between these vertices a fixed one.
+    #[inline(always)]
+    fn fix_side(&mut self, ends: [VertexId; 2], side: Side) {
+        self.fabric.mesh.fix(side);
+        self.fabric.probe.count(|c| c.edges_present += 1);
+        self.fabric.report(|name| Event::Fixed {
+            side: ends.map(name),
+        });
     }
 
     /// Lists the edges whose upper end is `upper`, to be inserted.
@@ -150,11 +227,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Returns a side opposite its upper end.
     fn insert_part(&mut self, from: VertexId, part: Part) -> Side {
         if let Some(side) = part.present {
-            self.fabric.mesh.fix(side);
-            self.fabric.probe.count(|c| c.edges_present += 1);
-            self.fabric.report(|name| Event::Fixed {
-                side: [from, part.end].map(name),
-            });
+            self.fix_side([from, part.end], side);
             part.start
         } else {
             self.fabric.probe.count(|c| c.edges_inserted += 1);

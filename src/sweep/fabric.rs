@@ -8,6 +8,7 @@ use std::mem::take;
 
 use super::flip_limit::FlipLimit;
 use super::memory::Memory;
+use super::pseudo_polygons::Polygons;
 use super::signs::Signs;
 use super::stretch::Stretch;
 use crate::ids::{TriangleId, VertexId};
@@ -25,6 +26,8 @@ pub(super) struct Fabric<'a, S, P> {
     pub(super) flip_limit: FlipLimit,
     /// Working memory of the chains, kept from one to the next.
     pub(super) stretch: Stretch,
+    /// The same of pseudo-polygons.
+    pub(super) polygons: Polygons,
     pub(super) probe: P,
 }
 
@@ -43,6 +46,7 @@ impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
             suspects: take(&mut memory.suspects),
             flip_limit,
             stretch: take(&mut memory.stretch),
+            polygons: take(&mut memory.polygons),
             probe,
         }
     }

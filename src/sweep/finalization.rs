@@ -91,6 +91,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             memory.order.input = self.fabric.signs.vertices.input;
             memory.suspects = self.fabric.suspects;
             memory.stretch = self.fabric.stretch;
+            memory.polygons = self.fabric.polygons;
             memory.edges = self.edges;
             memory.front = Some(self.front);
             memory.list = self.list;
@@ -177,7 +178,8 @@ pub(super) fn name_by_input<S: Scalar>(
     artificial: &mut Vec<TriangleId>,
 ) {
     for (t, triangle) in (first..).zip(triangles) {
-        if triangle.vertices().iter().any(|&v| signs.is_artificial(v)) {
+        let [a, b, c] = triangle.vertices();
+        if signs.is_artificial(a.max(b).max(c)) {
             artificial.push(TriangleId::at(t));
             continue;
         }

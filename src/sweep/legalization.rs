@@ -99,6 +99,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// Swaps a side and makes the four sides around it suspects.
+    #[inline(always)]
     fn flip_and_suspect(&mut self, side: Side) {
         let across = self.flip(side);
         let around = [side, side.prev(), across, across.prev()];

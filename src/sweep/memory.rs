@@ -14,6 +14,7 @@ use super::edges::Edges;
 use super::incidence::Incidence;
 use super::obstacles::Obstacles;
 use super::order::{Order, Workspace};
+use super::pseudo_polygons::Polygons;
 use super::stretch::Stretch;
 use crate::front::Front;
 use crate::ids::{TriangleId, VertexId};
@@ -37,6 +38,7 @@ pub(crate) struct Memory {
     pub(super) front: Option<Front>,
     pub(super) suspects: Vec<Side>,
     pub(super) stretch: Stretch,
+    pub(super) polygons: Polygons,
     pub(super) list: Vec<(VertexId, u32)>,
     pub(super) obstacles: Obstacles,
     pub(super) chain: Vec<Corner>,

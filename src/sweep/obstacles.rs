@@ -30,6 +30,8 @@ pub(super) struct Obstacles {
     pub(super) right: Vec<Side>,
     /// For each pocket under the part the two nodes where it begins and ends, left one first.
     pub(super) pockets: Vec<[VertexId; 2]>,
+    /// The sides that edges with one upper end are already, so that nothing is in their way.
+    pub(super) present: Vec<Side>,
 }
 
 impl Obstacles {

@@ -25,8 +25,8 @@ const BUCKET: usize = 256;
 const BUCKETS: usize = 1024;
 /// So few points are sorted fast by comparison.
 const FEW: usize = 20;
-/// How many points are looked at to find the range of y.
-const SAMPLE: usize = 1024;
+/// Every so many points one is looked at to find the range of y, and at most so many.
+const SAMPLE: (usize, usize) = (16, 1024);
 /// What is outside the middle half of them by more than this many times its height is far outside.
 const REACH: f64 = 8.0;
 
@@ -54,12 +54,18 @@ pub(super) struct Workspace {
     run: Sorted,
 }
 
-/// Sites that are being sorted.
+/// Sites sorted by a key of one coordinate.
 #[derive(Debug, Default)]
 struct Sorted {
     sites: Vec<Site>,
+    axis: usize,
     /// Where the sites of each key end.
     ends: Vec<u32>,
+    /// A coordinate `x` has key `(x - low) * factor`.
+    low: f64,
+    factor: f64,
+    /// Working memory: the key of each site.
+    keys: Vec<u32>,
 }
 
 /// Sorts and merges the points with these input indices, which ascend; `approx` gives the approximated
@@ -99,13 +105,18 @@ pub(super) fn sort<S: Scalar>(
             }
         });
         // What is equal has one key. The others move up to what is kept.
-        for equal in bucket.sites.chunk_by(|a, b| compare(a, b).is_eq()) {
-            (order.approx[kept], order.input[kept]) = equal[0];
-            kept += 1;
-            let others = equal[1..].iter();
-            order
-                .duplicates
-                .extend(others.map(|site| (site.1, equal[0].1)));
+        let mut last: Option<Site> = None;
+        for &site in &bucket.sites {
+            match last {
+                Some(last) if compare(&last, &site).is_eq() => {
+                    order.duplicates.push((site.1, last.1));
+                }
+                _ => {
+                    (order.approx[kept], order.input[kept]) = site;
+                    kept += 1;
+                    last = Some(site);
+                }
+            }
         }
         from = to;
     }
@@ -185,8 +196,10 @@ impl Sorted {
     /// Takes these sites, sorted by a key of one coordinate: two to four keys for each site.
     fn set(&mut self, sites: impl ExactSizeIterator<Item = Site> + Clone, axis: usize) {
         let n = sites.len();
+        self.axis = axis;
         self.ends.clear();
         if n <= FEW {
+            (self.low, self.factor) = (0.0, 0.0);
             self.ends.push(narrow(n));
             self.sites.clear();
             self.sites.extend(sites);
@@ -194,32 +207,44 @@ impl Sorted {
         }
         let keys = 2 * n.next_power_of_two();
         let (low, high) = extremes(sites.clone().map(|site| site.0[axis]));
-        let factor = keys as f64 / (high - low);
-        let key = |site: &Site| bucket((site.0[axis] - low) * factor, keys);
+        (self.low, self.factor) = (low, keys as f64 / (high - low));
         self.ends.resize(keys, 0);
-        for site in sites.clone() {
-            self.ends[key(&site)] += 1;
+        let key = |site: Site| narrow(key(&site, axis, (self.low, self.factor), keys));
+        self.keys.clear();
+        self.keys.extend(sites.clone().map(key));
+        for &key in &self.keys {
+            self.ends[key as usize] += 1;
         }
         begin(&mut self.ends);
         self.sites.resize(n, ([0.0; 2], 0));
-        for site in sites {
-            let place = &mut self.ends[key(&site)];
+        for (site, &key) in sites.zip(&self.keys) {
+            let place = &mut self.ends[key as usize];
             self.sites[*place as usize] = site;
             *place += 1;
         }
     }
 
-    /// Sorts each run of one key.
+    /// Sorts each run of one key in which the coordinate does not ascend all the way.
     fn sort_runs(&mut self, mut sort: impl FnMut(&mut [Site])) {
-        let mut from = 0;
-        for &end in &self.ends {
-            let run = &mut self.sites[from..end as usize];
-            if run.len() > 1 {
-                sort(run);
+        let axis = self.axis;
+        let mut at = 1;
+        while let Some([a, b]) = self.sites.get(at - 1..=at) {
+            if a.0[axis] < b.0[axis] {
+                at += 1;
+                continue;
             }
-            from = end as usize;
+            let key = key(b, axis, (self.low, self.factor), self.ends.len());
+            let from = if key == 0 { 0 } else { self.ends[key - 1] };
+            let to = self.ends[key] as usize;
+            sort(&mut self.sites[from as usize..to]);
+            at = to + 1;
         }
     }
+}
+
+/// The key of a site by one coordinate.
+fn key(site: &Site, axis: usize, (low, factor): (f64, f64), keys: usize) -> usize {
+    bucket((site.0[axis] - low) * factor, keys)
 }
 
 /// The range over which buckets are spread: that of a sample, but for what is far outside its middle half.
@@ -230,7 +255,8 @@ fn range(
     inputs: &(impl ExactSizeIterator<Item = u32> + Clone),
     y: impl Fn(u32) -> f64,
 ) -> (f64, f64) {
-    let places = sampled(inputs.len(), SAMPLE);
+    let (of_each, most) = SAMPLE;
+    let places = sampled(inputs.len(), most.min(inputs.len() / of_each));
     let mut sample: Vec<f64> = places
         .filter_map(|place| inputs.clone().nth(place).map(&y))
         .collect();

@@ -22,6 +22,7 @@
 //! Differs from the paper: see [`super::chain`].
 
 use std::cmp::Ordering;
+use std::mem::take;
 
 use super::corner::Corner;
 use super::fabric::Fabric;
@@ -31,6 +32,14 @@ use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{Event, PseudoPolygon, Why};
+
+/// Both pseudo-polygons of an edge, kept as working memory from one to the next.
+#[derive(Debug, Default)]
+pub(super) struct Polygons {
+    right: Vec<Corner>,
+    left: Vec<Corner>,
+    seams: Seams,
+}
 
 /// The open sides on the border of both pseudo-polygons.
 #[derive(Debug, Default)]
@@ -53,10 +62,13 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         // The pierced triangles go, and leave two chains of open sides.
         self.remove_pierced(obstacles);
         let kept = self.mesh.count_open();
-        let mut seams = Seams::default();
-        let mut right = self.border(obstacles.right.iter(), to, &mut seams);
+        let mut polygons = take(&mut self.polygons);
+        let Polygons { right, left, seams } = &mut polygons;
+        seams.outer.clear();
+        seams.hanging.clear();
+        self.border(right, obstacles.right.iter(), to, seams);
         // The left chain runs the other way, so that its inside is to its left too.
-        let mut left = self.border(obstacles.left.iter().rev(), from, &mut seams);
+        self.border(left, obstacles.left.iter().rev(), from, seams);
         self.mesh.remove(&obstacles.pierced);
 
         // An edge that runs down to the left has the upper pseudo-polygon on its right.
@@ -64,12 +76,13 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             Ordering::Greater => (PseudoPolygon::Lower, PseudoPolygon::Upper),
             _ => (PseudoPolygon::Upper, PseudoPolygon::Lower),
         };
-        self.fill_polygon(&mut left, left_polygon);
-        self.fill_polygon(&mut right, right_polygon);
-        self.close_seams(&mut seams);
+        self.fill_polygon(left, left_polygon);
+        self.fill_polygon(right, right_polygon);
+        self.close_seams(seams);
 
         // The two triangles at the edge are joined across it.
         let [right, left] = [right, left].map(|chain| self.mesh.below(chain[0].open));
+        self.polygons = polygons;
         self.mesh.connect(right.fix(), left);
         self.report(|name| Event::Fixed {
             side: [from, to].map(name),
@@ -93,14 +106,15 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
     }
 
-    /// Replaces these sides of pierced triangles by a chain of open sides, which ends at `last`.
+    /// Replaces these sides of pierced triangles by `chain`, of open sides, which ends at `last`.
     fn border<'s>(
         &mut self,
+        chain: &mut Vec<Corner>,
         sides: impl Iterator<Item = &'s Side>,
         last: VertexId,
         seams: &mut Seams,
-    ) -> Vec<Corner> {
-        let mut chain = Vec::with_capacity(sides.size_hint().0 + 1);
+    ) {
+        chain.clear();
         for &side in sides {
             let [_, vertex, _] = self.mesh.around(side);
             let open = self.open_seam(side, seams);
@@ -110,7 +124,6 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             vertex: last,
             open: OpenId::new(0),
         });
-        chain
     }
 
     /// Fills a pseudo-polygon. Of its chain only the part of the edge is left.

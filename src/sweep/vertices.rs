@@ -7,7 +7,7 @@
 //!
 //! Differs from the paper: as the sort does.
 
-use super::located::Located;
+use super::located::{Located, near};
 use super::order::{self, Order, Workspace};
 use crate::ids::VertexId;
 use crate::scalar::{Scalar, Scale};
@@ -33,18 +33,30 @@ impl Vertices {
         order: Order,
         workspace: &mut Workspace,
     ) -> Vertices {
+        let (points, scale) = (located.points, located.scale);
+        // One of two, so that the sort need not ask for each point where its doubles are.
         let Order {
             approx,
             input,
             duplicates,
-        } = order::sort(
-            located.points,
-            inputs,
-            |input| located.near(input),
-            located.scale,
-            order,
-            workspace,
-        );
+        } = match located.stored() {
+            [] => order::sort(
+                points,
+                inputs,
+                |i| near(&points[i as usize]),
+                scale,
+                order,
+                workspace,
+            ),
+            stored => order::sort(
+                points,
+                inputs,
+                |i| stored[i as usize],
+                scale,
+                order,
+                workspace,
+            ),
+        };
         Vertices {
             approx,
             input,
