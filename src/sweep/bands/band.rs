@@ -12,7 +12,7 @@ use super::super::vertices::Vertices;
 use crate::chains::ChainNotes;
 use crate::error::Error;
 use crate::front::FrontSearch;
-use crate::ids::VertexId;
+use crate::ids::{VertexId, narrow};
 use crate::mesh::Mesh;
 use crate::scalar::Scalar;
 use crate::settings::Settings;
@@ -58,9 +58,10 @@ impl<S: Scalar> Shared<'_, S> {
         }: Band<F>,
         settings: Settings<'_>,
     ) -> Result<Swept, Error> {
-        let within = self.within(place.clone());
         let mut memory = Memory::default();
-        memory.edges.list(vertices.len(), within.iter().copied());
+        memory
+            .edges
+            .list(vertices.len(), self.within(place.clone()));
         let chains = ChainNotes::new(Arc::clone(&self.inputs));
         let mut sweep = begin(
             self.points,
@@ -87,14 +88,15 @@ impl<S: Scalar> Shared<'_, S> {
     }
 
     /// The edges within a band: input index, and both ends as the band numbers them.
-    fn within(&self, place: Range<usize>) -> Vec<(u32, [VertexId; 2])> {
-        let is_within = |&(_, [upper, lower]): &(u32, &[VertexId; 2])| {
-            place.start <= lower.index() && upper.index() < place.end
-        };
-        (0..)
-            .zip(&self.ends)
-            .filter(is_within)
-            .map(|(edge, ends)| (edge, ends.map(|v| VertexId::at(v.index() - place.start))))
-            .collect()
+    fn within(
+        &self,
+        place: Range<usize>,
+    ) -> impl DoubleEndedIterator<Item = (u32, [VertexId; 2])> + Clone {
+        let numbered = self.ends.iter().enumerate();
+        numbered.filter_map(move |(edge, &[upper, lower])| {
+            let is_within = place.start <= lower.index() && upper.index() < place.end;
+            let number = |v: VertexId| VertexId::at(v.index() - place.start);
+            is_within.then(|| (narrow(edge), [upper, lower].map(number)))
+        })
     }
 }

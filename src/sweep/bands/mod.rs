@@ -62,15 +62,14 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         return None;
     }
     let ends = strata.ends(points.len(), edges)?;
-    let across = strata.across(&ends);
+    let across = strata.across(&ends.numbers);
     if across.len() > MANY_ACROSS + points.len() / 8 {
         return None;
     }
-    let inputs = ends.par_iter().map(|&ends| strata.inputs(ends));
     let shared = Shared {
         points,
-        inputs: Arc::new(inputs.collect()),
-        ends,
+        ends: ends.numbers,
+        inputs: Arc::new(ends.inputs),
         outside: VertexId::at(first[last]),
     };
     let sorted: Vec<Band<F>> = strata

@@ -22,6 +22,14 @@ pub(super) struct Strata {
     pub(super) first: Vec<usize>,
 }
 
+/// The ends of each edge, upper end first.
+#[derive(Debug, Default)]
+pub(super) struct Ends {
+    /// Numbered in the whole.
+    pub(super) numbers: Vec<[VertexId; 2]>,
+    pub(super) inputs: Vec<[u32; 2]>,
+}
+
 impl Strata {
     /// Cuts the points into bands and sorts each. A band has two vertices or more, unless it is the only one.
     pub(super) fn new<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Strata {
@@ -51,21 +59,18 @@ impl Strata {
         self.first.partition_point(|&first| first <= v.index()) - 1
     }
 
-    /// The input indices that stand for the ends of an edge, which are numbered in the whole.
-    pub(super) fn inputs(&self, ends: [VertexId; 2]) -> [u32; 2] {
-        ends.map(|v| {
-            let band = self.band(v);
-            self.bands[band].input[v.index() - self.first[band]]
-        })
-    }
-
-    /// The ends of each edge, upper end first, numbered in the whole; `None` if one is no point.
-    pub(super) fn ends(&self, points: usize, edges: &[[usize; 2]]) -> Option<Vec<[VertexId; 2]>> {
+    /// The ends of each edge, upper end first: numbered in the whole, and the input indices that stand for them.
+    /// `None` if one is no point.
+    pub(super) fn ends(&self, points: usize, edges: &[[usize; 2]]) -> Option<Ends> {
+        let mut ends = Ends::default();
         if edges.is_empty() {
-            return Some(Vec::new());
+            return Some(ends);
+        }
+        if edges.par_iter().flatten_iter().any(|&end| end >= points) {
+            return None;
         }
         let ranks: Vec<AtomicU32> = (0..points).into_par_iter().map(|_| 0.into()).collect();
-        let rank = |input: usize| Some(ranks.get(input)?.load(Ordering::Relaxed));
+        let rank = |input: usize| ranks[input].load(Ordering::Relaxed);
         self.bands
             .par_iter()
             .zip(&self.first)
@@ -74,17 +79,29 @@ impl Strata {
                     ranks[input as usize].store(number, Ordering::Relaxed);
                 }
                 for &(duplicate, of) in &vertices.duplicates {
-                    let number = ranks[of as usize].load(Ordering::Relaxed);
-                    ranks[duplicate as usize].store(number, Ordering::Relaxed);
+                    ranks[duplicate as usize].store(rank(of as usize), Ordering::Relaxed);
                 }
             });
-        edges
-            .par_iter()
-            .map(|&[a, b]| {
-                let (a, b) = (rank(a)?, rank(b)?);
-                Some([a.max(b), a.min(b)].map(VertexId::new))
-            })
-            .collect()
+        let has_duplicates = self.bands.iter().any(|band| !band.duplicates.is_empty());
+        let both = |&[a, b]: &[usize; 2]| {
+            let (upper, lower) = if rank(a) < rank(b) { (b, a) } else { (a, b) };
+            let numbers = [upper, lower].map(|end| VertexId::new(rank(end)));
+            let inputs = if has_duplicates {
+                numbers.map(|v| self.input(v))
+            } else {
+                [upper, lower].map(narrow)
+            };
+            (numbers, inputs)
+        };
+        let edges = edges.par_iter().map(both);
+        edges.unzip_into_vecs(&mut ends.numbers, &mut ends.inputs);
+        Some(ends)
+    }
+
+    /// The input index that stands for a vertex, which is numbered in the whole.
+    fn input(&self, v: VertexId) -> u32 {
+        let band = self.band(v);
+        self.bands[band].input[v.index() - self.first[band]]
     }
 
     /// The edges from one band to another: input index and both ends.
