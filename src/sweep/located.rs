@@ -47,18 +47,18 @@ impl<'a, S: Scalar> Located<'a, S> {
         let is_finite = |p: &[S; 2]| p[0].is_finite() && p[1].is_finite();
         let mut stored: Vec<[f64; 2]> = Vec::new();
         let scale = if S::APPROX_IS_EXACT && are_plain() {
-            Scale::exact(points.len(), |i| near(&points[i]))
+            Scale::exact(points.len(), |i| doubles(&points[i]))
         } else if !S::APPROX_IS_EXACT
-            && let Some(doubles) = S::as_doubles(points)
-            && doubles.iter().all(|&point| is_in_range(point))
+            && let Some(found) = S::as_doubles(points)
+            && found.iter().all(|&point| is_in_range(point))
         {
-            stored = doubles;
+            stored = found;
             Scale::exact(points.len(), |i| stored[i])
         } else {
             if let Some(vertex) = points.iter().position(|p| !is_finite(p)) {
                 return Err(Error::NonFiniteCoordinate { vertex });
             }
-            stored.extend(points.iter().map(near));
+            stored.extend(points.iter().map(doubles));
             frame::fit(points, &mut stored)
         };
         Ok(Located {
@@ -68,7 +68,7 @@ impl<'a, S: Scalar> Located<'a, S> {
         })
     }
 
-    /// The doubles of all points, if they are not what [`near`] gives.
+    /// The doubles of all points, if they are not what [`doubles`] gives.
     pub(super) fn stored(&self) -> &[[f64; 2]] {
         &self.stored
     }
@@ -79,7 +79,7 @@ impl<'a, S: Scalar> Located<'a, S> {
     pub(super) fn near(&self, input: u32) -> [f64; 2] {
         match self.stored.get(input as usize) {
             Some(near) => *near,
-            None => near(&self.points[input as usize]),
+            None => doubles(&self.points[input as usize]),
         }
     }
 }
@@ -88,13 +88,13 @@ impl<'a, S: Scalar> Located<'a, S> {
 fn are_plain<S: Scalar>(points: &[[S; 2]]) -> bool {
     // All of a few, without branches between them.
     points.chunks(FEW).all(|few| {
-        let are_plain = few.iter().map(|point| is_in_range(near(point)));
+        let are_plain = few.iter().map(|point| is_in_range(doubles(point)));
         are_plain.fold(true, |all, is_plain| all & is_plain)
     })
 }
 
 /// The doubles of a point whose coordinates they are.
 #[inline(always)]
-pub(super) fn near<S: Scalar>(point: &[S; 2]) -> [f64; 2] {
+pub(super) fn doubles<S: Scalar>(point: &[S; 2]) -> [f64; 2] {
     [point[0].approx(), point[1].approx()]
 }

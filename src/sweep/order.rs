@@ -9,8 +9,8 @@
 //! equal points have one key. In a sorted run they are neighbours, and the lowest index comes first.
 //!
 //! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst. A bucket fits in the
-//! cache, so that what follows is fast. For a moment it takes up to 40 bytes for each point of the largest
-//! bucket, and as much for each point of the longest run: 80 bytes a point if all have one y.
+//! cache, so that what follows is fast. For a moment it takes up to 44 bytes for each point of the largest
+//! bucket, and as much for each point of the longest run: 88 bytes a point if all have one y.
 //!
 //! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
 
@@ -25,7 +25,7 @@ const BUCKET: usize = 256;
 const BUCKETS: usize = 1024;
 /// So few points are sorted fast by comparison.
 const FEW: usize = 20;
-/// Every so many points one is looked at to find the range of y, and at most so many.
+/// One of so many points is looked at to find the range of y, and at most so many are.
 const SAMPLE: (usize, usize) = (16, 1024);
 /// What is outside the middle half of them by more than this many times its height is far outside.
 const REACH: f64 = 8.0;

@@ -7,7 +7,7 @@
 //!
 //! Differs from the paper: as the sort does.
 
-use super::located::{Located, near};
+use super::located::{Located, doubles};
 use super::order::{self, Order, Workspace};
 use crate::ids::VertexId;
 use crate::scalar::{Scalar, Scale};
@@ -43,7 +43,7 @@ impl Vertices {
             [] => order::sort(
                 points,
                 inputs,
-                |i| near(&points[i as usize]),
+                |i| doubles(&points[i as usize]),
                 scale,
                 order,
                 workspace,

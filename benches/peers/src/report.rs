@@ -63,14 +63,15 @@ pub(crate) fn markdown(machine: &str, rows: &[Row]) -> String {
     text
 }
 
-/// A table of all programs.
+/// A table of all programs, without rows that have no entry.
 fn table<'a>(
     text: &mut String,
     title: &str,
     rows: impl Iterator<Item = &'a Row>,
     entry: impl Fn(&Cell) -> String,
 ) {
-    let rows: Vec<&Row> = rows.collect();
+    let has_entry = |row: &&Row| row.cells.iter().any(|cell| !entry(cell).is_empty());
+    let rows: Vec<&Row> = rows.filter(has_entry).collect();
     let programs = programs(rows.iter().copied());
     if rows.is_empty() {
         return;
