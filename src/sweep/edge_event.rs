@@ -42,7 +42,7 @@ use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{EdgePosition, Event, Why};
 
-/// For so few edges a turn around the upper end for each takes no longer than the flips that made the triangles there.
+/// So few edges are looked for one by one: that takes no longer than making the triangles around their upper end.
 const FEW: usize = 4;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
