@@ -8,7 +8,7 @@ use std::mem::take;
 
 use super::flip_limit::FlipLimit;
 use super::memory::Memory;
-use super::pseudo_polygons::Polygons;
+use super::polygons::Polygons;
 use super::signs::Signs;
 use super::stretch::Stretch;
 use crate::ids::{TriangleId, VertexId};

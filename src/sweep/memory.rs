@@ -14,7 +14,7 @@ use super::edges::Edges;
 use super::incidence::Incidence;
 use super::obstacles::Obstacles;
 use super::order::{Order, Workspace};
-use super::pseudo_polygons::Polygons;
+use super::polygons::Polygons;
 use super::stretch::Stretch;
 use crate::front::Front;
 use crate::ids::{TriangleId, VertexId};

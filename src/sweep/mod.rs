@@ -15,7 +15,7 @@
 //! | 3.4.1 (ii) | 10 | heuristic: basins | [`basins`] |
 //! | 3.4.2 | | edge event: pockets under the edge, parts of it, fixed sides | [`edge_event`] |
 //! | 3.4.2 (i), (ii) | 11, 13, 14 | triangle and front traversal | [`traversal`], [`obstacles`] |
-//! | 3.4.2 (ii), (iii) | 12 | removed triangles, pseudo-polygons | [`pseudo_polygons`] |
+//! | 3.4.2 (ii), (iii) | 12 | removed triangles, pseudo-polygons | [`pseudo_polygons`], [`polygons`] |
 //! | 3.4.2, 3.5 | 12, 13, 15a | filling a chain up to its hull | [`chain`], [`corner`], [`stretch`] |
 //! | 2 | 2, 3 | empty circle test and its ties, legalization | [`signs`], [`legalization`] |
 //! | 3.5 | 15 | finalization | [`finalization`] |
@@ -63,6 +63,7 @@ mod narrow_corners;
 mod obstacles;
 mod order;
 mod point_event;
+mod polygons;
 mod pseudo_polygons;
 mod rests;
 mod signs;

@@ -27,28 +27,12 @@ use std::mem::take;
 use super::corner::Corner;
 use super::fabric::Fabric;
 use super::obstacles::Obstacles;
+use super::polygons::{Polygons, Seams};
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{Event, PseudoPolygon, Why};
-
-/// Both pseudo-polygons of an edge, kept as working memory from one to the next.
-#[derive(Debug, Default)]
-pub(super) struct Polygons {
-    right: Vec<Corner>,
-    left: Vec<Corner>,
-    seams: Seams,
-}
-
-/// The open sides on the border of both pseudo-polygons.
-#[derive(Debug, Default)]
-struct Seams {
-    /// Each with what lies across it.
-    outer: Vec<(OpenId, Side)>,
-    /// Hanging edges: the pierced triangle's side, what lies across, and the open side in its place.
-    hanging: Vec<(Side, Side, OpenId)>,
-}
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Makes the part from `from` to `to` a fixed side; the traversal has just found its `obstacles`.

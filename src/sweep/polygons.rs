@@ -1,0 +1,23 @@
+//! The two pseudo-polygons of an edge (section 3.4.2, figure 12) while they are filled ([`super::pseudo_polygons`]):
+//! working memory, kept from one edge to the next.
+
+use super::corner::Corner;
+use crate::ids::OpenId;
+use crate::mesh::Side;
+
+/// Both pseudo-polygons of an edge.
+#[derive(Debug, Default)]
+pub(super) struct Polygons {
+    pub(super) right: Vec<Corner>,
+    pub(super) left: Vec<Corner>,
+    pub(super) seams: Seams,
+}
+
+/// The open sides on the border of both pseudo-polygons.
+#[derive(Debug, Default)]
+pub(super) struct Seams {
+    /// Each with what lies across it.
+    pub(super) outer: Vec<(OpenId, Side)>,
+    /// Hanging edges: the pierced triangle's side, what lies across, and the open side in its place.
+    pub(super) hanging: Vec<(Side, Side, OpenId)>,
+}
