@@ -2,6 +2,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod bucket;
+mod canonical;
 mod chains;
 pub mod crossings;
 pub mod domain;
@@ -27,7 +28,6 @@ mod serialized;
 mod settings;
 mod stats;
 mod sweep;
-#[cfg(feature = "parallel")]
 mod threads;
 pub mod trace;
 mod triangulation;

@@ -1,9 +1,67 @@
-//! Whether rayon has threads to work on (feature `parallel`).
+//! Work on all cores, with the feature `parallel`; on this one without it, or where the system gives no threads.
 
+#[cfg(feature = "parallel")]
 use std::error::Error;
+#[cfg(feature = "parallel")]
 use std::sync::OnceLock;
 
+/// The same work on many parts. The results are in the order of the parts.
+pub(crate) fn on_all_cores<P: Send, T: Send>(
+    parts: Vec<P>,
+    work: impl Fn(P) -> T + Sync + Send,
+) -> Vec<T> {
+    #[cfg(feature = "parallel")]
+    if parts.len() > 1 && has_threads() {
+        use rayon::prelude::*;
+        return parts.into_par_iter().map(work).collect();
+    }
+    parts.into_iter().map(work).collect()
+}
+
+/// The same work on many parts, a few at a time. `take` gets the results here, in the order of the parts, while the
+/// next ones are made. The first error ends it.
+#[cfg(feature = "formats")]
+pub(crate) fn in_turn<P: Send, T: Send, E>(
+    parts: impl IntoIterator<Item = P>,
+    work: impl Fn(P) -> T + Sync + Send,
+    mut take: impl FnMut(T) -> Result<(), E>,
+) -> Result<(), E> {
+    const AT_A_TIME: usize = 16;
+    let mut parts = parts.into_iter();
+    let mut made = Vec::new();
+    loop {
+        let next: Vec<P> = parts.by_ref().take(AT_A_TIME).collect();
+        let is_last = next.is_empty();
+        let taken = || made.into_iter().try_for_each(&mut take);
+        let (taken, next) = beside(taken, || on_all_cores(next, &work));
+        taken?;
+        if is_last {
+            return Ok(());
+        }
+        made = next;
+    }
+}
+
+/// Two pieces of work at a time, the first on this thread.
+#[cfg(feature = "formats")]
+pub(crate) fn beside<A, B: Send>(
+    here: impl FnOnce() -> A,
+    other: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    #[cfg(feature = "parallel")]
+    if has_threads() {
+        let mut made = None;
+        let done = rayon::in_place_scope(|scope| {
+            scope.spawn(|_| made = Some(other()));
+            here()
+        });
+        return (done, made.expect("the scope waits for it"));
+    }
+    (here(), other())
+}
+
 /// Whether there is a pool, or the global one can be made: rayon panics where it cannot start its threads.
+#[cfg(feature = "parallel")]
 pub(crate) fn has_threads() -> bool {
     static GLOBAL: OnceLock<bool> = OnceLock::new();
     let make = || {

@@ -4,6 +4,7 @@
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
+use crate::canonical::canonical;
 use crate::chains::Chains;
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, Side, Triangle};
@@ -64,7 +65,7 @@ impl Triangulation {
     /// The triangles in one order for all runs on the same input: each begins with its lowest vertex,
     /// and the list is sorted.
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
-        canonical(self.triangles())
+        canonical(self.len(), |t| self.triangle(t))
     }
 
     /// The triangle across side `side` (0, 1 or 2) of triangle `t`, or `None` on the hull.
@@ -207,40 +208,4 @@ impl Triangulation {
 
 fn corners(triangle: &Triangle) -> [usize; 3] {
     triangle.vertices().map(VertexId::index)
-}
-
-/// Triangles in the order of [`Triangulation::canonical_triangles`].
-pub(crate) fn canonical(triangles: impl Iterator<Item = [usize; 3]> + Clone) -> Vec<[usize; 3]> {
-    let lowest = |corners: [usize; 3]| lowest_first(corners)[0];
-    // How many triangles have each vertex as the lowest: where those of the next one begin.
-    let end = triangles.clone().map(lowest).max().map_or(0, |v| v + 1);
-    let mut places = vec![0; end + 1];
-    for corners in triangles.clone() {
-        places[lowest(corners) + 1] += 1;
-    }
-    for v in 0..end {
-        places[v + 1] += places[v];
-    }
-    // They are put there, which moves the places on to the ends, and then sorted.
-    let mut list = vec![[0; 3]; places[end]];
-    for corners in triangles.map(lowest_first) {
-        let place = &mut places[corners[0]];
-        list[*place] = corners;
-        *place += 1;
-    }
-    for same in list.chunk_by_mut(|a, b| a[0] == b[0]) {
-        same.sort_unstable();
-    }
-    list
-}
-
-/// The same triangle, its lowest vertex first.
-fn lowest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
-    if a < b && a < c {
-        [a, b, c]
-    } else if b < c {
-        [b, c, a]
-    } else {
-        [c, a, b]
-    }
 }

@@ -1,7 +1,7 @@
 //! A domain: what a rule says of every triangle, and the boundary of those inside.
 
 use crate::Triangulation;
-use crate::triangulation::canonical;
+use crate::canonical::canonical;
 
 /// Which triangles of a triangulation are inside, and how deep each lies.
 ///
@@ -103,7 +103,7 @@ impl<'a> Domain<'a> {
 
     /// The triangles inside in the order of [`Triangulation::canonical_triangles`].
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
-        canonical(self.inside().map(|t| self.result.triangle(t)))
+        canonical(self.inside.len(), |i| self.result.triangle(self.inside[i]))
     }
 
     /// The sides of triangles inside that are input edges or pieces of them, each once, as pairs of vertices.

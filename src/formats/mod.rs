@@ -43,13 +43,3 @@ pub use split::Splitting;
 pub use write::{
     CrossingsFormat, OutputFormat, write, write_crossings, write_domain, write_graph, write_node,
 };
-
-/// The same work on many parts, with the feature `parallel` on all cores. The results are in the order of the parts.
-fn on_all_cores<P: Send, T: Send>(parts: Vec<P>, work: impl Fn(P) -> T + Sync + Send) -> Vec<T> {
-    #[cfg(feature = "parallel")]
-    if parts.len() > 1 && crate::threads::has_threads() {
-        use rayon::prelude::*;
-        return parts.into_par_iter().map(work).collect();
-    }
-    parts.into_iter().map(work).collect()
-}

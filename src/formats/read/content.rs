@@ -9,7 +9,8 @@ use std::borrow::Cow;
 
 use crate::formats::read::binary::{Kind, Number};
 use crate::formats::read::source::{ReadError, Source, quoted};
-use crate::formats::{Column, Coordinate, CoordinateError, on_all_cores};
+use crate::formats::{Column, Coordinate, CoordinateError};
+use crate::threads::in_turn;
 
 /// The vertices of a file.
 pub(super) struct Vertices<'a> {
@@ -142,9 +143,10 @@ impl<'a> Vertices<'a> {
             pieces.iter().map(point).collect::<Result<Vec<_>, _>>()
         };
         let mut list = Vec::with_capacity(self.coordinates.len());
-        for points in on_all_cores(self.coordinates.chunks(CHUNK).collect(), points) {
+        in_turn(self.coordinates.chunks(CHUNK), points, |points| {
             list.append(&mut points.map_err(|(error, piece)| (error, self.error(piece, error)))?);
-        }
+            Ok(())
+        })?;
         Ok(list)
     }
 

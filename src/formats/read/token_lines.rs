@@ -4,8 +4,8 @@
 
 use std::ops::Range;
 
-use crate::formats::on_all_cores;
 use crate::formats::read::source::{ReadError, Source, quoted, split_line};
+use crate::threads::{beside, on_all_cores};
 
 /// The lines of a file that hold anything, one after the other.
 #[derive(Clone)]
@@ -213,7 +213,7 @@ impl Records {
             list.push(read(&mut line)?);
             // The first record has said where the numbers begin.
             if list.len() == 1 {
-                while self.read_block(lines, *first, &mut list, &read)? {}
+                self.read_chunks(lines, *first, &mut list, &read)?;
             }
         }
         Ok(list)
@@ -237,27 +237,16 @@ impl Records {
         }
     }
 
-    /// Reads the next chunks, as long as they hold nothing else; false if that was not all of them, or none.
-    fn read_block<'a, T: Send>(
+    /// Reads the chunks after the first record, as long as they hold nothing else. The records of some chunks are
+    /// read while those before them go to the list.
+    fn read_chunks<'a, T: Send>(
         &self,
         lines: &mut Lines<'a>,
         first: usize,
         list: &mut Vec<T>,
         read: &(impl Fn(&mut Line<'a>) -> Result<T, ReadError> + Sync + Send),
-    ) -> Result<bool, ReadError> {
+    ) -> Result<(), ReadError> {
         const CHUNKS: usize = 32;
-        let chunks = lines.chunks(CHUNKS);
-        let counts = on_all_cores(chunks.clone(), Lines::count);
-        let mut at = list.len();
-        let mut known = Vec::with_capacity(chunks.len());
-        for (chunk, (records, count)) in chunks.iter().zip(counts) {
-            if at + records > self.count {
-                break;
-            }
-            known.push((lines.skip(chunk, count), at..at + records));
-            at += records;
-        }
-        let is_all = !known.is_empty() && known.len() == chunks.len();
         let read_chunk = |(mut lines, places): (Lines<'a>, Range<usize>)| {
             let mut records = Vec::with_capacity(places.len());
             while let Some(mut line) = lines.next_line() {
@@ -266,9 +255,45 @@ impl Records {
             }
             Ok(records)
         };
-        for records in on_all_cores(known, read_chunk) {
-            list.append(&mut records?);
+        let (mut at, mut done) = (list.len(), Vec::new());
+        loop {
+            let chunks = || {
+                let chunks = lines.chunks(CHUNKS);
+                let known = self.known(lines, &chunks, &mut at);
+                let is_all = !known.is_empty() && known.len() == chunks.len();
+                (on_all_cores(known, read_chunk), is_all)
+            };
+            let mut append = |records: Result<Vec<T>, _>| {
+                list.append(&mut records?);
+                Ok(())
+            };
+            let (appended, (records, is_all)) =
+                beside(|| done.into_iter().try_for_each(&mut append), chunks);
+            appended?;
+            if !is_all {
+                return records.into_iter().try_for_each(append);
+            }
+            done = records;
         }
-        Ok(is_all)
+    }
+
+    /// Goes on behind those of the next chunks that hold nothing but records, and tells which records these are,
+    /// from `at` on.
+    fn known<'a>(
+        &self,
+        lines: &mut Lines<'a>,
+        chunks: &[Lines<'a>],
+        at: &mut usize,
+    ) -> Vec<(Lines<'a>, Range<usize>)> {
+        let counts = on_all_cores(chunks.to_vec(), Lines::count);
+        let mut known = Vec::with_capacity(chunks.len());
+        for (chunk, (records, count)) in chunks.iter().zip(counts) {
+            if *at + records > self.count {
+                break;
+            }
+            known.push((lines.skip(chunk, count), *at..*at + records));
+            *at += records;
+        }
+        known
     }
 }

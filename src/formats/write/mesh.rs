@@ -3,7 +3,7 @@
 
 use std::io::{self, Write};
 
-use super::rows::{number, write_rows};
+use super::rows::{number, numbers, write_rows};
 use crate::domain::Domain;
 use crate::formats::{Column, Coordinate, Graph};
 
@@ -204,10 +204,8 @@ fn write_elements<const N: usize>(
     write_rows(out, elements.len(), |at, text| {
         number(at + first, text);
         text.extend_from_slice(kind);
-        for corner in elements[at] {
-            text.push(b' ');
-            number(corner + 1, text);
-        }
+        text.push(b' ');
+        numbers(elements[at].map(|corner| corner + 1), text);
         text.push(b'\n');
     })
 }
@@ -221,12 +219,10 @@ pub(super) fn write_faces<const N: usize>(
 ) -> io::Result<()> {
     write_rows(out, faces.len(), |face, text| {
         text.extend_from_slice(before);
-        for (at, corner) in faces[face].iter().enumerate() {
-            if at > 0 || !before.is_empty() {
-                text.push(b' ');
-            }
-            number(corner + first, text);
+        if !before.is_empty() {
+            text.push(b' ');
         }
+        numbers(faces[face].map(|corner| corner + first), text);
         text.push(b'\n');
     })
 }

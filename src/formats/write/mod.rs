@@ -82,6 +82,8 @@ pub fn write<S: Coordinate>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
+        OutputFormat::Ele => rows::write_triangles(graph, &result.canonical_triangles(), &[], out),
+        OutputFormat::Node => write_node(graph, out),
         OutputFormat::Json => json::write(graph, result, out),
         OutputFormat::Svg => ResultPicture::new(graph, result).write(out),
         _ => write_domain(format, graph, &Domain::whole(result), out),

@@ -4,7 +4,8 @@
 use std::io::{self, Write};
 
 use crate::domain::Domain;
-use crate::formats::{Coordinate, Graph, Region, on_all_cores};
+use crate::formats::{Coordinate, Graph, Region};
+use crate::threads::in_turn;
 
 /// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions, with the
 /// attributes of these.
@@ -13,17 +14,24 @@ pub(super) fn write_ele<S>(
     domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let first = graph.first_vertex;
     let triangles = domain.canonical_triangles();
     let attributes = attributes(graph, domain, &triangles);
+    write_triangles(graph, &triangles, &attributes, out)
+}
+
+/// Writes a list of triangles, with attributes if there are any.
+pub(super) fn write_triangles<S>(
+    graph: &Graph<S>,
+    triangles: &[[usize; 3]],
+    attributes: &[f64],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let first = graph.first_vertex;
     let columns = u8::from(!attributes.is_empty());
     writeln!(out, "{} 3 {columns}", triangles.len())?;
     write_rows(out, triangles.len(), |t, text| {
-        number(t + first, text);
-        for corner in triangles[t] {
-            text.push(b' ');
-            number(corner + first, text);
-        }
+        let [a, b, c] = triangles[t];
+        numbers([t, a, b, c].map(|number| number + first), text);
         if let Some(attribute) = attributes.get(t) {
             text.push(b' ');
             attribute.write_text(text);
@@ -84,11 +92,8 @@ pub(super) fn write_poly<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) 
     write_node(graph, out)?;
     writeln!(out, "{} 0", graph.edges.len())?;
     write_rows(out, graph.edges.len(), |edge, text| {
-        number(edge + graph.first_edge, text);
-        for end in graph.edges[edge] {
-            text.push(b' ');
-            number(end + graph.first_vertex, text);
-        }
+        let [a, b] = graph.edges[edge].map(|end| end + graph.first_vertex);
+        numbers([edge + graph.first_edge, a, b], text);
         text.push(b'\n');
     })?;
     writeln!(out, "{}", graph.holes.len())?;
@@ -125,27 +130,37 @@ pub(super) fn places(domain: &Domain<'_>, canonical: &[[usize; 3]]) -> Vec<Optio
 }
 
 /// Writes as many rows, each as `row` appends it to a text. The texts of some chunks at a time are made on all
-/// cores and then written.
+/// cores, while those before them are written.
 pub(super) fn write_rows(
     out: &mut impl Write,
     count: usize,
     row: impl Fn(usize, &mut Vec<u8>) + Sync + Send,
 ) -> io::Result<()> {
     const ROWS: usize = 1 << 12;
-    const CHUNKS: usize = 64;
-    let starts: Vec<usize> = (0..count).step_by(ROWS).collect();
-    for starts in starts.chunks(CHUNKS) {
-        let texts = on_all_cores(starts.to_vec(), |start| {
-            let mut text = Vec::new();
-            (start..count.min(start + ROWS)).for_each(|at| row(at, &mut text));
-            text
-        });
-        texts.iter().try_for_each(|text| out.write_all(text))?;
+    let text = |start| {
+        let mut text = Vec::new();
+        (start..count.min(start + ROWS)).for_each(|at| row(at, &mut text));
+        text
+    };
+    in_turn((0..count).step_by(ROWS), text, |text| out.write_all(&text))
+}
+
+/// Appends numbers with spaces between them. All get their digits before the first is copied: digits that have
+/// just been written would be waited for.
+pub(super) fn numbers<const N: usize>(numbers: [usize; N], text: &mut Vec<u8>) {
+    let mut buffers = numbers.map(|number| (number, itoa::Buffer::new()));
+    let digits = buffers
+        .each_mut()
+        .map(|(number, buffer)| buffer.format(*number));
+    for (at, digits) in digits.into_iter().enumerate() {
+        if at > 0 {
+            text.push(b' ');
+        }
+        text.extend_from_slice(digits.as_bytes());
     }
-    Ok(())
 }
 
 /// Appends a number.
-pub(super) fn number(n: usize, text: &mut Vec<u8>) {
-    text.extend_from_slice(itoa::Buffer::new().format(n).as_bytes());
+pub(super) fn number(number: usize, text: &mut Vec<u8>) {
+    numbers([number], text);
 }

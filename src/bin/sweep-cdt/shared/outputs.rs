@@ -47,7 +47,11 @@ impl<'a> Outputs<'a> {
     }
 
     /// Puts all of them in their places.
-    pub(crate) fn finish(self) -> Result<(), Failure> {
+    pub(crate) fn finish(mut self) -> Result<(), Failure> {
+        for (name, file) in &mut self.files {
+            let synced = file.sync();
+            synced.map_err(|error| Failure::of_file(name, &error))?;
+        }
         for (destination, contents) in self.streams {
             let written = match destination.place {
                 Place::Standard => write(&mut io::stdout().lock(), contents),

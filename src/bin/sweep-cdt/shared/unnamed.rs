@@ -9,6 +9,7 @@
 use std::fs::{File, Metadata};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
+use std::thread::{self, JoinHandle};
 
 use tempfile::{Builder, TempPath};
 
@@ -20,6 +21,8 @@ pub(crate) struct Unnamed {
     file: File,
     path: PathBuf,
     replaced: Option<Metadata>,
+    /// What brings it to the disk.
+    syncing: Option<JoinHandle<io::Result<()>>>,
 }
 
 /// A complete file under a temporary name, which is removed when this is dropped.
@@ -35,10 +38,11 @@ impl Unnamed {
             file: unnamed_in(&folder(&path))?,
             path,
             replaced,
+            syncing: None,
         })
     }
 
-    /// Writes all of it, to the disk.
+    /// Writes all of it. Its way to the disk goes on beside what follows, until [`Unnamed::sync`].
     pub(crate) fn write(
         &mut self,
         contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>,
@@ -50,8 +54,19 @@ impl Unnamed {
         if let Some(replaced) = &self.replaced {
             pass_on(replaced, &self.file)?;
         }
-        // Some file systems notice only now that they are full.
-        self.file.sync_all()
+        let file = self.file.try_clone()?;
+        let syncing = thread::Builder::new().spawn(move || file.sync_all());
+        self.syncing = syncing.ok();
+        Ok(())
+    }
+
+    /// Waits until it is on the disk. Some file systems notice only now that they are full.
+    pub(crate) fn sync(&mut self) -> io::Result<()> {
+        match self.syncing.take().map(JoinHandle::join) {
+            Some(Ok(synced)) => synced,
+            // There was no thread for it.
+            _ => self.file.sync_all(),
+        }
     }
 
     /// The same file under a temporary name.

@@ -1,0 +1,121 @@
+//! Triangles in canonical order: each begins with its lowest vertex, and the list is sorted.
+//!
+//! The triangles of each chunk are put in order by *groups* of lowest vertices, and then those of each group, from
+//! all chunks, by the vertices. So all that is written at random lies in the cache. The few triangles of each
+//! vertex are sorted at last. Chunks and groups are shared out to all cores.
+//!
+//! Cost: O(n + v) for n triangles and the highest vertex v, and the sorts.
+
+use std::mem::take;
+
+use crate::bucket::sampled;
+use crate::ids::narrow;
+use crate::threads::on_all_cores;
+
+/// Triangles of a chunk.
+const CHUNK: usize = 1 << 16;
+/// Groups of more triangles than a chunk has: fewer would not fit in the cache, more would make the chunks jump.
+const GROUPS: usize = 256;
+/// How many triangles there are in the sample that tells how high vertices are.
+const SAMPLE: usize = 1 << 10;
+
+/// A triangle whose first vertex is the lowest.
+type Listed = [u32; 3];
+
+/// The triangles of a chunk by groups, and where each group begins, and the last one ends.
+struct Chunk {
+    list: Vec<Listed>,
+    begins: Vec<usize>,
+}
+
+/// So many triangles, which a function tells, in canonical order.
+pub(crate) fn canonical(
+    count: usize,
+    triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
+) -> Vec<[usize; 3]> {
+    let groups = if count <= CHUNK { 1 } else { GROUPS };
+    let listed = |t: usize| lowest_first(triangle(t).map(narrow));
+    let lowest = sampled(count, SAMPLE).map(|t| listed(t)[0]);
+    let wide = lowest.max().unwrap_or(0) as usize / groups;
+    // A group has two to the power of `bits` vertices; the last one has all that are higher, too.
+    let bits = usize::BITS - wide.leading_zeros();
+    let group = |listed: &Listed| (listed[0] as usize >> bits).min(groups - 1);
+
+    let chunks = (0..count).step_by(CHUNK);
+    let chunks = on_all_cores(chunks.collect(), |at| {
+        by_group((at..count.min(at + CHUNK)).map(listed), groups, group)
+    });
+    let mut list = vec![[0; 3]; count];
+    let mut rest = &mut list[..];
+    let part = |group| {
+        let sizes = chunks.iter().map(|chunk| chunk.of_group(group).len());
+        let (part, others) = take(&mut rest).split_at_mut(sizes.sum());
+        rest = others;
+        (group, part)
+    };
+    on_all_cores((0..groups).map(part).collect(), |(group, part)| {
+        let listed = chunks.iter().flat_map(|chunk| chunk.of_group(group));
+        by_vertex(listed, group << bits, part);
+    });
+    list
+}
+
+impl Chunk {
+    fn of_group(&self, group: usize) -> &[Listed] {
+        &self.list[self.begins[group]..self.begins[group + 1]]
+    }
+}
+
+fn by_group(
+    listed: impl Iterator<Item = Listed> + Clone,
+    groups: usize,
+    group: impl Fn(&Listed) -> usize,
+) -> Chunk {
+    let begins = begins(listed.clone().map(|listed| group(&listed)), groups);
+    let mut list = vec![[0; 3]; begins[groups]];
+    let mut places = begins.clone();
+    for listed in listed {
+        let place = &mut places[group(&listed)];
+        list[*place] = listed;
+        *place += 1;
+    }
+    Chunk { list, begins }
+}
+
+/// Puts the triangles of a group in their order; no vertex is below `first`.
+fn by_vertex<'a>(
+    listed: impl Iterator<Item = &'a Listed> + Clone,
+    first: usize,
+    part: &mut [[usize; 3]],
+) {
+    let vertex = |listed: &Listed| listed[0] as usize - first;
+    let vertices = listed.clone().map(vertex).max().map_or(0, |v| v + 1);
+    let mut places = begins(listed.clone().map(vertex), vertices);
+    for listed in listed {
+        let place = &mut places[vertex(listed)];
+        part[*place] = listed.map(|v| v as usize);
+        *place += 1;
+    }
+    for same in part.chunk_by_mut(|a, b| a[0] == b[0]) {
+        same.sort_unstable();
+    }
+}
+
+/// Where those of each kind begin if they are put in order, and where the last ones end.
+fn begins(kinds: impl Iterator<Item = usize>, count: usize) -> Vec<usize> {
+    let mut begins = vec![0; count + 1];
+    for kind in kinds {
+        begins[kind + 1] += 1;
+    }
+    for kind in 0..count {
+        begins[kind + 1] += begins[kind];
+    }
+    begins
+}
+
+/// The same triangle, its lowest vertex first. Without branches, which nobody could predict.
+fn lowest_first([a, b, c]: Listed) -> Listed {
+    let first = usize::from((b < a) & (b < c)) + 2 * usize::from((c < a) & (c < b));
+    let twice = [a, b, c, a, b];
+    [0, 1, 2].map(|i| twice[first + i])
+}
