@@ -119,3 +119,36 @@ fn lowest_first([a, b, c]: Listed) -> Listed {
     let twice = [a, b, c, a, b];
     [0, 1, 2].map(|i| twice[first + i])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{CHUNK, canonical};
+
+    /// Against the same triangles turned and sorted as a whole: none, a few, and several chunks, of vertices that
+    /// are spread evenly, few, or all low but for some that are in no sample.
+    #[test]
+    fn as_turned_and_sorted() {
+        for count in [0, 1, 2, 5, CHUNK - 1, CHUNK, CHUNK + 1, 3 * CHUNK + 17] {
+            for vertices in [3, 1000, 1 << 20] {
+                let vertex = |t: usize, corner: usize| {
+                    let spread = (t * 3 + corner).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 20;
+                    let far = if t % 50_000 == 49_999 { 1 << 22 } else { 0 };
+                    far + 3 * (spread % vertices) + corner
+                };
+                let triangle = |t: usize| [0, 1, 2].map(|i| vertex(t, (t + i) % 3));
+                let mut expected: Vec<[usize; 3]> = (0..count).map(triangle).collect();
+                for corners in &mut expected {
+                    while corners[0] != corners[0].min(corners[1]).min(corners[2]) {
+                        corners.rotate_left(1);
+                    }
+                }
+                expected.sort_unstable();
+                assert_eq!(
+                    canonical(count, triangle),
+                    expected,
+                    "{count} of {vertices}"
+                );
+            }
+        }
+    }
+}

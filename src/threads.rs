@@ -28,28 +28,28 @@ pub(crate) fn in_turn<P: Send, T: Send, E>(
 ) -> Result<(), E> {
     const AT_A_TIME: usize = 16;
     let mut parts = parts.into_iter();
-    let mut made = Vec::new();
+    let mut some = || parts.by_ref().take(AT_A_TIME).collect::<Vec<P>>();
+    let mut made = on_all_cores(some(), &work);
     loop {
-        let next: Vec<P> = parts.by_ref().take(AT_A_TIME).collect();
-        let is_last = next.is_empty();
+        let next = some();
         let taken = || made.into_iter().try_for_each(&mut take);
+        if next.is_empty() {
+            return taken();
+        }
         let (taken, next) = beside(taken, || on_all_cores(next, &work));
         taken?;
-        if is_last {
-            return Ok(());
-        }
         made = next;
     }
 }
 
-/// Two pieces of work at a time, the first on this thread.
+/// Two pieces of work at a time, the first on this thread; one after the other if the pool has one thread.
 #[cfg(feature = "formats")]
 pub(crate) fn beside<A, B: Send>(
     here: impl FnOnce() -> A,
     other: impl FnOnce() -> B + Send,
 ) -> (A, B) {
     #[cfg(feature = "parallel")]
-    if has_threads() {
+    if has_threads() && rayon::current_num_threads() > 1 {
         let mut made = None;
         let done = rayon::in_place_scope(|scope| {
             scope.spawn(|_| made = Some(other()));

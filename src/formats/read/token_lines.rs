@@ -13,6 +13,8 @@ pub(super) struct Lines<'a> {
     source: &'a Source,
     rest: &'a [u8],
     number: usize,
+    /// Known to have neither comments nor carriage returns, which need not be looked for then.
+    is_plain: bool,
 }
 
 impl<'a> Lines<'a> {
@@ -21,16 +23,27 @@ impl<'a> Lines<'a> {
             source,
             rest: source.text()?,
             number: 0,
+            is_plain: false,
         })
     }
 
     /// The next line, or `None` at the end of the file.
     pub(super) fn next_line(&mut self) -> Option<Line<'a>> {
         while !self.rest.is_empty() {
-            let (line, rest) = split_line(self.rest);
-            (self.rest, self.number) = (rest, self.number + 1);
-            let comment = memchr::memchr(b'#', line);
-            let text = line[..comment.unwrap_or(line.len())].trim_ascii();
+            let line = if self.is_plain {
+                let end = memchr::memchr(b'\n', self.rest);
+                let (line, rest) = self
+                    .rest
+                    .split_at(end.map_or(self.rest.len(), |end| end + 1));
+                self.rest = rest;
+                line
+            } else {
+                let (line, rest) = split_line(self.rest);
+                self.rest = rest;
+                &line[..memchr::memchr(b'#', line).unwrap_or(line.len())]
+            };
+            self.number += 1;
+            let text = line.trim_ascii();
             if !text.is_empty() {
                 return Some(Line {
                     source: self.source,
@@ -79,22 +92,29 @@ impl<'a> Lines<'a> {
     }
 
     /// How many lines hold anything, and how many there are.
-    pub(super) fn count(mut self) -> (usize, usize) {
-        let mut count = 0;
-        while self.next_line().is_some() {
-            count += 1;
+    fn count(&self) -> Count {
+        let mut lines = self.clone();
+        lines.is_plain = memchr::memchr2(b'#', b'\r', lines.rest).is_none();
+        let mut records = 0;
+        while lines.next_line().is_some() {
+            records += 1;
         }
-        (count, self.number)
+        Count {
+            records,
+            lines: lines.number,
+            is_plain: lines.is_plain,
+        }
     }
 
-    /// Goes on behind the next chunk, which has `count` lines, and returns it with their numbers.
-    fn skip(&mut self, chunk: &Lines<'a>, count: usize) -> Lines<'a> {
+    /// Goes on behind the next chunk, whose lines are counted, and returns it with their numbers.
+    fn skip(&mut self, chunk: &Lines<'a>, count: Count) -> Lines<'a> {
         let skipped = Lines {
             number: self.number,
+            is_plain: count.is_plain,
             ..*chunk
         };
         self.rest = &self.rest[chunk.rest.len()..];
-        self.number += count;
+        self.number += count.lines;
         skipped
     }
 
@@ -103,6 +123,15 @@ impl<'a> Lines<'a> {
         const SHORTEST: usize = "0 0 0\n".len();
         count.min(self.rest.len() / SHORTEST + 1)
     }
+}
+
+/// What the lines of a chunk are.
+#[derive(Clone, Copy)]
+struct Count {
+    /// How many hold anything.
+    records: usize,
+    lines: usize,
+    is_plain: bool,
 }
 
 /// One line, read from the left.
@@ -255,26 +284,25 @@ impl Records {
             }
             Ok(records)
         };
-        let (mut at, mut done) = (list.len(), Vec::new());
-        loop {
-            let chunks = || {
-                let chunks = lines.chunks(CHUNKS);
-                let known = self.known(lines, &chunks, &mut at);
-                let is_all = !known.is_empty() && known.len() == chunks.len();
-                (on_all_cores(known, read_chunk), is_all)
-            };
-            let mut append = |records: Result<Vec<T>, _>| {
-                list.append(&mut records?);
-                Ok(())
-            };
-            let (appended, (records, is_all)) =
-                beside(|| done.into_iter().try_for_each(&mut append), chunks);
+        let mut at = list.len();
+        let mut some = || {
+            let chunks = lines.chunks(CHUNKS);
+            let known = self.known(lines, &chunks, &mut at);
+            let goes_on = known.len() == chunks.len() && !lines.rest.is_empty();
+            (on_all_cores(known, read_chunk), goes_on)
+        };
+        let mut append = |records: Result<Vec<T>, _>| {
+            list.append(&mut records?);
+            Ok(())
+        };
+        let (mut done, mut goes_on) = some();
+        while goes_on {
+            let appended = || done.into_iter().try_for_each(&mut append);
+            let (appended, next) = beside(appended, &mut some);
             appended?;
-            if !is_all {
-                return records.into_iter().try_for_each(append);
-            }
-            done = records;
+            (done, goes_on) = next;
         }
+        done.into_iter().try_for_each(append)
     }
 
     /// Goes on behind those of the next chunks that hold nothing but records, and tells which records these are,
@@ -285,14 +313,15 @@ impl Records {
         chunks: &[Lines<'a>],
         at: &mut usize,
     ) -> Vec<(Lines<'a>, Range<usize>)> {
-        let counts = on_all_cores(chunks.to_vec(), Lines::count);
+        let counts = on_all_cores(chunks.iter().collect(), Lines::count);
         let mut known = Vec::with_capacity(chunks.len());
-        for (chunk, (records, count)) in chunks.iter().zip(counts) {
-            if *at + records > self.count {
+        for (chunk, count) in chunks.iter().zip(counts) {
+            let places = *at..*at + count.records;
+            if places.end > self.count {
                 break;
             }
-            known.push((lines.skip(chunk, count), *at..*at + records));
-            *at += records;
+            *at = places.end;
+            known.push((lines.skip(chunk, count), places));
         }
         known
     }
