@@ -13,8 +13,6 @@ pub(super) struct Lines<'a> {
     source: &'a Source,
     rest: &'a [u8],
     number: usize,
-    /// Known to have neither comments nor carriage returns, which need not be looked for then.
-    is_plain: bool,
 }
 
 impl<'a> Lines<'a> {
@@ -23,27 +21,16 @@ impl<'a> Lines<'a> {
             source,
             rest: source.text()?,
             number: 0,
-            is_plain: false,
         })
     }
 
     /// The next line, or `None` at the end of the file.
     pub(super) fn next_line(&mut self) -> Option<Line<'a>> {
         while !self.rest.is_empty() {
-            let line = if self.is_plain {
-                let end = memchr::memchr(b'\n', self.rest);
-                let (line, rest) = self
-                    .rest
-                    .split_at(end.map_or(self.rest.len(), |end| end + 1));
-                self.rest = rest;
-                line
-            } else {
-                let (line, rest) = split_line(self.rest);
-                self.rest = rest;
-                &line[..memchr::memchr(b'#', line).unwrap_or(line.len())]
-            };
-            self.number += 1;
-            let text = line.trim_ascii();
+            let (line, rest) = split_line(self.rest);
+            (self.rest, self.number) = (rest, self.number + 1);
+            let comment = memchr::memchr(b'#', line);
+            let text = line[..comment.unwrap_or(line.len())].trim_ascii();
             if !text.is_empty() {
                 return Some(Line {
                     source: self.source,
@@ -92,29 +79,22 @@ impl<'a> Lines<'a> {
     }
 
     /// How many lines hold anything, and how many there are.
-    fn count(&self) -> Count {
-        let mut lines = self.clone();
-        lines.is_plain = memchr::memchr2(b'#', b'\r', lines.rest).is_none();
+    fn count(mut self) -> (usize, usize) {
         let mut records = 0;
-        while lines.next_line().is_some() {
+        while self.next_line().is_some() {
             records += 1;
         }
-        Count {
-            records,
-            lines: lines.number,
-            is_plain: lines.is_plain,
-        }
+        (records, self.number)
     }
 
-    /// Goes on behind the next chunk, whose lines are counted, and returns it with their numbers.
-    fn skip(&mut self, chunk: &Lines<'a>, count: Count) -> Lines<'a> {
+    /// Goes on behind the next chunk, which has so many lines, and returns it with their numbers.
+    fn skip(&mut self, chunk: &Lines<'a>, lines: usize) -> Lines<'a> {
         let skipped = Lines {
             number: self.number,
-            is_plain: count.is_plain,
             ..*chunk
         };
         self.rest = &self.rest[chunk.rest.len()..];
-        self.number += count.lines;
+        self.number += lines;
         skipped
     }
 
@@ -123,15 +103,6 @@ impl<'a> Lines<'a> {
         const SHORTEST: usize = "0 0 0\n".len();
         count.min(self.rest.len() / SHORTEST + 1)
     }
-}
-
-/// What the lines of a chunk are.
-#[derive(Clone, Copy)]
-struct Count {
-    /// How many hold anything.
-    records: usize,
-    lines: usize,
-    is_plain: bool,
 }
 
 /// One line, read from the left.
@@ -313,10 +284,10 @@ impl Records {
         chunks: &[Lines<'a>],
         at: &mut usize,
     ) -> Vec<(Lines<'a>, Range<usize>)> {
-        let counts = on_all_cores(chunks.iter().collect(), Lines::count);
+        let counts = on_all_cores(chunks.to_vec(), Lines::count);
         let mut known = Vec::with_capacity(chunks.len());
-        for (chunk, count) in chunks.iter().zip(counts) {
-            let places = *at..*at + count.records;
+        for (chunk, (records, count)) in chunks.iter().zip(counts) {
+            let places = *at..*at + records;
             if places.end > self.count {
                 break;
             }
