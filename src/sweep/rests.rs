@@ -25,16 +25,14 @@ use super::edges::Rest;
 use super::state::Sweep;
 use crate::error::Error;
 use crate::front::FrontSearch;
+use crate::ids::VertexId;
+use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Inserts all rests; the hull is complete.
     pub(super) fn insert_rests(&mut self) -> Result<(), Error> {
-        if !self.rests.is_empty() && !self.incidence.is_made() {
-            let vertices = self.fabric.signs.vertices.len();
-            self.incidence.make(&self.fabric.mesh, vertices);
-        }
         while let Some(&Rest { from, .. }) = self.rests.peek() {
             self.list.clear();
             while let Some(rest) = self.rests.peek().copied()
@@ -44,8 +42,18 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 self.rests.pop();
             }
             self.list.reverse();
-            self.insert_edges(from, self.incidence.at(from))?;
+            let around = self.around(from);
+            self.insert_edges(from, around)?;
         }
         Ok(())
+    }
+
+    /// The side opposite a vertex in one of its triangles; the table of all is made if it is not there.
+    pub(super) fn around(&mut self, v: VertexId) -> Side {
+        if !self.incidence.is_made() {
+            let vertices = self.fabric.signs.vertices.len();
+            self.incidence.make(&self.fabric.mesh, vertices);
+        }
+        self.incidence.at(v)
     }
 }

@@ -11,7 +11,7 @@ use super::super::memory::Memory;
 use super::super::vertices::Vertices;
 use crate::chains::ChainNotes;
 use crate::error::Error;
-use crate::front::FrontSearch;
+use crate::front::{Front, FrontSearch};
 use crate::ids::{VertexId, narrow};
 use crate::mesh::Mesh;
 use crate::scalar::Scalar;
@@ -33,6 +33,8 @@ pub(super) struct Swept {
     pub(super) mesh: Mesh,
     pub(super) part: Part,
     pub(super) chains: ChainNotes,
+    /// The memory of the front, of the lowest band only.
+    pub(super) front: Option<Front>,
 }
 
 /// The input: what all bands share.
@@ -84,6 +86,7 @@ impl<S: Scalar> Shared<'_, S> {
             mesh: sweep.fabric.mesh,
             part,
             chains: sweep.chains,
+            front: (place.start == 0).then_some(sweep.front),
         })
     }
 

@@ -14,6 +14,7 @@ use super::super::flip_limit::FlipLimit;
 use super::super::memory::Memory;
 use super::super::signs::Signs;
 use super::super::state::Sweep;
+use super::across::Starts;
 use super::band::Swept;
 use crate::error::Error;
 use crate::front::FrontSearch;
@@ -26,14 +27,16 @@ use crate::settings::Settings;
 pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
     points: &'a [[S; 2]],
     bands: Vec<Swept>,
-    across: &[(u32, [VertexId; 2])],
+    across: Vec<(u32, [VertexId; 2])>,
     settings: Settings<'_>,
     search: F,
 ) -> Result<Option<Sweep<'a, S, F, ()>>, Error> {
     let mut bands = bands.into_iter();
     let mut whole = bands.next().expect("there are two bands");
     let mut parts = vec![whole.part];
+    let mut starts = Starts::default();
     for band in bands {
+        starts.add(whole.vertices.len(), whole.mesh.len());
         parts.push(band.part.moved(narrow(whole.mesh.len())));
         let before = narrow(whole.vertices.len());
         rayon::join(
@@ -46,9 +49,9 @@ pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
     whole.mesh.renew_open(n + 2);
     let mut memory = Memory {
         mesh: whole.mesh,
+        front: whole.front,
         ..Memory::default()
     };
-    memory.edges.list(n, across.iter().copied());
     let signs = Signs::new(points, whole.vertices);
     let mut fabric = Fabric::new(signs, true, (), &mut memory);
     let seam = if whole.chains.is_empty() {
@@ -73,7 +76,7 @@ pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
         &mut memory,
     );
     sweep.hand_over(part.first);
-    sweep.insert_all()?;
+    sweep.insert_across(across, &starts)?;
     sweep.insert_rests()?;
     Ok(Some(sweep))
 }

@@ -2,7 +2,7 @@
 //!
 //! The points are cut into bands by their heights ([`cut`], [`strata`]). Each band is swept by a thread of its own,
 //! with the edges that run within it ([`band`]). Then ghosts enclose it, neighbouring bands are merged
-//! as in divide and conquer, and the edges from band to band are inserted ([`join`]).
+//! as in divide and conquer, and the edges from band to band are inserted ([`join`], [`across`]).
 //!
 //! Why it is right: there is one triangulation of the points and edges (the canonical rule), and every step
 //! leads to that of what has been joined so far.
@@ -12,6 +12,7 @@
 //!
 //! Differs from the paper: it knows one thread.
 
+mod across;
 mod band;
 mod cut;
 mod join;
@@ -96,7 +97,7 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         .collect::<Result<_, _>>()
         .ok()?;
     drop(shared);
-    let sweep = join::join(points, swept, &across, settings, search.clone()).ok()??;
+    let sweep = join::join(points, swept, across, settings, search.clone()).ok()??;
     let mut memory = Memory::default();
     let (triangulation, ..) = sweep.finalize(&mut memory, |triangles, signs, artificial| {
         let name = |(i, chunk): (usize, &mut [_])| {
