@@ -2,12 +2,11 @@
 //!
 //! Each begins at its upper end, so a triangle must be found there. Most of these edges are short and begin near
 //! the bottom of a band. The triangles of a band were made in the order of its vertices, and a flip leaves them in
-//! their places. So those of its first vertices are among its first triangles, and only these are looked through.
-//! Where that finds none, or insertions have changed it, the table of all vertices is made
-//! ([`super::super::incidence`]).
+//! their places. So those of its first vertices are among its first triangles, and these are looked through. Where
+//! none is found there, or it has changed since, the table of all vertices is made ([`super::super::incidence`]).
 //!
-//! Cost: O(k) where the highest upper end is the k-th vertex of its band, or O(n) for n vertices if there is
-//! something it does not find; and the insertions.
+//! Cost: O(k) where the highest upper end is the k-th vertex of its band, or O(n) for n vertices where the table is
+//! made; and the insertions.
 
 use super::super::state::Sweep;
 use crate::error::Error;
