@@ -78,3 +78,30 @@ pub(crate) fn has_threads() -> bool {
     };
     rayon::current_thread_index().is_some() || *GLOBAL.get_or_init(make)
 }
+
+#[cfg(all(test, feature = "formats"))]
+mod tests {
+    use super::in_turn;
+
+    /// No result is lost, all come in order, and the first error ends it.
+    #[test]
+    fn results_are_taken_in_order() {
+        for count in [0, 1, 15, 16, 17, 100] {
+            let mut taken = Vec::new();
+            let take = |square| -> Result<(), ()> {
+                taken.push(square);
+                Ok(())
+            };
+            assert_eq!(in_turn(0..count, |part| part * part, take), Ok(()));
+            let expected: Vec<usize> = (0..count).map(|part| part * part).collect();
+            assert_eq!(taken, expected);
+        }
+        let mut taken = 0;
+        let take = |part| {
+            taken += 1;
+            if part < 40 { Ok(()) } else { Err(part) }
+        };
+        assert_eq!(in_turn(0..100, |part| part, take), Err(40));
+        assert_eq!(taken, 41);
+    }
+}

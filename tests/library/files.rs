@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use sweep_cdt::Error;
 use sweep_cdt::formats::{
     self, Coordinate, Graph, Input, InputFormat, Matched, ResultFormat, Source, Triangles,
-    read_result,
+    read_result, write_node,
 };
 use sweep_cdt_testing::Random;
 
@@ -195,5 +195,33 @@ fn long_files_are_read_like_short_ones() {
             _ => expected,
         };
         assert_eq!(error, missing);
+    }
+}
+
+/// Long enough for several blocks of rows and of chunks, which are worked on while those before them are taken.
+#[test]
+fn very_long_files_come_back() {
+    let point = |v: u32| [f64::from(v) / 3.0, f64::from(v) / 7.0];
+    let graph = Graph {
+        points: (0..150_000).map(point).collect(),
+        ..Graph::default()
+    };
+    let mut text = Vec::new();
+    write_node(&graph, &mut text).expect("memory takes it");
+    let text = String::from_utf8(text).expect("text");
+    assert!(text.len() > 5_000_000, "several blocks of chunks");
+    let read = |text: &str| formats::read(InputFormat::Node, &source(text), None);
+    match read(&text) {
+        Ok(Input::Doubles(back)) => assert_eq!(back.points, graph.points),
+        other => panic!("{other:?}"),
+    }
+
+    // Of faults in several blocks the first one is reported.
+    let mut text = text;
+    for v in [149_999, 130_000, 30_000] {
+        text = text.replacen(&format!("\n{v} "), "\n7 ", 1);
+        let error = read(&text).expect_err("a wrong number").to_string();
+        let expected = format!("file:{}: the number is 7, not {v}", v + 2);
+        assert_eq!(error, expected);
     }
 }
