@@ -218,11 +218,11 @@ impl Mesh {
     /// Adds the triangles of another mesh, none of which borders on an open side other than nothing. Its
     /// vertices are numbered higher by so much; its triangles follow those here. Runs on all threads.
     #[cfg(feature = "parallel")]
-    pub(crate) fn append(&mut self, other: Mesh, vertices: u32) {
+    pub(crate) fn append(&mut self, other: &Mesh, vertices: u32) {
         use rayon::prelude::*;
         debug_assert!(other.removed.is_empty(), "all places are in use");
         let before = narrow(self.len());
-        let others = other.triangles.into_par_iter();
+        let others = other.triangles.par_iter();
         self.triangles
             .par_extend(others.map(|record| record.moved(vertices, before)));
     }

@@ -81,7 +81,8 @@ pub(super) fn begin<'a, S: Scalar, F: FrontSearch, P: Probe>(
     let signs = Signs::new(points, vertices);
     let has_budget = settings.algorithm == Algorithm::Auto;
     let fabric = Fabric::new(signs, has_budget, probe, memory);
-    let mut sweep = Sweep::new(fabric, chains, settings.heuristics, search, memory);
+    let front = memory.take_front(n);
+    let mut sweep = Sweep::new(fabric, front, chains, settings.heuristics, search, memory);
     sweep.report_order(n);
     if n > 0 {
         sweep.first_triangle();

@@ -64,6 +64,17 @@ impl Memory {
         }
     }
 
+    /// The front of so many vertices before the first of them.
+    pub(super) fn take_front(&mut self, vertices: usize) -> Front {
+        match self.front.take() {
+            Some(mut front) => {
+                front.begin(vertices);
+                front
+            }
+            None => Front::new(vertices),
+        }
+    }
+
     /// Takes back a result that nobody needs any more.
     pub(crate) fn recycle(&mut self, result: Triangulation) {
         self.mesh.reuse(result.triangles);

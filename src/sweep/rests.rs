@@ -42,18 +42,20 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 self.rests.pop();
             }
             self.list.reverse();
-            let around = self.around(from);
+            let around = self.side_opposite(from);
             self.insert_edges(from, around)?;
         }
         Ok(())
     }
 
-    /// The side opposite a vertex in one of its triangles; the table of all is made if it is not there.
-    pub(super) fn around(&mut self, v: VertexId) -> Side {
-        if !self.incidence.is_made() {
-            let vertices = self.fabric.signs.vertices.len();
-            self.incidence.make(&self.fabric.mesh, vertices);
+    /// The side opposite `v` in one of its triangles. If the table does not know one, that of all vertices is made.
+    pub(super) fn side_opposite(&mut self, v: VertexId) -> Side {
+        if let Some(side) = self.incidence.at(v) {
+            return side;
         }
-        self.incidence.at(v)
+        let (mesh, vertices) = (&self.fabric.mesh, self.fabric.signs.vertices.len());
+        self.incidence.make(mesh, 0..vertices, 0..mesh.len());
+        let side = self.incidence.at(v);
+        side.expect("every vertex has triangles, if only artificial ones")
     }
 }

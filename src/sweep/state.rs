@@ -47,22 +47,15 @@ pub(super) struct Sweep<'a, S, F, P> {
 }
 
 impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
-    /// These triangles, the edges that `memory` lists, and no vertex on the front yet.
+    /// These triangles, this front without a vertex on it, and the edges that `memory` lists.
     pub(super) fn new(
         fabric: Fabric<'a, S, P>,
+        front: Front,
         chains: ChainNotes,
         heuristics: Heuristics,
         search: F,
         memory: &mut Memory,
     ) -> Self {
-        let vertices = fabric.signs.vertices.len();
-        let front = match memory.front.take() {
-            Some(mut front) => {
-                front.begin(vertices);
-                front
-            }
-            None => Front::new(vertices),
-        };
         let mut incidence = take(&mut memory.incidence);
         incidence.clear();
         Sweep {

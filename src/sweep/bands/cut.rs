@@ -15,8 +15,8 @@ use crate::scalar::Scalar;
 const SAMPLE: usize = 1 << 14;
 /// A prime from one point of the sample to the next, so that it finds no pattern in the order of the points.
 const STRIDE: usize = 1_000_000_007;
-/// Points that a thread puts into bands at a time.
-const CHUNK: usize = 1 << 15;
+/// Points, or edges, that a thread puts into bands at a time.
+pub(super) const CHUNK: usize = 1 << 15;
 
 /// The input indices of the points in each band, from the lowest band to the highest; some may be empty.
 pub(super) fn cut<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Vec<Vec<u32>> {
@@ -41,13 +41,14 @@ pub(super) fn cut<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> V
 }
 
 /// The heights between the bands.
-fn pivots<S: Scalar>(located: &Located<'_, S>, bands: usize) -> Vec<f64> {
+fn pivots<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Vec<f64> {
     let points = located.points.len();
     let place = |i: usize| narrow(i.wrapping_mul(STRIDE) % points);
     let mut sample: Vec<f64> = (0..SAMPLE.min(points))
+        .into_par_iter()
         .map(|i| located.near(place(i))[1])
         .collect();
-    sample.sort_unstable_by(f64::total_cmp);
+    sample.par_sort_unstable_by(f64::total_cmp);
     (1..bands)
         .filter_map(|band| sample.get(band * sample.len() / bands).copied())
         .collect()

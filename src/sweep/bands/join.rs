@@ -14,47 +14,57 @@ use super::super::flip_limit::FlipLimit;
 use super::super::memory::Memory;
 use super::super::signs::Signs;
 use super::super::state::Sweep;
-use super::across::Starts;
 use super::band::Swept;
-use crate::error::Error;
-use crate::front::FrontSearch;
-use crate::ids::{VertexId, narrow};
+use super::strata::Edge;
+use crate::front::{Front, FrontSearch};
+use crate::ids::narrow;
 use crate::scalar::Scalar;
 use crate::settings::Settings;
 
 /// Joins the bands, of which there are at least two, into the state of a sweep whose hull is complete. `None` if
-/// that takes too many flips.
+/// that takes too many flips, or where only one thread can say what is wrong.
 pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
     points: &'a [[S; 2]],
     bands: Vec<Swept>,
-    across: Vec<(u32, [VertexId; 2])>,
+    across: Vec<Edge>,
     settings: Settings<'_>,
     search: F,
-) -> Result<Option<Sweep<'a, S, F, ()>>, Error> {
+) -> Option<Sweep<'a, S, F, ()>> {
     let mut bands = bands.into_iter();
-    let mut whole = bands.next().expect("there are two bands");
-    let mut parts = vec![whole.part];
-    let mut starts = Starts::default();
+    let lowest = bands.next().expect("there are two bands");
+    let (mut mesh, mut vertices, mut chains) = (lowest.mesh, lowest.vertices, lowest.chains);
+    let (mut n, mut triangles) = (vertices.len(), mesh.len());
+    let mut parts = vec![lowest.part];
+    let (mut starts, mut meshes, mut others) = (Vec::new(), Vec::new(), Vec::new());
     for band in bands {
-        starts.add(whole.vertices.len(), whole.mesh.len());
-        parts.push(band.part.moved(narrow(whole.mesh.len())));
-        let before = narrow(whole.vertices.len());
-        rayon::join(
-            || whole.mesh.append(band.mesh, before),
-            || whole.vertices.append(band.vertices),
-        );
-        whole.chains.append(band.chains)?;
+        starts.push((n, triangles));
+        parts.push(band.part.moved(narrow(triangles)));
+        chains.append(band.chains).ok()?;
+        n += band.vertices.len();
+        triangles += band.mesh.len();
+        meshes.push(band.mesh);
+        others.push(band.vertices);
     }
-    let n = whole.vertices.len();
-    whole.mesh.renew_open(n + 2);
+    let (_, front) = rayon::join(
+        || {
+            mesh.renew_open(n + 2);
+            for (other, &(before, _)) in meshes.iter().zip(&starts) {
+                mesh.append(other, narrow(before));
+            }
+        },
+        || {
+            for other in others {
+                vertices.append(other);
+            }
+            Front::new(n)
+        },
+    );
     let mut memory = Memory {
-        mesh: whole.mesh,
-        front: whole.front,
+        mesh,
         ..Memory::default()
     };
-    let signs = Signs::new(points, whole.vertices);
-    let mut fabric = Fabric::new(signs, true, (), &mut memory);
-    let seam = if whole.chains.is_empty() {
+    let mut fabric = Fabric::new(Signs::new(points, vertices), true, (), &mut memory);
+    let seam = if chains.is_empty() {
         Seam::Carved
     } else {
         Seam::Zipped
@@ -65,18 +75,19 @@ pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
     }
     fabric.legalize();
     if fabric.flip_limit.is_spent() {
-        return Ok(None);
+        return None;
     }
     fabric.flip_limit = FlipLimit::new(n, false);
     let mut sweep = Sweep::new(
         fabric,
-        whole.chains,
+        front,
+        chains,
         settings.heuristics,
         search,
         &mut memory,
     );
     sweep.hand_over(part.first);
-    sweep.insert_across(across, &starts)?;
-    sweep.insert_rests()?;
-    Ok(Some(sweep))
+    sweep.insert_across(across, &starts).ok()?;
+    sweep.insert_rests().ok()?;
+    Some(sweep)
 }

@@ -51,6 +51,25 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
     search: &F,
     bands: usize,
 ) -> Option<Triangulation> {
+    let (algorithm, heuristics) = (settings.algorithm, settings.heuristics);
+    let settings = move || Settings {
+        algorithm,
+        heuristics,
+        progress: None,
+    };
+    let search = search.clone();
+    // On threads of the pool from here on. Otherwise this one would wake them for each step, and some systems start
+    // a thread that wakes on the core of the one that woke it.
+    rayon::scope(move |_| triangulate(points, edges, settings, search, bands))
+}
+
+fn triangulate<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    settings: impl Fn() -> Settings<'static> + Sync,
+    search: F,
+    bands: usize,
+) -> Option<Triangulation> {
     // The bands have a few triangles more, all together, than one sweep.
     if points.len() + bands > LIMIT || edges.len() > LIMIT {
         return None;
@@ -62,42 +81,33 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
     if last < 2 {
         return None;
     }
-    let ends = strata.ends(points.len(), edges)?;
-    let across = strata.across(&ends.numbers);
-    if across.len() > MANY_ACROSS + points.len() / 8 {
+    let edges = strata.sort_out(points.len(), edges)?;
+    if edges.across.len() > MANY_ACROSS + points.len() / 8 {
         return None;
     }
     let shared = Shared {
         points,
-        ends: ends.numbers,
-        inputs: Arc::new(ends.inputs),
+        inputs: Arc::new(edges.inputs),
         outside: VertexId::at(first[last]),
     };
-    let sorted: Vec<Band<F>> = strata
-        .bands
-        .into_iter()
-        .enumerate()
-        .map(|(band, vertices)| Band {
+    let parts = strata.bands.into_iter().zip(edges.within);
+    let sorted: Vec<Band<F>> = parts
+        .zip(first)
+        .map(|((vertices, edges), &first)| Band {
             vertices,
-            place: first[band]..first[band + 1],
+            edges,
+            first,
             search: search.clone(),
         })
         .collect();
-    let sweep = |band| {
-        let settings = Settings {
-            algorithm: settings.algorithm,
-            heuristics: settings.heuristics,
-            progress: None,
-        };
-        shared.sweep(band, settings)
-    };
+    let sweep = |band| shared.sweep(band, settings());
     let swept: Vec<Swept> = sorted
         .into_par_iter()
         .map(sweep)
         .collect::<Result<_, _>>()
         .ok()?;
     drop(shared);
-    let sweep = join::join(points, swept, across, settings, search.clone()).ok()??;
+    let sweep = join::join(points, swept, edges.across, settings(), search)?;
     let mut memory = Memory::default();
     let (triangulation, ..) = sweep.finalize(&mut memory, |triangles, signs, artificial| {
         let name = |(i, chunk): (usize, &mut [_])| {

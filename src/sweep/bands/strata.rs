@@ -1,8 +1,9 @@
 //! The sorted vertices of all bands, before they are swept: their numbers in the whole, and which edges run
-//! within one band.
+//! within each band.
 //!
 //! Cost: O(n) for n points and edges, divided among the threads.
 
+use std::cmp::Reverse;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
@@ -10,7 +11,7 @@ use rayon::prelude::*;
 use super::super::located::Located;
 use super::super::order::{Order, Workspace};
 use super::super::vertices::Vertices;
-use super::cut::cut;
+use super::cut::{CHUNK, cut};
 use crate::ids::{VertexId, narrow};
 use crate::scalar::Scalar;
 
@@ -22,12 +23,18 @@ pub(super) struct Strata {
     pub(super) first: Vec<usize>,
 }
 
-/// The ends of each edge, upper end first.
-#[derive(Debug, Default)]
-pub(super) struct Ends {
-    /// Numbered in the whole.
-    pub(super) numbers: Vec<[VertexId; 2]>,
+/// An edge: its number in the input, and both ends, upper one first.
+pub(super) type Edge = (u32, [VertexId; 2]);
+
+/// The edges, by where they run.
+#[derive(Debug)]
+pub(super) struct Sorted {
+    /// The input indices that stand for the ends of each edge, upper end first.
     pub(super) inputs: Vec<[u32; 2]>,
+    /// For each band lists of the edges within it, their ends numbered in the band.
+    pub(super) within: Vec<Vec<Vec<Edge>>>,
+    /// The edges from band to band, their ends numbered in the whole.
+    pub(super) across: Vec<Edge>,
 }
 
 impl Strata {
@@ -54,62 +61,90 @@ impl Strata {
         Strata { bands, first }
     }
 
-    /// The band of a vertex, which is numbered in the whole.
-    fn band(&self, v: VertexId) -> usize {
-        self.first.partition_point(|&first| first <= v.index()) - 1
-    }
-
-    /// The ends of each edge, upper end first: numbered in the whole, and the input indices that stand for them.
-    /// `None` if one is no point.
-    pub(super) fn ends(&self, points: usize, edges: &[[usize; 2]]) -> Option<Ends> {
-        let mut ends = Ends::default();
+    /// Sorts out the edges. `None` if an end is no point.
+    pub(super) fn sort_out(&self, points: usize, edges: &[[usize; 2]]) -> Option<Sorted> {
+        let mut sorted = Sorted {
+            inputs: vec![[0; 2]; edges.len()],
+            within: vec![Vec::new(); self.bands.len()],
+            across: Vec::new(),
+        };
         if edges.is_empty() {
-            return Some(ends);
+            return Some(sorted);
         }
         if edges.par_iter().flatten_iter().any(|&end| end >= points) {
             return None;
         }
-        let ranks: Vec<AtomicU32> = (0..points).into_par_iter().map(|_| 0.into()).collect();
-        let rank = |input: usize| ranks[input].load(Ordering::Relaxed);
-        self.bands
-            .par_iter()
-            .zip(&self.first)
-            .for_each(|(vertices, first)| {
-                for (number, &input) in (narrow(*first)..).zip(&vertices.input) {
-                    ranks[input as usize].store(number, Ordering::Relaxed);
-                }
-                for &(duplicate, of) in &vertices.duplicates {
-                    ranks[duplicate as usize].store(rank(of as usize), Ordering::Relaxed);
-                }
-            });
+        let ranks = self.ranks(points);
+        let inputs = sorted.inputs.par_chunks_mut(CHUNK);
+        let chunks = edges.par_chunks(CHUNK).zip(inputs).enumerate();
+        let lists = chunks.map(|(chunk, (edges, inputs))| {
+            let edges = (narrow(chunk * CHUNK)..).zip(edges);
+            self.lists(&ranks, edges, inputs)
+        });
+        for (within, across) in lists.collect::<Vec<_>>() {
+            for (lists, list) in sorted.within.iter_mut().zip(within) {
+                lists.push(list);
+            }
+            sorted.across.extend(across);
+        }
+        Some(sorted)
+    }
+
+    /// Sorts out a chunk of edges: lists those within each band, and those from band to band. Sets `inputs` to the
+    /// input indices of their ends.
+    fn lists<'a>(
+        &self,
+        ranks: &[AtomicU32],
+        edges: impl Iterator<Item = (u32, &'a [usize; 2])>,
+        inputs: &mut [[u32; 2]],
+    ) -> (Vec<Vec<Edge>>, Vec<Edge>) {
         let has_duplicates = self.bands.iter().any(|band| !band.duplicates.is_empty());
-        let both = |&[a, b]: &[usize; 2]| {
-            let (upper, lower) = if rank(a) < rank(b) { (b, a) } else { (a, b) };
-            let numbers = [upper, lower].map(|end| VertexId::new(rank(end)));
-            let inputs = if has_duplicates {
-                numbers.map(|v| self.input(v))
+        let (mut within, mut across) = (vec![Vec::new(); self.bands.len()], Vec::new());
+        for ((edge, &ends), inputs) in edges.zip(inputs) {
+            let mut ends = ends.map(|input| (ranks[input].load(Ordering::Relaxed), input));
+            ends.sort_unstable_by_key(|&(rank, _)| Reverse(rank));
+            let [upper, lower] = ends.map(|(rank, _)| VertexId::new(rank));
+            *inputs = if has_duplicates {
+                [upper, lower].map(|v| self.input(v))
             } else {
-                [upper, lower].map(narrow)
+                ends.map(|(_, input)| narrow(input))
             };
-            (numbers, inputs)
-        };
-        let edges = edges.par_iter().map(both);
-        edges.unzip_into_vecs(&mut ends.numbers, &mut ends.inputs);
-        Some(ends)
+            let band = self.band(upper);
+            let first = self.first[band];
+            if lower.index() < first {
+                across.push((edge, [upper, lower]));
+            } else {
+                let number = |v: VertexId| VertexId::at(v.index() - first);
+                within[band].push((edge, [upper, lower].map(number)));
+            }
+        }
+        (within, across)
+    }
+
+    /// For each of so many points the number of its vertex in the whole.
+    fn ranks(&self, points: usize) -> Vec<AtomicU32> {
+        let ranks: Vec<AtomicU32> = (0..points).into_par_iter().map(|_| 0.into()).collect();
+        let rank = |input: u32| &ranks[input as usize];
+        let bands = self.bands.par_iter().zip(&self.first);
+        bands.for_each(|(vertices, &first)| {
+            for (number, &input) in (narrow(first)..).zip(&vertices.input) {
+                rank(input).store(number, Ordering::Relaxed);
+            }
+            for &(duplicate, of) in &vertices.duplicates {
+                rank(duplicate).store(rank(of).load(Ordering::Relaxed), Ordering::Relaxed);
+            }
+        });
+        ranks
+    }
+
+    /// The band of a vertex, which is numbered in the whole.
+    fn band(&self, v: VertexId) -> usize {
+        self.first.partition_point(|&first| first <= v.index()) - 1
     }
 
     /// The input index that stands for a vertex, which is numbered in the whole.
     fn input(&self, v: VertexId) -> u32 {
         let band = self.band(v);
         self.bands[band].input[v.index() - self.first[band]]
-    }
-
-    /// The edges from one band to another: input index and both ends.
-    pub(super) fn across(&self, ends: &[[VertexId; 2]]) -> Vec<(u32, [VertexId; 2])> {
-        let numbered = ends.par_iter().copied().enumerate();
-        numbered
-            .map(|(edge, ends)| (narrow(edge), ends))
-            .filter(|&(_, [upper, lower])| self.band(upper) != self.band(lower))
-            .collect()
     }
 }

@@ -100,11 +100,11 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             return Ok(());
         }
         let n = self.fabric.signs.vertices.len();
-        self.incidence.make(&self.fabric.mesh, n);
         for v in (0..n).map(VertexId::at) {
             if !self.edges.at(v).is_empty() {
                 self.list_edges(v);
-                self.insert_edges(v, self.incidence.at(v))?;
+                let around = self.side_opposite(v);
+                self.insert_edges(v, around)?;
             }
         }
         Ok(())
