@@ -1,4 +1,5 @@
-//! Numbers spread over buckets, and a sample of them: the sort and the front's hash table use the same few lines.
+//! Numbers spread over buckets, and a sample of numbers: the sort and the front's hash table use both, the canonical
+//! order of triangles the sample.
 
 use std::iter::successors;
 

@@ -1,8 +1,11 @@
 //! Triangles in canonical order: each begins with its lowest vertex, and the list is sorted.
 //!
 //! The triangles of each chunk are put in order by *groups* of lowest vertices, and then those of each group, from
-//! all chunks, by the vertices. So all that is written at random lies in the cache. The few triangles of each
-//! vertex are sorted at last. Chunks and groups are shared out to all cores.
+//! all chunks, by the vertices. So most that is written at random lies in the cache. Last, the few triangles that
+//! begin with the same vertex are sorted. Chunks and groups are shared out to all cores.
+//!
+//! Why it is right: groups follow each other in the order of the vertices. Where the sample misses high vertices, the
+//! last group has them all, which costs time only.
 //!
 //! Cost: O(n + v) for n triangles and the highest vertex v, and the sorts.
 
@@ -14,7 +17,8 @@ use crate::threads::on_all_cores;
 
 /// Triangles of a chunk.
 const CHUNK: usize = 1 << 16;
-/// Groups of more triangles than a chunk has: fewer would not fit in the cache, more would make the chunks jump.
+/// How many groups there are if there are several chunks. Fewer would each be too large for the cache; more would
+/// scatter the triangles of a chunk too widely.
 const GROUPS: usize = 256;
 /// How many triangles there are in the sample that tells how high vertices are.
 const SAMPLE: usize = 1 << 10;
@@ -28,7 +32,7 @@ struct Chunk {
     begins: Vec<usize>,
 }
 
-/// So many triangles, which a function tells, in canonical order.
+/// `count` triangles in canonical order; `triangle` tells each by its number.
 pub(crate) fn canonical(
     count: usize,
     triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
@@ -82,7 +86,7 @@ fn by_group(
     Chunk { list, begins }
 }
 
-/// Puts the triangles of a group in their order; no vertex is below `first`.
+/// Puts the triangles of a group in their order; none begins with a vertex below `first`.
 fn by_vertex<'a>(
     listed: impl Iterator<Item = &'a Listed> + Clone,
     first: usize,
@@ -113,7 +117,7 @@ fn begins(kinds: impl Iterator<Item = usize>, count: usize) -> Vec<usize> {
     begins
 }
 
-/// The same triangle, its lowest vertex first. Without branches, which nobody could predict.
+/// The same triangle, its lowest vertex first. Without branches, which the processor could not predict.
 fn lowest_first([a, b, c]: Listed) -> Listed {
     let first = usize::from((b < a) & (b < c)) + 2 * usize::from((c < a) & (c < b));
     let twice = [a, b, c, a, b];
@@ -122,7 +126,8 @@ fn lowest_first([a, b, c]: Listed) -> Listed {
 
 #[cfg(test)]
 mod tests {
-    use super::{CHUNK, canonical};
+    use super::{CHUNK, SAMPLE, canonical, narrow};
+    use crate::bucket::sampled;
 
     /// Against the same triangles turned and sorted as a whole: none, a few, and several chunks, of vertices that
     /// are spread evenly, few, or all low but for some that are in no sample.
@@ -130,9 +135,11 @@ mod tests {
     fn as_turned_and_sorted() {
         for count in [0, 1, 2, 5, CHUNK - 1, CHUNK, CHUNK + 1, 3 * CHUNK + 17] {
             for vertices in [3, 1000, 1 << 20] {
+                let is_far = |t: usize| t % 50_000 == 49_999;
+                assert!(!sampled(count, SAMPLE).any(is_far) || count <= CHUNK);
                 let vertex = |t: usize, corner: usize| {
-                    let spread = (t * 3 + corner).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 20;
-                    let far = if t % 50_000 == 49_999 { 1 << 22 } else { 0 };
+                    let spread = narrow(t * 3 + corner).wrapping_mul(0x9E37_79B9) as usize >> 10;
+                    let far = if is_far(t) { 1 << 22 } else { 0 };
                     far + 3 * (spread % vertices) + corner
                 };
                 let triangle = |t: usize| [0, 1, 2].map(|i| vertex(t, (t + i) % 3));

@@ -18,36 +18,48 @@ pub(crate) fn on_all_cores<P: Send, T: Send>(
     parts.into_iter().map(work).collect()
 }
 
-/// The same work on many parts, a few at a time. `take` gets the results here, in the order of the parts, while the
-/// next ones are made. The first error ends it.
+/// Parts in a block: enough for many cores, few enough that their results need little memory.
+#[cfg(feature = "formats")]
+const BLOCK: usize = 64;
+
+/// Does the same work on many parts, a block of them at a time. On this thread `take` gets the results, in the order
+/// of the parts, while the next ones are made. The first error ends it.
 #[cfg(feature = "formats")]
 pub(crate) fn in_turn<P: Send, T: Send, E>(
-    parts: impl IntoIterator<Item = P>,
+    parts: impl IntoIterator<Item = P, IntoIter: Send>,
     work: impl Fn(P) -> T + Sync + Send,
-    mut take: impl FnMut(T) -> Result<(), E>,
+    take: impl FnMut(T) -> Result<(), E>,
 ) -> Result<(), E> {
-    const AT_A_TIME: usize = 16;
     let mut parts = parts.into_iter();
-    let mut some = || parts.by_ref().take(AT_A_TIME).collect::<Vec<P>>();
-    let mut made = on_all_cores(some(), &work);
-    loop {
-        let next = some();
-        let taken = || made.into_iter().try_for_each(&mut take);
-        if next.is_empty() {
-            return taken();
-        }
-        let (taken, next) = beside(taken, || on_all_cores(next, &work));
-        taken?;
-        made = next;
-    }
+    let block = || {
+        let some: Vec<P> = parts.by_ref().take(BLOCK).collect();
+        let goes_on = some.len() == BLOCK;
+        (on_all_cores(some, &work), goes_on)
+    };
+    in_blocks(block, take)
 }
 
-/// Two pieces of work at a time, the first on this thread; one after the other if the pool has one thread.
+/// Makes results block by block. On this thread `take` gets those of one block, in order, while the next block is
+/// made. `block` also tells whether another one may follow. The first error ends it.
 #[cfg(feature = "formats")]
-pub(crate) fn beside<A, B: Send>(
-    here: impl FnOnce() -> A,
-    other: impl FnOnce() -> B + Send,
-) -> (A, B) {
+pub(crate) fn in_blocks<T: Send, E>(
+    mut block: impl FnMut() -> (Vec<T>, bool) + Send,
+    mut take: impl FnMut(T) -> Result<(), E>,
+) -> Result<(), E> {
+    let (mut made, mut goes_on) = block();
+    while goes_on {
+        let taken = || made.into_iter().try_for_each(&mut take);
+        let (taken, next) = beside(taken, &mut block);
+        taken?;
+        (made, goes_on) = next;
+    }
+    made.into_iter().try_for_each(take)
+}
+
+/// Does two pieces of work at the same time, the first on this thread. Without a second thread it does one after the
+/// other.
+#[cfg(feature = "formats")]
+fn beside<A, B: Send>(here: impl FnOnce() -> A, other: impl FnOnce() -> B + Send) -> (A, B) {
     #[cfg(feature = "parallel")]
     if has_threads() && rayon::current_num_threads() > 1 {
         let mut made = None;
@@ -81,12 +93,12 @@ pub(crate) fn has_threads() -> bool {
 
 #[cfg(all(test, feature = "formats"))]
 mod tests {
-    use super::in_turn;
+    use super::{BLOCK, in_turn};
 
     /// No result is lost, all come in order, and the first error ends it.
     #[test]
     fn results_are_taken_in_order() {
-        for count in [0, 1, 15, 16, 17, 100] {
+        for count in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK, 7 * BLOCK + 3] {
             let mut taken = Vec::new();
             let take = |square| -> Result<(), ()> {
                 taken.push(square);
@@ -99,9 +111,14 @@ mod tests {
         let mut taken = 0;
         let take = |part| {
             taken += 1;
-            if part < 40 { Ok(()) } else { Err(part) }
+            if part < 3 * BLOCK + 5 {
+                Ok(())
+            } else {
+                Err(part)
+            }
         };
-        assert_eq!(in_turn(0..100, |part| part, take), Err(40));
-        assert_eq!(taken, 41);
+        let all = in_turn(0..9 * BLOCK, |part| part, take);
+        assert_eq!(all, Err(3 * BLOCK + 5));
+        assert_eq!(taken, 3 * BLOCK + 6);
     }
 }

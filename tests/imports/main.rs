@@ -51,7 +51,7 @@ fn no_two_files_import_each_other() {
     );
 }
 
-/// Apart from whether a thread can be made, which decides no verdict.
+/// Apart from what shares work out to threads, which decides no verdict.
 #[test]
 fn the_verifier_uses_the_scalars_and_nothing_else() {
     let arrows = arrows_of_this_repository();

@@ -198,7 +198,7 @@ fn long_files_are_read_like_short_ones() {
     }
 }
 
-/// Long enough for several blocks of rows and of chunks, which are worked on while those before them are taken.
+/// Long enough for several blocks of rows and of chunks: while one is taken the next is worked on.
 #[test]
 fn very_long_files_come_back() {
     let point = |v: u32| [f64::from(v) / 3.0, f64::from(v) / 7.0];

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use crate::formats::read::source::{ReadError, Source, quoted, split_line};
-use crate::threads::{beside, on_all_cores};
+use crate::threads::{in_blocks, on_all_cores};
 
 /// The lines of a file that hold anything, one after the other.
 #[derive(Clone)]
@@ -256,28 +256,20 @@ impl Records {
             Ok(records)
         };
         let mut at = list.len();
-        let mut some = || {
+        let block = || {
             let chunks = lines.chunks(CHUNKS);
             let known = self.known(lines, &chunks, &mut at);
             let goes_on = known.len() == chunks.len() && !lines.rest.is_empty();
             (on_all_cores(known, read_chunk), goes_on)
         };
-        let mut append = |records: Result<Vec<T>, _>| {
+        in_blocks(block, |records: Result<Vec<T>, _>| {
             list.append(&mut records?);
             Ok(())
-        };
-        let (mut done, mut goes_on) = some();
-        while goes_on {
-            let appended = || done.into_iter().try_for_each(&mut append);
-            let (appended, next) = beside(appended, &mut some);
-            appended?;
-            (done, goes_on) = next;
-        }
-        done.into_iter().try_for_each(append)
+        })
     }
 
-    /// Goes on behind those of the next chunks that hold nothing but records, and tells which records these are,
-    /// from `at` on.
+    /// Takes those of the next chunks that hold nothing but records, and tells which records each holds. `at` is the
+    /// place of the next record.
     fn known<'a>(
         &self,
         lines: &mut Lines<'a>,

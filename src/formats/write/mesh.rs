@@ -39,8 +39,8 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     /// Writes Wavefront's format, numbered from 1.
     pub(super) fn write_obj(&self, out: &mut impl Write) -> io::Result<()> {
         self.write_vertices(|_, text| text.extend_from_slice(b"v "), &[], out)?;
-        write_faces(b"l", 1, self.lines, out)?;
-        write_faces(b"f", 1, &self.triangles, out)
+        write_faces(b"l ", 1, self.lines, out)?;
+        write_faces(b"f ", 1, &self.triangles, out)
     }
 
     /// Writes Geomview's format. A line is a face of two corners.
@@ -48,8 +48,8 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         let faces = self.lines.len() + self.triangles.len();
         writeln!(out, "OFF\n{} {faces} 0", self.graph.points.len())?;
         self.write_vertices(|_, _| (), &[], out)?;
-        write_faces(b"2", 0, self.lines, out)?;
-        write_faces(b"3", 0, &self.triangles, out)
+        write_faces(b"2 ", 0, self.lines, out)?;
+        write_faces(b"3 ", 0, &self.triangles, out)
     }
 
     /// Writes Stanford's format with all columns. The names of properties have no spaces.
@@ -80,7 +80,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         writeln!(out, "end_header")?;
         self.write_vertices(|_, _| (), &others, out)?;
         write_faces(b"", 0, self.lines, out)?;
-        write_faces(b"3", 0, &self.triangles, out)
+        write_faces(b"3 ", 0, &self.triangles, out)
     }
 
     /// Writes VTK's legacy format with all columns.
@@ -95,8 +95,8 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         writeln!(out, "POINTS {points} double")?;
         self.write_vertices(|_, _| (), &[], out)?;
         writeln!(out, "CELLS {cells} {}", 3 * lines + 4 * triangles)?;
-        write_faces(b"2", 0, self.lines, out)?;
-        write_faces(b"3", 0, &self.triangles, out)?;
+        write_faces(b"2 ", 0, self.lines, out)?;
+        write_faces(b"3 ", 0, &self.triangles, out)?;
         writeln!(out, "CELL_TYPES {cells}")?;
         write_rows(out, cells, |at, text| {
             text.extend_from_slice(if at < lines { LINE } else { TRIANGLE });
@@ -137,8 +137,8 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         )?;
         let elements = lines.len() + triangles.len();
         writeln!(out, "$EndNodes\n$Elements\n{elements}")?;
-        write_elements(b" 1 0", 1, lines, out)?;
-        write_elements(b" 2 0", lines.len() + 1, triangles, out)?;
+        write_elements(b" 1 0 ", 1, lines, out)?;
+        write_elements(b" 2 0 ", lines.len() + 1, triangles, out)?;
         writeln!(out, "$EndElements")
     }
 
@@ -204,13 +204,12 @@ fn write_elements<const N: usize>(
     write_rows(out, elements.len(), |at, text| {
         number(at + first, text);
         text.extend_from_slice(kind);
-        text.push(b' ');
         numbers(elements[at].map(|corner| corner + 1), text);
         text.push(b'\n');
     })
 }
 
-/// Writes a line for each face: this word, if there is one, and the corners, numbered from `first`.
+/// Writes a line for each face: this text, and the corners, numbered from `first`.
 pub(super) fn write_faces<const N: usize>(
     before: &[u8],
     first: usize,
@@ -219,9 +218,6 @@ pub(super) fn write_faces<const N: usize>(
 ) -> io::Result<()> {
     write_rows(out, faces.len(), |face, text| {
         text.extend_from_slice(before);
-        if !before.is_empty() {
-            text.push(b' ');
-        }
         numbers(faces[face].map(|corner| corner + first), text);
         text.push(b'\n');
     })

@@ -82,6 +82,7 @@ pub fn write<S: Coordinate>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
+        // These two need no domain, which takes a look at all triangles.
         OutputFormat::Ele => rows::write_triangles(graph, &result.canonical_triangles(), &[], out),
         OutputFormat::Node => write_node(graph, out),
         OutputFormat::Json => json::write(graph, result, out),

@@ -129,8 +129,8 @@ pub(super) fn places(domain: &Domain<'_>, canonical: &[[usize; 3]]) -> Vec<Optio
     places
 }
 
-/// Writes as many rows, each as `row` appends it to a text. The texts of some chunks at a time are made on all
-/// cores, while those before them are written.
+/// Writes `count` rows; `row` appends each to a text. The texts of some chunks at a time are made on all cores,
+/// while those before them are written.
 pub(super) fn write_rows(
     out: &mut impl Write,
     count: usize,
@@ -145,8 +145,8 @@ pub(super) fn write_rows(
     in_turn((0..count).step_by(ROWS), text, |text| out.write_all(&text))
 }
 
-/// Appends numbers with spaces between them. All get their digits before the first is copied: digits that have
-/// just been written would be waited for.
+/// Appends numbers with spaces between them. All get their digits before the first is copied: a copy straight
+/// after the formatting would have to wait for it.
 pub(super) fn numbers<const N: usize>(numbers: [usize; N], text: &mut Vec<u8>) {
     let mut buffers = numbers.map(|number| (number, itoa::Buffer::new()));
     let digits = buffers

@@ -1,7 +1,7 @@
 //! The outputs of a run: all of them are written, or none. Where they go is found out before the work begins, and
 //! what would overwrite what it must not is refused before anything is written.
 //!
-//! Files are written whole while they have no names. Then standard output, FIFOs and devices are written,
+//! Files are written whole while they have no names, and brought to the disk. Then standard output, FIFOs and devices are written,
 //! which nobody can take back. Last, when nothing else can fail, the files get temporary names, and then
 //! their own ones. Should one of them fail even so, the error says which are in place already.
 
@@ -49,8 +49,8 @@ impl<'a> Outputs<'a> {
     /// Puts all of them in their places.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
         for (name, file) in &mut self.files {
-            let synced = file.sync();
-            synced.map_err(|error| Failure::of_file(name, &error))?;
+            file.sync()
+                .map_err(|error| Failure::of_file(name, &error))?;
         }
         for (destination, contents) in self.streams {
             let written = match destination.place {

@@ -21,7 +21,7 @@ pub(crate) struct Unnamed {
     file: File,
     path: PathBuf,
     replaced: Option<Metadata>,
-    /// What brings it to the disk.
+    /// The thread that brings it to the disk. If the run fails before, it ends by itself or with the process.
     syncing: Option<JoinHandle<io::Result<()>>>,
 }
 
@@ -42,7 +42,7 @@ impl Unnamed {
         })
     }
 
-    /// Writes all of it. Its way to the disk goes on beside what follows, until [`Unnamed::sync`].
+    /// Writes all of it, and begins to bring it to the disk; [`Unnamed::sync`] waits until it is there.
     pub(crate) fn write(
         &mut self,
         contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>,
@@ -54,9 +54,8 @@ impl Unnamed {
         if let Some(replaced) = &self.replaced {
             pass_on(replaced, &self.file)?;
         }
-        let file = self.file.try_clone()?;
-        let syncing = thread::Builder::new().spawn(move || file.sync_all());
-        self.syncing = syncing.ok();
+        let sync = |file: File| thread::Builder::new().spawn(move || file.sync_all());
+        self.syncing = self.file.try_clone().and_then(sync).ok();
         Ok(())
     }
 
@@ -64,7 +63,7 @@ impl Unnamed {
     pub(crate) fn sync(&mut self) -> io::Result<()> {
         match self.syncing.take().map(JoinHandle::join) {
             Some(Ok(synced)) => synced,
-            // There was no thread for it.
+            // No thread has done it.
             _ => self.file.sync_all(),
         }
     }
