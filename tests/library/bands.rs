@@ -88,6 +88,17 @@ fn contours_in_bands() {
     assert!(are_swept(&input), "one thread did it all");
 }
 
+/// More edges than a thread sorts out at a time, each through a vertex and partly over the next one.
+#[test]
+fn many_edges_through_vertices() {
+    let (columns, rows) = (200, 202);
+    let vertex = |at: usize| [at % columns, at / columns].map(|x| x as f64);
+    let points = (0..columns * rows).map(vertex).collect();
+    let edges = (0..columns * (rows - 2)).map(|at| [at, at + 2 * columns]);
+    let edges = edges.collect();
+    assert!(are_swept(&Input { points, edges }), "one thread did it all");
+}
+
 #[test]
 fn lattices() {
     let mut swept = 0;
