@@ -193,6 +193,32 @@ impl Mesh {
         across
     }
 
+    /// Swaps side 0 of `t`, whose corner 0 is the vertex of a fan. Both triangles have it for corner 0 afterwards.
+    ///
+    /// ```text
+    ///        p                 p            t = p a b becomes p a q, u = q b a becomes p q b.
+    ///      / 0 \             / | \           Sides a-q, q-b and b-p change hands.
+    ///     a-----b    ->    a  |  b
+    ///      \ j /             \ | /
+    ///        q                 q
+    /// ```
+    #[inline(always)]
+    pub(crate) fn flip_in_fan(&mut self, t: TriangleId) {
+        let upper = *self.get(t);
+        let (u, j) = (upper.across(0).triangle(), upper.across(0).corner());
+        let lower = self.get(u);
+        let (q, aq, qb) = (lower.vertex(j), lower.across(next(j)), lower.across(prev(j)));
+        let (p, b, bp) = (upper.vertex(0), upper.vertex(2), upper.across(1));
+        let record = &mut self.triangles[t.index()];
+        record.set_vertex(2, q);
+        record.set_across(0, aq);
+        record.set_across(1, Side::new(u, 2));
+        self.triangles[u.index()] = Triangle::new([p, q, b], [qb, bp, Side::new(t, 1)]);
+        self.relink(aq, Side::new(t, 0));
+        self.relink(qb, Side::new(u, 0));
+        self.relink(bp, Side::new(u, 1));
+    }
+
     /// Makes a new open side, on which no triangle borders yet; [`Mesh::forget_open`] removes it.
     pub(crate) fn add_open(&mut self) -> OpenId {
         let open = OpenId::at(self.open.len());

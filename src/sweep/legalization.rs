@@ -38,23 +38,23 @@ use crate::scalar::Scalar;
 use crate::trace::{Event, Outcome};
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
-    /// Legalizes the outer sides of the fan around corner 0 of triangle `t`, from `t` to the triangle
-    /// whose right end is `last`. Returns the outer side of the last triangle.
+    /// Legalizes the outer sides of the fan around `p`, from triangle `t` to the one whose right end is `last`,
+    /// which is returned. `p` is corner 0 of all of them, and stays it.
     #[inline(always)]
-    pub(super) fn legalize_fan(&mut self, t: TriangleId, last: VertexId) -> Side {
-        let mut outer = Side::new(t, 0);
+    pub(super) fn legalize_fan(&mut self, t: TriangleId, p: VertexId, last: VertexId) -> TriangleId {
+        let near = self.signs.approx(p);
+        let mut at = t;
         loop {
-            while self.is_illegal(outer) {
-                self.flip(outer);
+            while self.is_illegal_from(near, Side::new(at, 0)) {
+                self.flip_in_fan(at);
             }
-            let (record, i) = (self.mesh.get(outer.triangle()), outer.corner());
-            if record.vertex(prev(i)) == last {
-                return outer;
+            let record = self.mesh.get(at);
+            if record.vertex(2) == last {
+                return at;
             }
-            // Cross the spoke on the right. In the triangle there, p is the corner after the one opposite
-            // the spoke.
-            outer = record.across(next(i)).next();
-            if outer.triangle() == t {
+            // Cross the spoke on the right.
+            at = record.across(1).triangle();
+            if at == t {
                 // The walk has come round: the fan is closed, and `last` is not in it.
                 contradiction();
             }
@@ -109,28 +109,44 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Swaps a side; returns the one that lay across it.
     #[inline(always)]
     fn flip(&mut self, side: Side) -> Side {
-        if P::EVENTS {
-            let ([p, a, b], q) = self.quadrilateral(side);
-            self.report(|name| Event::Flip {
-                side: [a, b].map(name),
-                new_side: [p, q].map(name),
-            });
-        }
+        self.count_flip(side);
+        self.mesh.flip(side)
+    }
+
+    /// Swaps side 0 of a triangle in a fan around its corner 0.
+    #[inline(always)]
+    fn flip_in_fan(&mut self, t: TriangleId) {
+        self.count_flip(Side::new(t, 0));
+        self.mesh.flip_in_fan(t);
+    }
+
+    /// Reports, counts and checks a flip that is about to be made.
+    #[inline(always)]
+    fn count_flip(&mut self, side: Side) {
+        let ([p, a, b], q) = self.quadrilateral(side);
+        self.report(|name| Event::Flip {
+            side: [a, b].map(name),
+            new_side: [p, q].map(name),
+        });
         self.probe.count(|c| c.flips += 1);
         self.flip_limit.count();
-        let across = self.mesh.flip(side);
-        self.probe.record(|r| r.flipped([side, across]));
-        let [p, _, q] = self.mesh.around(side);
+        self.probe.record(|r| r.flipped([side, self.mesh.across(side)]));
         if p == q {
             // In a plane the two triangles of a side have different vertices opposite.
             contradiction();
         }
-        across
     }
 
     /// Whether a side may and must be flipped.
     #[inline(always)]
     fn is_illegal(&mut self, side: Side) -> bool {
+        let near = self.signs.approx(self.mesh.opposite(side));
+        self.is_illegal_from(near, side)
+    }
+
+    /// The same, where the vertex opposite the side has these doubles.
+    #[inline(always)]
+    fn is_illegal_from(&mut self, near: [f64; 2], side: Side) -> bool {
         let (record, i) = (self.mesh.get(side.triangle()), side.corner());
         let across = record.across(i);
         if across.is_blocked() {
@@ -141,7 +157,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
         let vertices = [i, next(i), prev(i)].map(|corner| record.vertex(corner));
         let q = self.mesh.opposite(across);
-        let is_illegal = self.signs.must_flip(vertices, q, &mut self.probe);
+        let is_illegal = self.signs.must_flip(vertices, near, q, &mut self.probe);
         let outcome = if is_illegal {
             Outcome::Illegal
         } else {

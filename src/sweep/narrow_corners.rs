@@ -155,10 +155,10 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         };
         let t = self.fabric.make(vertices, across, why);
         self.take_off_front(corner);
-        let rightmost = self.fabric.legalize_fan(t, vertices[2]);
+        let rightmost = self.fabric.legalize_fan(t, p, vertices[2]);
         let spoke = match way {
             Way::Right => Side::new(t, 2),
-            Way::Left => rightmost.next(),
+            Way::Left => Side::new(rightmost, 1),
         };
         self.fabric.legalize_side(spoke);
     }

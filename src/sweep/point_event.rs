@@ -64,7 +64,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         ];
         let t = self.fabric.make([p, left, right], across, Why::Point);
         self.put_on_front(p, left);
-        self.fabric.legalize_fan(t, right);
+        self.fabric.legalize_fan(t, p, right);
 
         // The second triangle of the left case.
         if is_above {

@@ -178,16 +178,12 @@ impl<'a, S: Scalar> Signs<'a, S> {
     pub(super) fn must_flip(
         &mut self,
         [p, a, b]: [VertexId; 3],
+        near_p: [f64; 2],
         q: VertexId,
         probe: &mut impl Probe,
     ) -> bool {
         // Two swaps, which leave the sign as it is, make `p` the point that is subtracted.
-        let doubles = [
-            self.approx(b),
-            self.approx(a),
-            self.approx(q),
-            self.approx(p),
-        ];
+        let doubles = [self.approx(b), self.approx(a), self.approx(q), near_p];
         match filter::in_circle(doubles, self.vertices.scale) {
             Some(sign) => {
                 probe.count(|c| c.in_circle_filtered += 1);

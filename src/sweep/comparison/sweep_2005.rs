@@ -144,7 +144,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 Way::Right => ([p, side.upper, lower], [behind, new, spoke]),
             };
             let t = self.fabric.make(vertices, across, Why::Point);
-            self.fabric.legalize_fan(t, vertices[2]);
+            self.fabric.legalize_fan(t, p, vertices[2]);
             spoke = self.fabric.mesh.below(open);
         }
         if lower == end {
@@ -184,7 +184,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         };
         let t = self.fabric.make(vertices, across, Why::Point);
         self.take_off_front(end);
-        self.fabric.legalize_fan(t, vertices[2]);
+        self.fabric.legalize_fan(t, p, vertices[2]);
     }
 
     /// Artificial triangles below the lower hull.

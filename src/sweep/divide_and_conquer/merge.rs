@@ -194,7 +194,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     fn must_flip(&mut self, triangle: [VertexId; 3], q: VertexId) -> bool {
-        self.signs.must_flip(triangle, q, &mut self.probe)
+        let near = self.signs.approx(triangle[0]);
+        self.signs.must_flip(triangle, near, q, &mut self.probe)
     }
 }
 
