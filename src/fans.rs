@@ -37,7 +37,7 @@ impl Triangulation {
         for (t, triangle) in self.triangles.iter().enumerate() {
             for corner in 0..3 {
                 let begins = triangle.across(prev(corner)).is_open();
-                let kept = &mut first[triangle.vertex(corner).index()];
+                let kept = &mut first[self.input_index(triangle.vertex(corner))];
                 if begins || *kept == Side::NO_TRIANGLE {
                     *kept = Side::new(TriangleId::at(t), corner);
                 }

@@ -16,7 +16,7 @@
 
 use std::cmp::Ordering;
 
-use crate::ids::{TriangleId, VertexId};
+use crate::ids::TriangleId;
 use crate::mesh::{Side, next, prev};
 use crate::scalar::Scalar;
 use crate::triangulation::Triangulation;
@@ -72,7 +72,7 @@ impl Triangulation {
         }
         let to = near(query);
         let distance = |t: usize| {
-            let [x, y] = near(&points[self.triangles[t].vertex(0).index()]);
+            let [x, y] = near(&points[self.input_index(self.triangles[t].vertex(0))]);
             (x - to[0]).powi(2) + (y - to[1]).powi(2)
         };
         let root = (1..).find(|root: &usize| root.pow(3) >= self.len());
@@ -158,14 +158,14 @@ impl Triangulation {
         query: &'a [S; 2],
         t: usize,
     ) -> impl Fn(u32) -> Ordering + Copy + 'a {
-        let corner = move |i| &points[self.triangles[t].vertex(i).index()];
+        let corner = move |i| &points[self.input_index(self.triangles[t].vertex(i))];
         move |side| S::orient2d(corner(next(side)), corner(prev(side)), query)
     }
 
     /// The place in a triangle of a point with these turns from its sides, none of them to the right.
     fn at(&self, t: usize, turns: [Ordering; 3]) -> Location {
         let [a, b, c] = turns.map(Ordering::is_eq);
-        let vertex = |i| Location::Vertex(VertexId::index(self.triangles[t].vertex(i)));
+        let vertex = |i| Location::Vertex(self.input_index(self.triangles[t].vertex(i)));
         let side = |i| {
             let across = self.triangles[t].across(i);
             let here = Side::new(TriangleId::at(t), i);

@@ -64,7 +64,8 @@ impl Parts {
         let hull: Vec<u32> = all(&self.hull, |&v| number(v))?;
         let duplicates: Vec<[u32; 2]> = all(&self.duplicates, |&list| numbers(list))?;
         let sides = Sides::of(&corners)?;
-        let mut triangles = sides.linked(&corners);
+        let vertices = sides.starts();
+        let mut triangles = sides.linked(&corners, &vertices);
         sides.expect_disk(&triangles, &hull)?;
         for pair in duplicates.windows(2) {
             require(pair[0][0] < pair[1][0], "the duplicates are not in order")?;
@@ -96,6 +97,7 @@ impl Parts {
         }
         Ok(Triangulation {
             triangles,
+            vertices,
             hull,
             duplicates: duplicates.into_iter().map(|[v, of]| (v, of)).collect(),
             chains: Chains::of(&lists).ok_or("there are too many edges, or vertices on them")?,
@@ -152,11 +154,19 @@ impl Sides {
         self.0.get(place).is_some_and(|&([a, _], _)| a == v)
     }
 
-    /// The triangles, each with what lies across its sides.
-    fn linked(&self, corners: &[[u32; 3]]) -> Vec<Triangle> {
+    /// The vertices at which they start, ascending.
+    fn starts(&self) -> Vec<u32> {
+        let mut starts: Vec<u32> = self.0.iter().map(|&([a, _], _)| a).collect();
+        starts.dedup();
+        starts
+    }
+
+    /// The triangles, with the places of their corners in `vertices`, each with what lies across its sides.
+    fn linked(&self, corners: &[[u32; 3]], vertices: &[u32]) -> Vec<Triangle> {
+        let place = |v: u32| VertexId::at(vertices.partition_point(|&other| other < v));
         let mut mesh = Mesh::default();
         for &corners in corners {
-            mesh.add(corners.map(VertexId::new), [Side::NOTHING; 3]);
+            mesh.add(corners.map(place), [Side::NOTHING; 3]);
         }
         let mut triangles = mesh.take_triangles();
         for &([a, b], side) in &self.0 {

@@ -31,7 +31,10 @@ use crate::verify::{Report, Violations, verify};
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Triangulation {
+    /// They name the vertices by rank, or whatever numbers `vertices` has.
     pub(crate) triangles: Vec<Triangle>,
+    /// The input index of each vertex.
+    pub(crate) vertices: Vec<u32>,
     pub(crate) hull: Vec<u32>,
     /// `(vertex, representative)` of each duplicate, by vertex.
     pub(crate) duplicates: Vec<(u32, u32)>,
@@ -54,12 +57,12 @@ impl Triangulation {
     /// # Panics
     /// If there is no triangle `t`.
     pub fn triangle(&self, t: usize) -> [usize; 3] {
-        corners(&self.triangles[t])
+        self.corners(&self.triangles[t])
     }
 
     /// All triangles, by number.
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = [usize; 3]> + Clone + '_ {
-        self.triangles.iter().map(corners)
+        self.triangles.iter().map(|triangle| self.corners(triangle))
     }
 
     /// The triangles in one order for all runs on the same input: each begins with its lowest vertex,
@@ -107,7 +110,7 @@ impl Triangulation {
             let across = triangle.across(side);
             let is_listed = across.is_open() || across.triangle().index() > t;
             (across.is_fixed() && is_listed)
-                .then(|| [mesh::next(side), mesh::prev(side)].map(|i| triangle.vertex(i).index()))
+                .then(|| [mesh::next(side), mesh::prev(side)].map(|i| self.input_index(triangle.vertex(i))))
         })
     }
 
@@ -172,6 +175,17 @@ impl Triangulation {
         verify(points, edges, &self.triangles().collect::<Vec<_>>())
     }
 
+    /// The input index of a vertex of a triangle.
+    #[inline]
+    pub(crate) fn input_index(&self, v: VertexId) -> usize {
+        self.vertices[v.index()] as usize
+    }
+
+    #[inline]
+    fn corners(&self, triangle: &Triangle) -> [usize; 3] {
+        triangle.vertices().map(|v| self.input_index(v))
+    }
+
     /// What lies across a side.
     fn across(&self, t: usize, side: usize) -> Side {
         assert!(side < 3, "a triangle has sides 0, 1 and 2");
@@ -197,7 +211,7 @@ impl Triangulation {
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
     pub fn par_triangles(&self) -> impl IndexedParallelIterator<Item = [usize; 3]> + Clone + '_ {
-        self.triangles.par_iter().map(corners)
+        self.triangles.par_iter().map(|triangle| self.corners(triangle))
     }
 
     /// What [`constrained_edges`](Triangulation::constrained_edges) lists, on all threads of the current rayon pool.
@@ -205,8 +219,4 @@ impl Triangulation {
         let numbers = (0..self.len()).into_par_iter();
         numbers.flat_map_iter(|t| self.constrained_edges_of(t))
     }
-}
-
-fn corners(triangle: &Triangle) -> [usize; 3] {
-    triangle.vertices().map(VertexId::index)
 }

@@ -118,6 +118,12 @@ impl Mesh {
         self.relink(b.fixed_as(a), a);
     }
 
+    /// Puts the hull of a result across the side below an open side.
+    pub(crate) fn close(&mut self, open: OpenId) {
+        let side = self.below(open);
+        self.relink(side, Side::HULL);
+    }
+
     /// Marks a side of a triangle as a constrained edge, from both sides of it.
     #[inline(always)]
     pub(crate) fn fix(&mut self, side: Side) {
@@ -141,9 +147,15 @@ impl Mesh {
         t
     }
 
-    /// Makes `t` a triangle that borders on nothing and counts as artificial.
+    /// Removes a triangle that nothing borders on any more.
     pub(crate) fn retire(&mut self, t: TriangleId) {
         self.triangles[t.index()] = Triangle::RETIRED;
+        self.removed.push(t);
+    }
+
+    /// The places of removed triangles that are not in use.
+    pub(crate) fn unused(&self) -> &[TriangleId] {
+        &self.removed
     }
 
     /// Marks triangle `t` as one that is about to be removed.
@@ -246,8 +258,10 @@ impl Mesh {
     #[cfg(feature = "parallel")]
     pub(crate) fn append(&mut self, other: &Mesh, vertices: u32) {
         use rayon::prelude::*;
-        debug_assert!(other.removed.is_empty(), "all places are in use");
         let before = narrow(self.len());
+        let removed = other.removed.iter();
+        self.removed
+            .extend(removed.map(|t| TriangleId::new(t.number() + before)));
         let others = other.triangles.par_iter();
         self.triangles
             .par_extend(others.map(|record| record.moved(vertices, before)));

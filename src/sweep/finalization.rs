@@ -27,10 +27,9 @@ use std::mem::take;
 
 use super::flip_limit::contradiction;
 use super::memory::Memory;
-use super::signs::Signs;
 use super::state::Sweep;
 use crate::front::FrontSearch;
-use crate::ids::{OpenId, TriangleId, VertexId, narrow};
+use crate::ids::{OpenId, TriangleId, narrow};
 use crate::mesh::{Side, Triangle};
 use crate::probe::Probe;
 use crate::recorder::Phase;
@@ -51,22 +50,18 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
     }
 
-    /// Returns the triangulation, whose hull is complete, with the search structure and the probe. All
-    /// triangles are passed to `name`, which does what [`name_by_input`] does.
-    pub(super) fn finalize(
-        mut self,
-        memory: &mut Memory,
-        name: impl FnOnce(&mut [Triangle], &Signs<'_, S>, &mut Vec<TriangleId>),
-    ) -> (Triangulation, F, P) {
+    /// Returns the triangulation, whose hull is complete, with the search structure and the probe.
+    pub(super) fn finalize(mut self, memory: &mut Memory) -> (Triangulation, F, P) {
         let bytes = self.memory();
         self.fabric.probe.record(|r| r.stats.memory = bytes);
         let mut hull = take(&mut memory.hull);
         hull.clear();
-        self.list_hull(&mut hull);
-        let mut triangles = self.fabric.mesh.take_triangles();
         let mut artificial = take(&mut memory.artificial);
         artificial.clear();
-        name(&mut triangles, &self.fabric.signs, &mut artificial);
+        artificial.extend_from_slice(self.fabric.mesh.unused());
+        self.list_hull(&mut hull, &mut artificial);
+        artificial.sort_unstable();
+        let mut triangles = self.fabric.mesh.take_triangles();
         self.fabric
             .probe
             .record(|r| r.survived(triangles.len(), &artificial));
@@ -80,6 +75,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let result = Triangulation {
             hull,
             triangles,
+            vertices: take(&mut self.fabric.signs.vertices.input),
             duplicates: take(&mut self.fabric.signs.vertices.duplicates),
             chains: take(&mut self.chains).finish(),
         };
@@ -88,7 +84,6 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             memory.artificial = artificial;
             memory.mesh = self.fabric.mesh;
             memory.order.approx = self.fabric.signs.vertices.approx;
-            memory.order.input = self.fabric.signs.vertices.input;
             memory.suspects = self.fabric.suspects;
             memory.stretch = self.fabric.stretch;
             memory.polygons = self.fabric.polygons;
@@ -102,15 +97,16 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         (result, self.search, self.fabric.probe)
     }
 
-    /// Lists all vertices on the hull, counter-clockwise from the leftmost, as input indices.
-    fn list_hull(&self, hull: &mut Vec<u32>) {
+    /// Lists all vertices on the hull, counter-clockwise from the leftmost, as input indices, and the artificial
+    /// triangles; puts the hull across the sides of the upper one.
+    fn list_hull(&mut self, hull: &mut Vec<u32>, triangles: &mut Vec<TriangleId>) {
         let artificial = self.fabric.signs.artificial;
         let (left, right) = (artificial.left, artificial.right);
         let (first, last) = (self.front.next(left), self.front.prev(right));
         if first == right {
             return;
         }
-        let (mesh, vertices) = (&self.fabric.mesh, &self.fabric.signs.vertices);
+        let (mesh, vertices) = (&mut self.fabric.mesh, &self.fabric.signs.vertices);
         hull.push(vertices.input_index(first));
         // The lower hull: around P-1 from the front down to P-2, then around P-2 up to the front.
         let mut side = mesh.below(OpenId::segment(left));
@@ -120,6 +116,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             if hull.len() > mesh.len() {
                 contradiction();
             }
+            triangles.push(side.triangle());
             let v = mesh.opposite(side);
             side = if v == right {
                 pivot = right;
@@ -131,10 +128,13 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
         debug_assert!(pivot == right && side == Side::open(OpenId::segment(last)));
         // The upper hull: what is left of the front, from right to left.
-        let mut at = self.front.prev(last);
-        while at != first && at != left {
-            hull.push(vertices.input_index(at));
+        let mut at = last;
+        while at != first {
             at = self.front.prev(at);
+            mesh.close(OpenId::segment(at));
+            if at != first {
+                hull.push(vertices.input_index(at));
+            }
         }
     }
 
@@ -163,32 +163,6 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                     Some((&last, others)) if last == from => artificial = others,
                     _ => break,
                 }
-            }
-        }
-    }
-}
-
-/// Turns ranks into input indices in real triangles, the first of which has number `first`, and puts the hull
-/// across their open sides. Adds the artificial ones to the list.
-#[inline]
-pub(super) fn name_by_input<S: Scalar>(
-    triangles: &mut [Triangle],
-    first: usize,
-    signs: &Signs<'_, S>,
-    artificial: &mut Vec<TriangleId>,
-) {
-    for (t, triangle) in (first..).zip(triangles) {
-        let [a, b, c] = triangle.vertices();
-        if signs.is_artificial(a.max(b).max(c)) {
-            artificial.push(TriangleId::at(t));
-            continue;
-        }
-        for i in 0..3 {
-            let input = signs.vertices.input_index(triangle.vertex(i));
-            triangle.set_vertex(i, VertexId::new(input));
-            let across = triangle.across(i);
-            if across.is_open() {
-                triangle.set_across(i, Side::HULL.fixed_as(across));
             }
         }
     }

@@ -79,6 +79,7 @@ impl Memory {
     pub(crate) fn recycle(&mut self, result: Triangulation) {
         self.mesh.reuse(result.triangles);
         self.hull = result.hull;
+        self.order.input = result.vertices;
         self.order.duplicates = result.duplicates;
         self.ends = result.chains.into_ends();
     }

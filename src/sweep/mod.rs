@@ -101,9 +101,7 @@ pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
 ) -> Result<(Triangulation, F, P), Error> {
     let mut sweep = initialization::initialize(points, edges, settings, search, probe, memory)?;
     sweep.triangulate(settings)?;
-    Ok(sweep.finalize(memory, |triangles, signs, artificial| {
-        finalization::name_by_input(triangles, 0, signs, artificial);
-    }))
+    Ok(sweep.finalize(memory))
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {

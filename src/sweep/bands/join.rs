@@ -48,8 +48,8 @@ pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
     let (_, front) = rayon::join(
         || {
             mesh.renew_open(n + 2);
-            for (other, &(before, _)) in meshes.iter().zip(&starts) {
-                mesh.append(other, narrow(before));
+            for (other, &(before, _)) in meshes.into_iter().zip(&starts) {
+                mesh.append(&other, narrow(before));
             }
         },
         || {

@@ -22,7 +22,6 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::finalization::name_by_input;
 use super::initialization::LIMIT;
 use super::located::Located;
 use super::memory::Memory;
@@ -39,8 +38,6 @@ const MOST: usize = 256;
 /// One thread inserts the edges from band to band. If there are more than these, and than one more for every
 /// eight points, bands are no gain.
 const MANY_ACROSS: usize = 10_000;
-/// Triangles that a thread finalizes at a time.
-const CHUNK: usize = 1 << 14;
 
 /// Triangulates in so many bands, at least two, on the current rayon pool, without reports of progress. `None`
 /// where only [`super::run`] can say what is wrong, or is as fast.
@@ -108,15 +105,6 @@ fn triangulate<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         .ok()?;
     drop(shared);
     let sweep = join::join(points, swept, edges.across, settings(), search)?;
-    let mut memory = Memory::default();
-    let (triangulation, ..) = sweep.finalize(&mut memory, |triangles, signs, artificial| {
-        let name = |(i, chunk): (usize, &mut [_])| {
-            let mut artificial = Vec::new();
-            name_by_input(chunk, i * CHUNK, signs, &mut artificial);
-            artificial
-        };
-        let chunks = triangles.par_chunks_mut(CHUNK).enumerate();
-        artificial.par_extend(chunks.flat_map_iter(name));
-    });
+    let (triangulation, ..) = sweep.finalize(&mut Memory::default());
     Some(triangulation)
 }

@@ -142,7 +142,6 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::finalization::name_by_input;
     use super::super::initialization::initialize;
     use super::super::memory::Memory;
     use crate::front::HashTable;
@@ -170,9 +169,7 @@ mod tests {
             sweep.complete_hull();
         }
         sweep.divide_and_conquer(swept).expect("no edges");
-        let (triangulation, ..) = sweep.finalize(&mut memory, |list, signs, artificial| {
-            name_by_input(list, 0, signs, artificial);
-        });
+        let (triangulation, ..) = sweep.finalize(&mut memory);
         triangulation
     }
 
