@@ -73,12 +73,19 @@ pub(crate) fn orient2d([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Orderin
     None
 }
 
-/// The side of the circle through `a`, `b`, `c` on which `d` lies, if these doubles are the coordinates and
+/// The side of the circle through `p`, `a`, `b` on which `q` lies, if these doubles are the coordinates and
 /// decide it: `Greater` for inside, where the three are counter-clockwise.
 #[inline(always)]
-pub(crate) fn in_circle([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
-    let (determinant, [al, bl, cl]) = lifted([minus(a, d), minus(b, d), minus(c, d)]);
-    let bound = IN_CIRCLE * (al * (bl + cl) + bl * cl) + scale.underflow_if_exact();
+pub(crate) fn in_circle([p, a, b, q]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
+    // What is seen from p and what is seen from q, in two lanes.
+    let from = |end: f64, i: usize| [end - p[i], end - q[i]];
+    let ([ax, ay], [bx, by]) = ([from(a[0], 0), from(a[1], 1)], [from(b[0], 0), from(b[1], 1)]);
+    let lanes = |of: &dyn Fn(usize) -> f64| [of(0), of(1)];
+    let cross = lanes(&|k| ax[k] * by[k] - ay[k] * bx[k]);
+    let dot = lanes(&|k| ax[k] * bx[k] + ay[k] * by[k]);
+    let size = lanes(&|k| (ax[k].abs() + ay[k].abs()) * (bx[k].abs() + by[k].abs()));
+    let determinant = dot[0] * cross[1] - dot[1] * cross[0];
+    let bound = IN_CIRCLE * (size[0] * size[1]) + scale.underflow_if_exact();
     if determinant.abs() > bound {
         return Some(sign(determinant));
     }

@@ -182,8 +182,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
         q: VertexId,
         probe: &mut impl Probe,
     ) -> bool {
-        // Two swaps, which leave the sign as it is, make `p` the point that is subtracted.
-        let doubles = [self.approx(b), self.approx(a), self.approx(q), near_p];
+        let doubles = [near_p, self.approx(a), self.approx(b), self.approx(q)];
         match filter::in_circle(doubles, self.vertices.scale) {
             Some(sign) => {
                 probe.count(|c| c.in_circle_filtered += 1);
