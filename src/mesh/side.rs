@@ -58,7 +58,8 @@ impl Side {
 
     #[inline(always)]
     pub(crate) fn open(side: OpenId) -> Side {
-        Side(OPEN | side.number())
+        // Masked, so that the compiler knows that it is neither fixed nor nothing.
+        Side(OPEN | side.number() & (OPEN - 1))
     }
 
     #[inline(always)]

@@ -83,6 +83,16 @@ impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
         self.signs.orient2d(vertices, &mut self.probe)
     }
 
+    /// The same where these are their doubles.
+    #[inline(always)]
+    pub(super) fn orient2d_near(
+        &mut self,
+        vertices: [VertexId; 3],
+        near: [[f64; 2]; 3],
+    ) -> Ordering {
+        self.signs.orient2d_near(vertices, near, &mut self.probe)
+    }
+
     /// Which side of the ray `from`-`to` a vertex is on; see [`Signs::side`].
     pub(super) fn side(&mut self, ray: [VertexId; 2], v: VertexId) -> Ordering {
         self.signs.side(ray, v, &mut self.probe)

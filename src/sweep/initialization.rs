@@ -115,6 +115,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             Side::open(OpenId::segment(left)),
         ];
         self.fabric.make([first, left, right], across, Why::First);
-        self.put_on_front(first, left);
+        let near = self.fabric.signs.approx(first);
+        self.put_on_front(first, near, left);
     }
 }

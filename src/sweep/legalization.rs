@@ -38,11 +38,15 @@ use crate::scalar::Scalar;
 use crate::trace::{Event, Outcome};
 
 impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
-    /// Legalizes the outer sides of the fan around `p`, from triangle `t` to the one whose right end is `last`,
-    /// which is returned. `p` is corner 0 of all of them, and stays it.
+    /// Legalizes the outer sides of the fan around a vertex, from triangle `t` to the one whose right end is `last`,
+    /// which is returned. The vertex is corner 0 of all of them, and stays it; `near` are its doubles.
     #[inline(always)]
-    pub(super) fn legalize_fan(&mut self, t: TriangleId, p: VertexId, last: VertexId) -> TriangleId {
-        let near = self.signs.approx(p);
+    pub(super) fn legalize_fan(
+        &mut self,
+        t: TriangleId,
+        near: [f64; 2],
+        last: VertexId,
+    ) -> TriangleId {
         let mut at = t;
         loop {
             while self.is_illegal_from(near, Side::new(at, 0)) {

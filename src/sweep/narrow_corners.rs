@@ -73,6 +73,17 @@ struct Angle {
 }
 
 impl Angle {
+    /// That at a corner between two ends.
+    #[inline(always)]
+    fn at([cx, cy]: [f64; 2], ends: [[f64; 2]; 2]) -> Angle {
+        let arms = ends.map(|[x, y]| [x - cx, y - cy]);
+        let [[ax, ay], [bx, by]] = arms;
+        Angle {
+            arms,
+            dot: ax * bx + ay * by,
+        }
+    }
+
     /// Whether it is below pi/2.
     #[inline(always)]
     fn is_acute(&self) -> bool {
@@ -88,33 +99,40 @@ impl Angle {
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// Closes the corners right and left of `p` while they are narrow.
+    /// Closes the corners right and left of `p` while they are narrow. `near` are the doubles of `p`.
     #[inline(always)]
-    pub(super) fn close_narrow_corners(&mut self, p: VertexId, obtuse: Obtuse) {
-        self.close_narrow(p, Way::Right, obtuse);
-        self.close_narrow(p, Way::Left, obtuse);
+    pub(super) fn close_narrow_corners(&mut self, p: VertexId, near: [f64; 2], obtuse: Obtuse) {
+        self.close_narrow(p, near, Way::Right, obtuse);
+        self.close_narrow(p, near, Way::Left, obtuse);
     }
 
     /// The same for angles that are compared with the others. It is compiled apart, so that these are constants.
     #[cfg(feature = "comparison")]
     #[cold]
     #[inline(never)]
-    pub(super) fn close_corners_to_compare(&mut self, p: VertexId, corners: Corners) {
-        self.close_narrow_corners(p, Obtuse::of(corners));
+    pub(super) fn close_corners_to_compare(
+        &mut self,
+        p: VertexId,
+        near: [f64; 2],
+        corners: Corners,
+    ) {
+        self.close_narrow_corners(p, near, Obtuse::of(corners));
     }
 
     #[inline(always)]
-    fn close_narrow(&mut self, p: VertexId, way: Way, mut obtuse: Obtuse) {
+    fn close_narrow(&mut self, p: VertexId, near: [f64; 2], way: Way, mut obtuse: Obtuse) {
+        let mut corner = self.front.beside(p, way);
+        let mut near_corner = self.fabric.signs.approx(corner);
         // One obtuse corner on either side. Otherwise each new vertex beside a long straight stretch
         // would close many corners that the next one opens again.
         loop {
-            let corner = self.front.beside(p, way);
             let far = self.front.beside(corner, way);
             // An artificial end has no corner; the number beyond an end counts as artificial too.
             if self.fabric.signs.is_artificial(far) {
                 break;
             }
-            let angle = self.angle(p, corner, far);
+            let near_far = self.fabric.signs.approx(far);
+            let angle = Angle::at(near_corner, [near, near_far]);
             if !angle.is_acute() {
                 if !obtuse.may_be || !angle.is_below(obtuse.squared_cosine) {
                     break;
@@ -122,29 +140,25 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 obtuse.may_be = obtuse.may_all_be;
             }
             // Seen from the corner, as the angle is.
-            if self.fabric.orient2d([far, p, corner]) != inward(way) {
+            let turn = [far, p, corner];
+            if self.fabric.orient2d_near(turn, [near_far, near, near_corner]) != inward(way) {
                 break;
             }
-            self.close_corner(p, way, Why::NarrowCorner);
+            self.close_corner(p, near, way, [corner, far], Why::NarrowCorner);
+            (corner, near_corner) = (far, near_far);
         }
     }
 
-    /// The angle at `corner` between `p` and `far`.
+    /// Covers the node `corner` beside `p`: a triangle of `p`, that node and the one after it, `far`.
     #[inline(always)]
-    fn angle(&self, p: VertexId, corner: VertexId, far: VertexId) -> Angle {
-        let [[px, py], [cx, cy], [fx, fy]] = [p, corner, far].map(|v| self.fabric.signs.approx(v));
-        let (ax, ay, bx, by) = (px - cx, py - cy, fx - cx, fy - cy);
-        Angle {
-            arms: [[ax, ay], [bx, by]],
-            dot: ax * bx + ay * by,
-        }
-    }
-
-    /// Covers the node beside `p`: a triangle of `p`, that node and the one after it.
-    #[inline(always)]
-    pub(super) fn close_corner(&mut self, p: VertexId, way: Way, why: Why) {
-        let corner = self.front.beside(p, way);
-        let far = self.front.beside(corner, way);
+    pub(super) fn close_corner(
+        &mut self,
+        p: VertexId,
+        near: [f64; 2],
+        way: Way,
+        [corner, far]: [VertexId; 2],
+        why: Why,
+    ) {
         // Segments bear the number of their left end. The outer one runs from `corner` to `far`, the
         // spoke from `p` to `corner`; the new segment runs from `p` to `far`.
         let below = |v| self.fabric.mesh.below(OpenId::segment(v));
@@ -155,7 +169,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         };
         let t = self.fabric.make(vertices, across, why);
         self.take_off_front(corner);
-        let rightmost = self.fabric.legalize_fan(t, p, vertices[2]);
+        let rightmost = self.fabric.legalize_fan(t, near, vertices[2]);
         let spoke = match way {
             Way::Right => Side::new(t, 2),
             Way::Left => Side::new(rightmost, 1),

@@ -36,14 +36,15 @@ use crate::trace::{Event, PointCase, Why};
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Adds vertex `p`, the next one in sweep order.
     pub(super) fn point_event(&mut self, p: VertexId) {
-        let (left, is_above) = self.segment_under(p);
-        self.add_above(p, left, is_above);
-        self.apply_heuristics(p);
+        let near = self.fabric.signs.approx(p);
+        let (left, is_above) = self.segment_under(p, near);
+        self.add_above(p, near, left, is_above);
+        self.apply_heuristics(p, near);
     }
 
     /// Joins `p` to the front on the segment that starts at `left`; `is_above` if it lies above that.
     #[inline(always)]
-    pub(super) fn add_above(&mut self, p: VertexId, left: VertexId, is_above: bool) {
+    pub(super) fn add_above(&mut self, p: VertexId, near: [f64; 2], left: VertexId, is_above: bool) {
         let right = self.front.next(left);
 
         self.fabric.report(|name| Event::Point {
@@ -63,28 +64,29 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             Side::open(segment),
         ];
         let t = self.fabric.make([p, left, right], across, Why::Point);
-        self.put_on_front(p, left);
-        self.fabric.legalize_fan(t, p, right);
+        self.put_on_front(p, near, left);
+        self.fabric.legalize_fan(t, near, right);
 
         // The second triangle of the left case.
         if is_above {
             self.fabric.probe.count(|c| c.left_cases += 1);
-            self.close_corner(p, Way::Left, Why::Point);
+            let far = self.front.prev(left);
+            self.close_corner(p, near, Way::Left, [left, far], Why::Point);
         }
     }
 
     /// The triangles that the heuristics add beside `p`, the node of the front swept last.
     #[inline(always)]
-    pub(super) fn apply_heuristics(&mut self, p: VertexId) {
+    pub(super) fn apply_heuristics(&mut self, p: VertexId, near: [f64; 2]) {
         let heuristics = self.heuristics();
         match heuristics.corners {
             Corners::Off => {}
             Corners::RightAngle | Corners::Wide => {
-                self.close_narrow_corners(p, Obtuse::of(heuristics.corners));
+                self.close_narrow_corners(p, near, Obtuse::of(heuristics.corners));
             }
             #[cfg(feature = "comparison")]
             Corners::OneUpTo(_) | Corners::AllUpTo(_) => {
-                self.close_corners_to_compare(p, heuristics.corners);
+                self.close_corners_to_compare(p, near, heuristics.corners);
             }
         }
         if heuristics.basins {
@@ -95,24 +97,25 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// The left end of the front segment under the projection of `p`: the last node whose x is at most
     /// that of `p`, and whether it is equal. The search structure says where to start.
     #[inline(always)]
-    pub(super) fn segment_under(&mut self, p: VertexId) -> (VertexId, bool) {
+    pub(super) fn segment_under(&mut self, p: VertexId, near: [f64; 2]) -> (VertexId, bool) {
         let signs = &self.fabric.signs;
-        let start = self.search.locate(signs.search_x(p), &self.front);
+        let x = signs.search_x_near(p, near);
+        let start = self.search.locate(x, &self.front);
         assert!(
             self.front.contains(start),
             "the search structure named a node off the front"
         );
         let mut at = start.vertex();
-        let mut order = signs.compare_x(at, p);
+        let mut order = signs.compare_x_near(at, p, near);
         let mut steps = 0;
         while order == Greater {
             at = self.front.prev(at);
-            order = signs.compare_x(at, p);
+            order = signs.compare_x_near(at, p, near);
             steps += 1;
         }
         loop {
             let right = self.front.next(at);
-            let beyond = signs.compare_x(right, p);
+            let beyond = signs.compare_x_near(right, p, near);
             if beyond == Greater {
                 break;
             }

@@ -61,9 +61,15 @@ impl<'a, S: Scalar> Signs<'a, S> {
     /// What a search structure gets for the x of a vertex.
     #[inline(always)]
     pub(super) fn search_x(&self, v: VertexId) -> f64 {
+        self.search_x_near(v, self.approx(v))
+    }
+
+    /// The same for a vertex with these approximated coordinates.
+    #[inline(always)]
+    pub(super) fn search_x_near(&self, v: VertexId, near: [f64; 2]) -> f64 {
         match self.places.get(v.index()) {
             Some(&place) => f64::from(place),
-            None => self.approx(v)[0],
+            None => near[0],
         }
     }
 
@@ -94,10 +100,16 @@ impl<'a, S: Scalar> Signs<'a, S> {
     /// Order by x; P-1 before and P-2 after all.
     #[inline(always)]
     pub(super) fn compare_x(&self, a: VertexId, b: VertexId) -> Ordering {
-        let (x, y) = (self.approx(a)[0], self.approx(b)[0]);
-        if x < y {
+        self.compare_x_near(a, b, self.approx(b))
+    }
+
+    /// The same where `b` has these approximated coordinates.
+    #[inline(always)]
+    pub(super) fn compare_x_near(&self, a: VertexId, b: VertexId, near_b: [f64; 2]) -> Ordering {
+        let x = self.approx(a)[0];
+        if x < near_b[0] {
             Less
-        } else if x > y {
+        } else if x > near_b[0] {
             Greater
         } else {
             self.compare_equal_x(a, b)
@@ -118,13 +130,24 @@ impl<'a, S: Scalar> Signs<'a, S> {
     /// `Greater` if the vertices `a`, `b`, `c`, all real, turn left.
     #[inline(always)]
     pub(super) fn orient2d(&self, [a, b, c]: [VertexId; 3], probe: &mut impl Probe) -> Ordering {
-        let doubles = [self.approx(a), self.approx(b), self.approx(c)];
-        match filter::orient2d(doubles, self.vertices.scale) {
+        let near = [self.approx(a), self.approx(b), self.approx(c)];
+        self.orient2d_near([a, b, c], near, probe)
+    }
+
+    /// The same where these are their doubles.
+    #[inline(always)]
+    pub(super) fn orient2d_near(
+        &self,
+        vertices: [VertexId; 3],
+        near: [[f64; 2]; 3],
+        probe: &mut impl Probe,
+    ) -> Ordering {
+        match filter::orient2d(near, self.vertices.scale) {
             Some(sign) => {
                 probe.count(|c| c.orient2d_filtered += 1);
                 sign
             }
-            None => self.orient2d_exact([a, b, c], probe),
+            None => self.orient2d_exact(vertices, probe),
         }
     }
 

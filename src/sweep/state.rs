@@ -85,14 +85,14 @@ impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
 
     /// Puts `v` on the front between `left` and the node after it.
     #[inline(always)]
-    pub(super) fn put_on_front(&mut self, v: VertexId, left: VertexId) {
+    pub(super) fn put_on_front(&mut self, v: VertexId, near: [f64; 2], left: VertexId) {
         self.front.link(v, left);
         self.fabric.probe.record(Recorder::front_grows);
         self.fabric.report(|name| Event::FrontInsert {
             vertex: name(v),
             after: name(left),
         });
-        let x = self.fabric.signs.search_x(v);
+        let x = self.fabric.signs.search_x_near(v, near);
         self.search.inserted(FrontNode::new(v), x);
     }
 

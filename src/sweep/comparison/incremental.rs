@@ -150,7 +150,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         for made in [t, u, w] {
             self.probe.record(|r| r.made(made, Why::Point));
         }
-        self.legalize_fan(w, p, a);
+        let near = self.signs.approx(p);
+        self.legalize_fan(w, near, a);
     }
 
     /// The ghost of the hull side that starts at the lowest vertex.

@@ -77,15 +77,16 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let artificial = self.fabric.signs.artificial;
         let mut hull = self.take_lower_hull();
         for v in (first..n).map(VertexId::at) {
-            let (left, is_above) = self.segment_under(v);
+            let near = self.fabric.signs.approx(v);
+            let (left, is_above) = self.segment_under(v, near);
             if left == artificial.left || is_above && left == self.end(Way::Left) {
                 self.beside_front(v, Way::Left, &mut hull);
             } else if self.front.next(left) == artificial.right {
                 self.beside_front(v, Way::Right, &mut hull);
             } else {
-                self.add_above(v, left, is_above);
+                self.add_above(v, near, left, is_above);
             }
-            self.apply_heuristics(v);
+            self.apply_heuristics(v, near);
         }
         self.complete_hull();
         self.enclose_lower_hull(&hull);
@@ -130,7 +131,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             Way::Left => (self.fabric.signs.artificial.left, p),
             Way::Right => (end, end),
         };
-        self.put_on_front(p, before);
+        let near = self.fabric.signs.approx(p);
+        self.put_on_front(p, near, before);
         let mut spoke = Side::open(OpenId::segment(segment));
         let mut lower = end;
         while let Some(&side) = sides.last()
@@ -144,7 +146,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 Way::Right => ([p, side.upper, lower], [behind, new, spoke]),
             };
             let t = self.fabric.make(vertices, across, Why::Point);
-            self.fabric.legalize_fan(t, p, vertices[2]);
+            self.fabric.legalize_fan(t, near, vertices[2]);
             spoke = self.fabric.mesh.below(open);
         }
         if lower == end {
@@ -184,7 +186,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         };
         let t = self.fabric.make(vertices, across, Why::Point);
         self.take_off_front(end);
-        self.fabric.legalize_fan(t, p, vertices[2]);
+        let near = self.fabric.signs.approx(p);
+        self.fabric.legalize_fan(t, near, vertices[2]);
     }
 
     /// Artificial triangles below the lower hull.
