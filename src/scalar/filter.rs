@@ -51,6 +51,7 @@
 use std::cmp::Ordering::{self, Greater, Less};
 
 use super::doubles::U;
+use super::lanes::Lanes;
 use super::scale::{Scale, UNDERFLOW};
 
 const ORIENT2D: f64 = (3.0 + 32.0 * U) * U;
@@ -77,15 +78,20 @@ pub(crate) fn orient2d([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Orderin
 /// decide it: `Greater` for inside, where the three are counter-clockwise.
 #[inline(always)]
 pub(crate) fn in_circle([p, a, b, q]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
-    // What is seen from p and what is seen from q, in two lanes.
-    let from = |end: f64, i: usize| [end - p[i], end - q[i]];
-    let ([ax, ay], [bx, by]) = ([from(a[0], 0), from(a[1], 1)], [from(b[0], 0), from(b[1], 1)]);
-    let lanes = |of: &dyn Fn(usize) -> f64| [of(0), of(1)];
-    let cross = lanes(&|k| ax[k] * by[k] - ay[k] * bx[k]);
-    let dot = lanes(&|k| ax[k] * bx[k] + ay[k] * by[k]);
-    let size = lanes(&|k| (ax[k].abs() + ay[k].abs()) * (bx[k].abs() + by[k].abs()));
-    let determinant = dot[0] * cross[1] - dot[1] * cross[0];
-    let bound = IN_CIRCLE * (size[0] * size[1]) + scale.underflow_if_exact();
+    // What is seen from p in the low lanes, what is seen from q in the high ones.
+    let [p, a, b, q] = [p, a, b, q].map(Lanes::new);
+    let (x, y) = (p.lows(q), p.highs(q));
+    let (ax, ay, bx, by) = (
+        a.lows(a) - x,
+        a.highs(a) - y,
+        b.lows(b) - x,
+        b.highs(b) - y,
+    );
+    let (cross, dot) = (ax * by - ay * bx, ax * bx + ay * by);
+    let products = cross * dot.swapped();
+    let size = (ax.abs() + ay.abs()) * (bx.abs() + by.abs());
+    let determinant = products.swapped().low() - products.low();
+    let bound = IN_CIRCLE * (size.low() * size.swapped().low()) + scale.underflow_if_exact();
     if determinant.abs() > bound {
         return Some(sign(determinant));
     }

@@ -26,6 +26,7 @@ pub(crate) mod filter;
 pub(crate) mod frame;
 mod i128;
 mod integer;
+mod lanes;
 mod lattice;
 mod ratio;
 mod rational;
