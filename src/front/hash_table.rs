@@ -27,8 +27,9 @@ use crate::bucket::sampled;
 #[derive(Clone, Debug)]
 pub struct HashTable<T = ()> {
     intervals: Intervals,
-    table: Vec<Option<FrontNode>>,
-    last: Option<FrontNode>,
+    /// The node inserted last in each interval; the left end of the front, which is never inserted, for none.
+    table: Vec<FrontNode>,
+    last: FrontNode,
     patience: Patience,
     tally: T,
 }
@@ -65,7 +66,7 @@ impl<T: Tally> HashTable<T> {
         HashTable {
             intervals: Intervals::default(),
             table: Vec::new(),
-            last: None,
+            last: FrontNode::from_rank(0),
             patience: Patience::default(),
             tally,
         }
@@ -93,8 +94,9 @@ impl<T: Tally> FrontSearch for HashTable<T> {
             count
         };
         self.table.clear();
-        self.table.resize(count, None);
-        self.last = None;
+        let none = FrontNode::from_rank(n);
+        self.table.resize(count, none);
+        self.last = none;
         self.patience = Patience::with(n);
         self.tally.count(|work| {
             work.hold::<u8>(size_of_val(&self.table[..]) + self.intervals.bytes());
@@ -109,17 +111,17 @@ impl<T: Tally> FrontSearch for HashTable<T> {
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         let tally = &mut self.tally;
         let at = self.intervals.number(x, self.table.len(), tally);
-        let live = |entry: &Option<FrontNode>, tally: &mut T| {
+        let live = |node: FrontNode, tally: &mut T| {
             tally.count(|work| work.visited += 1);
-            entry.filter(|&node| front.contains(node))
+            (node != front.left_end() && front.contains(node)).then_some(node)
         };
-        if let Some(node) = live(&self.table[at], tally) {
+        if let Some(node) = live(self.table[at], tally) {
             return node;
         }
         if let Intervals::Places(places) = &mut self.intervals {
             // What has left the front is forgotten on the way.
             while let Some(place) = places.last_up_to(at, tally) {
-                if let Some(node) = live(&self.table[place], tally) {
+                if let Some(node) = live(self.table[place], tally) {
                     return node;
                 }
                 places.remove(place, tally);
@@ -128,9 +130,9 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         }
         let around = (1..=REACH).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
         around
-            .filter_map(|i| live(self.table.get(i?)?, tally))
+            .filter_map(|i| live(*self.table.get(i?)?, tally))
             .next()
-            .or_else(|| live(&self.last, &mut self.tally))
+            .or_else(|| live(self.last, &mut self.tally))
             .unwrap_or(front.left_end())
     }
 
@@ -142,8 +144,8 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         if let Intervals::Places(places) = &mut self.intervals {
             places.insert(at, tally);
         }
-        self.table[at] = Some(node);
-        self.last = Some(node);
+        self.table[at] = node;
+        self.last = node;
     }
 }
 
@@ -207,7 +209,7 @@ mod tests {
             table.inserted(node, points[node.rank()][0]);
             left = node;
         }
-        let entries = 5 * size_of::<Option<FrontNode>>() as u64;
+        let entries = 5 * size_of::<FrontNode>() as u64;
         let mut expected = Work {
             updates: 4,
             bytes: entries,
@@ -231,7 +233,7 @@ mod tests {
         expected.updates += 1;
         // The word changed; the empty entry of the place, the word, and the entry found.
         expected.visited += 1 + 3;
-        expected.bytes = entries.max(24 * size_of::<Option<FrontNode>>() as u64 + 8);
+        expected.bytes = entries.max(24 * size_of::<FrontNode>() as u64 + 8);
         assert_eq!(table.work(), expected);
 
         table.begin(Domain::new(&points));
@@ -255,7 +257,7 @@ mod tests {
         assert!((4..=5).contains(&work.comparisons), "{work:?}");
         assert_eq!(
             work.bytes,
-            17 * size_of::<Option<FrontNode>>() as u64 + 8 * 16
+            17 * size_of::<FrontNode>() as u64 + 8 * 16
         );
     }
 }

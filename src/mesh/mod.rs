@@ -214,21 +214,25 @@ impl Mesh {
     ///      \ j /             \ | /
     ///        q                 q
     /// ```
+    ///
+    /// Returns the side across which `t` lay, and the ends of the new side.
     #[inline(always)]
-    pub(crate) fn flip_in_fan(&mut self, t: TriangleId) {
-        let upper = *self.get(t);
-        let (u, j) = (upper.across(0).triangle(), upper.across(0).corner());
-        let lower = self.get(u);
-        let (q, aq, qb) = (lower.vertex(j), lower.across(next(j)), lower.across(prev(j)));
+    pub(crate) fn flip_in_fan(&mut self, t: TriangleId) -> (Side, [VertexId; 2]) {
+        let upper = self.get(t);
+        let across = upper.across(0);
         let (p, b, bp) = (upper.vertex(0), upper.vertex(2), upper.across(1));
+        let (u, j) = (across.triangle(), across.corner());
+        let record = &mut self.triangles[u.index()];
+        let (q, aq, qb) = (record.vertex(j), record.across(next(j)), record.across(prev(j)));
+        *record = Triangle::new([p, q, b], [qb, bp, Side::new(t, 1)]);
         let record = &mut self.triangles[t.index()];
         record.set_vertex(2, q);
         record.set_across(0, aq);
         record.set_across(1, Side::new(u, 2));
-        self.triangles[u.index()] = Triangle::new([p, q, b], [qb, bp, Side::new(t, 1)]);
         self.relink(aq, Side::new(t, 0));
         self.relink(qb, Side::new(u, 0));
         self.relink(bp, Side::new(u, 1));
+        (across, [p, q])
     }
 
     /// Makes a new open side, on which no triangle borders yet; [`Mesh::forget_open`] removes it.

@@ -113,28 +113,40 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Swaps a side; returns the one that lay across it.
     #[inline(always)]
     fn flip(&mut self, side: Side) -> Side {
-        self.count_flip(side);
-        self.mesh.flip(side)
+        self.report_flip(side);
+        let across = self.mesh.flip(side);
+        let [p, _, q] = self.mesh.around(side);
+        self.count_flip([side, across], [p, q]);
+        across
     }
 
     /// Swaps side 0 of a triangle in a fan around its corner 0.
     #[inline(always)]
     fn flip_in_fan(&mut self, t: TriangleId) {
-        self.count_flip(Side::new(t, 0));
-        self.mesh.flip_in_fan(t);
+        let side = Side::new(t, 0);
+        self.report_flip(side);
+        let (across, ends) = self.mesh.flip_in_fan(t);
+        self.count_flip([side, across], ends);
     }
 
-    /// Reports, counts and checks a flip that is about to be made.
+    /// Reports a flip that is about to be made.
     #[inline(always)]
-    fn count_flip(&mut self, side: Side) {
-        let ([p, a, b], q) = self.quadrilateral(side);
-        self.report(|name| Event::Flip {
-            side: [a, b].map(name),
-            new_side: [p, q].map(name),
-        });
+    fn report_flip(&mut self, side: Side) {
+        if P::EVENTS {
+            let ([p, a, b], q) = self.quadrilateral(side);
+            self.report(|name| Event::Flip {
+                side: [a, b].map(name),
+                new_side: [p, q].map(name),
+            });
+        }
+    }
+
+    /// Counts a flip of these sides, which made a side with these ends.
+    #[inline(always)]
+    fn count_flip(&mut self, sides: [Side; 2], [p, q]: [VertexId; 2]) {
         self.probe.count(|c| c.flips += 1);
+        self.probe.record(|r| r.flipped(sides));
         self.flip_limit.count();
-        self.probe.record(|r| r.flipped([side, self.mesh.across(side)]));
         if p == q {
             // In a plane the two triangles of a side have different vertices opposite.
             contradiction();
