@@ -14,7 +14,7 @@
 //!
 //! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
 
-use std::cmp::Ordering::{self, Equal};
+use std::cmp::Ordering;
 
 use crate::bucket::{bucket, sampled};
 use crate::ids::narrow;
@@ -49,9 +49,10 @@ type Site = ([f64; 2], u32);
 pub(super) struct Workspace {
     /// Where the points of each bucket end.
     ends: Vec<u32>,
-    /// A bucket, and a long run of one key in it.
+    /// A bucket, a long run of one key in it, and a long row of one y in that.
     bucket: Sorted,
     run: Sorted,
+    row: Sorted,
 }
 
 /// Sites sorted by a key of one coordinate.
@@ -82,7 +83,18 @@ pub(super) fn sort<S: Scalar>(
     order.duplicates.clear();
     let compare = |a: &Site, b: &Site| compare(points, scale, a, b);
     let by_index = |a: &Site, b: &Site| compare(a, b).then_with(|| a.1.cmp(&b.1));
-    let Workspace { ends, bucket, run } = workspace;
+    let Workspace {
+        ends,
+        bucket,
+        run,
+        row,
+    } = workspace;
+    let is_long = |sites: &[Site]| sites.len() > FEW && scale.tells_equal();
+    let mut sort_row = |sites: &mut [Site]| {
+        row.set(sites.iter().copied(), 0);
+        row.sort_runs(|sites| sites.sort_unstable_by(by_index));
+        sites.copy_from_slice(&row.sites);
+    };
 
     let (mut from, mut kept) = (0, 0);
     for &end in &*ends {
@@ -93,15 +105,20 @@ pub(super) fn sort<S: Scalar>(
             if sites.is_sorted_by(|a, b| by_index(a, b).is_lt()) {
                 return;
             }
-            if sites.len() > FEW && scale.tells_equal() {
-                // All of a lattice's row have one y.
-                let is_apart = |site: &Site| site.0[1].partial_cmp(&sites[0].0[1]) != Some(Equal);
-                let axis = usize::from(sites.iter().any(is_apart));
-                run.set(sites.iter().copied(), axis);
-                run.sort_runs(|sites| sites.sort_unstable_by(by_index));
-                sites.copy_from_slice(&run.sites);
-            } else {
+            if !is_long(sites) {
                 sites.sort_unstable_by(by_index);
+            } else if is_row(sites) {
+                sort_row(sites);
+            } else {
+                run.set(sites.iter().copied(), 1);
+                run.sort_runs(|sites| {
+                    if is_long(sites) && is_row(sites) {
+                        sort_row(sites);
+                    } else {
+                        sites.sort_unstable_by(by_index);
+                    }
+                });
+                sites.copy_from_slice(&run.sites);
             }
         });
         // What is equal has one key. The others move up to what is kept.
@@ -124,6 +141,12 @@ pub(super) fn sort<S: Scalar>(
     order.input.truncate(kept);
     order.duplicates.sort_unstable();
     order
+}
+
+/// Whether all have the same y, as those in a row of a lattice have.
+fn is_row(sites: &[Site]) -> bool {
+    let first = sites.first().map(|site| site.0[1]);
+    sites.iter().all(|site| Some(site.0[1]) == first)
 }
 
 /// Exact sweep order of two sites.
