@@ -2,7 +2,7 @@
 //! working memory, kept from one edge to the next.
 
 use super::corner::Corner;
-use crate::ids::OpenId;
+use crate::ids::{OpenId, TriangleId};
 use crate::mesh::Side;
 
 /// Both pseudo-polygons of an edge.
@@ -16,6 +16,8 @@ pub(super) struct Polygons {
 /// The open sides on the border of both pseudo-polygons.
 #[derive(Debug, Default)]
 pub(super) struct Seams {
+    /// The pierced triangles, ascending.
+    pub(super) pierced: Vec<TriangleId>,
     /// Each with what lies across it.
     pub(super) outer: Vec<(OpenId, Side)>,
     /// Hanging edges: the pierced triangle's side, what lies across, and the open side in its place.

@@ -28,7 +28,7 @@ use super::corner::Corner;
 use super::fabric::Fabric;
 use super::obstacles::Obstacles;
 use super::polygons::{Polygons, Seams};
-use crate::ids::{OpenId, VertexId};
+use crate::ids::{OpenId, TriangleId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
@@ -44,12 +44,10 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         obstacles: &Obstacles,
     ) -> Side {
         // The pierced triangles go, and leave two chains of open sides.
-        self.remove_pierced(obstacles);
         let kept = self.mesh.count_open();
         let mut polygons = take(&mut self.polygons);
         let Polygons { right, left, seams } = &mut polygons;
-        seams.outer.clear();
-        seams.hanging.clear();
+        self.note_pierced(&obstacles.pierced, seams);
         self.border(right, obstacles.right.iter(), to, seams);
         // The left chain runs the other way, so that its inside is to its left too.
         self.border(left, obstacles.left.iter().rev(), from, seams);
@@ -76,18 +74,26 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         right.prev()
     }
 
-    /// Marks the pierced triangles. They are needed until the borders are known; then their places are
-    /// used again.
-    fn remove_pierced(&mut self, obstacles: &Obstacles) {
-        self.probe
-            .count(|c| c.pierced += obstacles.pierced.len() as u64);
-        for &t in &obstacles.pierced {
+    /// Begins the seams of these pierced triangles, which are needed until the borders are known; then their places
+    /// are used again.
+    fn note_pierced(&mut self, pierced: &[TriangleId], seams: &mut Seams) {
+        self.probe.count(|c| c.pierced += pierced.len() as u64);
+        for &t in pierced {
             let vertices = self.mesh.get(t).vertices();
             self.report(|name| Event::Pierced {
                 vertices: vertices.map(name),
             });
-            self.mesh.mark(t);
         }
+        let Seams {
+            pierced: sorted,
+            outer,
+            hanging,
+        } = seams;
+        sorted.clear();
+        sorted.extend_from_slice(pierced);
+        sorted.sort_unstable();
+        outer.clear();
+        hanging.clear();
     }
 
     /// Replaces these sides of pierced triangles by `chain`, of open sides, which ends at `last`.
@@ -130,7 +136,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     fn open_seam(&mut self, inner: Side, seams: &mut Seams) -> OpenId {
         let open = self.mesh.add_open();
         let outer = self.mesh.across(inner);
-        if !outer.is_open() && self.mesh.is_marked(outer.triangle()) {
+        if !outer.is_open() && seams.pierced.binary_search(&outer.triangle()).is_ok() {
             seams.hanging.push((inner, outer, open));
         } else {
             seams.outer.push((open, outer));
