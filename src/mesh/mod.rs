@@ -71,9 +71,7 @@ impl Mesh {
     /// The vertex opposite a side, and the two ends of the side: the triangle, counter-clockwise.
     #[inline(always)]
     pub(crate) fn around(&self, side: Side) -> [VertexId; 3] {
-        let record = self.get(side.triangle());
-        let i = side.corner();
-        [i, next(i), prev(i)].map(|corner| record.vertex(corner))
+        self.get(side.triangle()).vertices_from(side.corner())
     }
 
     /// Replaces the vertex opposite a side.

@@ -44,6 +44,17 @@ impl Triangle {
         self.vertices
     }
 
+    /// The vertices counter-clockwise from `corner` on.
+    #[inline(always)]
+    pub(crate) fn vertices_from(&self, corner: u32) -> [VertexId; 3] {
+        let [a, b, c] = self.vertices;
+        match corner {
+            0 => [a, b, c],
+            1 => [b, c, a],
+            _ => [c, a, b],
+        }
+    }
+
     /// What lies across the side opposite `corner`.
     #[inline(always)]
     pub(crate) fn across(&self, corner: u32) -> Side {

@@ -32,7 +32,7 @@
 use super::fabric::Fabric;
 use super::flip_limit::contradiction;
 use crate::ids::{TriangleId, VertexId};
-use crate::mesh::{Side, next, prev};
+use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{Event, Outcome};
@@ -171,7 +171,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             }
             return false;
         }
-        let vertices = [i, next(i), prev(i)].map(|corner| record.vertex(corner));
+        let vertices = record.vertices_from(i);
         let q = self.mesh.opposite(across);
         let is_illegal = self.signs.must_flip(vertices, near, q, &mut self.probe);
         let outcome = if is_illegal {
