@@ -105,9 +105,12 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             self.front.contains(start),
             "the search structure named a node off the front"
         );
-        let mut at = start.vertex();
+        // Whether the first step goes left is as good as random: it is taken without a branch.
+        let start = start.vertex();
+        let is_beyond = signs.approx(start)[0] > near[0];
+        let mut at = std::hint::select_unpredictable(is_beyond, self.front.prev(start), start);
+        let mut steps = usize::from(is_beyond);
         let mut order = signs.compare_x_near(at, p, near);
-        let mut steps = 0;
         while order == Greater {
             at = self.front.prev(at);
             order = signs.compare_x_near(at, p, near);
