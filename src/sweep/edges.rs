@@ -25,37 +25,48 @@ pub(super) struct Edges {
 
 impl Edges {
     /// Lists the edges of an input of `points` points at their upper ends. Sets `ends` to the ends of each edge,
-    /// upper one first, as input indices of the vertices, and uses the memory of `ranks`.
+    /// upper one first, as input indices of the vertices.
     pub(super) fn set(
         &mut self,
         vertices: &Vertices,
         points: usize,
         edges: &[[usize; 2]],
         ends: &mut Vec<[u32; 2]>,
-        ranks: &mut Vec<VertexId>,
     ) -> Result<(), Error> {
         ends.clear();
         if edges.is_empty() {
             self.clear();
             return Ok(());
         }
+        // The memory of the ranks will be that of the list.
+        let ranks = &mut self.first;
+        ranks.clear();
+        ranks.reserve_exact(points + 1);
         vertices.rank(points, ranks);
         ends.reserve_exact(edges.len());
-        for (edge, &[a, b]) in edges.iter().enumerate() {
+        for (edge, given) in edges.iter().enumerate() {
             let rank = |vertex: usize| match ranks.get(vertex) {
                 Some(&rank) => Ok(rank),
                 None => Err(Error::EdgeOutOfRange { edge, vertex }),
             };
-            let (a, b) = (rank(a)?, rank(b)?);
-            ends.push([a.max(b), a.min(b)].map(VertexId::number));
+            ends.push([rank(given[0])?, rank(given[1])?]);
         }
+        let upper_first = |&[a, b]: &[u32; 2]| [a.max(b), a.min(b)].map(VertexId::new);
         let numbered = ends.iter().enumerate();
         self.list(
             vertices.len(),
-            numbered.map(|(edge, ends)| (narrow(edge), ends.map(VertexId::new))),
+            numbered.map(|(edge, ends)| (narrow(edge), upper_first(ends))),
         );
-        for ends in ends {
-            *ends = ends.map(|rank| vertices.input_index(VertexId::new(rank)));
+        if vertices.duplicates.is_empty() {
+            // Each vertex is that of the point which was given.
+            for (ends, given) in ends.iter_mut().zip(edges) {
+                let upper = usize::from(ends[1] > ends[0]);
+                *ends = [given[upper], given[1 - upper]].map(narrow);
+            }
+        } else {
+            for ends in ends {
+                *ends = upper_first(ends).map(|v| vertices.input_index(v));
+            }
         }
         Ok(())
     }

@@ -54,10 +54,9 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
         });
     }
     let mut ends = take(&mut memory.ends);
-    let Memory {
-        edges: list, ranks, ..
-    } = &mut *memory;
-    list.set(&vertices, points.len(), edges, &mut ends, ranks)?;
+    memory
+        .edges
+        .set(&vertices, points.len(), edges, &mut ends)?;
     memory.initialized();
     let chains = ChainNotes::new(Arc::new(ends));
     let sweep = begin(points, vertices, chains, settings, search, probe, memory);

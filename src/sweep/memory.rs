@@ -25,9 +25,8 @@ use crate::triangulation::Triangulation;
 #[derive(Debug, Default)]
 pub(crate) struct Memory {
     pub(super) is_kept: bool,
-    /// Working memory of the initialization: of the sort, and for each input point the rank of its vertex.
+    /// Working memory of the sort.
     pub(super) sort: Workspace,
-    pub(super) ranks: Vec<VertexId>,
     /// The vertices.
     pub(super) order: Order,
     /// The edges: their list, and their ends as input indices.
@@ -60,7 +59,7 @@ impl Memory {
     /// The initialization is over.
     pub(super) fn initialized(&mut self) {
         if !self.is_kept {
-            (self.sort, self.ranks) = Default::default();
+            self.sort = Workspace::default();
         }
     }
 

@@ -85,11 +85,11 @@ impl Vertices {
     }
 
     /// Sets `ranks` to the ranks of the vertices of so many input points.
-    pub(super) fn rank(&self, points: usize, ranks: &mut Vec<VertexId>) {
+    pub(super) fn rank(&self, points: usize, ranks: &mut Vec<u32>) {
         ranks.clear();
-        ranks.resize(points, VertexId::default());
-        for (rank, &input) in self.input.iter().enumerate() {
-            ranks[input as usize] = VertexId::at(rank);
+        ranks.resize(points, 0);
+        for (rank, &input) in (0..).zip(&self.input) {
+            ranks[input as usize] = rank;
         }
         for &(duplicate, representative) in &self.duplicates {
             ranks[duplicate as usize] = ranks[representative as usize];
