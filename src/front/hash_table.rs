@@ -30,6 +30,8 @@ pub struct HashTable<T = ()> {
     /// The node inserted last in each interval; the left end of the front, which is never inserted, for none.
     table: Vec<FrontNode>,
     last: FrontNode,
+    /// The x that was searched last, and its interval.
+    searched: (f64, usize),
     patience: Patience,
     tally: T,
 }
@@ -67,6 +69,7 @@ impl<T: Tally> HashTable<T> {
             intervals: Intervals::default(),
             table: Vec::new(),
             last: FrontNode::from_rank(0),
+            searched: (f64::NAN, 0),
             patience: Patience::default(),
             tally,
         }
@@ -97,6 +100,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         let none = FrontNode::from_rank(n);
         self.table.resize(count, none);
         self.last = none;
+        self.searched = (f64::NAN, 0);
         self.patience = Patience::with(n);
         self.tally.count(|work| {
             work.hold::<u8>(size_of_val(&self.table[..]) + self.intervals.bytes());
@@ -111,6 +115,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         let tally = &mut self.tally;
         let at = self.intervals.number(x, self.table.len(), tally);
+        self.searched = (x, at);
         let live = |node: FrontNode, tally: &mut T| {
             tally.count(|work| work.visited += 1);
             (node != front.left_end() && front.contains(node)).then_some(node)
@@ -140,7 +145,11 @@ impl<T: Tally> FrontSearch for HashTable<T> {
     fn inserted(&mut self, node: FrontNode, x: f64) {
         let tally = &mut self.tally;
         tally.count(|work| work.updates += 1);
-        let at = self.intervals.number(x, self.table.len(), tally);
+        // The place of a new vertex has just been searched.
+        let at = match self.searched {
+            (searched, at) if searched.total_cmp(&x).is_eq() => at,
+            _ => self.intervals.number(x, self.table.len(), tally),
+        };
         if let Intervals::Places(places) = &mut self.intervals {
             places.insert(at, tally);
         }
