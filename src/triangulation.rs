@@ -109,8 +109,9 @@ impl Triangulation {
         (0..3).filter_map(move |side| {
             let across = triangle.across(side);
             let is_listed = across.is_open() || across.triangle().index() > t;
-            (across.is_fixed() && is_listed)
-                .then(|| [mesh::next(side), mesh::prev(side)].map(|i| self.input_index(triangle.vertex(i))))
+            (across.is_fixed() && is_listed).then(|| {
+                [mesh::next(side), mesh::prev(side)].map(|i| self.input_index(triangle.vertex(i)))
+            })
         })
     }
 
@@ -211,7 +212,9 @@ impl Triangulation {
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
     pub fn par_triangles(&self) -> impl IndexedParallelIterator<Item = [usize; 3]> + Clone + '_ {
-        self.triangles.par_iter().map(|triangle| self.corners(triangle))
+        self.triangles
+            .par_iter()
+            .map(|triangle| self.corners(triangle))
     }
 
     /// What [`constrained_edges`](Triangulation::constrained_edges) lists, on all threads of the current rayon pool.

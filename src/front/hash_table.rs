@@ -264,9 +264,6 @@ mod tests {
         let work = table.work();
         // Sixteen ends are between seventeen intervals.
         assert!((4..=5).contains(&work.comparisons), "{work:?}");
-        assert_eq!(
-            work.bytes,
-            17 * size_of::<FrontNode>() as u64 + 8 * 16
-        );
+        assert_eq!(work.bytes, 17 * size_of::<FrontNode>() as u64 + 8 * 16);
     }
 }

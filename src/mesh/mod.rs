@@ -211,7 +211,11 @@ impl Mesh {
         let (p, b, bp) = (upper.vertex(0), upper.vertex(2), upper.across(1));
         let (u, j) = (across.triangle(), across.corner());
         let record = &mut self.triangles[u.index()];
-        let (q, aq, qb) = (record.vertex(j), record.across(next(j)), record.across(prev(j)));
+        let (q, aq, qb) = (
+            record.vertex(j),
+            record.across(next(j)),
+            record.across(prev(j)),
+        );
         *record = Triangle::new([p, q, b], [qb, bp, Side::new(t, 1)]);
         let record = &mut self.triangles[t.index()];
         record.set_vertex(2, q);

@@ -1,10 +1,18 @@
 //! The floating-point filter: signs of both determinants that are certain from doubles alone.
 //!
-//! Each test subtracts the last point from the others, evaluates the determinant of the differences in
-//! doubles, and compares it with a bound on its error. It answers only where the sign is beyond doubt;
-//! what it leaves open goes to the scalar's exact stages. The bounds are of the kind of Shewchuk's
-//! bound A (1997, sections 4.3 and 4.4: one evaluation, its error against the sum of the absolute
+//! Each test evaluates a determinant of differences in doubles, and compares it with a bound on its error. It answers
+//! only where the sign is beyond doubt; what it leaves open goes to the scalar's exact stages. The bounds are of the
+//! kind of Shewchuk's bound A (1997, sections 4.3 and 4.4: one evaluation, its error against the sum of the absolute
 //! values of the terms); the in-circle bound replaces that sum by one that is cheaper.
+//!
+//! ```text
+//!        p         The in-circle determinant of p, a, b and q is -sin(alpha + beta), in lengths, of the angles at p
+//!      / a \       and q between a and b: q is inside the circle where they are more than pi together. With cross
+//!     a-----b      and dot products of the differences to p and to q, sin(alpha + beta) is
+//!      \ b /       cross_p dot_q - dot_p cross_q. The same is done with what is seen from p and from q, so both go
+//!        q         into the lanes of a register. Where one of the four is far from the others, as in a fan along a
+//!                  circle, these terms are far smaller than those of the lifted points.
+//! ```
 //!
 //! # Why it is right
 //!
@@ -20,13 +28,14 @@
 //!    computed products. The bound is rounded three times. So `ORIENT2D` (1 - u)^3 must be at least
 //!    ((1 - u)^-3 - 1) (1 + u). Shewchuk's constant is (3 + 16u) u; the rest pays for one more
 //!    rounding, that of adding `UNDERFLOW`.
-//! 2. **In circle, exact doubles.** Each term passes ten factors: four in the lift (two differences, a
-//!    square, a sum), four in the minor, one in their product, one in the first sum. So
-//!    |V - D| <= ((1 + u)^10 - 1) P. With the lifts A, B, C of the three points,
-//!    |bx cy| + |by cx| <= (B + C) / 2 and so on, hence P <= A (B + C) + B C. That passes eleven factors
-//!    when computed (two lifts, sum, product, sum), and the bound two more. So
-//!    `IN_CIRCLE` (1 - u)^13 must be at least ((1 + u)^10 - 1) (1 + u).
-//! 3. **Approximated doubles.** Each difference is off by up to its own [`Scale::error`]. Let Q be P with
+//! 2. **In circle, exact doubles.** Each of the eight terms passes nine factors: four in the cross product (two
+//!    differences, a product, a sum), four in the dot product, one in their product. So
+//!    |V - D| <= ((1 + u)^9 - 1) P. For the four differences let A to D be the sums |x| + |y|, A and B seen from p, C
+//!    and D from q. The sizes of the terms of cross_p and dot_p add up to A B, those of cross_q and dot_q to C D,
+//!    hence P <= A B C D. That passes eleven factors when computed (four differences, four sums, three products), and
+//!    the bound two more. So `IN_CIRCLE` (1 - u)^13 must be at least ((1 + u)^9 - 1) (1 + u).
+//! 3. **Approximated doubles.** The points are lifted, and the last one is subtracted from the others. Each
+//!    difference is off by up to its own [`Scale::error`]. Let Q be P with
 //!    every |d| made larger by that. Each term is a product of differences, so it changes by no more
 //!    than its absolute value grows, and the true determinant is within Q - P of D. The code computes
 //!    P as `least` and Q as `most`, never smaller. `least` passes 4 factors (orientation) or 11
@@ -43,8 +52,8 @@
 //! makes the bound infinite or NaN. Then the filter decides nothing.
 //!
 //! Gappa checks the inequalities for the constants, the factors of each term and the bound on underflow
-//! (`tests/proofs.gappa`). Checked by hand only: the number of factors, the inequality of the two means behind
-//! P <= A (B + C) + B C, and that the error of a sum is at most the sum of the errors of its terms.
+//! (`tests/proofs.gappa`). Checked by hand only: the number of factors, P <= A B C D, and that the error of a sum is at most
+//! the sum of the errors of its terms. That both forms of the in-circle determinant are one is tested with integers.
 //!
 //! Cost: about 2 ns (orientation) and 4 ns (in circle) for exact doubles, three times that for others.
 
@@ -55,7 +64,7 @@ use super::lanes::Lanes;
 use super::scale::{Scale, UNDERFLOW};
 
 const ORIENT2D: f64 = (3.0 + 32.0 * U) * U;
-const IN_CIRCLE: f64 = (10.0 + 256.0 * U) * U;
+const IN_CIRCLE: f64 = (9.0 + 256.0 * U) * U;
 const ORIENT2D_APPROX: f64 = 14.0 * U;
 const IN_CIRCLE_APPROX: f64 = 37.0 * U;
 
@@ -81,17 +90,14 @@ pub(crate) fn in_circle([p, a, b, q]: [[f64; 2]; 4], scale: Scale) -> Option<Ord
     // What is seen from p in the low lanes, what is seen from q in the high ones.
     let [p, a, b, q] = [p, a, b, q].map(Lanes::new);
     let (x, y) = (p.lows(q), p.highs(q));
-    let (ax, ay, bx, by) = (
-        a.lows(a) - x,
-        a.highs(a) - y,
-        b.lows(b) - x,
-        b.highs(b) - y,
-    );
-    let (cross, dot) = (ax * by - ay * bx, ax * bx + ay * by);
+    let (ax, ay) = (a.lows(a) - x, a.highs(a) - y);
+    let (bx, by) = (b.lows(b) - x, b.highs(b) - y);
+    let cross = ax * by - ay * bx;
+    let dot = ax * bx + ay * by;
     let products = cross * dot.swapped();
+    let determinant = products.high() - products.low();
     let size = (ax.abs() + ay.abs()) * (bx.abs() + by.abs());
-    let determinant = products.swapped().low() - products.low();
-    let bound = IN_CIRCLE * (size.low() * size.swapped().low()) + scale.underflow_if_exact();
+    let bound = IN_CIRCLE * (size.low() * size.high()) + scale.underflow_if_exact();
     if determinant.abs() > bound {
         return Some(sign(determinant));
     }
@@ -184,7 +190,7 @@ fn sign(determinant: f64) -> Ordering {
 
 #[cfg(test)]
 mod tests {
-    use super::{Scale, in_circle_on_lattice, orient2d_on_lattice};
+    use super::{Scale, in_circle, in_circle_on_lattice, orient2d_on_lattice};
 
     /// Points near the corners of the widest square, many of them on one circle, against integers.
     #[test]
@@ -220,6 +226,11 @@ mod tests {
                 Some(determinant.cmp(&0)),
                 "{points:?}"
             );
+            match in_circle(doubles, scale) {
+                Some(sign) => assert_eq!(sign, determinant.cmp(&0), "{points:?}"),
+                // The bound is at most 9 * 2^-53 times the product of four sums of two differences.
+                None => assert!(determinant.abs() < 6, "{points:?}"),
+            }
             let turn = minor([a[0] - c[0], a[1] - c[1]], [b[0] - c[0], b[1] - c[1]]);
             let found = orient2d_on_lattice([e, f, g], scale);
             assert_eq!(found, Some(turn.cmp(&0)), "{points:?}");

@@ -1,21 +1,84 @@
+//! Two doubles that are added, subtracted and multiplied together: the lanes of a register, where a machine has
+//! registers for two.
+//!
+//! Why it is right: each lane is rounded as a double alone is. So results are the same on every machine.
+//!
+//! Cost: an instruction for both lanes. For arrays of two the compiler finds other instructions, a fifth more in the
+//! in-circle test.
+
 use std::ops::{Add, Mul, Sub};
+
 use wide::f64x2;
+
+/// A low and a high lane.
 #[derive(Clone, Copy)]
 pub(super) struct Lanes(f64x2);
+
 impl Lanes {
     #[inline(always)]
-    pub(super) fn new(x: [f64; 2]) -> Lanes { Lanes(f64x2::new(x)) }
+    pub(super) fn new(lanes: [f64; 2]) -> Lanes {
+        Lanes(f64x2::new(lanes))
+    }
+
     #[inline(always)]
-    pub(super) fn lows(self, other: Lanes) -> Lanes { let (a, b) = (self.0.to_array(), other.0.to_array()); Lanes(f64x2::new([a[0], b[0]])) }
+    pub(super) fn low(self) -> f64 {
+        let [low, _] = self.0.to_array();
+        low
+    }
+
     #[inline(always)]
-    pub(super) fn highs(self, other: Lanes) -> Lanes { let (a, b) = (self.0.to_array(), other.0.to_array()); Lanes(f64x2::new([a[1], b[1]])) }
+    pub(super) fn high(self) -> f64 {
+        let [_, high] = self.0.to_array();
+        high
+    }
+
+    /// The lanes change places.
     #[inline(always)]
-    pub(super) fn swapped(self) -> Lanes { let a = self.0.to_array(); Lanes(f64x2::new([a[1], a[0]])) }
+    pub(super) fn swapped(self) -> Lanes {
+        Lanes::new([self.high(), self.low()])
+    }
+
+    /// The low lanes of both.
     #[inline(always)]
-    pub(super) fn abs(self) -> Lanes { Lanes(self.0.abs()) }
+    pub(super) fn lows(self, high: Lanes) -> Lanes {
+        Lanes::new([self.low(), high.low()])
+    }
+
+    /// The high lanes of both.
     #[inline(always)]
-    pub(super) fn low(self) -> f64 { self.0.to_array()[0] }
+    pub(super) fn highs(self, high: Lanes) -> Lanes {
+        Lanes::new([self.high(), high.high()])
+    }
+
+    #[inline(always)]
+    pub(super) fn abs(self) -> Lanes {
+        Lanes(self.0.abs())
+    }
 }
-impl Add for Lanes { type Output = Lanes; #[inline(always)] fn add(self, o: Lanes) -> Lanes { Lanes(self.0 + o.0) } }
-impl Sub for Lanes { type Output = Lanes; #[inline(always)] fn sub(self, o: Lanes) -> Lanes { Lanes(self.0 - o.0) } }
-impl Mul for Lanes { type Output = Lanes; #[inline(always)] fn mul(self, o: Lanes) -> Lanes { Lanes(self.0 * o.0) } }
+
+impl Add for Lanes {
+    type Output = Lanes;
+
+    #[inline(always)]
+    fn add(self, other: Lanes) -> Lanes {
+        Lanes(self.0 + other.0)
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Lanes;
+
+    #[inline(always)]
+    fn sub(self, other: Lanes) -> Lanes {
+        Lanes(self.0 - other.0)
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Lanes;
+
+    #[inline(always)]
+    fn mul(self, other: Lanes) -> Lanes {
+        Lanes(self.0 * other.0)
+    }
+}

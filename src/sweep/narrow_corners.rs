@@ -141,7 +141,11 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             }
             // Seen from the corner, as the angle is.
             let turn = [far, p, corner];
-            if self.fabric.orient2d_near(turn, [near_far, near, near_corner]) != inward(way) {
+            if self
+                .fabric
+                .orient2d_near(turn, [near_far, near, near_corner])
+                != inward(way)
+            {
                 break;
             }
             self.close_corner(p, near, way, [corner, far], Why::NarrowCorner);

@@ -44,7 +44,13 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// Joins `p` to the front on the segment that starts at `left`; `is_above` if it lies above that.
     #[inline(always)]
-    pub(super) fn add_above(&mut self, p: VertexId, near: [f64; 2], left: VertexId, is_above: bool) {
+    pub(super) fn add_above(
+        &mut self,
+        p: VertexId,
+        near: [f64; 2],
+        left: VertexId,
+        is_above: bool,
+    ) {
         let right = self.front.next(left);
 
         self.fabric.report(|name| Event::Point {

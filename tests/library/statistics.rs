@@ -40,8 +40,8 @@ fn memory(points: &[[f64; 2]], edges: &[[usize; 2]]) -> [usize; 2] {
     let run = Triangulator::new().triangulate_with_stats(points, edges);
     let stats = run.expect("no edges cross").stats;
     let n = points.len();
-    // Two artificial vertices and their triangles; 32 bytes a triangle, 4 an open side, 8 a node.
-    let mesh = 32 * (2 * n + 2) + 4 * (n + 2);
+    // Two artificial vertices and their triangles; 24 bytes a triangle, 4 an open side, 8 a node.
+    let mesh = 24 * (2 * n + 2) + 4 * (n + 2);
     let vertices = 8 * (n + 2) + 16 * (n + 2) + 4 * n;
     // A start for each vertex and one more; lower end and number, and both ends.
     let listed = 4 * (n + 1) + (8 + 8) * edges.len();
