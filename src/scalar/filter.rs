@@ -31,8 +31,8 @@
 //! 2. **In circle, exact doubles.** Each of the eight terms passes nine factors: four in the cross product (two
 //!    differences, a product, a sum), four in the dot product, one in their product. So
 //!    |V - D| <= ((1 + u)^9 - 1) P. For the four differences let A to D be the sums |x| + |y|, A and B seen from p, C
-//!    and D from q. The sizes of the terms of cross_p and dot_p add up to A B, those of cross_q and dot_q to C D,
-//!    hence P <= A B C D. That passes eleven factors when computed (four differences, four sums, three products), and
+//!    and D from q. The sizes of the terms of both products at p add up to A B, those at q to C D, hence
+//!    P <= A B C D. That passes eleven factors when computed (four differences, four sums, three products), and
 //!    the bound two more. So `IN_CIRCLE` (1 - u)^13 must be at least ((1 + u)^9 - 1) (1 + u).
 //! 3. **Approximated doubles.** The points are lifted, and the last one is subtracted from the others. Each
 //!    difference is off by up to its own [`Scale::error`]. Let Q be P with

@@ -140,12 +140,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 obtuse.may_be = obtuse.may_all_be;
             }
             // Seen from the corner, as the angle is.
-            let turn = [far, p, corner];
-            if self
-                .fabric
-                .orient2d_near(turn, [near_far, near, near_corner])
-                != inward(way)
-            {
+            let (turn, doubles) = ([far, p, corner], [near_far, near, near_corner]);
+            if self.fabric.orient2d_near(turn, doubles) != inward(way) {
                 break;
             }
             self.close_corner(p, near, way, [corner, far], Why::NarrowCorner);
