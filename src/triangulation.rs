@@ -31,9 +31,10 @@ use crate::verify::{Report, Violations, verify};
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Triangulation {
-    /// They name the vertices by rank, or whatever numbers `vertices` has.
+    /// Their vertices are places in `vertices`.
     pub(crate) triangles: Vec<Triangle>,
-    /// The input index of each vertex.
+    /// The input index of each vertex, by rank. Looked up when a triangle is read: a pass over all triangles would
+    /// take longer.
     pub(crate) vertices: Vec<u32>,
     pub(crate) hull: Vec<u32>,
     /// `(vertex, representative)` of each duplicate, by vertex.

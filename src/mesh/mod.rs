@@ -6,7 +6,7 @@
 //!
 //! Invariants: neighbours name each other. If the side of `u` lies across a side of `t`, then the side of
 //! `t` lies across that of `u`, and both carry the same fixed bit. Likewise the side that [`Mesh::below`]
-//! names has the open side across it. [`Mesh::flip`] keeps these invariants.
+//! names has the open side across it. [`Mesh::flip`] and [`Mesh::flip_in_fan`] keep these invariants.
 //!
 //! Cost: 24 bytes a triangle.
 //!

@@ -4,8 +4,9 @@
 //! ([`super::chain`]). These two are the leftmost and the rightmost vertex, the upper ones of several.
 //!
 //! The lower hull needs no filling: its sides are those between real and artificial triangles. Following
-//! the artificial triangles around P-1 and then around P-2 lists its vertices. Then every triangle with an
-//! artificial vertex is removed, and ranks become input indices.
+//! the artificial triangles around P-1 and then around P-2 lists its vertices. Then these
+//! triangles are removed. The others keep the ranks of their vertices; the result has the input index of each, and
+//! looks it up when a triangle is read.
 //!
 //! ```text
 //!            .-'-.     .-'-.           The front from `first` to `last` is filled to the upper hull.
@@ -18,7 +19,8 @@
 //!
 //! Why it is right: for the upper hull see [`super::chain`], for the lower one [`super::artificial`].
 //!
-//! Cost: O(h) orientation tests for h nodes of the front, O(n) to number the vertices.
+//! Cost: O(h) orientation tests for h nodes of the front, O(h log h) to remove the artificial triangles of a hull of
+//! h vertices. No other triangle is looked at.
 //!
 //! Differs from the paper: the lower hull (figures 15b and c) needs no pass, since sides with an
 //! artificial end are legalized all along (see [`super::artificial`]).

@@ -114,7 +114,6 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             Side::open(OpenId::segment(left)),
         ];
         self.fabric.make([first, left, right], across, Why::First);
-        let near = self.fabric.signs.approx(first);
-        self.put_on_front(first, near, left);
+        self.put_on_front(self.new_vertex(first), left);
     }
 }

@@ -8,7 +8,8 @@
 //! lowers the lifted surface, ties included (canonical rule).
 //!
 //! There are two forms. Around a *new* vertex `p` only the *outer* sides of its triangles, those opposite
-//! `p`, can be illegal. A flip gives `p` one more triangle, so one walk around `p` is enough:
+//! `p`, can be illegal. A flip gives `p` one more triangle, so one walk around `p` is enough. `p` is corner 0 of every
+//! triangle on the way, so that no corner must be looked for:
 //!
 //! ```text
 //!            p                            p               The walk goes through the fan of triangles

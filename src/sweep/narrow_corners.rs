@@ -21,7 +21,7 @@
 
 use std::cmp::Ordering::{self, Greater, Less};
 
-use super::state::Sweep;
+use super::state::{NewVertex, Sweep};
 use crate::front::{FrontSearch, Way};
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
@@ -99,29 +99,24 @@ impl Angle {
 }
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// Closes the corners right and left of `p` while they are narrow. `near` are the doubles of `p`.
+    /// Closes the corners right and left of `p` while they are narrow.
     #[inline(always)]
-    pub(super) fn close_narrow_corners(&mut self, p: VertexId, near: [f64; 2], obtuse: Obtuse) {
-        self.close_narrow(p, near, Way::Right, obtuse);
-        self.close_narrow(p, near, Way::Left, obtuse);
+    pub(super) fn close_narrow_corners(&mut self, p: NewVertex, obtuse: Obtuse) {
+        self.close_narrow(p, Way::Right, obtuse);
+        self.close_narrow(p, Way::Left, obtuse);
     }
 
     /// The same for angles that are compared with the others. It is compiled apart, so that these are constants.
     #[cfg(feature = "comparison")]
     #[cold]
     #[inline(never)]
-    pub(super) fn close_corners_to_compare(
-        &mut self,
-        p: VertexId,
-        near: [f64; 2],
-        corners: Corners,
-    ) {
-        self.close_narrow_corners(p, near, Obtuse::of(corners));
+    pub(super) fn close_corners_to_compare(&mut self, p: NewVertex, corners: Corners) {
+        self.close_narrow_corners(p, Obtuse::of(corners));
     }
 
     #[inline(always)]
-    fn close_narrow(&mut self, p: VertexId, near: [f64; 2], way: Way, mut obtuse: Obtuse) {
-        let mut corner = self.front.beside(p, way);
+    fn close_narrow(&mut self, p: NewVertex, way: Way, mut obtuse: Obtuse) {
+        let mut corner = self.front.beside(p.id, way);
         let mut near_corner = self.fabric.signs.approx(corner);
         // One obtuse corner on either side. Otherwise each new vertex beside a long straight stretch
         // would close many corners that the next one opens again.
@@ -132,7 +127,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 break;
             }
             let near_far = self.fabric.signs.approx(far);
-            let angle = Angle::at(near_corner, [near, near_far]);
+            let angle = Angle::at(near_corner, [p.near, near_far]);
             if !angle.is_acute() {
                 if !obtuse.may_be || !angle.is_below(obtuse.squared_cosine) {
                     break;
@@ -140,11 +135,11 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                 obtuse.may_be = obtuse.may_all_be;
             }
             // Seen from the corner, as the angle is.
-            let (turn, doubles) = ([far, p, corner], [near_far, near, near_corner]);
+            let (turn, doubles) = ([far, p.id, corner], [near_far, p.near, near_corner]);
             if self.fabric.orient2d_near(turn, doubles) != inward(way) {
                 break;
             }
-            self.close_corner(p, near, way, [corner, far], Why::NarrowCorner);
+            self.close_corner(p, way, [corner, far], Why::NarrowCorner);
             (corner, near_corner) = (far, near_far);
         }
     }
@@ -153,8 +148,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     #[inline(always)]
     pub(super) fn close_corner(
         &mut self,
-        p: VertexId,
-        near: [f64; 2],
+        p: NewVertex,
         way: Way,
         [corner, far]: [VertexId; 2],
         why: Why,
@@ -164,12 +158,15 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let below = |v| self.fabric.mesh.below(OpenId::segment(v));
         let open = |v| Side::open(OpenId::segment(v));
         let (vertices, across) = match way {
-            Way::Right => ([p, corner, far], [below(corner), open(p), below(p)]),
-            Way::Left => ([p, far, corner], [below(far), below(corner), open(far)]),
+            Way::Right => (
+                [p.id, corner, far],
+                [below(corner), open(p.id), below(p.id)],
+            ),
+            Way::Left => ([p.id, far, corner], [below(far), below(corner), open(far)]),
         };
         let t = self.fabric.make(vertices, across, why);
         self.take_off_front(corner);
-        let rightmost = self.fabric.legalize_fan(t, near, vertices[2]);
+        let rightmost = self.fabric.legalize_fan(t, p.near, vertices[2]);
         let spoke = match way {
             Way::Right => Side::new(t, 2),
             Way::Left => Side::new(rightmost, 1),

@@ -2,7 +2,7 @@
 //!
 //! The points are spread over *buckets* of y, each of some hundred points, or some thousand where there are
 //! millions. A bucket is sorted by a finer key of y, by counting. A long run of one key is sorted again by
-//! counting, by a key of its own: of x where all y are equal. What still has one key is sorted by exact
+//! counting, by a still finer key, and a long row of equal y by a key of x. What still has one key is sorted by exact
 //! comparison. Then equal points merge into the one with the lowest input index.
 //!
 //! Why it is right: no key decreases where its coordinate grows, so points of different keys are in order, and
@@ -10,7 +10,8 @@
 //!
 //! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst. A bucket fits in the
 //! cache, so that what follows is fast. For a moment it takes up to 44 bytes for each point of the largest
-//! bucket, and as much for each point of the longest run: 88 bytes a point if all have one y.
+//! bucket, as much for each point of the longest run, and for each of the longest row within a run: 88 bytes a point
+//! if all have one y, 132 if nearly all have.
 //!
 //! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
 

@@ -22,9 +22,10 @@
 //! Differs from the paper: the left case is the middle case, and then one corner closed.
 
 use std::cmp::Ordering::{Equal, Greater};
+use std::hint::select_unpredictable;
 
 use super::narrow_corners::Obtuse;
-use super::state::Sweep;
+use super::state::{NewVertex, Sweep};
 use crate::front::{Domain, FrontNode, FrontSearch, LONG_WALK, Way};
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
@@ -34,27 +35,21 @@ use crate::settings::Corners;
 use crate::trace::{Event, PointCase, Why};
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
-    /// Adds vertex `p`, the next one in sweep order.
-    pub(super) fn point_event(&mut self, p: VertexId) {
-        let near = self.fabric.signs.approx(p);
-        let (left, is_above) = self.segment_under(p, near);
-        self.add_above(p, near, left, is_above);
-        self.apply_heuristics(p, near);
+    /// Adds vertex `v`, the next one in sweep order.
+    pub(super) fn point_event(&mut self, v: VertexId) {
+        let p = self.new_vertex(v);
+        let (left, is_above) = self.segment_under(p);
+        self.add_above(p, left, is_above);
+        self.apply_heuristics(p);
     }
 
     /// Joins `p` to the front on the segment that starts at `left`; `is_above` if it lies above that.
     #[inline(always)]
-    pub(super) fn add_above(
-        &mut self,
-        p: VertexId,
-        near: [f64; 2],
-        left: VertexId,
-        is_above: bool,
-    ) {
+    pub(super) fn add_above(&mut self, p: NewVertex, left: VertexId, is_above: bool) {
         let right = self.front.next(left);
 
         self.fabric.report(|name| Event::Point {
-            vertex: name(p),
+            vertex: name(p.id),
             case: if is_above {
                 PointCase::Left
             } else {
@@ -66,46 +61,46 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let segment = OpenId::segment(left);
         let across = [
             self.fabric.mesh.below(segment),
-            Side::open(OpenId::segment(p)),
+            Side::open(OpenId::segment(p.id)),
             Side::open(segment),
         ];
-        let t = self.fabric.make([p, left, right], across, Why::Point);
-        self.put_on_front(p, near, left);
-        self.fabric.legalize_fan(t, near, right);
+        let t = self.fabric.make([p.id, left, right], across, Why::Point);
+        self.put_on_front(p, left);
+        self.fabric.legalize_fan(t, p.near, right);
 
         // The second triangle of the left case.
         if is_above {
             self.fabric.probe.count(|c| c.left_cases += 1);
             let far = self.front.prev(left);
-            self.close_corner(p, near, Way::Left, [left, far], Why::Point);
+            self.close_corner(p, Way::Left, [left, far], Why::Point);
         }
     }
 
     /// The triangles that the heuristics add beside `p`, the node of the front swept last.
     #[inline(always)]
-    pub(super) fn apply_heuristics(&mut self, p: VertexId, near: [f64; 2]) {
+    pub(super) fn apply_heuristics(&mut self, p: NewVertex) {
         let heuristics = self.heuristics();
         match heuristics.corners {
             Corners::Off => {}
             Corners::RightAngle | Corners::Wide => {
-                self.close_narrow_corners(p, near, Obtuse::of(heuristics.corners));
+                self.close_narrow_corners(p, Obtuse::of(heuristics.corners));
             }
             #[cfg(feature = "comparison")]
             Corners::OneUpTo(_) | Corners::AllUpTo(_) => {
-                self.close_corners_to_compare(p, near, heuristics.corners);
+                self.close_corners_to_compare(p, heuristics.corners);
             }
         }
         if heuristics.basins {
-            self.fill_basins(p);
+            self.fill_basins(p.id);
         }
     }
 
     /// The left end of the front segment under the projection of `p`: the last node whose x is at most
     /// that of `p`, and whether it is equal. The search structure says where to start.
     #[inline(always)]
-    pub(super) fn segment_under(&mut self, p: VertexId, near: [f64; 2]) -> (VertexId, bool) {
+    pub(super) fn segment_under(&mut self, p: NewVertex) -> (VertexId, bool) {
         let signs = &self.fabric.signs;
-        let x = signs.search_x_near(p, near);
+        let x = signs.search_x_near(p.id, p.near);
         let start = self.search.locate(x, &self.front);
         assert!(
             self.front.contains(start),
@@ -113,18 +108,18 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         );
         // Whether the first step goes left is as good as random: it is taken without a branch.
         let start = start.vertex();
-        let is_beyond = signs.approx(start)[0] > near[0];
-        let mut at = std::hint::select_unpredictable(is_beyond, self.front.prev(start), start);
+        let is_beyond = signs.approx(start)[0] > p.near[0];
+        let mut at = select_unpredictable(is_beyond, self.front.prev(start), start);
         let mut steps = usize::from(is_beyond);
-        let mut order = signs.compare_x_near(at, p, near);
+        let mut order = signs.compare_x_near(at, p.id, p.near);
         while order == Greater {
             at = self.front.prev(at);
-            order = signs.compare_x_near(at, p, near);
+            order = signs.compare_x_near(at, p.id, p.near);
             steps += 1;
         }
         loop {
             let right = self.front.next(at);
-            let beyond = signs.compare_x_near(right, p, near);
+            let beyond = signs.compare_x_near(right, p.id, p.near);
             if beyond == Greater {
                 break;
             }

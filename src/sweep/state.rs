@@ -24,6 +24,13 @@ use crate::scalar::Scalar;
 use crate::settings::Heuristics;
 use crate::trace::{Event, Why};
 
+/// A vertex that is being added, with its approximated coordinates, which are looked up once.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NewVertex {
+    pub(super) id: VertexId,
+    pub(super) near: [f64; 2],
+}
+
 /// The state between two events.
 #[derive(Debug)]
 pub(super) struct Sweep<'a, S, F, P> {
@@ -83,17 +90,24 @@ impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
         }
     }
 
-    /// Puts `v` on the front between `left` and the node after it.
+    /// A vertex to be added.
     #[inline(always)]
-    pub(super) fn put_on_front(&mut self, v: VertexId, near: [f64; 2], left: VertexId) {
-        self.front.link(v, left);
+    pub(super) fn new_vertex(&self, id: VertexId) -> NewVertex {
+        let near = self.fabric.signs.approx(id);
+        NewVertex { id, near }
+    }
+
+    /// Puts `p` on the front between `left` and the node after it.
+    #[inline(always)]
+    pub(super) fn put_on_front(&mut self, p: NewVertex, left: VertexId) {
+        self.front.link(p.id, left);
         self.fabric.probe.record(Recorder::front_grows);
         self.fabric.report(|name| Event::FrontInsert {
-            vertex: name(v),
+            vertex: name(p.id),
             after: name(left),
         });
-        let x = self.fabric.signs.search_x_near(v, near);
-        self.search.inserted(FrontNode::new(v), x);
+        let x = self.fabric.signs.search_x_near(p.id, p.near);
+        self.search.inserted(FrontNode::new(p.id), x);
     }
 
     /// Takes `v`, which triangles now cover, off the front.

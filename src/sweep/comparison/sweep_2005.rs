@@ -27,7 +27,7 @@
 
 use std::cmp::Ordering::Less;
 
-use super::super::state::Sweep;
+use super::super::state::{NewVertex, Sweep};
 use crate::error::Error;
 use crate::front::{FrontSearch, Way};
 use crate::ids::{OpenId, VertexId};
@@ -77,16 +77,16 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let artificial = self.fabric.signs.artificial;
         let mut hull = self.take_lower_hull();
         for v in (first..n).map(VertexId::at) {
-            let near = self.fabric.signs.approx(v);
-            let (left, is_above) = self.segment_under(v, near);
+            let p = self.new_vertex(v);
+            let (left, is_above) = self.segment_under(p);
             if left == artificial.left || is_above && left == self.end(Way::Left) {
-                self.beside_front(v, Way::Left, &mut hull);
+                self.beside_front(p, Way::Left, &mut hull);
             } else if self.front.next(left) == artificial.right {
-                self.beside_front(v, Way::Right, &mut hull);
+                self.beside_front(p, Way::Right, &mut hull);
             } else {
-                self.add_above(v, near, left, is_above);
+                self.add_above(p, left, is_above);
             }
-            self.apply_heuristics(v, near);
+            self.apply_heuristics(p);
         }
         self.complete_hull();
         self.enclose_lower_hull(&hull);
@@ -122,31 +122,30 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 
     /// Adds `p`, which lies beyond the end of the front or above it.
-    fn beside_front(&mut self, p: VertexId, way: Way, hull: &mut LowerHull) {
+    fn beside_front(&mut self, p: NewVertex, way: Way, hull: &mut LowerHull) {
         let sides = hull.beside(way);
         let end = self.end(way);
         let open = self.fabric.mesh.add_open();
         // Segments of the front bear the number of their left end.
         let (before, segment) = match way {
-            Way::Left => (self.fabric.signs.artificial.left, p),
+            Way::Left => (self.fabric.signs.artificial.left, p.id),
             Way::Right => (end, end),
         };
-        let near = self.fabric.signs.approx(p);
-        self.put_on_front(p, near, before);
+        self.put_on_front(p, before);
         let mut spoke = Side::open(OpenId::segment(segment));
         let mut lower = end;
         while let Some(&side) = sides.last()
-            && self.sees(p, way, side)
+            && self.sees(p.id, way, side)
         {
             sides.pop();
             lower = side.lower;
             let [behind, new] = [self.fabric.mesh.below(side.open), Side::open(open)];
             let (vertices, across) = match way {
-                Way::Left => ([p, lower, side.upper], [behind, spoke, new]),
-                Way::Right => ([p, side.upper, lower], [behind, new, spoke]),
+                Way::Left => ([p.id, lower, side.upper], [behind, spoke, new]),
+                Way::Right => ([p.id, side.upper, lower], [behind, new, spoke]),
             };
             let t = self.fabric.make(vertices, across, Why::Point);
-            self.fabric.legalize_fan(t, near, vertices[2]);
+            self.fabric.legalize_fan(t, p.near, vertices[2]);
             spoke = self.fabric.mesh.below(open);
         }
         if lower == end {
@@ -154,7 +153,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
         sides.push(HullSide {
             lower,
-            upper: p,
+            upper: p.id,
             open,
         });
     }
@@ -170,7 +169,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
 
     /// Closes the corner at `end`, which was the end of the front and is now below it; the triangle borders on
     /// `open`.
-    fn close_end(&mut self, p: VertexId, way: Way, end: VertexId, open: OpenId) {
+    fn close_end(&mut self, p: NewVertex, way: Way, end: VertexId, open: OpenId) {
         let inner = match way {
             Way::Left => self.front.next(end),
             Way::Right => self.front.prev(end),
@@ -178,16 +177,18 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         let below = |v| self.fabric.mesh.below(OpenId::segment(v));
         let segment = |v| Side::open(OpenId::segment(v));
         let (vertices, across) = match way {
-            Way::Left => ([p, end, inner], [below(end), segment(p), Side::open(open)]),
+            Way::Left => (
+                [p.id, end, inner],
+                [below(end), segment(p.id), Side::open(open)],
+            ),
             Way::Right => (
-                [p, inner, end],
+                [p.id, inner, end],
                 [below(inner), Side::open(open), segment(inner)],
             ),
         };
         let t = self.fabric.make(vertices, across, Why::Point);
         self.take_off_front(end);
-        let near = self.fabric.signs.approx(p);
-        self.fabric.legalize_fan(t, near, vertices[2]);
+        self.fabric.legalize_fan(t, p.near, vertices[2]);
     }
 
     /// Artificial triangles below the lower hull.
