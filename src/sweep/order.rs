@@ -303,3 +303,46 @@ fn extremes(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
         (x.min(low), x.max(high))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Order, Scale, Workspace, sort};
+
+    /// Three rows whose y have one key, among points spread far, against a sort by comparison; each point of a row
+    /// three times.
+    #[test]
+    fn long_rows_within_a_run_are_in_order() {
+        let in_row = |i: u32| [f64::from(i * 37 % 60), f64::from(i % 3) * 2_f64.powi(-40)];
+        let spread = |i: u32| [f64::from(i * 7 % 11), f64::from(i * 31 % 300)];
+        let points: Vec<[f64; 2]> = (0..540).map(in_row).chain((0..300).map(spread)).collect();
+        let inputs = 0..840;
+        let near = |i: u32| points[i as usize];
+        let scale = Scale::exact(points.len(), |i| points[i]);
+        let workspace = &mut Workspace::default();
+        let found = sort(
+            &points,
+            inputs.clone(),
+            near,
+            scale,
+            Order::default(),
+            workspace,
+        );
+        assert_eq!(workspace.row.sites.len(), 180, "a row");
+
+        let mut expected: Vec<u32> = inputs.collect();
+        let key = |i: u32| points[i as usize].map(|c| c.to_bits());
+        expected.sort_by_key(|&i| (key(i)[1], key(i)[0], i));
+        let (mut distinct, mut duplicates) = (Vec::<u32>::new(), Vec::new());
+        for i in expected {
+            match distinct.last() {
+                Some(&last) if key(last) == key(i) => duplicates.push((i, last)),
+                _ => distinct.push(i),
+            }
+        }
+        duplicates.sort_unstable();
+        assert_eq!(found.input, distinct);
+        assert_eq!(found.duplicates, duplicates);
+        let places: Vec<[f64; 2]> = distinct.into_iter().map(near).collect();
+        assert_eq!(found.approx, places);
+    }
+}
