@@ -308,11 +308,15 @@ fn extremes(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
 mod tests {
     use super::{Order, Scale, Workspace, sort};
 
-    /// Three rows whose y have one key, among points spread far, against a sort by comparison; each point of a row
-    /// three times.
+    /// Three rows whose y have one key, among points spread far, against a sort by comparison. A row has each point
+    /// twice, and then one just left of it.
     #[test]
     fn long_rows_within_a_run_are_in_order() {
-        let in_row = |i: u32| [f64::from(i * 37 % 60), f64::from(i % 3) * 2_f64.powi(-40)];
+        let little = 2_f64.powi(-40);
+        let in_row = |i: u32| {
+            let x = f64::from(i * 37 % 60) - f64::from(i / 360) * little;
+            [x, f64::from(i % 3) * little]
+        };
         let spread = |i: u32| [f64::from(i * 7 % 11), f64::from(i * 31 % 300)];
         let points: Vec<[f64; 2]> = (0..540).map(in_row).chain((0..300).map(spread)).collect();
         let inputs = 0..840;
@@ -330,8 +334,13 @@ mod tests {
         assert_eq!(workspace.row.sites.len(), 180, "a row");
 
         let mut expected: Vec<u32> = inputs.collect();
-        let key = |i: u32| points[i as usize].map(|c| c.to_bits());
-        expected.sort_by_key(|&i| (key(i)[1], key(i)[0], i));
+        let key = |i: u32| points[i as usize];
+        expected.sort_by(|&i, &j| {
+            let [a, b] = [i, j].map(key);
+            a[1].total_cmp(&b[1])
+                .then(a[0].total_cmp(&b[0]))
+                .then(i.cmp(&j))
+        });
         let (mut distinct, mut duplicates) = (Vec::<u32>::new(), Vec::new());
         for i in expected {
             match distinct.last() {
