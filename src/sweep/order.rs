@@ -319,32 +319,22 @@ mod tests {
         };
         let spread = |i: u32| [f64::from(i * 7 % 11), f64::from(i * 31 % 300)];
         let points: Vec<[f64; 2]> = (0..540).map(in_row).chain((0..300).map(spread)).collect();
-        let inputs = 0..840;
         let near = |i: u32| points[i as usize];
-        let scale = Scale::exact(points.len(), |i| points[i]);
+        let (scale, order) = (Scale::exact(points.len(), |i| points[i]), Order::default());
         let workspace = &mut Workspace::default();
-        let found = sort(
-            &points,
-            inputs.clone(),
-            near,
-            scale,
-            Order::default(),
-            workspace,
-        );
+        let found = sort(&points, 0..840, near, scale, order, workspace);
         assert_eq!(workspace.row.sites.len(), 180, "a row");
 
-        let mut expected: Vec<u32> = inputs.collect();
-        let key = |i: u32| points[i as usize];
+        let mut expected: Vec<u32> = (0..840).collect();
         expected.sort_by(|&i, &j| {
-            let [a, b] = [i, j].map(key);
-            a[1].total_cmp(&b[1])
-                .then(a[0].total_cmp(&b[0]))
-                .then(i.cmp(&j))
+            let [[x, y], [z, w]] = [i, j].map(near);
+            y.total_cmp(&w).then(x.total_cmp(&z)).then(i.cmp(&j))
         });
+        let bits = |i: u32| near(i).map(f64::to_bits);
         let (mut distinct, mut duplicates) = (Vec::<u32>::new(), Vec::new());
         for i in expected {
             match distinct.last() {
-                Some(&last) if key(last) == key(i) => duplicates.push((i, last)),
+                Some(&last) if bits(last) == bits(i) => duplicates.push((i, last)),
                 _ => distinct.push(i),
             }
         }
