@@ -30,9 +30,9 @@
 //!    rounding, that of adding `UNDERFLOW`.
 //! 2. **In circle, exact doubles.** Each of the eight terms passes nine factors: four in the cross product (two
 //!    differences, a product, a sum), four in the dot product, one in their product. So
-//!    |V - D| <= ((1 + u)^9 - 1) P. For the four differences let A to D be the sums |x| + |y|, A and B seen from p, C
-//!    and D from q. The sizes of the terms of both products at p add up to A B, those at q to C D, hence
-//!    P <= A B C D. That passes eleven factors when computed (four differences, four sums, three products), and
+//!    |V - D| <= ((1 + u)^9 - 1) P. Of each of the four differences take |x| + |y|: A and B of those to p, E and F of
+//!    those to q. The sizes of the terms of both products at p add up to A B, those at q to E F, hence
+//!    P <= A B E F. That passes eleven factors when computed (four differences, four sums, three products), and
 //!    the bound two more. So `IN_CIRCLE` (1 - u)^13 must be at least ((1 + u)^9 - 1) (1 + u).
 //! 3. **Approximated doubles.** The points are lifted, and the last one is subtracted from the others. Each
 //!    difference is off by up to its own [`Scale::error`]. Let Q be P with
@@ -52,8 +52,9 @@
 //! makes the bound infinite or NaN. Then the filter decides nothing.
 //!
 //! Gappa checks the inequalities for the constants, the factors of each term and the bound on underflow
-//! (`tests/proofs.gappa`). Checked by hand only: the number of factors, P <= A B C D, and that the error of a sum is at most
-//! the sum of the errors of its terms. That both forms of the in-circle determinant are one is tested with integers.
+//! (`tests/proofs.gappa`). Checked by hand only: the number of factors, P <= A B E F, and that the error of a sum
+//! is at most the sum of the errors of its terms. A test with integers shows that both forms of the in-circle
+//! determinant have one sign.
 //!
 //! Cost: about 2 ns (orientation) and 4 ns (in circle) for exact doubles, three times that for others.
 

@@ -5,7 +5,7 @@
 //!
 //! The lower hull needs no filling: its sides are those between real and artificial triangles. Following
 //! the artificial triangles around P-1 and then around P-2 lists its vertices. Then these
-//! triangles are removed. The others keep the ranks of their vertices; the result has the input index of each, and
+//! triangles are removed. The others keep the ranks of their vertices. The result has the input index of each, and
 //! looks it up when a triangle is read.
 //!
 //! ```text
