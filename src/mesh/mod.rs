@@ -40,6 +40,12 @@ impl Mesh {
         self.renew_open(open);
     }
 
+    /// Makes room for so many more triangles.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn reserve(&mut self, triangles: usize) {
+        self.triangles.reserve_exact(triangles);
+    }
+
     /// Removes all triangles.
     pub(crate) fn clear(&mut self) {
         self.triangles.clear();

@@ -42,6 +42,15 @@ pub(super) struct Order {
     pub(super) duplicates: Vec<(u32, u32)>,
 }
 
+#[cfg(feature = "parallel")]
+impl Order {
+    /// Makes room for so many points.
+    pub(super) fn reserve(&mut self, points: usize) {
+        self.approx.reserve_exact(points + 2);
+        self.input.reserve_exact(points);
+    }
+}
+
 /// A point: its approximated coordinates and its input index.
 type Site = ([f64; 2], u32);
 

@@ -61,6 +61,10 @@ impl<S: Scalar> Shared<'_, S> {
     ) -> Result<Swept, Error> {
         let n = vertices.len();
         let mut memory = Memory::default();
+        if first == 0 {
+            // The triangles of the others will follow.
+            memory.mesh.reserve(2 * self.outside.index());
+        }
         memory.edges.list(n, edges.iter().flatten().copied());
         drop(edges);
         let chains = ChainNotes::new(Arc::clone(&self.inputs));

@@ -3,7 +3,10 @@
 //! Why it is right: doubles never fall where the coordinate grows, and equal coordinates have equal doubles. So
 //! the bands follow each other in sweep order, and equal points are in one band.
 //!
-//! Cost: O(n log b) for n points and b bands, divided among the threads, and a sample of the points, sorted.
+//! Cost: O(n log b) for n points and b bands, divided among the threads, and a sample of the points, sorted. The points
+//! are looked at twice, to count them and to put each where it goes: no list grows or is copied.
+
+use std::slice;
 
 use rayon::prelude::*;
 
@@ -20,24 +23,61 @@ pub(super) const CHUNK: usize = 1 << 15;
 
 /// The input indices of the points in each band, from the lowest band to the highest; some may be empty.
 pub(super) fn cut<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Vec<Vec<u32>> {
-    let points = located.points.len();
     let pivots = pivots(located, bands);
-    let chunk = |chunk: usize| {
-        let mut inputs = vec![Vec::new(); bands];
-        for input in chunk * CHUNK..points.min((chunk + 1) * CHUNK) {
-            let y = located.near(narrow(input))[1];
-            let band = pivots.partition_point(|&pivot| pivot <= y);
-            inputs[band].push(narrow(input));
+    let cutter = Cutter { located, pivots };
+    let chunks = located.points.len().div_ceil(CHUNK);
+    let count = |chunk| cutter.count(chunk, bands);
+    let counts: Vec<Vec<usize>> = (0..chunks).into_par_iter().map(count).collect();
+
+    // The part of each band that each chunk fills.
+    let size = |band: usize| counts.iter().map(|counts| counts[band]).sum();
+    let mut inputs: Vec<Vec<u32>> = (0..bands).map(|band| vec![0; size(band)]).collect();
+    let mut rests: Vec<&mut [u32]> = inputs.iter_mut().map(Vec::as_mut_slice).collect();
+    let mut parts: Vec<Vec<slice::IterMut<'_, u32>>> = Vec::new();
+    for counts in &counts {
+        let parts_of = rests.iter_mut().zip(counts).map(|(rest, &count)| {
+            let part = rest.split_off_mut(..count).expect("it is counted");
+            part.iter_mut()
+        });
+        parts.push(parts_of.collect());
+    }
+    let parts = parts.into_par_iter().enumerate();
+    parts.for_each(|(chunk, parts)| cutter.fill(chunk, parts));
+    inputs
+}
+
+/// The points, and the heights between the bands.
+struct Cutter<'a, S> {
+    located: &'a Located<'a, S>,
+    pivots: Vec<f64>,
+}
+
+impl<S: Scalar> Cutter<'_, S> {
+    /// How many points of a chunk each band has.
+    fn count(&self, chunk: usize, bands: usize) -> Vec<usize> {
+        let mut counts = vec![0; bands];
+        for (_, band) in self.points(chunk) {
+            counts[band] += 1;
         }
-        inputs
-    };
-    let chunks = (0..points.div_ceil(CHUNK)).into_par_iter().map(chunk);
-    let chunks: Vec<Vec<Vec<u32>>> = chunks.collect();
-    let band = |band: usize| {
-        let inputs: Vec<&[u32]> = chunks.iter().map(|chunk| &chunk[band][..]).collect();
-        inputs.concat()
-    };
-    (0..bands).into_par_iter().map(band).collect()
+        counts
+    }
+
+    /// Puts the points of a chunk into its part of each band.
+    fn fill(&self, chunk: usize, mut parts: Vec<slice::IterMut<'_, u32>>) {
+        for (input, band) in self.points(chunk) {
+            *parts[band].next().expect("it has been counted") = input;
+        }
+    }
+
+    /// The input indices of the points of a chunk, each with its band.
+    fn points(&self, chunk: usize) -> impl Iterator<Item = (u32, usize)> {
+        let end = self.located.points.len().min((chunk + 1) * CHUNK);
+        (chunk * CHUNK..end).map(|input| {
+            let input = narrow(input);
+            let y = self.located.near(input)[1];
+            (input, self.pivots.partition_point(|&pivot| pivot <= y))
+        })
+    }
 }
 
 /// The heights between the bands.

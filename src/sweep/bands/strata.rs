@@ -42,9 +42,15 @@ impl Strata {
     pub(super) fn new<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Strata {
         let sorted: Vec<Vertices> = cut(located, bands)
             .into_par_iter()
-            .map(|inputs| {
+            .enumerate()
+            .map(|(band, inputs)| {
+                let mut order = Order::default();
+                if band == 0 {
+                    // The others will follow here.
+                    order.reserve(located.points.len());
+                }
                 let inputs = inputs.iter().copied();
-                Vertices::new(located, inputs, Order::default(), &mut Workspace::default())
+                Vertices::new(located, inputs, order, &mut Workspace::default())
             })
             .collect();
         let mut bands: Vec<Vertices> = Vec::new();
