@@ -47,7 +47,8 @@ pub(crate) fn canonical(
 
     let chunks = (0..count).step_by(CHUNK);
     let chunks = on_all_cores(chunks.collect(), |at| {
-        by_group((at..count.min(at + CHUNK)).map(listed), groups, group)
+        let chunk: Vec<Listed> = (at..count.min(at + CHUNK)).map(listed).collect();
+        by_group(&chunk, groups, group)
     });
     let mut list = vec![[0; 3]; count];
     let mut rest = &mut list[..];
@@ -70,17 +71,13 @@ impl Chunk {
     }
 }
 
-fn by_group(
-    listed: impl Iterator<Item = Listed> + Clone,
-    groups: usize,
-    group: impl Fn(&Listed) -> usize,
-) -> Chunk {
-    let begins = begins(listed.clone().map(|listed| group(&listed)), groups);
-    let mut list = vec![[0; 3]; begins[groups]];
+fn by_group(chunk: &[Listed], groups: usize, group: impl Fn(&Listed) -> usize) -> Chunk {
+    let begins = begins(chunk.iter().map(&group), groups);
+    let mut list = vec![[0; 3]; chunk.len()];
     let mut places = begins.clone();
-    for listed in listed {
-        let place = &mut places[group(&listed)];
-        list[*place] = listed;
+    for listed in chunk {
+        let place = &mut places[group(listed)];
+        list[*place] = *listed;
         *place += 1;
     }
     Chunk { list, begins }

@@ -221,7 +221,11 @@ impl Syntax {
     pub(super) fn value<S: Coordinate>(self, piece: &[u8]) -> Result<S, CoordinateError> {
         match self {
             Syntax::Binary(number) => S::from_double(number.value(piece)),
-            Syntax::Plain | Syntax::Json => S::from_text(&self.text(piece)),
+            Syntax::Plain => match std::str::from_utf8(piece) {
+                Ok(text) => S::from_text(text),
+                Err(_) => Err(CoordinateError::NotANumber),
+            },
+            Syntax::Json => S::from_text(&self.text(piece)),
         }
     }
 

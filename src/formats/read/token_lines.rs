@@ -2,7 +2,7 @@
 //! ends with a line feed, a carriage return or both. And numbered records, one a line: vertices, edges and
 //! triangles.
 
-use std::ops::Range;
+use std::convert::Infallible;
 
 use crate::formats::read::source::{ReadError, Source, quoted, split_line};
 use crate::threads::{in_blocks, on_all_cores};
@@ -27,10 +27,13 @@ impl<'a> Lines<'a> {
     /// The next line, or `None` at the end of the file.
     pub(super) fn next_line(&mut self) -> Option<Line<'a>> {
         while !self.rest.is_empty() {
-            let (line, rest) = split_line(self.rest);
+            let (line, rest) = match memchr::memchr3(b'\n', b'\r', b'#', self.rest) {
+                Some(end) if self.rest[end] == b'\n' => (&self.rest[..end], &self.rest[end + 1..]),
+                Some(end) => (&self.rest[..end], split_line(&self.rest[end..]).1),
+                None => (self.rest, &[][..]),
+            };
             (self.rest, self.number) = (rest, self.number + 1);
-            let comment = memchr::memchr(b'#', line);
-            let text = line[..comment.unwrap_or(line.len())].trim_ascii();
+            let text = line.trim_ascii();
             if !text.is_empty() {
                 return Some(Line {
                     source: self.source,
@@ -78,24 +81,10 @@ impl<'a> Lines<'a> {
         self.rest
     }
 
-    /// How many lines hold anything, and how many there are.
-    fn count(mut self) -> (usize, usize) {
-        let mut records = 0;
-        while self.next_line().is_some() {
-            records += 1;
-        }
-        (records, self.number)
-    }
-
-    /// Goes on behind the next chunk, which has so many lines, and returns it with their numbers.
-    fn skip(&mut self, chunk: &Lines<'a>, lines: usize) -> Lines<'a> {
-        let skipped = Lines {
-            number: self.number,
-            ..*chunk
-        };
+    /// Goes on behind the next chunk, which has so many lines.
+    fn skip(&mut self, chunk: &Lines<'a>, lines: usize) {
         self.rest = &self.rest[chunk.rest.len()..];
         self.number += lines;
-        skipped
     }
 
     /// `count` as a size to reserve: no more lines than the rest of the file may hold.
@@ -116,11 +105,8 @@ pub(super) struct Line<'a> {
 impl<'a> Line<'a> {
     /// The next token, if there is one.
     pub(super) fn token(&mut self) -> Option<&'a [u8]> {
-        let end = self
-            .rest
-            .iter()
-            .position(u8::is_ascii_whitespace)
-            .unwrap_or(self.rest.len());
+        // The other white space ends a line.
+        let end = memchr::memchr3(b' ', b'\t', b'\x0c', self.rest).unwrap_or(self.rest.len());
         let (token, rest) = self.rest.split_at(end);
         self.rest = rest.trim_ascii_start();
         (!token.is_empty()).then_some(token)
@@ -184,9 +170,9 @@ impl<'a> Line<'a> {
 /// The numbers must be consecutive from 0 or 1, since messages use them. (Triangle itself ignores them.)
 ///
 /// They are read on all cores. The text is cut into chunks that end with a line feed, which is always the end
-/// of a line. The lines of each are counted, and then each is read by itself, with its first record and its
-/// first line known: the same records, and of several errors the one that stands first in the file. Cost:
-/// every line is found twice.
+/// of a line, and each is read by itself. It counts if it holds nothing but records, and if the number of the first
+/// follows that of the last record before. From the first chunk that does not, line after line is read: so of several
+/// errors the one that stands first in the file is found.
 pub(super) struct Records {
     /// What messages call a record.
     pub(super) name: &'static str,
@@ -213,7 +199,7 @@ impl Records {
             list.push(read(&mut line)?);
             // The first record has said where the numbers begin.
             if list.len() == 1 {
-                self.read_chunks(lines, *first, &mut list, &read)?;
+                self.read_chunks(lines, *first, &mut list, &read);
             }
         }
         Ok(list)
@@ -237,55 +223,71 @@ impl Records {
         }
     }
 
-    /// Reads the chunks after the first record, as long as they hold nothing else. The records of some chunks are
-    /// read while those before them go to the list.
+    /// Reads the chunks after the first record, as long as they hold nothing but those that follow. Those of some
+    /// chunks are read while those before them go to the list.
     fn read_chunks<'a, T: Send>(
         &self,
         lines: &mut Lines<'a>,
         first: usize,
         list: &mut Vec<T>,
         read: &(impl Fn(&mut Line<'a>) -> Result<T, ReadError> + Sync + Send),
-    ) -> Result<(), ReadError> {
+    ) {
         const CHUNKS: usize = 32;
-        let read_chunk = |(mut lines, places): (Lines<'a>, Range<usize>)| {
-            let mut records = Vec::with_capacity(places.len());
-            while let Some(mut line) = lines.next_line() {
-                self.check_number(&mut line, places.start + records.len(), &mut { first })?;
-                records.push(read(&mut line)?);
-            }
-            Ok(records)
-        };
         let mut at = list.len();
         let block = || {
             let chunks = lines.chunks(CHUNKS);
-            let known = self.known(lines, &chunks, &mut at);
-            let goes_on = known.len() == chunks.len() && !lines.rest.is_empty();
-            (on_all_cores(known, read_chunk), goes_on)
+            let records = on_all_cores(chunks.clone(), |lines| self.read_chunk(lines, read));
+            let mut follow = Vec::with_capacity(chunks.len());
+            for (chunk, records) in chunks.iter().zip(records) {
+                let Some(records) = records.filter(|records| {
+                    let first_number = records.first.unwrap_or(at + first);
+                    first_number == at + first && records.list.len() <= self.count - at
+                }) else {
+                    break;
+                };
+                at += records.list.len();
+                lines.skip(chunk, records.lines);
+                follow.push(records.list);
+            }
+            let goes_on = follow.len() == chunks.len() && !lines.rest.is_empty();
+            (follow, goes_on)
         };
-        in_blocks(block, |records: Result<Vec<T>, _>| {
-            list.append(&mut records?);
-            Ok(())
-        })
+        let take = |mut records| {
+            list.append(&mut records);
+            Ok::<(), Infallible>(())
+        };
+        let Ok(()) = in_blocks(block, take);
     }
 
-    /// Takes those of the next chunks that hold nothing but records, and tells which records each holds. `at` is the
-    /// place of the next record.
-    fn known<'a>(
+    /// Reads a chunk, if it holds nothing but records with consecutive numbers.
+    fn read_chunk<'a, T>(
         &self,
-        lines: &mut Lines<'a>,
-        chunks: &[Lines<'a>],
-        at: &mut usize,
-    ) -> Vec<(Lines<'a>, Range<usize>)> {
-        let counts = on_all_cores(chunks.to_vec(), Lines::count);
-        let mut known = Vec::with_capacity(chunks.len());
-        for (chunk, (records, count)) in chunks.iter().zip(counts) {
-            let places = *at..*at + records;
-            if places.end > self.count {
-                break;
+        mut lines: Lines<'a>,
+        read: &impl Fn(&mut Line<'a>) -> Result<T, ReadError>,
+    ) -> Option<Chunk<T>> {
+        let line_feeds = memchr::memchr_iter(b'\n', lines.rest).count();
+        let mut list = Vec::with_capacity(line_feeds);
+        let mut first = None;
+        while let Some(mut line) = lines.next_line() {
+            let number = line.index(self.number).ok()?;
+            if number.wrapping_sub(*first.get_or_insert(number)) != list.len() {
+                return None;
             }
-            *at = places.end;
-            known.push((lines.skip(chunk, count), places));
+            list.push(read(&mut line).ok()?);
         }
-        known
+        Some(Chunk {
+            first,
+            list,
+            lines: lines.number,
+        })
     }
+}
+
+/// The records of a chunk.
+struct Chunk<T> {
+    list: Vec<T>,
+    /// The number of the first one, if there is any.
+    first: Option<usize>,
+    /// How many lines the chunk has.
+    lines: usize,
 }
