@@ -32,37 +32,77 @@ struct Chunk {
     begins: Vec<usize>,
 }
 
+/// Triangles by groups.
+pub(crate) struct Groups {
+    chunks: Vec<Chunk>,
+    /// How many triangles each group has.
+    sizes: Vec<usize>,
+    /// A group has two to the power of `bits` vertices; the last one has all that are higher, too.
+    bits: u32,
+}
+
 /// `count` triangles in canonical order; `triangle` tells each by its number.
 pub(crate) fn canonical(
     count: usize,
     triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
 ) -> Vec<[usize; 3]> {
-    let groups = if count <= CHUNK { 1 } else { GROUPS };
-    let listed = |t: usize| lowest_first(triangle(t).map(narrow));
-    let lowest = sampled(count, SAMPLE).map(|t| listed(t)[0]);
-    let wide = lowest.max().unwrap_or(0) as usize / groups;
-    // A group has two to the power of `bits` vertices; the last one has all that are higher, too.
-    let bits = usize::BITS - wide.leading_zeros();
-    let group = |listed: &Listed| (listed[0] as usize >> bits).min(groups - 1);
-
-    let chunks = (0..count).step_by(CHUNK);
-    let chunks = on_all_cores(chunks.collect(), |at| {
-        let chunk: Vec<Listed> = (at..count.min(at + CHUNK)).map(listed).collect();
-        by_group(&chunk, groups, group)
-    });
+    let groups = Groups::new(count, triangle);
     let mut list = vec![[0; 3]; count];
     let mut rest = &mut list[..];
-    let part = |group| {
-        let sizes = chunks.iter().map(|chunk| chunk.of_group(group).len());
-        let (part, others) = take(&mut rest).split_at_mut(sizes.sum());
+    let part = |(group, &size)| {
+        let (part, others) = take(&mut rest).split_at_mut(size);
         rest = others;
         (group, part)
     };
-    on_all_cores((0..groups).map(part).collect(), |(group, part)| {
-        let listed = chunks.iter().flat_map(|chunk| chunk.of_group(group));
-        by_vertex(listed, group << bits, part);
-    });
+    let parts = groups.sizes.iter().enumerate().map(part).collect();
+    on_all_cores(parts, |(group, part)| groups.sort(group, part));
     list
+}
+
+impl Groups {
+    /// `count` triangles; `triangle` tells each by its number.
+    pub(crate) fn new(
+        count: usize,
+        triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
+    ) -> Groups {
+        let groups = if count <= CHUNK { 1 } else { GROUPS };
+        let listed = |t: usize| lowest_first(triangle(t).map(narrow));
+        let lowest = sampled(count, SAMPLE).map(|t| listed(t)[0]);
+        let wide = lowest.max().unwrap_or(0) as usize / groups;
+        let bits = usize::BITS - wide.leading_zeros();
+        let group = |listed: &Listed| (listed[0] as usize >> bits).min(groups - 1);
+        let chunks = (0..count).step_by(CHUNK);
+        let chunks = on_all_cores(chunks.collect(), |at| {
+            let chunk: Vec<Listed> = (at..count.min(at + CHUNK)).map(listed).collect();
+            by_group(&chunk, groups, group)
+        });
+        let size = |group| chunks.iter().map(|chunk| chunk.of_group(group).len()).sum();
+        Groups {
+            sizes: (0..groups).map(size).collect(),
+            chunks,
+            bits,
+        }
+    }
+
+    /// How many triangles each group has; together they are in canonical order.
+    #[cfg(feature = "formats")]
+    pub(crate) fn sizes(&self) -> &[usize] {
+        &self.sizes
+    }
+
+    /// The triangles of a group in canonical order.
+    #[cfg(feature = "formats")]
+    pub(crate) fn sorted(&self, group: usize) -> Vec<[usize; 3]> {
+        let mut list = vec![[0; 3]; self.sizes[group]];
+        self.sort(group, &mut list);
+        list
+    }
+
+    /// Puts the triangles of a group in canonical order into `list`, which has their number.
+    fn sort(&self, group: usize, list: &mut [[usize; 3]]) {
+        let listed = self.chunks.iter().flat_map(|chunk| chunk.of_group(group));
+        by_vertex(listed, group << self.bits, list);
+    }
 }
 
 impl Chunk {

@@ -4,6 +4,8 @@
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
+#[cfg(feature = "formats")]
+use crate::canonical::Groups;
 use crate::canonical::canonical;
 use crate::chains::Chains;
 use crate::ids::{VertexId, narrow};
@@ -71,6 +73,12 @@ impl Triangulation {
     /// pool.
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
         canonical(self.len(), |t| self.triangle(t))
+    }
+
+    /// The same triangles, group by group.
+    #[cfg(feature = "formats")]
+    pub(crate) fn canonical_groups(&self) -> Groups {
+        Groups::new(self.len(), |t| self.triangle(t))
     }
 
     /// The triangle across side `side` (0, 1 or 2) of triangle `t`, or `None` on the hull.

@@ -1,6 +1,8 @@
 //! A domain: what a rule says of every triangle, and the boundary of those inside.
 
 use crate::Triangulation;
+#[cfg(feature = "formats")]
+use crate::canonical::Groups;
 use crate::canonical::canonical;
 
 /// Which triangles of a triangulation are inside, and how deep each lies.
@@ -104,6 +106,12 @@ impl<'a> Domain<'a> {
     /// The triangles inside in the order of [`Triangulation::canonical_triangles`].
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
         canonical(self.inside.len(), |i| self.result.triangle(self.inside[i]))
+    }
+
+    /// The same triangles, group by group.
+    #[cfg(feature = "formats")]
+    pub(crate) fn canonical_groups(&self) -> Groups {
+        Groups::new(self.inside.len(), |i| self.result.triangle(self.inside[i]))
     }
 
     /// The sides of triangles inside that are input edges or pieces of them, each once, as pairs of vertices.

@@ -57,6 +57,29 @@ impl Input {
                 .collect(),
         }
     }
+
+    /// Copies of the input side by side, a little apart.
+    pub fn tiled(&self, [columns, rows]: [usize; 2]) -> Input {
+        let offset = |axis: usize, copies: usize| {
+            let all = self.points.iter().map(|p| p[axis]);
+            let (low, high) = (
+                all.clone().fold(f64::INFINITY, f64::min),
+                all.fold(f64::NEG_INFINITY, f64::max),
+            );
+            (0..copies).map(move |copy| copy as f64 * (1.01 * (high - low)).ceil())
+        };
+        let mut tiled = Input::default();
+        for dy in offset(1, rows) {
+            for dx in offset(0, columns) {
+                let first = tiled.points.len();
+                let points = self.points.iter().map(|[x, y]| [x + dx, y + dy]);
+                tiled.points.extend(points);
+                let edges = self.edges.iter().map(|edge| edge.map(|v| first + v));
+                tiled.edges.extend(edges);
+            }
+        }
+        tiled
+    }
 }
 
 fn pairs<T: FromStr>(text: &str) -> Vec<[T; 2]> {

@@ -219,7 +219,7 @@ fn files(folder: Option<&Path>) -> impl Iterator<Item = DataSet> {
         };
         let input = read(&path);
         plans.into_iter().map(move |(copies, aim)| {
-            let copied = tiles(&input, copies);
+            let copied = input.tiled(copies);
             let size = short(copied.points.len());
             DataSet {
                 name: if copies == [1, 1] {
@@ -261,29 +261,4 @@ fn read(path: &Path) -> Input {
         size.expect("a file of gzip");
     }
     data::poly_of(path.display().to_string(), bytes)
-}
-
-/// Copies of an input side by side, a little apart.
-fn tiles(input: &Input, [columns, rows]: [usize; 2]) -> Input {
-    let offset = |axis: usize, copies: usize| {
-        let all = input.points.iter().map(|p| p[axis]);
-        let (low, high) = (
-            all.clone().fold(f64::INFINITY, f64::min),
-            all.fold(f64::NEG_INFINITY, f64::max),
-        );
-        (0..copies).map(move |copy| copy as f64 * (1.01 * (high - low)).ceil())
-    };
-    let mut tiled = Input::default();
-    for dy in offset(1, rows) {
-        for dx in offset(0, columns) {
-            let first = tiled.points.len();
-            tiled
-                .points
-                .extend(input.points.iter().map(|[x, y]| [x + dx, y + dy]));
-            tiled
-                .edges
-                .extend(input.edges.iter().map(|edge| edge.map(|v| first + v)));
-        }
-    }
-    tiled
 }

@@ -83,7 +83,9 @@ pub fn write<S: Coordinate>(
 ) -> io::Result<()> {
     match format {
         // These two need no domain, which takes a look at all triangles.
-        OutputFormat::Ele => rows::write_triangles(graph, &result.canonical_triangles(), &[], out),
+        OutputFormat::Ele => {
+            rows::write_triangles(graph.first_vertex, &result.canonical_groups(), out)
+        }
         OutputFormat::Node => write_node(graph, out),
         OutputFormat::Json => json::write(graph, result, out),
         OutputFormat::Svg => ResultPicture::new(graph, result).write(out),

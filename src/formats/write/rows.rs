@@ -3,6 +3,7 @@
 
 use std::io::{self, Write};
 
+use crate::canonical::Groups;
 use crate::domain::Domain;
 use crate::formats::{Coordinate, Graph, Region};
 use crate::threads::in_turn;
@@ -14,37 +15,53 @@ pub(super) fn write_ele<S>(
     domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
+    let first = graph.first_vertex;
+    if !domain.has_regions() {
+        return write_triangles(first, &domain.canonical_groups(), out);
+    }
     let triangles = domain.canonical_triangles();
     let attributes = attributes(graph, domain, &triangles);
-    write_triangles(graph, &triangles, &attributes, out)
-}
-
-/// Writes a list of triangles, with attributes if there are any.
-pub(super) fn write_triangles<S>(
-    graph: &Graph<S>,
-    triangles: &[[usize; 3]],
-    attributes: &[f64],
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let first = graph.first_vertex;
-    let columns = u8::from(!attributes.is_empty());
-    writeln!(out, "{} 3 {columns}", triangles.len())?;
+    writeln!(out, "{} 3 1", triangles.len())?;
     write_rows(out, triangles.len(), |t, text| {
-        let [a, b, c] = triangles[t];
-        numbers([t, a, b, c].map(|number| number + first), text);
-        if let Some(attribute) = attributes.get(t) {
-            text.push(b' ');
-            attribute.write_text(text);
-        }
+        triangle(first, t, triangles[t], text);
+        text.push(b' ');
+        attributes[t].write_text(text);
         text.push(b'\n');
     })
 }
 
-/// The attribute of each triangle in the list, 0 without a region; nothing if there are no regions.
+/// Writes triangles without attributes; they and the vertices are numbered from `first`. Those of a group are put in
+/// order and written at once.
+pub(super) fn write_triangles(
+    first: usize,
+    groups: &Groups,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let mut count = 0;
+    let begin = |(group, &size)| {
+        count += size;
+        (group, count - size)
+    };
+    let begins: Vec<(usize, usize)> = groups.sizes().iter().enumerate().map(begin).collect();
+    writeln!(out, "{count} 3 0")?;
+    let text = |(group, begin)| {
+        let mut text = Vec::new();
+        for (t, corners) in (begin..).zip(groups.sorted(group)) {
+            triangle(first, t, corners, &mut text);
+            text.push(b'\n');
+        }
+        text
+    };
+    in_turn(begins, text, |text| out.write_all(&text))
+}
+
+/// Appends the number of a triangle and its corners.
+fn triangle(first: usize, t: usize, [a, b, c]: [usize; 3], text: &mut Vec<u8>) {
+    numbers([t, a, b, c].map(|number| number + first), text);
+}
+
+/// The attribute of each triangle in the list, 0 without a region.
 fn attributes<S>(graph: &Graph<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
-    if !domain.has_regions() {
-        return Vec::new();
-    }
     let mut attributes = vec![0.0; triangles.len()];
     for (t, place) in places(domain, triangles).into_iter().enumerate() {
         let region = domain
