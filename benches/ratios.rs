@@ -20,6 +20,9 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Triangulation, Triangulator, triangulate};
 use sweep_cdt_testing::{Input, clouds, data};
 
+/// Measures a pair, whose name it gets, in so many rounds.
+type Measure = fn(&str, usize);
+
 /// Copies of the contour lines in each direction.
 const COPIES: [usize; 2] = [8, 7];
 
@@ -37,7 +40,7 @@ fn main() {
         "{:44} {:>8} {:>8} {:>6} {:>8} {:>8} {:>6}",
         "nanoseconds a point", "medians", "", "ratio", "least", "", "ratio"
     );
-    let pairs: [(&str, fn(&str, usize)); 7] = [
+    let pairs: [(&str, Measure); 7] = [
         ("one thread, all: uniform 4e6", |name, rounds| {
             compare_threads(name, &clouds::uniform(4_000_000), rounds);
         }),
