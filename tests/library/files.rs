@@ -1,5 +1,8 @@
 //! Formats: what files of odd but correct content mean.
 
+use std::fs::File;
+use std::io::{Seek, SeekFrom};
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::Error;
@@ -115,6 +118,38 @@ fn doubles_are_written_as_the_standard_library_writes_them() {
         let shift = i32::try_from(random.below(70)).expect("small");
         check((bits >> random.below(64)) as f64 / 2_f64.powi(shift));
         check(random.unit() * 10_f64.powi(shift / 4 - 6));
+    }
+}
+
+/// Large and small ones, from their beginning and from a place within.
+#[test]
+fn a_file_is_read_from_where_it_stands() {
+    let mut random = Random::new(3);
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("file");
+    let large = 5 << 20;
+    for (length, start) in [
+        (0, 0),
+        (10, 3),
+        (large, 0),
+        (large + 1, 0),
+        (large, 1 << 20),
+        (large, large - 1),
+    ] {
+        let bytes: Vec<u8> = (0..length)
+            .map(|_| random.bits().to_le_bytes()[0])
+            .collect();
+        std::fs::write(&path, &bytes).expect("a file");
+        let mut file = File::open(&path).expect("the file");
+        file.seek(SeekFrom::Start(start as u64)).expect("a place");
+        let source = Source::of_file("name", &mut file).expect("its contents");
+        assert!(
+            source.bytes == bytes[start..],
+            "{length} bytes from {start}"
+        );
+        assert_eq!(source.name, "name");
+        let place = file.stream_position().expect("a place");
+        assert_eq!(place, length as u64);
     }
 }
 

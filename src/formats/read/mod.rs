@@ -2,6 +2,7 @@
 
 mod binary;
 mod content;
+mod file;
 mod geojson;
 mod input;
 mod json;

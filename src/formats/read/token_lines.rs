@@ -142,7 +142,10 @@ impl<'a> Line<'a> {
                 _ => return None,
             }
         }
-        None
+        // All that is left are digits.
+        let is_last = !self.rest.is_empty();
+        self.rest = &[];
+        is_last.then_some(number)
     }
 
     /// The next two tokens, the coordinates of a vertex.

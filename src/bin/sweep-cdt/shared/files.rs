@@ -139,22 +139,17 @@ impl FilesRead {
     pub(crate) fn load(&mut self, file: &FileArgument) -> Result<Source, ReadError> {
         let name = file.raw_name();
         let read = match file {
-            FileArgument::File(path) => read(path),
-            FileArgument::Standard => {
-                let mut bytes = Vec::new();
-                let read = io::stdin().lock().read_to_end(&mut bytes);
-                let which = standard_input().filter(|(kind, _)| kind.is_file());
-                read.map(|_| (bytes, which.map(|(_, identity)| identity)))
-            }
+            FileArgument::File(path) => read(&name, path),
+            FileArgument::Standard => read_standard_input(&name),
         };
         match read {
             // What is read from text takes about as much memory as the text.
-            Ok((bytes, _)) if !has_room(bytes.len() as u64) => {
+            Ok((source, _)) if !has_room(source.bytes.len() as u64) => {
                 Err(ReadError::of_file(name, "out of memory"))
             }
-            Ok((bytes, identity)) => {
+            Ok((source, identity)) => {
                 self.0.extend(identity);
-                Ok(Source { name, bytes })
+                Ok(source)
             }
             Err(error) => Err(ReadError::of_file(name, reason(&error))),
         }
@@ -166,16 +161,23 @@ impl FilesRead {
     }
 }
 
-fn read(path: &Path) -> io::Result<(Vec<u8>, Option<Identity>)> {
+fn read(name: &str, path: &Path) -> io::Result<(Source, Option<Identity>)> {
     let mut file = File::open(path)?;
     let metadata = file.metadata()?;
-    let mut bytes = Vec::new();
-    file.read_to_end(&mut bytes)?;
+    let source = Source::of_file(name, &mut file)?;
     let identity = metadata
         .is_file()
         .then(|| Identity::there(path, &metadata))
         .transpose()?;
-    Ok((bytes, identity))
+    Ok((source, identity))
+}
+
+fn read_standard_input(name: &str) -> io::Result<(Source, Option<Identity>)> {
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    let which = standard_input().filter(|(kind, _)| kind.is_file());
+    let name = name.to_owned();
+    Ok((Source { name, bytes }, which.map(|(_, identity)| identity)))
 }
 
 #[cfg(unix)]
