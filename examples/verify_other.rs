@@ -7,7 +7,7 @@
 //! `json.dump({'triangles': scipy.spatial.Delaunay(points).simplices.tolist()}, file)` writes it.
 
 use std::error::Error;
-use std::fs;
+use std::fs::File;
 
 use sweep_cdt::formats::{Input, InputFormat, ResultFormat, Source, read, read_result};
 use sweep_cdt::verify::Verifier;
@@ -17,8 +17,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
     let mut source = |default: &str| -> std::io::Result<Source> {
         let name = files.next().unwrap_or(format!("{folder}/{default}"));
-        let bytes = fs::read(&name)?;
-        Ok(Source { name, bytes })
+        let mut file = File::open(&name)?;
+        Source::of_file(name, &mut file)
     };
     let points = source("peers/issue13.json")?;
     let triangles = source("peers/scipy_issue13.json")?;

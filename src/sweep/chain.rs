@@ -26,7 +26,8 @@
 //! Corners of a long convex stretch must not be closed one after the other: along a parabola that makes
 //! a fan, which each new corner flips anew, a quadratic number of flips. So a maximal convex stretch is
 //! closed as a whole. Its vertices are inserted in random order, each into the polygon of those before it
-//! (Chew 1990).
+//! (Chew 1990). Chains of a few corners, as most pockets and pseudo-polygons are, cannot flip much, and drawing an order
+//! costs more: their corners are closed one by one.
 //!
 //! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex stretches.
 //!
@@ -44,6 +45,8 @@ use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
 
+/// A chain of so few corners has no stretches.
+const FEW: usize = 6;
 /// More suspects than these do not wait for the end of the chain.
 const MANY: usize = 4096;
 
@@ -65,7 +68,10 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             // A left turn: a convex stretch begins here, `chain[start..=ahead]`. Extend it as far as it goes.
             let start = ahead - 2;
             [chain[start], chain[start + 1]] = [chain[done - 2], chain[done - 1]];
-            while ahead + 1 < before && self.stays_convex(&chain[start..=ahead], chain[ahead + 1]) {
+            while before > FEW
+                && ahead + 1 < before
+                && self.stays_convex(&chain[start..=ahead], chain[ahead + 1])
+            {
                 ahead += 1;
             }
             // The stretch becomes one side, from its first to its last corner; the last is scanned again.

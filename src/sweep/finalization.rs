@@ -19,8 +19,8 @@
 //!
 //! Why it is right: for the upper hull see [`super::chain`], for the lower one [`super::artificial`].
 //!
-//! Cost: O(h) orientation tests for h nodes of the front, O(h log h) to remove the artificial triangles of a hull of
-//! h vertices. No other triangle is looked at.
+//! Cost: O(h) orientation tests for h nodes of the front. O(h log h) to remove the artificial triangles of a small hull
+//! of h vertices, O(h) and a bit for each triangle of a large one. No other triangle is looked at.
 //!
 //! Differs from the paper: the lower hull (figures 15b and c) needs no pass, since sides with an
 //! artificial end are legalized all along (see [`super::artificial`]).
@@ -38,6 +38,9 @@ use crate::recorder::Phase;
 use crate::scalar::Scalar;
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
+
+/// So few artificial triangles are sorted by comparison.
+const FEW: usize = 100;
 
 impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     /// Fills the front up to the upper hull.
@@ -62,7 +65,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         artificial.clear();
         artificial.extend_from_slice(self.fabric.mesh.unused());
         self.list_hull(&mut hull, &mut artificial);
-        artificial.sort_unstable();
+        put_in_order(&mut artificial, self.fabric.mesh.len());
         let mut triangles = self.fabric.mesh.take_triangles();
         self.fabric
             .probe
@@ -166,6 +169,25 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
                     _ => break,
                 }
             }
+        }
+    }
+}
+
+/// Sorts different triangles, all of which are among the first `count`. Many are sorted with a bit for each of these.
+fn put_in_order(list: &mut Vec<TriangleId>, count: usize) {
+    const BITS: usize = u64::BITS as usize;
+    if list.len() <= FEW {
+        return list.sort_unstable();
+    }
+    let mut marks = vec![0_u64; count.div_ceil(BITS)];
+    for t in list.drain(..) {
+        marks[t.index() / BITS] |= 1 << (t.index() % BITS);
+    }
+    for (word, &marks) in marks.iter().enumerate() {
+        let mut rest = marks;
+        while rest != 0 {
+            list.push(TriangleId::at(word * BITS + rest.trailing_zeros() as usize));
+            rest &= rest - 1;
         }
     }
 }

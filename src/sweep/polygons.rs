@@ -23,3 +23,15 @@ pub(super) struct Seams {
     /// Hanging edges: the pierced triangle's side, what lies across, and the open side in its place.
     pub(super) hanging: Vec<(Side, Side, OpenId)>,
 }
+
+impl Seams {
+    /// Begins with these pierced triangles, which are needed until the borders are known; then their places are used
+    /// again.
+    pub(super) fn begin(&mut self, pierced: &[TriangleId]) {
+        self.pierced.clear();
+        self.pierced.extend_from_slice(pierced);
+        self.pierced.sort_unstable();
+        self.outer.clear();
+        self.hanging.clear();
+    }
+}

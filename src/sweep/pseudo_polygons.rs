@@ -14,6 +14,9 @@
 //!            to                   two open sides are joined to each other.
 //! ```
 //!
+//! Where the edge pierces two triangles only, both pseudo-polygons are triangles, and nothing is to be filled: the side
+//! between the two is swapped for the edge.
+//!
 //! Why it is right: the new triangles are legalized among themselves. The sides on the border were legal
 //! and remain so, because the edge blocks views and opens none.
 //!
@@ -43,40 +46,28 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         to: VertexId,
         obstacles: &Obstacles,
     ) -> Side {
-        // The pierced triangles go, and leave two chains of open sides.
-        let kept = self.mesh.count_open();
-        let mut polygons = take(&mut self.polygons);
-        let Polygons { right, left, seams } = &mut polygons;
-        self.note_pierced(&obstacles.pierced, seams);
-        self.border(right, obstacles.right.iter(), to, seams);
-        // The left chain runs the other way, so that its inside is to its left too.
-        self.border(left, obstacles.left.iter().rev(), from, seams);
-        self.mesh.remove(&obstacles.pierced);
-
+        self.note_pierced(&obstacles.pierced);
         // An edge that runs down to the left has the upper pseudo-polygon on its right.
-        let (left_polygon, right_polygon) = match self.signs.compare_x(from, to) {
-            Ordering::Greater => (PseudoPolygon::Lower, PseudoPolygon::Upper),
-            _ => (PseudoPolygon::Upper, PseudoPolygon::Lower),
+        let polygons = match self.signs.compare_x(from, to) {
+            Ordering::Greater => [PseudoPolygon::Lower, PseudoPolygon::Upper],
+            _ => [PseudoPolygon::Upper, PseudoPolygon::Lower],
         };
-        self.fill_polygon(left, left_polygon);
-        self.fill_polygon(right, right_polygon);
-        self.close_seams(seams);
-
+        let [left, right] = if obstacles.pierced.len() == 2 {
+            self.replace_two([from, to], polygons, obstacles)
+        } else {
+            self.replace_many([from, to], polygons, obstacles)
+        };
         // The two triangles at the edge are joined across it.
-        let [right, left] = [right, left].map(|chain| self.mesh.below(chain[0].open));
-        self.polygons = polygons;
         self.mesh.connect(right.fix(), left);
         self.report(|name| Event::Fixed {
             side: [from, to].map(name),
         });
-        self.mesh.forget_open(kept);
         self.flip_limit.renew();
         right.prev()
     }
 
-    /// Begins the seams of these pierced triangles, which are needed until the borders are known; then their places
-    /// are used again.
-    fn note_pierced(&mut self, pierced: &[TriangleId], seams: &mut Seams) {
+    /// Reports and counts the triangles that will be replaced.
+    fn note_pierced(&mut self, pierced: &[TriangleId]) {
         self.probe.count(|c| c.pierced += pierced.len() as u64);
         for &t in pierced {
             let vertices = self.mesh.get(t).vertices();
@@ -84,16 +75,66 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 vertices: vertices.map(name),
             });
         }
-        let Seams {
-            pierced: sorted,
-            outer,
-            hanging,
-        } = seams;
-        sorted.clear();
-        sorted.extend_from_slice(pierced);
-        sorted.sort_unstable();
-        outer.clear();
-        hanging.clear();
+    }
+
+    /// Replaces two triangles. Returns the sides at the edge, left and right.
+    fn replace_two(
+        &mut self,
+        [from, to]: [VertexId; 2],
+        polygons: [PseudoPolygon; 2],
+        obstacles: &Obstacles,
+    ) -> [Side; 2] {
+        // As in the chains: from one end over the vertex beside the edge to the other.
+        let left = [obstacles.left[1], obstacles.left[0]];
+        let right = [obstacles.right[0], obstacles.right[1]];
+        let corners = [(to, left, from), (from, right, to)].map(|(first, sides, last)| {
+            let [_, beside, _] = self.mesh.around(sides[1]);
+            (
+                [first, beside, last],
+                sides.map(|side| self.mesh.across(side)),
+            )
+        });
+        self.mesh.remove(&obstacles.pierced);
+        let mut at = 0;
+        corners.map(|([first, beside, last], [before, after])| {
+            self.flip_limit.corners(3);
+            for vertex in [first, beside, last] {
+                self.report(|name| Event::Border {
+                    polygon: polygons[at],
+                    vertex: name(vertex),
+                });
+            }
+            at += 1;
+            let across = [Side::NOTHING, before, after];
+            let t = self.make([beside, last, first], across, Why::PseudoPolygon);
+            Side::new(t, 0)
+        })
+    }
+
+    /// Replaces any number of triangles. Returns the sides at the edge, left and right.
+    fn replace_many(
+        &mut self,
+        [from, to]: [VertexId; 2],
+        [left_polygon, right_polygon]: [PseudoPolygon; 2],
+        obstacles: &Obstacles,
+    ) -> [Side; 2] {
+        // The pierced triangles go, and leave two chains of open sides.
+        let kept = self.mesh.count_open();
+        let mut polygons = take(&mut self.polygons);
+        let Polygons { right, left, seams } = &mut polygons;
+        seams.begin(&obstacles.pierced);
+        self.border(right, obstacles.right.iter(), to, seams);
+        // The left chain runs the other way, so that its inside is to its left too.
+        self.border(left, obstacles.left.iter().rev(), from, seams);
+        self.mesh.remove(&obstacles.pierced);
+
+        self.fill_polygon(left, left_polygon);
+        self.fill_polygon(right, right_polygon);
+        self.close_seams(seams);
+        let sides = [left, right].map(|chain| self.mesh.below(chain[0].open));
+        self.polygons = polygons;
+        self.mesh.forget_open(kept);
+        sides
     }
 
     /// Replaces these sides of pierced triangles by `chain`, of open sides, which ends at `last`.

@@ -32,10 +32,9 @@ pub(super) struct Signs<'a, S> {
     whole: Option<WholePoints>,
 }
 
-/// So many near-ties, and one for so many vertices, are worth integers of all: these take about a third of a test
-/// for each vertex.
+/// So many near-ties, and one for so many vertices, have taken about as long as making integers of all vertices does.
 const NEAR_TIES: usize = 16;
-const VERTICES_A_TIE: usize = 4;
+const VERTICES_A_TIE: usize = 3;
 
 impl<'a, S: Scalar> Signs<'a, S> {
     /// The signs of these points, whose sorted and merged vertices are given.
