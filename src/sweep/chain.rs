@@ -47,6 +47,7 @@ use crate::trace::Why;
 
 /// A chain of so few corners has no stretches.
 const FEW: usize = 6;
+
 /// More suspects than these do not wait for the end of the chain.
 const MANY: usize = 4096;
 

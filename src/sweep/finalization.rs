@@ -173,7 +173,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
     }
 }
 
-/// Sorts different triangles, all of which are among the first `count`. Many are sorted with a bit for each of these.
+/// Sorts distinct triangles with numbers below `count`: a few by comparison, many with a bit for each number.
 fn put_in_order(list: &mut Vec<TriangleId>, count: usize) {
     const BITS: usize = u64::BITS as usize;
     if list.len() <= FEW {

@@ -6,7 +6,7 @@
 //! |---|---|---|---|
 //! | 3.2 | | the three parts | `mod.rs` |
 //! | 3.3 | | initialization | [`initialization`] |
-//! | 3.3 | | distinct points in sweep order | [`located`], [`vertices`], [`order`] |
+//! | 3.3 | | distinct points in sweep order | [`located`], [`vertices`], [`order`], [`sorted`] |
 //! | 3.3 | 5 | edges at their upper ends | [`edges`] |
 //! | 3.3 | 6 | P-1 and P-2, first triangle | [`artificial`], [`initialization`] |
 //! | 3.4 | | the state between two events | [`state`] (front, edges), [`fabric`] (triangles, signs) |
@@ -67,6 +67,7 @@ mod polygons;
 mod pseudo_polygons;
 mod rests;
 mod signs;
+mod sorted;
 mod state;
 mod stretch;
 mod traversal;

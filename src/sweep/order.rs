@@ -1,7 +1,7 @@
 //! The sweep order of section 3.3: by y, then x, exactly.
 //!
 //! The points are spread over *buckets* of y, each of some hundred points, or some thousand where there are
-//! millions. A bucket is sorted by a finer key of y, by counting. A long run of one key is sorted again by
+//! millions. A bucket is sorted by a finer key of y, by counting ([`super::sorted`]). A long run of one key is sorted again by
 //! counting, by a still finer key, and a long row of equal y by a key of x. What still has one key is sorted by exact
 //! comparison. Then equal points merge into the one with the lowest input index.
 //!
@@ -17,6 +17,7 @@
 
 use std::cmp::Ordering;
 
+use super::sorted::{FEW, Site, Sorted, begin};
 use crate::bucket::{bucket, sampled};
 use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
@@ -24,8 +25,6 @@ use crate::scalar::{Scalar, Scale};
 /// About so many points have one bucket, and there are no more buckets than this.
 const BUCKET: usize = 256;
 const BUCKETS: usize = 1024;
-/// So few points are sorted fast by comparison.
-const FEW: usize = 20;
 /// One of so many points is looked at to find the range of y, and at most so many are.
 const SAMPLE: (usize, usize) = (16, 1024);
 /// What is outside the middle half of them by more than this many times its height is far outside.
@@ -51,9 +50,6 @@ impl Order {
     }
 }
 
-/// A point: its approximated coordinates and its input index.
-type Site = ([f64; 2], u32);
-
 /// Working memory of the sort.
 #[derive(Debug, Default)]
 pub(super) struct Workspace {
@@ -63,20 +59,6 @@ pub(super) struct Workspace {
     bucket: Sorted,
     run: Sorted,
     row: Sorted,
-}
-
-/// Sites sorted by a key of one coordinate.
-#[derive(Debug, Default)]
-struct Sorted {
-    sites: Vec<Site>,
-    axis: usize,
-    /// Where the sites of each key end.
-    ends: Vec<u32>,
-    /// A coordinate `x` has key `(x - low) * factor`.
-    low: f64,
-    factor: f64,
-    /// Working memory: the key of each site.
-    keys: Vec<u32>,
 }
 
 /// Sorts and merges the points with these input indices, which ascend; `approx` gives the approximated
@@ -215,71 +197,6 @@ fn resize<T: Clone + Default>(array: &mut Vec<T>, length: usize, more: usize) {
     array.resize(length, T::default());
 }
 
-/// Turns the number of items of each kind into where the first of them goes. When each has been put there and
-/// has moved that on by one, it is where they end.
-fn begin(counts: &mut [u32]) {
-    let mut sum = 0;
-    for count in counts {
-        sum += *count;
-        *count = sum - *count;
-    }
-}
-
-impl Sorted {
-    /// Takes these sites, sorted by a key of one coordinate: two to four keys for each site.
-    fn set(&mut self, sites: impl ExactSizeIterator<Item = Site> + Clone, axis: usize) {
-        let n = sites.len();
-        self.axis = axis;
-        self.ends.clear();
-        if n <= FEW {
-            (self.low, self.factor) = (0.0, 0.0);
-            self.ends.push(narrow(n));
-            self.sites.clear();
-            self.sites.extend(sites);
-            return;
-        }
-        let keys = 2 * n.next_power_of_two();
-        let (low, high) = extremes(sites.clone().map(|site| site.0[axis]));
-        (self.low, self.factor) = (low, keys as f64 / (high - low));
-        self.ends.resize(keys, 0);
-        let key = |site: Site| narrow(key(&site, axis, (self.low, self.factor), keys));
-        self.keys.clear();
-        self.keys.extend(sites.clone().map(key));
-        for &key in &self.keys {
-            self.ends[key as usize] += 1;
-        }
-        begin(&mut self.ends);
-        self.sites.resize(n, ([0.0; 2], 0));
-        for (site, &key) in sites.zip(&self.keys) {
-            let place = &mut self.ends[key as usize];
-            self.sites[*place as usize] = site;
-            *place += 1;
-        }
-    }
-
-    /// Sorts each run of one key in which the coordinate does not ascend all the way.
-    fn sort_runs(&mut self, mut sort: impl FnMut(&mut [Site])) {
-        let axis = self.axis;
-        let mut at = 1;
-        while let Some([a, b]) = self.sites.get(at - 1..=at) {
-            if a.0[axis] < b.0[axis] {
-                at += 1;
-                continue;
-            }
-            let key = key(b, axis, (self.low, self.factor), self.ends.len());
-            let from = if key == 0 { 0 } else { self.ends[key - 1] };
-            let to = self.ends[key] as usize;
-            sort(&mut self.sites[from as usize..to]);
-            at = to + 1;
-        }
-    }
-}
-
-/// The key of a site by one coordinate.
-fn key(site: &Site, axis: usize, (low, factor): (f64, f64), keys: usize) -> usize {
-    bucket((site.0[axis] - low) * factor, keys)
-}
-
 /// The range over which buckets are spread: that of a sample, but for what is far outside its middle half.
 ///
 /// A few points far away, such as "no data" points, would leave all others with one bucket. What is beyond
@@ -304,13 +221,6 @@ fn range(
     } else {
         (low, high)
     }
-}
-
-/// The least and the largest of some numbers.
-fn extremes(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
-    numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-        (x.min(low), x.max(high))
-    })
 }
 
 #[cfg(test)]

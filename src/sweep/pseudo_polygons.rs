@@ -87,25 +87,17 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         // As in the chains: from one end over the vertex beside the edge to the other.
         let left = [obstacles.left[1], obstacles.left[0]];
         let right = [obstacles.right[0], obstacles.right[1]];
-        let corners = [(to, left, from), (from, right, to)].map(|(first, sides, last)| {
+        let new = [(to, left, from), (from, right, to)].map(|(first, sides, last)| {
             let [_, beside, _] = self.mesh.around(sides[1]);
-            (
-                [first, beside, last],
-                sides.map(|side| self.mesh.across(side)),
-            )
+            let [before, after] = sides.map(|side| self.mesh.across(side));
+            ([first, beside, last], [Side::NOTHING, before, after])
         });
         self.mesh.remove(&obstacles.pierced);
-        let mut at = 0;
-        corners.map(|([first, beside, last], [before, after])| {
-            self.flip_limit.corners(3);
-            for vertex in [first, beside, last] {
-                self.report(|name| Event::Border {
-                    polygon: polygons[at],
-                    vertex: name(vertex),
-                });
-            }
-            at += 1;
-            let across = [Side::NOTHING, before, after];
+        let [left, right] = new;
+        [(left, polygons[0]), (right, polygons[1])].map(|((corners, across), polygon)| {
+            self.report_border(polygon, corners);
+            self.flip_limit.corners(corners.len());
+            let [first, beside, last] = corners;
             let t = self.make([beside, last, first], across, Why::PseudoPolygon);
             Side::new(t, 0)
         })
@@ -159,18 +151,29 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 
     /// Fills a pseudo-polygon. Of its chain only the part of the edge is left.
     fn fill_polygon(&mut self, chain: &mut Vec<Corner>, polygon: PseudoPolygon) {
-        for corner in chain.iter() {
-            self.report(|name| Event::Border {
-                polygon,
-                vertex: name(corner.vertex),
-            });
-        }
+        self.report_border(polygon, chain.iter().map(|corner| corner.vertex));
         self.fill(chain, Why::PseudoPolygon);
         self.legalize();
         assert!(
             chain.len() == 2,
             "a pseudo-polygon is visible from its edge"
         );
+    }
+
+    /// Reports the vertices of a pseudo-polygon.
+    fn report_border(
+        &mut self,
+        polygon: PseudoPolygon,
+        vertices: impl IntoIterator<Item = VertexId>,
+    ) {
+        if P::EVENTS {
+            for vertex in vertices {
+                self.report(|name| Event::Border {
+                    polygon,
+                    vertex: name(vertex),
+                });
+            }
+        }
     }
 
     /// Makes an open side for a side of a pierced triangle that borders on a pseudo-polygon.

@@ -1,7 +1,7 @@
 //! Formats: what files of odd but correct content mean.
 
 use std::fs::File;
-use std::io::{Seek, SeekFrom};
+use std::io::{Seek, SeekFrom, Write};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -151,6 +151,54 @@ fn a_file_is_read_from_where_it_stands() {
         let place = file.stream_position().expect("a place");
         assert_eq!(place, length as u64);
     }
+}
+
+/// While another thread makes the file longer or shorter: what is read has no gap, and nothing is lost that stays.
+#[test]
+fn a_file_that_changes_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("file");
+    let bytes: Vec<u8> = (0..12_u32 << 18).flat_map(u32::to_le_bytes).collect();
+    let middle = bytes.len() / 2;
+    for round in 0..30 {
+        let is_longer = round % 2 == 0;
+        let given = if is_longer { middle } else { bytes.len() };
+        std::fs::write(&path, &bytes[..given]).expect("a file");
+        let mut file = File::open(&path).expect("the file");
+        let source = std::thread::scope(|scope| {
+            scope.spawn(|| {
+                let changed = File::options().append(true).open(&path);
+                let mut changed = changed.expect("the file");
+                if is_longer {
+                    changed.write_all(&bytes[middle..]).expect("room");
+                } else {
+                    changed.set_len(middle as u64).expect("a shorter file");
+                }
+            });
+            Source::of_file("name", &mut file).expect("its contents")
+        });
+        assert!(source.bytes.len() >= middle, "{round}");
+        assert!(bytes.starts_with(&source.bytes), "{round}");
+    }
+}
+
+/// A number that ends a line: the most digits that are read without a look at the token, the largest, and too many.
+#[test]
+fn numbers_of_many_digits_end_a_line() {
+    let read = |count: &str| {
+        let text = format!("{count}\n0 0 0\n");
+        let read = formats::read(InputFormat::Node, &source(&text), None);
+        read.expect_err("other counts").to_string()
+    };
+    for count in ["9999999999999999999", "18446744073709551615"] {
+        let missing = format!("file:2: the file ends where vertex 2 of {count} should follow");
+        assert_eq!(read(count), missing);
+    }
+    let large = "99999999999999999999";
+    assert_eq!(
+        read(large),
+        format!("file:1: `{large}` is not a number of vertices")
+    );
 }
 
 /// The lines of a `.poly` of so many points on a line, each joined to the next, with comments, blank lines and

@@ -6,7 +6,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 use crate::formats::read::source::Source;
 use crate::threads::on_all_cores;
 
-/// A file of fewer bytes is read at once.
+/// Fewer bytes are read by one thread.
 const LARGE: u64 = 1 << 22;
 /// What each thread reads at a time.
 const PART: usize = 1 << 20;
@@ -35,19 +35,22 @@ impl Source {
     }
 }
 
-/// What a large regular file holds now, from where it stands; nothing of another one.
+/// What a regular file holds now, from where it stands, if that is much; otherwise nothing is read.
 #[cfg(unix)]
 fn read_in_parts(file: &mut File) -> io::Result<Vec<u8>> {
     use std::os::unix::fs::FileExt;
 
     let metadata = file.metadata()?;
-    if !metadata.is_file() || metadata.len() < LARGE {
+    if !metadata.is_file() {
         return Ok(Vec::new());
     }
     let start = file.stream_position()?;
     let length = metadata.len().saturating_sub(start);
+    if length < LARGE {
+        return Ok(Vec::new());
+    }
     let length = usize::try_from(length).map_err(|_| io::ErrorKind::OutOfMemory)?;
-    // An array of zeros touches no memory, but it cannot say that there is none.
+    // The array of zeros would end the process where there is no memory, so that is asked for first.
     Vec::<u8>::new().try_reserve_exact(length)?;
     let mut bytes = vec![0; length];
     let offsets = (start..).step_by(PART);

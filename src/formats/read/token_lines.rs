@@ -143,9 +143,8 @@ impl<'a> Line<'a> {
             }
         }
         // All that is left are digits.
-        let is_last = !self.rest.is_empty();
-        self.rest = &[];
-        is_last.then_some(number)
+        let digits = std::mem::take(&mut self.rest);
+        (!digits.is_empty()).then_some(number)
     }
 
     /// The next two tokens, the coordinates of a vertex.
