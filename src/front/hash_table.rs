@@ -84,15 +84,11 @@ impl<T: Tally> FrontSearch for HashTable<T> {
             n
         } else {
             let count = if n < FEW { 1 } else { n.isqrt() + 1 };
-            let mut sample: Vec<f64> = Vec::new();
-            if count > 1 {
-                let [of_each, most] = SAMPLE;
-                sample.extend(sampled(n, most.min(of_each * count)).map(|v| domain.x(v)));
-                sample.sort_unstable_by(f64::total_cmp);
-                // Only one of equal x is on the front.
-                sample.dedup();
-            }
-            self.intervals = Intervals::new(&sample, count);
+            let [of_each, most] = SAMPLE;
+            let most = if count > 1 { most.min(of_each * count) } else { 0 };
+            let sample = sampled(n, most).collect();
+            let (intervals, count) = Intervals::new(sample, |v| domain.x(v), count);
+            self.intervals = intervals;
             self.tally = T::default();
             count
         };

@@ -27,17 +27,44 @@ impl Default for Intervals {
 
 /// One of this many points of the sample may be far away at either end.
 const OUTERMOST: usize = 64;
+/// Quantiles are taken where a point shares its interval with so many times as many as if all held equally many.
+const CROWDED: usize = 4;
+/// A smaller sample is not divided into slabs.
+const FEW: usize = 4 * SLAB;
+/// So many points of the sample, one above the other, are a slab.
+const SLAB: usize = 64;
+/// How many times as many equal intervals there are at most.
+const FINEST: usize = 8;
 
 impl Intervals {
-    /// So many intervals for points of which this is a sample: x ascending, none of them twice.
-    pub(super) fn new(sample: &[f64], count: usize) -> Intervals {
-        let equal = Intervals::equal(sample, count);
-        if equal.are_crowded(sample, count) {
+    /// About so many intervals, and how many they are, for points of which these ranks are a sample; `x` is that of
+    /// a rank.
+    pub(super) fn new(
+        ranks: Vec<usize>,
+        x: impl Fn(usize) -> f64,
+        count: usize,
+    ) -> (Intervals, usize) {
+        // Only one of equal x is on the front.
+        let sorted = |ranks: &[usize]| {
+            let mut sample: Vec<f64> = ranks.iter().map(|&v| x(v)).collect();
+            sample.sort_unstable_by(f64::total_cmp);
+            sample.dedup();
+            sample
+        };
+        let sample = sorted(&ranks);
+        let equal = Intervals::equal(&sample, count);
+        if equal.crowding(&[&sample[..]], count) >= CROWDED {
             let ends = (1..count).filter_map(|i| sample.get(i * sample.len() / count));
-            Intervals::Quantiles(ends.copied().collect())
-        } else {
-            equal
+            return (Intervals::Quantiles(ends.copied().collect()), count);
         }
+        if sample.len() < FEW {
+            return (equal, count);
+        }
+        let mut ranks = ranks;
+        ranks.sort_unstable();
+        let slabs: Vec<Vec<f64>> = ranks.chunks(SLAB).map(sorted).collect();
+        let finer = equal.crowding(&slabs, count).clamp(1, FINEST);
+        (Intervals::equal(&sample, finer * count), finer * count)
     }
 
     /// Equal ones over the range of the sample, as its inner part would have it.
@@ -60,13 +87,19 @@ impl Intervals {
         }
     }
 
-    /// Whether a point shares its interval with four times as many of the sample as if all held equally
-    /// many.
-    fn are_crowded(&self, sample: &[f64], count: usize) -> bool {
+    /// With how many times as many points a point shares its interval as if all held equally many, each of these
+    /// samples for itself; x ascending, none of them twice.
+    fn crowding(&self, samples: &[impl AsRef<[f64]>], count: usize) -> usize {
         let number = |x| self.number(x, count, &mut ());
-        let runs = sample.chunk_by(|&a, &b| number(a) == number(b));
-        let pairs: usize = runs.map(|run| run.len() * (run.len() - 1)).sum();
-        pairs * count > 4 * sample.len() * sample.len()
+        let pairs = |sample: &[f64]| -> usize {
+            let runs = sample.chunk_by(|&a, &b| number(a) == number(b));
+            runs.map(|run| run.len() * (run.len() - 1)).sum()
+        };
+        let samples = samples.iter().map(AsRef::as_ref);
+        let (pairs, all) = samples.fold((0, 0), |(sum, all), sample| {
+            (sum + pairs(sample), all + sample.len() * sample.len())
+        });
+        pairs * count / all.max(1)
     }
 
     /// The number of the interval of `x` among `count`; counts the comparisons.
