@@ -85,7 +85,11 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         } else {
             let count = if n < FEW { 1 } else { n.isqrt() + 1 };
             let [of_each, most] = SAMPLE;
-            let most = if count > 1 { most.min(of_each * count) } else { 0 };
+            let most = if count > 1 {
+                most.min(of_each * count)
+            } else {
+                0
+            };
             let sample = sampled(n, most).collect();
             let (intervals, count) = Intervals::new(sample, |v| domain.x(v), count);
             self.intervals = intervals;

@@ -94,6 +94,9 @@ pub(super) fn sort<S: Scalar>(
         let sites = order.approx[from..to].iter().zip(&order.input[from..to]);
         bucket.set(sites.map(|(&near, &input)| (near, input)), 1);
         bucket.sort_runs(|sites| {
+            if sites.len() <= FEW && scale.tells_equal() && is_row(sites) {
+                return sort_few(sites);
+            }
             if sites.is_sorted_by(|a, b| by_index(a, b).is_lt()) {
                 return;
             }
@@ -139,6 +142,23 @@ pub(super) fn sort<S: Scalar>(
 fn is_row(sites: &[Site]) -> bool {
     let first = sites.first().map(|site| site.0[1]);
     sites.iter().all(|site| Some(site.0[1]) == first)
+}
+
+/// Sorts a few sites by x; equal ones keep their order.
+fn sort_few(sites: &mut [Site]) {
+    let n = sites.len();
+    let mut xs = [0.0; FEW];
+    let mut sorted = [([0.0; 2], 0); FEW];
+    for (x, site) in xs.iter_mut().zip(&*sites) {
+        *x = site.0[0];
+    }
+    for (i, site) in sites.iter().enumerate() {
+        let x = xs[i];
+        let before = xs[..i].iter().map(|&other| usize::from(other <= x));
+        let after = xs[i + 1..n].iter().map(|&other| usize::from(other < x));
+        sorted[before.sum::<usize>() + after.sum::<usize>()] = *site;
+    }
+    sites.copy_from_slice(&sorted[..n]);
 }
 
 /// Exact sweep order of two sites.
