@@ -252,8 +252,9 @@ fn time_cgal(program: Option<&Path>, input: &Input) -> Time {
         return Time::None;
     };
     let path = std::env::temp_dir().join("sweep-cdt-growth-input");
-    binary::write_inputs(&path, &vec![input.clone(); RUNS]).expect("a file for the input");
-    time_process(Command::new(program).arg(path), input.points.len())
+    binary::write_inputs(&path, std::slice::from_ref(input)).expect("a file for the input");
+    let mut command = Command::new(program);
+    time_process(command.arg(path).arg(RUNS.to_string()), input.points.len())
 }
 
 /// Runs a program that prints the nanoseconds of its runs, one a line, and waits for it.

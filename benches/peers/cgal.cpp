@@ -1,5 +1,5 @@
-// CGAL on a data set, as testing/src/binary.rs describes it: `cgal INPUT [ANSWER]` prints, for each input,
-// a line with nanoseconds and bytes; `cgal` prints its version.
+// CGAL on a data set, as testing/src/binary.rs describes it: `cgal INPUT CALLS [ANSWER]` triangulates it so many times
+// and prints, for each input each time, a line with nanoseconds and bytes; `cgal` prints its version.
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -55,11 +55,10 @@ template <typename T> static void write(const T& result, const Points& points, s
             std::fwrite(&places.at(face->vertex(i)->point()), sizeof count, 1, answer);
 }
 
-int main(int count, char** words) {
-    if (count < 2) return std::puts(CGAL_VERSION_STR) < 0;
-    std::FILE* input = std::fopen(words[1], "rb");
-    std::FILE* answer = count > 2 ? std::fopen(words[2], "wb") : nullptr;
-    if (!input || (count > 2 && !answer)) return 1;
+// Triangulates all inputs.
+static void run(const char* path, std::FILE* answer) {
+    std::FILE* input = std::fopen(path, "rb");
+    if (!input) std::exit(1);
     for (auto inputs = read<std::uint64_t>(input, 1)[0]; inputs > 0; --inputs) {
         Points points;
         std::vector<std::pair<std::size_t, std::size_t>> edges;
@@ -81,5 +80,14 @@ int main(int count, char** words) {
             write(result, points, answer);
         }
     }
+    std::fclose(input);
+}
+
+int main(int count, char** words) {
+    if (count < 2) return std::puts(CGAL_VERSION_STR) < 0;
+    if (count < 3) return 1;
+    std::FILE* answer = count > 3 ? std::fopen(words[3], "wb") : nullptr;
+    if (count > 3 && !answer) return 1;
+    for (long calls = std::atol(words[2]); calls > 0; --calls) run(words[1], calls == 1 ? answer : nullptr);
     if (answer) std::fclose(answer);
 }

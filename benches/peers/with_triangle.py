@@ -1,6 +1,6 @@
 """Triangle on a data set, as testing/src/binary.rs describes it, through the Python package `triangle`.
 
-`with_triangle.py INPUT [ANSWER]` prints nanoseconds and bytes, and without arguments the package's version.
+`with_triangle.py INPUT CALLS [ANSWER]` prints for each input each time nanoseconds, and bytes for the first, and without arguments the package's version.
 """
 
 import sys
@@ -37,27 +37,26 @@ def main():
     if len(sys.argv) < 2:
         print(version("triangle"))
         return
-    nanoseconds = 0
-    memory = None
-    answers = []
-    for parts in inputs(sys.argv[1]):
-        if memory is None:
-            with open("/proc/self/clear_refs", "w") as file:
-                file.write("5")
-            before = peak()
-        start = time.perf_counter_ns()
-        # With edges, up to the convex hull.
-        result = triangle.triangulate(parts, "pc" if "segments" in parts else "")
-        nanoseconds += time.perf_counter_ns() - start
-        if memory is None:
-            memory = peak() - before
-        answers.append(result["triangles"].astype("<u8"))
-    if len(sys.argv) > 2:
-        with open(sys.argv[2], "wb") as file:
+    before = None
+    for _ in range(int(sys.argv[2])):
+        answers = []
+        for parts in inputs(sys.argv[1]):
+            is_first = before is None
+            if is_first:
+                with open("/proc/self/clear_refs", "w") as file:
+                    file.write("5")
+                before = peak()
+            start = time.perf_counter_ns()
+            # With edges, up to the convex hull.
+            result = triangle.triangulate(parts, "pc" if "segments" in parts else "")
+            nanoseconds = time.perf_counter_ns() - start
+            print(nanoseconds, peak() - before if is_first else "")
+            answers.append(result["triangles"].astype("<u8"))
+    if len(sys.argv) > 3:
+        with open(sys.argv[3], "wb") as file:
             for triangles in answers:
                 file.write(numpy.array([len(triangles)], dtype="<u8").tobytes())
                 file.write(triangles.tobytes())
-    print(nanoseconds, memory)
 
 
 main()

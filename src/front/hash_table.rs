@@ -5,8 +5,10 @@
 //! node found is usually near: most nodes leave the front when one beside them joins it.
 //!
 //! Cost: O(1) expected for a search. There are sqrt(n) intervals, about as many as the front has vertices
-//! where the points are spread evenly, and a single one for a few points. A dense cluster in a wide domain
-//! would crowd a few of many equal intervals. A sample of the points shows this beforehand; then the intervals
+//! where the points are spread evenly, and a single one for a few points. Points that are swept one after another
+//! may crowd in some of them, as those of clusters do; then there are up to eight times as many. A dense cluster in
+//! a wide domain would crowd a few of many equal intervals all the way. A sample of the points shows both beforehand;
+//! for such a cluster the intervals
 //! end at quantiles of the sample, and finding one takes O(log n). Where walks are long nevertheless, they are
 //! told to the table. When they add up to more than a few steps a vertex, it asks for the places of all
 //! vertices from left to right and searches among these ([`Places`]). So a search costs O(log n) at worst,
@@ -251,6 +253,23 @@ mod tests {
             ..Work::default()
         };
         assert_eq!(table.work(), begun, "another run");
+    }
+
+    /// Twenty clusters side by side, one above the other: each slab of the sample crowds one or two of them, though all
+    /// together they spread evenly.
+    #[test]
+    fn clusters_have_more_intervals() {
+        const COUNT: u32 = 40_000;
+        let bytes = |x: fn(u32) -> f64| {
+            let points: Vec<[f64; 2]> = (0..COUNT).map(|i| [x(i), f64::from(i)]).collect();
+            let mut table = HashTable::counting();
+            table.begin(Domain::new(&points));
+            table.work().bytes
+        };
+        let even = |i: u32| (f64::from(i) * 0.618_034).fract();
+        let clustered = |i: u32| f64::from(i / 2000 * 7 % 20) + (f64::from(i) * 0.618_034).fract();
+        let entries = 201 * size_of::<FrontNode>() as u64;
+        assert_eq!([bytes(even), bytes(clustered)], [entries, 3 * entries]);
     }
 
     /// Two clusters need quantiles, whose ends are compared by halves.

@@ -5,6 +5,11 @@
 //! others, and finding one takes O(log n). The equal ones span all but the outermost of the sample: points
 //! far away, or at infinity, fall in the first or last one and make none of the others wider. Where neither
 //! helps, the table asks for places, and each of them is an interval.
+//!
+//! The whole sample may spread evenly where the front does not: clusters side by side and one above the other crowd
+//! it here at one height and there at another. So the sample is also looked at slab by slab, and the equal intervals
+//! are narrower by as much as it is crowded in them. (A million points in clusters: 1.1 steps along the front in
+//! place of 4.1.) More of them than that would be empty, or hold a node that has left the front.
 
 use super::work::Tally;
 use crate::bucket::bucket;
@@ -40,7 +45,7 @@ impl Intervals {
     /// About so many intervals, and how many they are, for points of which these ranks are a sample; `x` is that of
     /// a rank.
     pub(super) fn new(
-        ranks: Vec<usize>,
+        mut ranks: Vec<usize>,
         x: impl Fn(usize) -> f64,
         count: usize,
     ) -> (Intervals, usize) {
@@ -60,7 +65,6 @@ impl Intervals {
         if sample.len() < FEW {
             return (equal, count);
         }
-        let mut ranks = ranks;
         ranks.sort_unstable();
         let slabs: Vec<Vec<f64>> = ranks.chunks(SLAB).map(sorted).collect();
         let finer = equal.crowding(&slabs, count).clamp(1, FINEST);

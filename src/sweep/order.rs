@@ -247,24 +247,15 @@ fn range(
 mod tests {
     use super::{Order, Scale, Workspace, sort};
 
-    /// Three rows whose y have one key, among points spread far, against a sort by comparison. A row has each point
-    /// twice, and then one just left of it.
-    #[test]
-    fn long_rows_within_a_run_are_in_order() {
-        let little = 2_f64.powi(-40);
-        let in_row = |i: u32| {
-            let x = f64::from(i * 37 % 60) - f64::from(i / 360) * little;
-            [x, f64::from(i % 3) * little]
-        };
-        let spread = |i: u32| [f64::from(i * 7 % 11), f64::from(i * 31 % 300)];
-        let points: Vec<[f64; 2]> = (0..540).map(in_row).chain((0..300).map(spread)).collect();
+    /// Sorts these points and compares the outcome with that of a sort by comparison.
+    fn sorted(points: &[[f64; 2]]) -> Workspace {
         let near = |i: u32| points[i as usize];
+        let count = u32::try_from(points.len()).expect("few");
         let (scale, order) = (Scale::exact(points.len(), |i| points[i]), Order::default());
-        let workspace = &mut Workspace::default();
-        let found = sort(&points, 0..840, near, scale, order, workspace);
-        assert_eq!(workspace.row.sites.len(), 180, "a row");
+        let mut workspace = Workspace::default();
+        let found = sort(points, 0..count, near, scale, order, &mut workspace);
 
-        let mut expected: Vec<u32> = (0..840).collect();
+        let mut expected: Vec<u32> = (0..count).collect();
         expected.sort_by(|&i, &j| {
             let [[x, y], [z, w]] = [i, j].map(near);
             y.total_cmp(&w).then(x.total_cmp(&z)).then(i.cmp(&j))
@@ -282,5 +273,28 @@ mod tests {
         assert_eq!(found.duplicates, duplicates);
         let places: Vec<[f64; 2]> = distinct.into_iter().map(near).collect();
         assert_eq!(found.approx, places);
+        workspace
+    }
+
+    /// Three rows whose y have one key, among points spread far. A row has each point twice, and then one just left
+    /// of it.
+    #[test]
+    fn long_rows_within_a_run_are_in_order() {
+        let little = 2_f64.powi(-40);
+        let in_row = |i: u32| {
+            let x = f64::from(i * 37 % 60) - f64::from(i / 360) * little;
+            [x, f64::from(i % 3) * little]
+        };
+        let spread = |i: u32| [f64::from(i * 7 % 11), f64::from(i * 31 % 300)];
+        let points: Vec<[f64; 2]> = (0..540).map(in_row).chain((0..300).map(spread)).collect();
+        assert_eq!(sorted(&points).row.sites.len(), 180, "a row");
+    }
+
+    /// Rows of one to eight points, some of them twice.
+    #[test]
+    fn short_rows_are_in_order() {
+        let point = |i: u32| [f64::from(i * 37 % 13), f64::from(i % 500 * 31 % 97)];
+        let points: Vec<[f64; 2]> = (0..600).map(point).chain((0..50).map(point)).collect();
+        sorted(&points);
     }
 }

@@ -90,7 +90,7 @@ def crate(name):
         with tempfile.TemporaryDirectory() as folder:
             question, answer = pathlib.Path(folder, "question"), pathlib.Path(folder, "answer")
             question.write_bytes(data)
-            command = [PEERS / "target/release/sweep-cdt-peers", "cell", name, question, answer]
+            command = [PEERS / "target/release/sweep-cdt-peers", "cell", name, question, "1", answer]
             run = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "RUST_BACKTRACE": "0"})
             if run.returncode < 0:
                 raise ChildProcessError(f"signal {-run.returncode}")

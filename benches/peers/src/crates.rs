@@ -277,10 +277,10 @@ fn key(p: [f64; 2]) -> [u64; 2] {
     p.map(|c| (c + 0.0).to_bits())
 }
 
-/// Adds up the time of all calls and takes the memory of the first one.
+/// Takes the time of each call and the memory of the first one.
 #[derive(Default)]
 pub(crate) struct Stopwatch {
-    /// How long all calls took.
+    /// How long the last call took.
     pub(crate) time: Duration,
     /// By how many bytes the resident set grew at its peak in the first call; none where the system does
     /// not say.
@@ -308,7 +308,7 @@ impl Stopwatch {
     fn timed<T>(&mut self, call: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let result = call();
-        self.time += start.elapsed();
+        self.time = start.elapsed();
         result
     }
 }

@@ -5,9 +5,10 @@
 //! ```
 //!
 //! Every program runs on every data set in processes of its own, in turn with the others, and the medians
-//! count. What is timed is the call that triangulates; reading the input, bringing it into the program's
-//! types and asking for its triangles are not. The verifier judges the first answer of each program on each
-//! data set. A wrong answer, a crash and a run beyond the time limit are marked.
+//! count. A process triangulates its data set three times: the first call gets its memory from the system, the
+//! last one may have what the others had. What is timed is the call that triangulates; reading the input, bringing it
+//! into the program's types and asking for its triangles are not. The verifier judges an answer of each program on
+//! each data set. A wrong answer, a crash and a run beyond the time limit are marked.
 //!
 //! `--quick` takes smaller inputs and fewer rounds. `--data` names a folder with further `.poly` files, which
 //! may be compressed with gzip. The tables are printed; as Markdown and CSV, and with a plot, they are
@@ -44,6 +45,9 @@ struct Arguments {
     /// How often each program runs on each data set.
     #[arg(long)]
     rounds: Option<usize>,
+    /// How often a process triangulates its data set.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..))]
+    calls: u8,
     /// How many seconds a process may take.
     #[arg(long, default_value_t = 60)]
     limit: u64,
@@ -65,6 +69,7 @@ enum Cell {
     Cell {
         program: String,
         input: PathBuf,
+        calls: usize,
         answer: Option<PathBuf>,
     },
 }
@@ -74,10 +79,11 @@ fn main() {
     if let Some(Cell::Cell {
         program,
         input,
+        calls,
         answer,
     }) = arguments.cell
     {
-        return programs::run(&program, &input, answer.as_deref());
+        return programs::run(&program, &input, calls, answer.as_deref());
     }
     let folder = tempfile::tempdir().expect("a folder for temporary files");
     let programs = programs::all(folder.path(), &arguments.python);
@@ -85,6 +91,7 @@ fn main() {
         rounds: arguments
             .rounds
             .unwrap_or(if arguments.quick { 3 } else { 5 }),
+        calls: usize::from(arguments.calls),
         limit: Duration::from_secs(arguments.limit),
         folder: folder.path(),
     };

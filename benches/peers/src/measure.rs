@@ -15,6 +15,8 @@ use crate::programs::{OURS, OURS_KEPT, Program};
 /// How it is measured.
 pub(crate) struct Settings<'a> {
     pub(crate) rounds: usize,
+    /// How often a process triangulates a data set.
+    pub(crate) calls: usize,
     /// How long a process may take.
     pub(crate) limit: Duration,
     /// For the files that the processes exchange.
@@ -40,20 +42,42 @@ pub(crate) struct Cell {
     pub(crate) outcome: Result<Outcome, Failure>,
 }
 
+/// Which calls of the processes count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Calls {
+    /// The first ones, which get their memory from the system.
+    First,
+    /// The last ones, which may have memory that earlier ones had; this crate keeps it in a `Repeater`.
+    Last,
+}
+
 /// What a program needs for a point.
 #[derive(Clone, Copy)]
 pub(crate) struct Outcome {
     pub(crate) verdict: Verdict,
-    /// Nanoseconds: median, least and most.
-    pub(crate) time: [f64; 3],
-    /// Bytes beyond the input, the median.
+    first: Time,
+    last: Time,
+    /// Bytes beyond the input in first calls, the median.
     pub(crate) bytes: Option<f64>,
+}
+
+/// Nanoseconds: median, least and most.
+pub(crate) type Time = [f64; 3];
+
+impl Outcome {
+    pub(crate) fn time(&self, calls: Calls) -> Time {
+        match calls {
+            Calls::First => self.first,
+            Calls::Last => self.last,
+        }
+    }
 }
 
 /// Runs all programs in turn, as often as there are rounds.
 pub(crate) fn row(set: DataSet, programs: &[Program], settings: &Settings) -> Row {
     let input = settings.folder.join("input");
     let answer = settings.folder.join("answer");
+    let (inputs, points) = (set.inputs.len(), set.points());
     binary::write_inputs(&input, &set.inputs).expect("a file for the data set");
     let programs: Vec<&Program> = programs
         .iter()
@@ -67,7 +91,8 @@ pub(crate) fn row(set: DataSet, programs: &[Program], settings: &Settings) -> Ro
             let answer = (round == 0).then_some(answer.as_path());
             // One that has failed is not asked again.
             if let Ok(list) = samples {
-                match run(&program.command, &input, answer, settings.limit) {
+                let lines = run(&program.command, &input, answer, settings);
+                match lines.and_then(|lines| sample(&lines, inputs).ok_or(Failure::Crash)) {
                     Ok(sample) => list.push(sample),
                     Err(failure) => *samples = Err(failure),
                 }
@@ -75,14 +100,13 @@ pub(crate) fn row(set: DataSet, programs: &[Program], settings: &Settings) -> Ro
             if let Some(answer) = answer {
                 let is_inside = program.is_inside && set.kind == Kind::Polygons;
                 let verdict = |_| {
-                    let triangles = binary::read_answer(answer, set.inputs.len());
+                    let triangles = binary::read_answer(answer, inputs);
                     judge(&set.inputs, &triangles.expect("an answer"), is_inside)
                 };
                 verdicts.push(samples.as_ref().ok().map(verdict));
             }
         }
     }
-    let (inputs, points) = (set.inputs.len(), set.points());
     let cells = programs.iter().zip(samples).zip(verdicts);
     let cells = cells.map(|((program, samples), verdict)| Cell {
         program: program.name,
@@ -110,11 +134,15 @@ fn outcome(samples: &[Sample], verdict: Verdict, points: usize, inputs: usize) -
         numbers.sort_by(f64::total_cmp);
         numbers
     };
-    let times = sorted(&mut samples.iter().map(|sample| sample.nanoseconds));
+    let time = |of: &dyn Fn(&Sample) -> f64| {
+        let times = sorted(&mut samples.iter().map(of));
+        [times[times.len() / 2], times[0], times[times.len() - 1]]
+    };
     let bytes = sorted(&mut samples.iter().filter_map(|sample| sample.bytes));
     Outcome {
         verdict,
-        time: [times[times.len() / 2], times[0], times[times.len() - 1]],
+        first: time(&|sample| sample.first),
+        last: time(&|sample| sample.last),
         bytes: bytes.get(bytes.len() / 2).copied().filter(|_| inputs == 1),
     }
 }
@@ -127,9 +155,11 @@ impl Row {
             .map(|(_, outcome)| outcome)
     }
 
-    /// What was measured of this crate: where there are many inputs, in memory that is kept.
-    pub(crate) fn ours(&self) -> Option<&Cell> {
-        self.cells.iter().rfind(|&cell| is_ours(cell))
+    /// What was measured of this crate: in memory that is kept where there are many inputs or last calls count.
+    pub(crate) fn ours(&self, calls: Calls) -> Option<&Cell> {
+        let is_kept = self.inputs > 1 || calls == Calls::Last;
+        let name = if is_kept { OURS_KEPT } else { OURS };
+        self.cells.iter().find(|cell| cell.program == name)
     }
 
     /// The programs with right answers.
@@ -142,20 +172,20 @@ impl Row {
     }
 
     /// The fastest other program with a right answer; exact ones only if that is wanted.
-    pub(crate) fn best(&self, is_exact: bool) -> Option<(&Cell, Outcome)> {
+    pub(crate) fn best(&self, is_exact: bool, calls: Calls) -> Option<(&Cell, Outcome)> {
         self.rights()
             .filter(|(cell, _)| !is_ours(cell) && (cell.is_exact || !is_exact))
-            .min_by(|(_, a), (_, b)| a.time[0].total_cmp(&b.time[0]))
+            .min_by(|(_, a), (_, b)| a.time(calls)[0].total_cmp(&b.time(calls)[0]))
     }
 
     /// The time that this crate should need.
-    pub(crate) fn aim(&self) -> Option<f64> {
+    pub(crate) fn aim(&self, calls: Calls) -> Option<f64> {
         let aim = self.aim?;
         let other = match aim.of {
             Of::Program(name) => self.right(name)?,
-            Of::Exact => self.best(true)?.1,
+            Of::Exact => self.best(true, calls)?.1,
         };
-        Some(aim.share * other.time[0])
+        Some(aim.share * other.time(calls)[0])
     }
 }
 
@@ -206,10 +236,12 @@ fn judge_one(input: &Input, triangles: &[[usize; 3]], is_inside: bool) -> Verdic
     }
 }
 
-/// What a process printed: nanoseconds for all inputs together, and bytes beyond the first one.
+/// What a process printed: nanoseconds of the first and of the last call, for all inputs together, and bytes beyond
+/// the first one.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
-    nanoseconds: f64,
+    first: f64,
+    last: f64,
     bytes: Option<f64>,
 }
 
@@ -222,19 +254,20 @@ pub(crate) enum Failure {
     TooLong,
 }
 
-/// Runs a command on a data set in a process, with a file for the answer if it is wanted.
+/// What a command prints that runs on a data set in a process, with a file for the answer if it is wanted.
 fn run(
     command: &[String],
     input: &Path,
     answer: Option<&Path>,
-    limit: Duration,
-) -> Result<Sample, Failure> {
+    settings: &Settings,
+) -> Result<String, Failure> {
     // A file takes any number of lines; a pipe that nobody reads does not.
     let mut printed = tempfile::tempfile().expect("a file for what is printed");
     let stdout = printed.try_clone().expect("the same file");
     let mut child = Command::new(&command[0])
         .args(&command[1..])
         .arg(input)
+        .arg(settings.calls.to_string())
         .args(answer)
         .stdin(Stdio::null())
         .stdout(stdout)
@@ -246,7 +279,7 @@ fn run(
         if let Some(status) = child.try_wait().expect("a process") {
             break status;
         }
-        if start.elapsed() > limit {
+        if start.elapsed() > settings.limit {
             child.kill().expect("a process");
             child.wait().expect("a process");
             return Err(Failure::TooLong);
@@ -258,24 +291,26 @@ fn run(
     if printed.read_to_string(&mut text).is_err() {
         return Err(Failure::Crash);
     }
-    match (status.success(), sample(&text)) {
-        (true, Some(sample)) => Ok(sample),
-        _ => Err(Failure::Crash),
+    if status.success() {
+        Ok(text)
+    } else {
+        Err(Failure::Crash)
     }
 }
 
-/// Nanoseconds and bytes of each line: the sum of the former and the first of the latter.
-fn sample(text: &str) -> Option<Sample> {
-    let mut sample = Sample {
-        nanoseconds: 0.0,
-        bytes: None,
-    };
-    for (i, line) in text.lines().enumerate() {
+/// The sample in these lines: so many inputs, once or more often, each with nanoseconds and perhaps bytes.
+fn sample(lines: &str, inputs: usize) -> Option<Sample> {
+    let mut bytes = None;
+    let mut times = Vec::new();
+    for line in lines.lines() {
         let mut words = line.split_whitespace().map(str::parse::<f64>);
-        sample.nanoseconds += words.next()?.ok()?;
-        if i == 0 {
-            sample.bytes = words.next().and_then(Result::ok);
-        }
+        times.push(words.next()?.ok()?);
+        bytes = bytes.or_else(|| words.next()?.ok());
     }
-    (sample.nanoseconds > 0.0).then_some(sample)
+    let last = times.len().checked_sub(inputs)?;
+    Some(Sample {
+        first: times[..inputs].iter().sum(),
+        last: times[last..].iter().sum(),
+        bytes,
+    })
 }

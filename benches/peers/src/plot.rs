@@ -4,7 +4,7 @@ use std::error::Error;
 
 use plotters::prelude::*;
 
-use crate::measure::{Row, Verdict};
+use crate::measure::{Calls, Row, Verdict};
 use crate::report::programs;
 
 /// The families with a panel.
@@ -95,7 +95,8 @@ fn curve(rows: &[&Row], program: &str) -> Vec<(f64, f64)> {
     let point = |row: &&Row| {
         let cell = row.cells.iter().find(|cell| cell.program == program)?;
         let outcome = cell.outcome.ok()?;
-        (outcome.verdict != Verdict::Wrong).then_some((row.size[0] as f64, outcome.time[0]))
+        (outcome.verdict != Verdict::Wrong)
+            .then_some((row.size[0] as f64, outcome.time(Calls::First)[0]))
     };
     rows.iter().filter_map(point).collect()
 }

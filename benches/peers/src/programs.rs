@@ -1,7 +1,8 @@
 //! The programs, and what each is asked.
 //!
-//! A program is a command that is called with the file of a data set and, if the answer is wanted, the file
-//! to write it to; it prints nanoseconds and bytes. Crates run in a process of this executable.
+//! A program is a command that is called with the file of a data set, the number of times to triangulate it and, if the
+//! answer is wanted, the file to write it to. It prints a line for each input each time: nanoseconds, and bytes if it
+//! has measured them. Crates run in a process of this executable.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -47,13 +48,13 @@ const UNTIMED: &[Kind] = &[];
 
 /// The name of the first program: this crate.
 pub(crate) const OURS: &str = "sweep-cdt";
-/// The same in memory that is kept from one input to the next, where there are many.
+/// The same in memory that is kept from one call to the next.
 pub(crate) const OURS_KEPT: &str = "sweep-cdt kept";
 
 #[rustfmt::skip]
 const CRATES: [Crate; 15] = [
     Crate { name: OURS, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: crates::ours },
-    Crate { name: OURS_KEPT, package: "sweep-cdt", kinds: POLYGONS, is_inside: false, is_exact: true, call: crates::ours_kept },
+    Crate { name: OURS_KEPT, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: crates::ours_kept },
     Crate { name: "spade", package: "spade", kinds: ALL, is_inside: false, is_exact: true, call: crates::spade },
     Crate { name: "delaunator", package: "delaunator", kinds: POINTS, is_inside: false, is_exact: false, call: crates::delaunator },
     Crate { name: "cdt", package: "cdt", kinds: POINTS, is_inside: false, is_exact: true, call: crates::cdt },
@@ -96,24 +97,28 @@ fn locked_version(package: &str) -> String {
     version.expect("a version").to_owned()
 }
 
-/// Runs a crate on a data set: what a process does.
-pub(crate) fn run(name: &str, input: &Path, answer: Option<&Path>) {
+/// Runs a crate on a data set, so many times: what a process does. The answer is the last one.
+pub(crate) fn run(name: &str, input: &Path, calls: usize, answer: Option<&Path>) {
     let entry = CRATES.iter().find(|entry| entry.name == name);
     let call = entry.expect("a program").call;
     let inputs = binary::read_inputs(input).expect("a data set");
     let mut stopwatch = Stopwatch::default();
-    let mut triangles = Vec::new();
-    for input in &inputs {
-        let result = call(input, &mut stopwatch).expect("an input that the program takes");
-        if answer.is_some() {
-            triangles.push(result);
+    let (mut lines, mut triangles) = (String::new(), Vec::new());
+    for left in (0..calls).rev() {
+        for input in &inputs {
+            let result = call(input, &mut stopwatch).expect("an input that the program takes");
+            let memory = stopwatch.memory.take();
+            let memory = memory.map_or(String::new(), |bytes| bytes.to_string());
+            lines.push_str(&format!("{} {memory}\n", stopwatch.time.as_nanos()));
+            if answer.is_some() && left == 0 {
+                triangles.push(result);
+            }
         }
     }
     if let Some(answer) = answer {
         binary::write_answer(answer, &triangles).expect("a file for the answer");
     }
-    let memory = stopwatch.memory.map_or(String::new(), |m| m.to_string());
-    println!("{} {memory}", stopwatch.time.as_nanos());
+    print!("{lines}");
 }
 
 /// CGAL, compiled here if there are a compiler and its headers.

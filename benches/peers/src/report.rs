@@ -1,7 +1,7 @@
 //! The tables: as plain text, as Markdown and as CSV.
 
 use crate::data::Kind;
-use crate::measure::{Cell, Failure, Outcome, Row, Verdict};
+use crate::measure::{Calls, Cell, Failure, Outcome, Row, Verdict};
 use crate::programs::OURS;
 
 /// Of the columns in plain text.
@@ -13,9 +13,13 @@ pub(crate) fn text(row: &Row, is_first: bool) -> String {
     if is_first {
         text.push_str(&text_line(&COLUMNS.map(str::to_owned)));
     }
-    text.push_str(&text_line(&columns(row)));
+    text.push_str(&text_line(&columns(row, Calls::First)));
+    let mut last = columns(row, Calls::Last);
+    last[0] = "  last calls".to_owned();
+    text.push_str(&text_line(&last));
     for cell in &row.cells {
-        text.push_str(&format!("    {:16} {}\n", cell.program, entry(cell)));
+        let [first, last] = [Calls::First, Calls::Last].map(|calls| entry(cell, calls));
+        text.push_str(&format!("    {:16} {first}, last {last}\n", cell.program));
     }
     text
 }
@@ -35,11 +39,14 @@ pub(crate) fn markdown(machine: &str, rows: &[Row]) -> String {
     for line in machine.lines() {
         text.push_str(&format!("- {line}\n"));
     }
-    text.push_str("\nNanoseconds a point are medians; after ± the largest distance from them.\n\n");
-    text.push_str(&markdown_line(&COLUMNS.map(str::to_owned)));
-    text.push_str(&markdown_rule(COLUMNS.len()));
-    for row in rows {
-        text.push_str(&markdown_line(&columns(row)));
+    text.push_str("\nNanoseconds a point are medians; after ± the largest distance from them.\n");
+    for calls in [Calls::First, Calls::Last] {
+        text.push_str(&format!("\n{}:\n\n", title(calls)));
+        text.push_str(&markdown_line(&COLUMNS.map(str::to_owned)));
+        text.push_str(&markdown_rule(COLUMNS.len()));
+        for row in rows {
+            text.push_str(&markdown_line(&columns(row, calls)));
+        }
     }
     for (kind, name) in [
         (Kind::Points, "points"),
@@ -47,12 +54,14 @@ pub(crate) fn markdown(machine: &str, rows: &[Row]) -> String {
         (Kind::Polygons, "polygons"),
     ] {
         let of_kind = |row: &&Row| row.kind == kind;
-        table(
-            &mut text,
-            &format!("Nanoseconds a point, {name}"),
-            rows.iter().filter(of_kind),
-            entry,
-        );
+        for calls in [Calls::First, Calls::Last] {
+            table(
+                &mut text,
+                &format!("{}, nanoseconds a point, {name}", title(calls)),
+                rows.iter().filter(of_kind),
+                |cell| entry(cell, calls),
+            );
+        }
         table(
             &mut text,
             &format!("Bytes a point beyond the input, {name}"),
@@ -61,6 +70,13 @@ pub(crate) fn markdown(machine: &str, rows: &[Row]) -> String {
         );
     }
     text
+}
+
+fn title(calls: Calls) -> &'static str {
+    match calls {
+        Calls::First => "First calls",
+        Calls::Last => "Last calls",
+    }
 }
 
 /// A table of all programs, without rows that have no entry.
@@ -106,7 +122,8 @@ fn markdown_rule(columns: usize) -> String {
 /// All measurements as CSV, one line for each program on each data set.
 pub(crate) fn csv(rows: &[Row]) -> String {
     let mut text =
-        "data,points,edges,inputs,program,answer,ns_median,ns_least,ns_most,bytes\n".to_owned();
+        "data,points,edges,inputs,program,answer,ns_median,ns_least,ns_most,last_median,last_least,last_most,bytes\n"
+            .to_owned();
     for row in rows {
         for cell in &row.cells {
             // A name holds a comma, but no quotes.
@@ -122,11 +139,13 @@ pub(crate) fn csv(rows: &[Row]) -> String {
                         Verdict::Triangulation => "not delaunay",
                         Verdict::Wrong => "wrong",
                     };
-                    let [median, least, most] = outcome.time;
-                    let bytes = bytes(outcome);
-                    format!("{verdict},{median:.1},{least:.1},{most:.1},{bytes}\n")
+                    let times = [Calls::First, Calls::Last].map(|calls| {
+                        let [median, least, most] = outcome.time(calls);
+                        format!("{median:.1},{least:.1},{most:.1}")
+                    });
+                    format!("{verdict},{},{}\n", times.join(","), bytes(outcome))
                 }
-                Err(failure) => format!("{},,,,\n", word(failure)),
+                Err(failure) => format!("{},,,,,,,\n", word(failure)),
             });
         }
     }
@@ -149,12 +168,15 @@ const COLUMNS: [&str; 10] = [
 
 /// A row of the main table: what is behind `best correct peer` is its nanoseconds a point, this crate's, the
 /// share that this is of the best and of spade, and of spade or the best the aim; this crate's bytes a point.
-fn columns(row: &Row) -> [String; COLUMNS.len()] {
-    let ours = row.ours().and_then(|cell| row.right(cell.program));
-    let best = row.best(false);
+fn columns(row: &Row, calls: Calls) -> [String; COLUMNS.len()] {
+    let cell = row.ours(calls);
+    let ours = cell.and_then(|cell| row.right(cell.program));
+    let best = row.best(false, calls);
     let spade = row.right("spade");
     let share = |other: Option<Outcome>| match (ours, other) {
-        (Some(ours), Some(other)) => format!("{:.2}", ours.time[0] / other.time[0]),
+        (Some(ours), Some(other)) => {
+            format!("{:.2}", ours.time(calls)[0] / other.time(calls)[0])
+        }
         _ => String::new(),
     };
     let times = if row.inputs == 1 {
@@ -162,8 +184,8 @@ fn columns(row: &Row) -> [String; COLUMNS.len()] {
     } else {
         format!("{} x ", row.inputs)
     };
-    let aim = row.aim().map(|aim| match spade {
-        Some(spade) => format!("{:.2}", aim / spade.time[0]),
+    let aim = row.aim(calls).map(|aim| match spade {
+        Some(spade) => format!("{:.2}", aim / spade.time(calls)[0]),
         None => format!("{aim:.0} ns"),
     });
     [
@@ -171,8 +193,8 @@ fn columns(row: &Row) -> [String; COLUMNS.len()] {
         format!("{times}{}", row.size[0]),
         row.size[1].to_string(),
         best.map_or("none", |(cell, _)| cell.program).to_owned(),
-        best.map_or(String::new(), |(_, outcome)| time(outcome)),
-        row.ours().map_or(String::new(), entry),
+        best.map_or(String::new(), |(_, outcome)| time(outcome, calls)),
+        cell.map_or(String::new(), |cell| entry(cell, calls)),
         share(best.map(|(_, outcome)| outcome)),
         share(spade),
         aim.unwrap_or_default(),
@@ -181,12 +203,12 @@ fn columns(row: &Row) -> [String; COLUMNS.len()] {
 }
 
 /// A program's nanoseconds a point with their spread and the verdict, if that is not the best.
-fn entry(cell: &Cell) -> String {
+fn entry(cell: &Cell, calls: Calls) -> String {
     match cell.outcome {
         Ok(outcome) => match outcome.verdict {
-            Verdict::Delaunay => time(outcome),
-            Verdict::Triangulation => format!("{}, not Delaunay", time(outcome)),
-            Verdict::Wrong => format!("{}, WRONG", time(outcome)),
+            Verdict::Delaunay => time(outcome, calls),
+            Verdict::Triangulation => format!("{}, not Delaunay", time(outcome, calls)),
+            Verdict::Wrong => format!("{}, WRONG", time(outcome, calls)),
         },
         Err(failure) => word(failure).to_owned(),
     }
@@ -200,8 +222,8 @@ fn word(failure: Failure) -> &'static str {
 }
 
 /// The median, and by how many percent of it the others differ at most.
-fn time(outcome: Outcome) -> String {
-    let [median, least, most] = outcome.time;
+fn time(outcome: Outcome, calls: Calls) -> String {
+    let [median, least, most] = outcome.time(calls);
     let spread = 100.0 * (median - least).max(most - median) / median;
     format!("{median:.0} ±{spread:.0} %")
 }
