@@ -5,14 +5,13 @@
 //! node found is usually near: most nodes leave the front when one beside them joins it.
 //!
 //! Cost: O(1) expected for a search. There are sqrt(n) intervals, about as many as the front has vertices
-//! where the points are spread evenly, and a single one for a few points. Points that are swept one after another
-//! may crowd in some of them, as those of clusters do; then there are up to eight times as many. A dense cluster in
-//! a wide domain would crowd a few of many equal intervals all the way. A sample of the points shows both beforehand;
-//! for such a cluster the intervals
-//! end at quantiles of the sample, and finding one takes O(log n). Where walks are long nevertheless, they are
-//! told to the table. When they add up to more than a few steps a vertex, it asks for the places of all
-//! vertices from left to right and searches among these ([`Places`]). So a search costs O(log n) at worst,
-//! averaged over a run.
+//! where the points are spread evenly, and a single one for a few points. Points that are swept one after
+//! another may crowd in some of them, as those of clusters do; then there are up to eight times as many. A dense
+//! cluster in a wide domain would crowd a few of many equal intervals all the way; then the intervals end at
+//! quantiles of the points, and finding one takes O(log n). A sample of the points shows both beforehand. Where
+//! walks are long nevertheless, they are told to the table. When they add up to more than a few steps a vertex, it
+//! asks for the places of all vertices from left to right and searches among these ([`Places`]). So a search costs
+//! O(log n) at worst, averaged over a run.
 //!
 //! Differs from the paper: the table is not updated when a node leaves the front; the search notices it.
 //! Intervals may be quantiles or places.
