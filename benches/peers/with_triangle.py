@@ -1,6 +1,7 @@
 """Triangle on a data set, as testing/src/binary.rs describes it, through the Python package `triangle`.
 
-`with_triangle.py INPUT CALLS [ANSWER]` prints for each input each time nanoseconds, and bytes for the first, and without arguments the package's version.
+`with_triangle.py INPUT CALLS [ANSWER]` triangulates it so many times and prints, for each input each time, a line with
+nanoseconds, and bytes in the first one; without arguments it prints the package's version.
 """
 
 import sys

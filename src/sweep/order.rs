@@ -1,9 +1,10 @@
 //! The sweep order of section 3.3: by y, then x, exactly.
 //!
 //! The points are spread over *buckets* of y, each of some hundred points, or some thousand where there are
-//! millions. A bucket is sorted by a finer key of y, by counting ([`super::sorted`]). A long run of one key is sorted again by
-//! counting, by a still finer key, and a long row of equal y by a key of x. What still has one key is sorted by exact
-//! comparison. Then equal points merge into the one with the lowest input index.
+//! millions. A bucket is sorted by a finer key of y, by counting ([`super::sorted`]). A long run of one key is sorted
+//! again by counting, by a still finer key, and a long row of equal y by a key of x. In a short row each point goes
+//! where as many come before it. What still has one key is sorted by exact comparison. Then equal points merge into the
+//! one with the lowest input index.
 //!
 //! Why it is right: no key decreases where its coordinate grows, so points of different keys are in order, and
 //! equal points have one key. In a sorted run they are neighbours, and the lowest index comes first.
@@ -82,10 +83,16 @@ pub(super) fn sort<S: Scalar>(
         row,
     } = workspace;
     let is_long = |sites: &[Site]| sites.len() > FEW && scale.tells_equal();
+    let is_row = |sites: &[Site]| scale.tells_equal() && is_row(sites);
+    let is_sorted = |sites: &[Site]| sites.is_sorted_by(|a, b| by_index(a, b).is_lt());
     let mut sort_row = |sites: &mut [Site]| {
-        row.set(sites.iter().copied(), 0);
-        row.sort_runs(|sites| sites.sort_unstable_by(by_index));
-        sites.copy_from_slice(&row.sites);
+        if sites.len() <= FEW {
+            sort_few(sites);
+        } else if !is_sorted(sites) {
+            row.set(sites.iter().copied(), 0);
+            row.sort_runs(|sites| sites.sort_unstable_by(by_index));
+            sites.copy_from_slice(&row.sites);
+        }
     };
 
     let (mut from, mut kept) = (0, 0);
@@ -94,20 +101,14 @@ pub(super) fn sort<S: Scalar>(
         let sites = order.approx[from..to].iter().zip(&order.input[from..to]);
         bucket.set(sites.map(|(&near, &input)| (near, input)), 1);
         bucket.sort_runs(|sites| {
-            if sites.len() <= FEW && scale.tells_equal() && is_row(sites) {
-                return sort_few(sites);
-            }
-            if sites.is_sorted_by(|a, b| by_index(a, b).is_lt()) {
-                return;
-            }
-            if !is_long(sites) {
-                sites.sort_unstable_by(by_index);
-            } else if is_row(sites) {
+            if is_row(sites) {
                 sort_row(sites);
-            } else {
+            } else if !is_long(sites) {
+                sites.sort_unstable_by(by_index);
+            } else if !is_sorted(sites) {
                 run.set(sites.iter().copied(), 1);
                 run.sort_runs(|sites| {
-                    if is_long(sites) && is_row(sites) {
+                    if is_row(sites) {
                         sort_row(sites);
                     } else {
                         sites.sort_unstable_by(by_index);
@@ -144,7 +145,8 @@ fn is_row(sites: &[Site]) -> bool {
     sites.iter().all(|site| Some(site.0[1]) == first)
 }
 
-/// Sorts a few sites by x; equal ones keep their order.
+/// Sorts up to [`FEW`] sites of one y by x, without a branch: each goes where as many come before it. Equal ones keep
+/// their order, which is that of the input.
 fn sort_few(sites: &mut [Site]) {
     let n = sites.len();
     let mut xs = [0.0; FEW];

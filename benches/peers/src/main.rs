@@ -7,8 +7,8 @@
 //! Every program runs on every data set in processes of its own, in turn with the others, and the medians
 //! count. A process triangulates its data set three times: the first call gets its memory from the system, the
 //! last one may have what the others had. What is timed is the call that triangulates; reading the input, bringing it
-//! into the program's types and asking for its triangles are not. The verifier judges an answer of each program on
-//! each data set. A wrong answer, a crash and a run beyond the time limit are marked.
+//! into the program's types and asking for its triangles are not. The verifier judges one answer of each program on
+//! each data set: the last one of its first process. A wrong answer, a crash and a run beyond the time limit are marked.
 //!
 //! `--quick` takes smaller inputs and fewer rounds. `--data` names a folder with further `.poly` files, which
 //! may be compressed with gzip. The tables are printed; as Markdown and CSV, and with a plot, they are
