@@ -8,16 +8,25 @@
 //! where the points are spread evenly, and a single one for a few points. Points that are swept one after
 //! another may crowd in some of them, as those of clusters do; then there are up to eight times as many. A dense
 //! cluster in a wide domain would crowd a few of many equal intervals all the way; then the intervals end at
-//! quantiles of the points, and finding one takes O(log n). A sample of the points shows both beforehand. Where
-//! walks are long nevertheless, they are told to the table. When they add up to more than a few steps a vertex, it
-//! asks for the places of all vertices from left to right and searches among these ([`Places`]). So a search costs
-//! O(log n) at worst, averaged over a run.
+//! quantiles of the points, and finding one takes O(log n). A sample of the points shows both beforehand.
 //!
-//! Differs from the paper: the table is not updated when a node leaves the front; the search notices it.
-//! Intervals may be quantiles or places.
+//! A front may be far longer than sqrt(n): that of a row, or of edges that hang down from one vertex. So the table
+//! grows as hash tables do: where the front has more than eight nodes for each interval, every interval is cut into
+//! four, and each of these remembers what the one remembered. The nodes are counted each time that half as many
+//! vertices again have joined the front, which takes O(n) in all.
+//!
+//! Where walks are long nevertheless, they are told to the table. When they add up to more than a few steps a
+//! vertex, it asks for the places of all vertices from left to right and searches among these ([`Places`]). So a
+//! search costs O(log n) at worst, averaged over a run.
+//!
+//! Differs from the paper: an entry stays when its node leaves the front; the search notices it. Intervals may be
+//! cut, quantiles or places.
 
-use super::intervals::{Intervals, Places};
+use std::iter::successors;
+
+use super::intervals::Intervals;
 use super::list::{Front, FrontNode};
+use super::places::Places;
 use super::search::{Domain, FrontSearch, Patience};
 use super::work::{Tally, Work};
 use crate::bucket::sampled;
@@ -31,6 +40,8 @@ pub struct HashTable<T = ()> {
     /// The node inserted last in each interval; the left end of the front, which is never inserted, for none.
     table: Vec<FrontNode>,
     last: FrontNode,
+    /// The nodes of the front are counted when the last one inserted has this rank.
+    look: usize,
     /// The x that was searched last, and its interval.
     searched: (f64, usize),
     patience: Patience,
@@ -41,6 +52,10 @@ pub struct HashTable<T = ()> {
 const FEW: usize = 24;
 /// How many intervals are searched on either side before the last node inserted is taken.
 const REACH: usize = 16;
+/// How many nodes of the front there may be for each interval.
+const LOAD: usize = 8;
+/// Into how many an interval is cut when there are more.
+const PARTS: usize = 4;
 /// How many points a sample has for each interval, and at most.
 const SAMPLE: [usize; 2] = [2, 4096];
 
@@ -70,10 +85,36 @@ impl<T: Tally> HashTable<T> {
             intervals: Intervals::default(),
             table: Vec::new(),
             last: FrontNode::from_rank(0),
+            look: 0,
             searched: (f64::NAN, 0),
             patience: Patience::default(),
             tally,
         }
+    }
+
+    /// Counts the nodes of the front, and cuts the intervals until there are enough for them. Quantiles and places
+    /// stay as they are.
+    #[cold]
+    #[inline(never)]
+    fn grow(&mut self, front: &Front) {
+        let rank = self.last.rank();
+        self.look = rank + rank / 2;
+        let length = successors(front.after(front.left_end()), |&node| front.after(node)).count();
+        while length > LOAD * self.table.len() {
+            if !self.intervals.divide(PARTS) {
+                self.look = usize::MAX;
+                return;
+            }
+            let parts = self.table.iter().flat_map(|&node| [node; PARTS]);
+            self.table = parts.collect();
+        }
+        self.hold();
+    }
+
+    /// Counts the memory held now.
+    fn hold(&mut self) {
+        let bytes = size_of_val(&self.table[..]) + self.intervals.bytes();
+        self.tally.count(|work| work.hold::<u8>(bytes));
     }
 }
 
@@ -100,12 +141,11 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         self.table.clear();
         let none = FrontNode::from_rank(n);
         self.table.resize(count, none);
-        self.last = none;
+        self.last = FrontNode::from_rank(0);
+        self.look = LOAD * count;
         self.searched = (f64::NAN, 0);
         self.patience = Patience::with(n);
-        self.tally.count(|work| {
-            work.hold::<u8>(size_of_val(&self.table[..]) + self.intervals.bytes());
-        });
+        self.hold();
     }
 
     fn strayed(&mut self, steps: usize) -> bool {
@@ -114,6 +154,9 @@ impl<T: Tally> FrontSearch for HashTable<T> {
 
     #[inline]
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
+        if self.last.rank() >= self.look {
+            self.grow(front);
+        }
         let tally = &mut self.tally;
         let at = self.intervals.number(x, self.table.len(), tally);
         self.searched = (x, at);
@@ -254,34 +297,37 @@ mod tests {
         assert_eq!(table.work(), begun, "another run");
     }
 
-    /// Twenty clusters side by side, one above the other: each slab of the sample crowds one or two of them, though all
-    /// together they spread evenly.
+    /// A front of 10,000 nodes in a row, with 201 intervals at first: these are cut twice, and each node that joined later
+    /// is found near its place. Where every other node leaves, they are cut once.
     #[test]
-    fn clusters_have_more_intervals() {
-        const COUNT: u32 = 40_000;
-        let bytes = |x: fn(u32) -> f64| {
-            let points: Vec<[f64; 2]> = (0..COUNT).map(|i| [x(i), f64::from(i)]).collect();
-            let mut table = HashTable::counting();
+    fn a_long_front_has_more_intervals() {
+        const NODES: usize = 10_000;
+        let points: Vec<_> = (0..4 * NODES).map(|i| [(i % NODES) as f64, 0.0]).collect();
+        for (some_leave, cuts) in [(false, 2), (true, 1)] {
+            let (mut table, mut front) = (HashTable::counting(), Front::new(points.len()));
             table.begin(Domain::new(&points));
-            table.work().bytes
-        };
-        let even = |i: u32| (f64::from(i) * 0.618_034).fract();
-        let clustered = |i: u32| f64::from(i / 2000 * 7 % 20) + (f64::from(i) * 0.618_034).fract();
-        let entries = 201 * size_of::<FrontNode>() as u64;
-        assert_eq!([bytes(even), bytes(clustered)], [entries, 3 * entries]);
-    }
-
-    /// Two clusters need quantiles, whose ends are compared by halves.
-    #[test]
-    fn comparisons_of_quantiles_are_counted() {
-        let cluster = |from: f64| (0..128).map(move |i| [from + f64::from(i) * 1e-9, 0.0]);
-        let points: Vec<[f64; 2]> = cluster(0.0).chain(cluster(1.0)).collect();
-        let mut table = HashTable::counting();
-        table.begin(Domain::new(&points));
-        table.inserted(FrontNode::from_rank(0), 0.0);
-        let work = table.work();
-        // Sixteen ends are between seventeen intervals.
-        assert!((4..=5).contains(&work.comparisons), "{work:?}");
-        assert_eq!(work.bytes, 17 * size_of::<FrontNode>() as u64 + 8 * 16);
+            let mut left = front.left_end();
+            for node in (0..NODES).map(FrontNode::from_rank) {
+                let x = points[node.rank()][0];
+                table.locate(x, &front);
+                front.insert(node, left);
+                table.inserted(node, x);
+                left = node;
+                if some_leave && node.rank() % 2 == 1 {
+                    left = front.before(node).expect("it is not the first one");
+                    front.remove(node);
+                }
+            }
+            let intervals = 201 * super::PARTS.pow(cuts);
+            let bytes = (intervals * size_of::<FrontNode>()) as u64;
+            assert_eq!((table.table.len(), table.work().bytes), (intervals, bytes));
+            for rank in 7_000..9_900 {
+                let found = table.locate(points[rank][0], &front).rank();
+                assert!(
+                    found.abs_diff(rank) <= 201 / 4_usize.pow(cuts),
+                    "{found} for {rank}"
+                );
+            }
+        }
     }
 }

@@ -11,6 +11,7 @@
 //! are narrower by as much as it is crowded in them. (A million points in clusters: 1.1 steps along the front in
 //! place of 4.1.) More of them than that would be empty, or hold a node that has left the front.
 
+use super::places::Places;
 use super::work::Tally;
 use crate::bucket::bucket;
 
@@ -91,6 +92,16 @@ impl Intervals {
         }
     }
 
+    /// Equal ones become so many times as narrow, and there are so many times as many. Others stay. Returns whether
+    /// they have changed.
+    pub(super) fn divide(&mut self, times: usize) -> bool {
+        let Intervals::Equal { factor, .. } = self else {
+            return false;
+        };
+        *factor *= times as f64;
+        true
+    }
+
     /// With how many times as many points a point shares its interval as if all held equally many, each of these
     /// samples for itself; x ascending, none of them twice.
     fn crowding(&self, samples: &[impl AsRef<[f64]>], count: usize) -> usize {
@@ -124,115 +135,52 @@ impl Intervals {
         match self {
             Intervals::Equal { .. } => 0,
             Intervals::Quantiles(ends) => size_of_val(&ends[..]),
-            Intervals::Places(places) => places
-                .levels
-                .iter()
-                .map(|words| size_of_val(&words[..]))
-                .sum(),
+            Intervals::Places(places) => places.bytes(),
         }
     }
-}
-
-/// A set of places: whole numbers below n, which number all vertices from left to right.
-///
-/// It is a tree of bits: a word has a bit for each of 64 places, and each word of the next level a bit for
-/// each of 64 words that are not zero. The last member up to a place is the highest bit of a word on the
-/// way up from there, and then the highest bits on the way down.
-///
-/// Cost: O(log n) at worst for each operation, four levels for 16 million places; n bits and some. The words
-/// looked at are counted.
-#[derive(Clone, Debug)]
-pub(super) struct Places {
-    /// From the bits of the places up to a single word.
-    levels: Vec<Vec<u64>>,
-}
-
-impl Places {
-    /// None of `count` places.
-    pub(super) fn new(count: usize) -> Places {
-        let mut levels = Vec::new();
-        let mut words = count;
-        while words > 1 || levels.is_empty() {
-            words = words.div_ceil(64);
-            levels.push(vec![0; words]);
-        }
-        Places { levels }
-    }
-
-    pub(super) fn insert(&mut self, place: usize, tally: &mut impl Tally) {
-        let mut at = place;
-        for words in &mut self.levels {
-            tally.count(|work| work.visited += 1);
-            words[at / 64] |= 1 << (at % 64);
-            at /= 64;
-        }
-    }
-
-    pub(super) fn remove(&mut self, place: usize, tally: &mut impl Tally) {
-        let mut at = place;
-        for words in &mut self.levels {
-            tally.count(|work| work.visited += 1);
-            words[at / 64] &= !(1 << (at % 64));
-            if words[at / 64] != 0 {
-                break;
-            }
-            at /= 64;
-        }
-    }
-
-    /// The last one that is not after this place.
-    pub(super) fn last_up_to(&self, place: usize, tally: &mut impl Tally) -> Option<usize> {
-        let mut at = place;
-        // The bits of the word that count: up to the place, on higher levels those before it.
-        let mut mask = u64::MAX >> (63 - at % 64);
-        for (level, words) in self.levels.iter().enumerate() {
-            tally.count(|work| work.visited += 1);
-            let word = words[at / 64] & mask;
-            if word != 0 {
-                let found = at / 64 * 64 + highest(word);
-                tally.count(|work| work.visited += level as u64);
-                let below = self.levels[..level].iter().rev();
-                return Some(below.fold(found, |at, words| at * 64 + highest(words[at])));
-            }
-            at /= 64;
-            mask = (1 << (at % 64)) - 1;
-        }
-        None
-    }
-}
-
-/// The number of the highest bit of a word that is not zero.
-fn highest(word: u64) -> usize {
-    word.ilog2() as usize
 }
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
+    use super::Intervals;
+    use crate::bucket::sampled;
+    use crate::front::Work;
 
-    use super::Places;
-
-    /// Insertions, removals and searches in a scattered order, against a sorted set.
+    /// Twenty clusters side by side, one above the other: each slab of the sample crowds one or two of them, though all
+    /// together they spread evenly.
     #[test]
-    fn the_last_one_up_to_each_place() {
-        for count in [1, 2, 63, 64, 65, 130, 4096, 4097, 5000] {
-            let (mut places, mut expected) = (Places::new(count), BTreeSet::new());
-            for i in 0..4000 {
-                let place = i * 7919 % count;
-                if i % 3 == 0 {
-                    expected.insert(place);
-                    places.insert(place, &mut ());
-                } else if expected.remove(&(place / 2)) {
-                    places.remove(place / 2, &mut ());
-                }
-                let asked = i * 104_729 % count;
-                let last = expected.range(..=asked).next_back().copied();
-                assert_eq!(
-                    places.last_up_to(asked, &mut ()),
-                    last,
-                    "{asked} of {count}"
-                );
-            }
+    fn clusters_have_more_intervals() {
+        let count = |x: fn(usize) -> f64| {
+            let sample = sampled(40_000, 402).collect();
+            Intervals::new(sample, x, 201).1
+        };
+        let even = |i: usize| (i as f64 * 0.618_034).fract();
+        let clustered = |i: usize| (i / 2000 * 7 % 20) as f64 + (i as f64 * 0.618_034).fract();
+        assert_eq!([count(even), count(clustered)], [201, 603]);
+    }
+
+    /// Two clusters need quantiles, whose ends are compared by halves: sixteen ends between seventeen intervals.
+    #[test]
+    fn comparisons_of_quantiles_are_counted() {
+        let x = |i: usize| (i / 128) as f64 + (i % 128) as f64 * 1e-9;
+        let (mut intervals, count) = Intervals::new((0..256).collect(), x, 17);
+        let mut work = Work::default();
+        assert_eq!(intervals.number(0.0, count, &mut work), 0);
+        assert!((4..=5).contains(&work.comparisons), "{work:?}");
+        assert_eq!((count, intervals.bytes()), (17, 8 * 16));
+        assert!(!intervals.divide(4), "they cannot be cut");
+    }
+
+    /// An interval that is cut into four is all of these.
+    #[test]
+    fn the_parts_of_an_interval_are_side_by_side() {
+        let x = |i: usize| i as f64;
+        let (whole, count) = Intervals::new((0..100).collect(), x, 10);
+        let mut cut = whole.clone();
+        assert!(cut.divide(4));
+        for i in -5..105 {
+            let of = |intervals: &Intervals, count| intervals.number(f64::from(i), count, &mut ());
+            assert_eq!(of(&cut, 4 * count) / 4, of(&whole, count), "{i}");
         }
     }
 }

@@ -26,6 +26,7 @@ mod hash_table;
 mod intervals;
 mod linear;
 mod list;
+mod places;
 mod search;
 mod skip_list;
 mod work;
