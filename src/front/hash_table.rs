@@ -322,7 +322,7 @@ mod tests {
             let bytes = (intervals * size_of::<FrontNode>()) as u64;
             assert_eq!((table.table.len(), table.work().bytes), (intervals, bytes));
             for rank in 7_000..9_900 {
-                let found = table.locate(points[rank][0], &front).rank();
+                let found = table.locate(rank as f64, &front).rank();
                 assert!(
                     found.abs_diff(rank) <= 201 / 4_usize.pow(cuts),
                     "{found} for {rank}"
