@@ -11,8 +11,8 @@
 //! quantiles of the points, and finding one takes O(log n). A sample of the points shows both beforehand.
 //!
 //! A front may be far longer than sqrt(n): that of a row, or of edges that hang down from one vertex. So the table
-//! grows as hash tables do: where the front has more than eight nodes for each interval, every interval is cut into
-//! four, and each of these remembers what the one remembered. The nodes are counted each time that half as many
+//! grows as hash tables do: where the front has more than eight nodes for each of its equal intervals, every one is cut
+//! into four, and each of these remembers what the one remembered. The nodes are counted each time that half as many
 //! vertices again have joined the front, which takes O(n) in all.
 //!
 //! Where walks are long nevertheless, they are told to the table. When they add up to more than a few steps a
@@ -40,7 +40,7 @@ pub struct HashTable<T = ()> {
     /// The node inserted last in each interval; the left end of the front, which is never inserted, for none.
     table: Vec<FrontNode>,
     last: FrontNode,
-    /// The nodes of the front are counted when the last one inserted has this rank.
+    /// The nodes of the front are counted when the last one inserted has this rank or a later one.
     look: usize,
     /// The x that was searched last, and its interval.
     searched: (f64, usize),
