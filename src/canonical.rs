@@ -27,13 +27,28 @@ const SAMPLE: usize = 1 << 10;
 type Listed = [u32; 3];
 
 /// The triangles of a chunk by groups, and where each group begins, and the last one ends.
+#[derive(Debug)]
 struct Chunk {
     list: Vec<Listed>,
     begins: Vec<usize>,
 }
 
-/// Triangles by groups.
-pub(crate) struct Groups {
+/// The triangles of a [`Triangulation`](crate::Triangulation) in canonical order, group by group: for programs that
+/// write many triangles and need not hold the whole list.
+///
+/// [`Triangulation::canonical_groups`](crate::Triangulation::canonical_groups) makes them. One group after the other
+/// is the list of [`canonical_triangles`](crate::Triangulation::canonical_triangles).
+///
+/// ```
+/// let points = [[0, 0], [3, 0], [3, 2], [0, 2]];
+/// let result = sweep_cdt::triangulate(&points, &[[1, 3]])?;
+/// let groups = result.canonical_groups();
+/// let all: Vec<_> = (0..groups.sizes().len()).flat_map(|group| groups.sorted(group)).collect();
+/// assert_eq!(all, result.canonical_triangles());
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct CanonicalGroups {
     chunks: Vec<Chunk>,
     /// How many triangles each group has.
     sizes: Vec<usize>,
@@ -46,7 +61,7 @@ pub(crate) fn canonical(
     count: usize,
     triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
 ) -> Vec<[usize; 3]> {
-    let groups = Groups::new(count, triangle);
+    let groups = CanonicalGroups::new(count, triangle);
     let mut list = vec![[0; 3]; count];
     let mut rest = &mut list[..];
     let part = |(group, &size)| {
@@ -59,12 +74,12 @@ pub(crate) fn canonical(
     list
 }
 
-impl Groups {
+impl CanonicalGroups {
     /// `count` triangles; `triangle` tells each by its number.
     pub(crate) fn new(
         count: usize,
         triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
-    ) -> Groups {
+    ) -> CanonicalGroups {
         let groups = if count <= CHUNK { 1 } else { GROUPS };
         let listed = |t: usize| lowest_first(triangle(t).map(narrow));
         let lowest = sampled(count, SAMPLE).map(|t| listed(t)[0]);
@@ -77,7 +92,7 @@ impl Groups {
             by_group(&chunk, groups, group)
         });
         let size = |group| chunks.iter().map(|chunk| chunk.of_group(group).len()).sum();
-        Groups {
+        CanonicalGroups {
             sizes: (0..groups).map(size).collect(),
             chunks,
             bits,
@@ -85,14 +100,12 @@ impl Groups {
     }
 
     /// How many triangles each group has; together they are in canonical order.
-    #[cfg(feature = "formats")]
-    pub(crate) fn sizes(&self) -> &[usize] {
+    pub fn sizes(&self) -> &[usize] {
         &self.sizes
     }
 
     /// The triangles of a group in canonical order.
-    #[cfg(feature = "formats")]
-    pub(crate) fn sorted(&self, group: usize) -> Vec<[usize; 3]> {
+    pub fn sorted(&self, group: usize) -> Vec<[usize; 3]> {
         let mut list = vec![[0; 3]; self.sizes[group]];
         self.sort(group, &mut list);
         list

@@ -1,5 +1,7 @@
 //! Why an input is refused. Every error names the offenders by the caller's own indices.
 
+use std::fmt;
+
 /// Why an input is refused, and which of its points and edges are to blame.
 ///
 /// All indices are positions in the slices that the caller passed, counted from 0. Everything that is
@@ -15,18 +17,16 @@
 /// assert_eq!(error, Error::CrossingEdges { edges: [0, 1] });
 /// assert_eq!(error.to_string(), "edges 0 and 1 cross");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Error {
     /// A coordinate of this point is NaN or infinite.
-    #[error("vertex {vertex} has a coordinate that is not finite")]
     NonFiniteCoordinate {
         /// The first such point.
         vertex: usize,
     },
     /// An end of this edge is not the index of a point.
-    #[error("edge {edge} ends at vertex {vertex}, which does not exist")]
     EdgeOutOfRange {
         /// The first such edge.
         edge: usize,
@@ -35,13 +35,11 @@ pub enum Error {
     },
     /// Two edges cross at a point inside both of them that is not a vertex. [`crossings`](crate::crossings) lists all
     /// that do, and splits them.
-    #[error("edges {} and {} cross", edges[0], edges[1])]
     CrossingEdges {
         /// The two edges, lower index first.
         edges: [usize; 2],
     },
     /// More points than can be numbered.
-    #[error("{given} points are more than the limit of {limit}")]
     TooManyPoints {
         /// How many there are.
         given: usize,
@@ -49,7 +47,6 @@ pub enum Error {
         limit: usize,
     },
     /// More edges than can be numbered.
-    #[error("{given} edges are more than the limit of {limit}")]
     TooManyEdges {
         /// How many there are.
         given: usize,
@@ -57,22 +54,91 @@ pub enum Error {
         limit: usize,
     },
     /// More pairs of edges cross than can be listed.
-    #[error("more than {limit} pairs of edges cross")]
     TooManyCrossings {
         /// How many there may be.
         limit: usize,
     },
     /// Edges that are split at their crossings still cross, since rounding bends them each time.
-    #[error("edges still cross after {limit} rounds of splitting and rounding")]
     TooManyRounds {
         /// How many rounds there may be.
         limit: usize,
     },
     /// The edges pass through more vertices than can be held, each edge counted with each vertex inside it.
     /// Equal edges count once.
-    #[error("the edges pass through more than {limit} vertices, all together")]
     TooManyVerticesOnEdges {
         /// How many there may be.
         limit: usize,
     },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::NonFiniteCoordinate { vertex } => {
+                write!(f, "vertex {vertex} has a coordinate that is not finite")
+            }
+            Error::EdgeOutOfRange { edge, vertex } => write!(
+                f,
+                "edge {edge} ends at vertex {vertex}, which does not exist"
+            ),
+            Error::CrossingEdges { edges } => {
+                write!(f, "edges {} and {} cross", edges[0], edges[1])
+            }
+            Error::TooManyPoints { given, limit } => {
+                write!(f, "{given} points are more than the limit of {limit}")
+            }
+            Error::TooManyEdges { given, limit } => {
+                write!(f, "{given} edges are more than the limit of {limit}")
+            }
+            Error::TooManyCrossings { limit } => {
+                write!(f, "more than {limit} pairs of edges cross")
+            }
+            Error::TooManyRounds { limit } => write!(
+                f,
+                "edges still cross after {limit} rounds of splitting and rounding"
+            ),
+            Error::TooManyVerticesOnEdges { limit } => write!(
+                f,
+                "the edges pass through more than {limit} vertices, all together"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+impl Error {
+    /// The error with other numbers for vertices and edges, for callers that count otherwise than from 0.
+    ///
+    /// ```
+    /// use sweep_cdt::Error;
+    ///
+    /// let error = Error::CrossingEdges { edges: [0, 1] };
+    /// let from_1 = error.renumbered(|v| v + 1, |e| e + 1);
+    /// assert_eq!(from_1.to_string(), "edges 1 and 2 cross");
+    /// ```
+    #[must_use]
+    pub fn renumbered(
+        self,
+        on_vertex: impl FnOnce(usize) -> usize,
+        mut on_edge: impl FnMut(usize) -> usize,
+    ) -> Error {
+        match self {
+            Error::NonFiniteCoordinate { vertex } => Error::NonFiniteCoordinate {
+                vertex: on_vertex(vertex),
+            },
+            Error::EdgeOutOfRange { edge, vertex } => Error::EdgeOutOfRange {
+                edge: on_edge(edge),
+                vertex: on_vertex(vertex),
+            },
+            Error::CrossingEdges { edges } => Error::CrossingEdges {
+                edges: edges.map(on_edge),
+            },
+            Error::TooManyPoints { .. }
+            | Error::TooManyEdges { .. }
+            | Error::TooManyCrossings { .. }
+            | Error::TooManyRounds { .. }
+            | Error::TooManyVerticesOnEdges { .. } => self,
+        }
+    }
 }

@@ -6,20 +6,15 @@ mod canonical;
 mod chains;
 pub mod crossings;
 pub mod domain;
-#[cfg(feature = "formats")]
-pub mod draw;
 mod error;
 mod fans;
-#[cfg(feature = "formats")]
-pub mod formats;
 pub mod front;
-#[cfg(feature = "generate")]
-pub mod generate;
 mod ids;
 pub mod input;
 mod locate;
 mod mesh;
 mod probe;
+mod pslg;
 mod recorder;
 mod repeater;
 pub mod scalar;
@@ -28,15 +23,18 @@ mod serialized;
 mod settings;
 mod stats;
 mod sweep;
-mod threads;
+#[doc(hidden)]
+pub mod threads;
 pub mod trace;
 mod triangulation;
 mod triangulator;
 pub mod verify;
 
+pub use canonical::CanonicalGroups;
 pub use error::Error;
 pub use fans::Fans;
 pub use locate::Location;
+pub use pslg::{Pslg, Region};
 pub use repeater::Repeater;
 pub use settings::{Algorithm, Corners, Heuristics};
 pub use stats::{ByCause, Counters, Stats};

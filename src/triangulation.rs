@@ -4,9 +4,7 @@
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-#[cfg(feature = "formats")]
-use crate::canonical::Groups;
-use crate::canonical::canonical;
+use crate::canonical::{CanonicalGroups, canonical};
 use crate::chains::Chains;
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, Side, Triangle};
@@ -75,10 +73,9 @@ impl Triangulation {
         canonical(self.len(), |t| self.triangle(t))
     }
 
-    /// The same triangles, group by group.
-    #[cfg(feature = "formats")]
-    pub(crate) fn canonical_groups(&self) -> Groups {
-        Groups::new(self.len(), |t| self.triangle(t))
+    /// The triangles of [`canonical_triangles`](Self::canonical_triangles), group by group.
+    pub fn canonical_groups(&self) -> CanonicalGroups {
+        CanonicalGroups::new(self.len(), |t| self.triangle(t))
     }
 
     /// The triangle across side `side` (0, 1 or 2) of triangle `t`, or `None` on the hull.

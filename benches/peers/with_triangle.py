@@ -1,4 +1,4 @@
-"""Triangle on a data set, as testing/src/binary.rs describes it, through the Python package `triangle`.
+"""Triangle on a data set, as crates/testing/src/binary.rs describes it, through the Python package `triangle`.
 
 `with_triangle.py INPUT CALLS [ANSWER]` triangulates it so many times and prints, for each input each time, a line with
 nanoseconds, and bytes in the first one; without arguments it prints the package's version.

@@ -39,9 +39,7 @@ use exact::meeting;
 use vertices::Vertices;
 
 pub use exact::Exact;
-#[cfg(feature = "formats")]
-pub(crate) use split::joined;
-pub use split::{Split, split};
+pub use split::{Split, joined, split};
 
 /// How many crossings may be listed; the tests of this crate's files need less memory.
 const LIMIT: usize = if cfg!(test) { 100 } else { 1 << 22 };

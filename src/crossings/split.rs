@@ -86,12 +86,12 @@ impl<S> Split<S> {
     }
 }
 
-/// The vertices along some of the edges that were triangulated, each of which begins where the one before ends.
-pub(crate) fn joined(
-    pieces: Range<usize>,
-    edges: &[[usize; 2]],
-    result: &Triangulation,
-) -> Vec<usize> {
+/// The vertices along `pieces`, a range of the `edges` that were triangulated, each of which begins where the piece
+/// before it ends.
+///
+/// # Panics
+/// If the range is empty, or `edges` are not those of the result.
+pub fn joined(pieces: Range<usize>, edges: &[[usize; 2]], result: &Triangulation) -> Vec<usize> {
     let mut chain = vec![edges[pieces.start][0]];
     for piece in pieces {
         let mut part: Vec<usize> = result.edge_chain(piece).collect();

@@ -12,41 +12,35 @@ use std::fmt;
 /// assert_eq!(error, DomainError::OpenAtVertex { vertex: 0 });
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum DomainError {
     /// The edges do not form closed chains, so that they do not separate inside from outside.
-    #[error("the edges are no closed rings: they do not go on at vertex {vertex}")]
     OpenAtVertex {
         /// The lowest such point.
         vertex: usize,
     },
     /// These are not the edges that were triangulated.
-    #[error("edge {edge} is not the one that was triangulated")]
     OtherEdge {
         /// The first edge that differs, or the first one of which there are too many or too few.
         edge: usize,
     },
     /// The triangulation has a vertex that is none of these points.
-    #[error("vertex {vertex} of the triangulation does not exist")]
     MissingPoint {
         /// The first such vertex.
         vertex: usize,
     },
     /// A coordinate of this seed is NaN or infinite.
-    #[error("the seed of {seed} has a coordinate that is not finite")]
     SeedNotFinite {
         /// The first such seed.
         seed: Seed,
     },
     /// This seed lies outside of the convex hull.
-    #[error("the seed of {seed} lies outside of the hull")]
     SeedOutside {
         /// The first such seed.
         seed: Seed,
     },
     /// This seed lies on a vertex, so that it does not tell one face from another.
-    #[error("the seed of {seed} lies on vertex {vertex}")]
     SeedOnVertex {
         /// The first such seed.
         seed: Seed,
@@ -54,7 +48,6 @@ pub enum DomainError {
         vertex: usize,
     },
     /// This seed lies on an edge, so that it does not tell one face from the other.
-    #[error("the seed of {seed} lies on the edge between vertices {} and {}", ends[0], ends[1])]
     SeedOnEdge {
         /// The first such seed.
         seed: Seed,
@@ -62,11 +55,98 @@ pub enum DomainError {
         ends: [usize; 2],
     },
     /// The seed of this region lies in a hole, or where no edges keep the outside out.
-    #[error("the seed of region {region} lies in a hole, or outside of the outline")]
     RegionOutside {
         /// The first such region.
         region: usize,
     },
+}
+
+impl fmt::Display for DomainError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            DomainError::OpenAtVertex { vertex } => write!(
+                f,
+                "the edges are no closed rings: they do not go on at vertex {vertex}"
+            ),
+            DomainError::OtherEdge { edge } => {
+                write!(f, "edge {edge} is not the one that was triangulated")
+            }
+            DomainError::MissingPoint { vertex } => {
+                write!(f, "vertex {vertex} of the triangulation does not exist")
+            }
+            DomainError::SeedNotFinite { seed } => {
+                write!(f, "the seed of {seed} has a coordinate that is not finite")
+            }
+            DomainError::SeedOutside { seed } => {
+                write!(f, "the seed of {seed} lies outside of the hull")
+            }
+            DomainError::SeedOnVertex { seed, vertex } => {
+                write!(f, "the seed of {seed} lies on vertex {vertex}")
+            }
+            DomainError::SeedOnEdge { seed, ends } => write!(
+                f,
+                "the seed of {seed} lies on the edge between vertices {} and {}",
+                ends[0], ends[1]
+            ),
+            DomainError::RegionOutside { region } => write!(
+                f,
+                "the seed of region {region} lies in a hole, or outside of the outline"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for DomainError {}
+
+impl DomainError {
+    /// The error with other numbers for vertices, edges, holes and regions, for callers that count otherwise than
+    /// from 0.
+    ///
+    /// ```
+    /// use sweep_cdt::domain::{DomainError, Seed};
+    ///
+    /// let error = DomainError::SeedOutside { seed: Seed::Hole(0) };
+    /// let from_1 = error.renumbered(|v| v + 1, |e| e + 1, |h| h + 1, |r| r + 1);
+    /// assert_eq!(from_1.to_string(), "the seed of hole 1 lies outside of the hull");
+    /// ```
+    #[must_use]
+    pub fn renumbered(
+        self,
+        mut on_vertex: impl FnMut(usize) -> usize,
+        on_edge: impl FnOnce(usize) -> usize,
+        on_hole: impl Fn(usize) -> usize,
+        on_region: impl Fn(usize) -> usize,
+    ) -> DomainError {
+        use DomainError as E;
+        let named = |seed: Seed| match seed {
+            Seed::Hole(hole) => Seed::Hole(on_hole(hole)),
+            Seed::Region(region) => Seed::Region(on_region(region)),
+        };
+        match self {
+            E::OpenAtVertex { vertex } => E::OpenAtVertex {
+                vertex: on_vertex(vertex),
+            },
+            E::OtherEdge { edge } => E::OtherEdge {
+                edge: on_edge(edge),
+            },
+            E::MissingPoint { vertex } => E::MissingPoint {
+                vertex: on_vertex(vertex),
+            },
+            E::SeedNotFinite { seed } => E::SeedNotFinite { seed: named(seed) },
+            E::SeedOutside { seed } => E::SeedOutside { seed: named(seed) },
+            E::SeedOnVertex { seed, vertex } => E::SeedOnVertex {
+                seed: named(seed),
+                vertex: on_vertex(vertex),
+            },
+            E::SeedOnEdge { seed, ends } => E::SeedOnEdge {
+                seed: named(seed),
+                ends: ends.map(on_vertex),
+            },
+            E::RegionOutside { region } => E::RegionOutside {
+                region: on_region(region),
+            },
+        }
+    }
 }
 
 /// A point that stands for the whole face that it lies in.

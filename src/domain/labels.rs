@@ -1,9 +1,7 @@
 //! A domain: what a rule says of every triangle, and the boundary of those inside.
 
 use crate::Triangulation;
-#[cfg(feature = "formats")]
-use crate::canonical::Groups;
-use crate::canonical::canonical;
+use crate::canonical::{CanonicalGroups, canonical};
 
 /// Which triangles of a triangulation are inside, and how deep each lies.
 ///
@@ -53,8 +51,8 @@ impl<'a> Domain<'a> {
         Domain { regions, ..self }
     }
 
-    /// All of the hull.
-    pub(crate) fn whole(result: &'a Triangulation) -> Domain<'a> {
+    /// The domain that is the whole hull of a triangulation.
+    pub fn whole(result: &'a Triangulation) -> Domain<'a> {
         Domain::new(result, vec![1; result.len()], |_| true)
     }
 
@@ -108,10 +106,9 @@ impl<'a> Domain<'a> {
         canonical(self.inside.len(), |i| self.result.triangle(self.inside[i]))
     }
 
-    /// The same triangles, group by group.
-    #[cfg(feature = "formats")]
-    pub(crate) fn canonical_groups(&self) -> Groups {
-        Groups::new(self.inside.len(), |i| self.result.triangle(self.inside[i]))
+    /// The triangles of [`canonical_triangles`](Self::canonical_triangles), group by group.
+    pub fn canonical_groups(&self) -> CanonicalGroups {
+        CanonicalGroups::new(self.inside.len(), |i| self.result.triangle(self.inside[i]))
     }
 
     /// The sides of triangles inside that are input edges or pieces of them, each once, as pairs of vertices.

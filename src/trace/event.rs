@@ -6,20 +6,18 @@
 
 use std::fmt;
 
-use strum::{Display, EnumString};
-
 /// A vertex as events name it: the input index that stands for it, or an artificial point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "formats", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Vertex {
     /// The artificial point P-1, far to the left (section 3.3).
-    #[cfg_attr(feature = "formats", serde(rename = "P-1"))]
+    #[cfg_attr(feature = "serde", serde(rename = "P-1"))]
     Left,
     /// The artificial point P-2, far to the right (section 3.3).
-    #[cfg_attr(feature = "formats", serde(rename = "P-2"))]
+    #[cfg_attr(feature = "serde", serde(rename = "P-2"))]
     Right,
     /// A point of the input, by its index; of equal ones the lowest.
-    #[cfg_attr(feature = "formats", serde(untagged))]
+    #[cfg_attr(feature = "serde", serde(untagged))]
     Input(u32),
 }
 
@@ -36,7 +34,8 @@ impl fmt::Display for Vertex {
 /// One step of the sweep.
 ///
 /// Triangles are counter-clockwise. Between two events the triangles made and neither flipped away nor
-/// removed are exactly those of the mesh.
+/// removed are exactly those of the mesh. The compiler holds programs that match events to all of them; a further kind
+/// of step would be a new [version](crate::trace::VERSION).
 ///
 /// ```
 /// use sweep_cdt::trace::{Event, PointCase, Vertex};
@@ -55,11 +54,10 @@ impl fmt::Display for Vertex {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "formats",
+    feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(tag = "event", rename_all = "kebab-case", deny_unknown_fields)
 )]
-#[non_exhaustive]
 pub enum Event {
     /// The next vertex in sweep order (section 3.3); all of them come first.
     Sorted {
@@ -169,10 +167,9 @@ pub enum Event {
 }
 
 /// Where the projection of a new vertex falls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "formats",
+    feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
@@ -184,10 +181,9 @@ pub enum PointCase {
 }
 
 /// What a triangle is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "formats",
+    feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
@@ -197,7 +193,6 @@ pub enum Why {
     /// Needed by a point event (figures 7 and 8).
     Point,
     /// A narrow corner of the front beside the new vertex: the pi/2 heuristic (figure 9).
-    #[strum(to_string = "narrow corner")]
     NarrowCorner,
     /// The basin heuristic (figure 10).
     Basin,
@@ -206,15 +201,13 @@ pub enum Why {
     /// A pseudo-polygon (figure 12).
     PseudoPolygon,
     /// The upper hull (figure 15).
-    #[strum(to_string = "upper hull")]
     Hull,
 }
 
 /// How a legalization test ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "formats",
+    feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
@@ -228,32 +221,27 @@ pub enum Outcome {
 }
 
 /// The position of a part of an edge against the advancing front (section 3.4.2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "formats",
+    feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
 pub enum EdgePosition {
     /// It is a side of the triangulation already: all steps are bypassed.
-    #[strum(to_string = "there already")]
     Present,
     /// Triangles only: it lies below the front (figure 12).
-    #[strum(to_string = "below the front")]
     BelowFront,
     /// The front only (figure 13).
-    #[strum(to_string = "front only")]
     FrontOnly,
     /// Both (figure 14).
     Mixed,
 }
 
 /// One of the two pseudo-polygons of an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Display, EnumString)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
-    feature = "formats",
+    feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
     serde(rename_all = "kebab-case")
 )]
@@ -262,4 +250,37 @@ pub enum PseudoPolygon {
     Upper,
     /// Below it.
     Lower,
+}
+
+/// Gives each variant of an enum its word in the text of a trace.
+macro_rules! words {
+    ($($type:ident { $($variant:ident $word:literal),* $(,)? })*) => {
+        $(
+            impl fmt::Display for $type {
+                fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                    f.write_str(match self {
+                        $($type::$variant => $word),*
+                    })
+                }
+            }
+
+            impl $type {
+                /// The variant of this word.
+                pub(super) fn of_word(word: &str) -> Option<$type> {
+                    match word {
+                        $($word => Some($type::$variant),)*
+                        _ => None,
+                    }
+                }
+            }
+        )*
+    };
+}
+
+words! {
+    PointCase { Middle "middle", Left "left" }
+    Why { First "first", Point "point", NarrowCorner "narrow corner", Basin "basin", Pocket "pocket", PseudoPolygon "pseudo-polygon", Hull "upper hull" }
+    Outcome { Legal "legal", Illegal "illegal", Fixed "fixed" }
+    EdgePosition { Present "there already", BelowFront "below the front", FrontOnly "front only", Mixed "mixed" }
+    PseudoPolygon { Upper "upper", Lower "lower" }
 }

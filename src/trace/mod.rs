@@ -1,12 +1,11 @@
 //! Step traces: every step of the paper as an [`Event`]; a whole run as a [`Trace`], written, read back
 //! and replayed.
 //!
-//! A trace is written in one of two formats, both with a header line that gives the version and then
-//! one line a step: as text, made to be read beside the paper, or as JSON Lines for programs.
-//!
-//! Text (`sweep-cdt trace 3`):
+//! A trace is written as text, made to be read beside the paper: a header line that gives the version, and then one
+//! line a step. A part of a trace says in its header at which step it begins: `from step 120`.
 //!
 //! ```text
+//! sweep-cdt trace 3                                   the header
 //! sorted 4                                            the sweep order, one vertex a line
 //! point 7: middle case, projected on segment 3 5      or `left case`
 //! triangle 7 3 5 (point)                              or first, narrow corner, basin, pocket,
@@ -25,15 +24,8 @@
 //! removed P-1 P-2 4
 //! finished: 12 triangles
 //! ```
-//!
-//! JSON Lines: the header is `{"format":"sweep-cdt trace","version":3}`; each step is an object whose
-//! `event` is the name of the variant of [`Event`] in lower case with hyphens, and whose other members
-//! are its fields; words are written the same way. Vertices are numbers, or `"P-1"` and `"P-2"`. A part
-//! of a trace says at which step it begins: `from step 120` in the header, or `"from":120`.
 
 mod event;
-#[cfg(feature = "formats")]
-mod json_lines;
 mod replay;
 mod text;
 mod whole;
@@ -43,8 +35,8 @@ pub use whole::Trace;
 
 use std::fmt;
 
-/// The version of both formats.
-const VERSION: u32 = 3;
+/// The version of the events and of the text in which they are written.
+pub const VERSION: u32 = 3;
 
 /// Why a text is not a trace, or a trace is not that of a run: a line that cannot stand in it, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,8 +48,8 @@ pub struct BadTrace {
 }
 
 impl BadTrace {
-    /// For a line that is no step; of a long one only the start is shown.
-    fn no_step(line: usize, text: &str) -> BadTrace {
+    /// The error for a line that is no step; of a long line only the start is shown.
+    pub fn no_step(line: usize, text: &str) -> BadTrace {
         let start: String = text.chars().take(80).collect();
         let message = format!("is no step: {start:?}");
         BadTrace { line, message }

@@ -7,7 +7,7 @@
 use std::fmt;
 use std::io::{self, Write};
 
-use super::event::{Event, Vertex};
+use super::event::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 use super::{BadTrace, VERSION};
 
 const HEADER: &str = "sweep-cdt trace";
@@ -96,17 +96,17 @@ fn event(line: &str) -> Option<Event> {
         ["sorted", v] => Event::Sorted { vertex: vertex(v)? },
         ["point", v, case, "case", "projected", "on", "segment", l, r] => Event::Point {
             vertex: vertex(v)?,
-            case: case.parse().ok()?,
+            case: PointCase::of_word(case)?,
             segment: vertices([l, r])?,
         },
         ["triangle", a, b, c, ref why @ ..] => Event::Triangle {
             vertices: vertices([a, b, c])?,
-            why: why.join(" ").parse().ok()?,
+            why: Why::of_word(&why.join(" "))?,
         },
         ["test", a, b, "against", p, q, outcome] => Event::Test {
             side: vertices([a, b])?,
             opposite: vertices([p, q])?,
-            outcome: outcome.parse().ok()?,
+            outcome: Outcome::of_word(outcome)?,
         },
         ["flip", a, b, "to", p, q] => Event::Flip {
             side: vertices([a, b])?,
@@ -129,13 +129,13 @@ fn event(line: &str) -> Option<Event> {
         ["part", from, to, ref position @ ..] => Event::Part {
             from: vertex(from)?,
             to: vertex(to)?,
-            position: position.join(" ").parse().ok()?,
+            position: EdgePosition::of_word(&position.join(" "))?,
         },
         ["pierced", a, b, c] => Event::Pierced {
             vertices: vertices([a, b, c])?,
         },
         ["border", v, polygon, "pseudo-polygon"] => Event::Border {
-            polygon: polygon.parse().ok()?,
+            polygon: PseudoPolygon::of_word(polygon)?,
             vertex: vertex(v)?,
         },
         ["fixed", a, b] => Event::Fixed {

@@ -3,8 +3,6 @@
 use std::io::{self, Write};
 
 use super::event::Event;
-#[cfg(feature = "formats")]
-use super::json_lines;
 use super::{BadTrace, replay, text};
 
 /// The events of a run, or a stretch of them.
@@ -45,26 +43,12 @@ impl Trace {
         text::write(self.skipped, &self.events, &mut out)
     }
 
-    /// Writes it as JSON Lines.
-    ///
-    /// # Errors
-    /// Those of `out`.
-    #[cfg(feature = "formats")]
-    pub fn write_lines(&self, mut out: impl Write) -> io::Result<()> {
-        json_lines::write(self.skipped, &self.events, &mut out)
-    }
-
-    /// Reads what was written, in either format.
+    /// Reads what [`write_text`](Self::write_text) wrote.
     ///
     /// # Errors
     /// [`BadTrace`] names the first line that is no line of a trace.
     pub fn parse(text: &str) -> Result<Trace, BadTrace> {
-        let read = match text.starts_with('{') {
-            #[cfg(feature = "formats")]
-            true => json_lines::read,
-            _ => text::read,
-        };
-        let (skipped, events) = read(text)?;
+        let (skipped, events) = text::read(text)?;
         Ok(Trace { skipped, events })
     }
 

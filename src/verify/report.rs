@@ -132,20 +132,7 @@ impl std::error::Error for Violations {}
 /// assert_eq!(report.level, Some(Level::Constrained));
 /// # Ok::<(), sweep_cdt::verify::Violations>(())
 /// ```
-#[derive(
-    Clone,
-    Copy,
-    Debug,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Hash,
-    strum::EnumString,
-    strum::IntoStaticStr,
-    strum::VariantArray,
-)]
-#[strum(serialize_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
@@ -165,6 +152,24 @@ pub enum Level {
 }
 
 impl Level {
+    /// All levels, each of which asks for more than the one before it.
+    pub const ALL: [Level; 4] = [
+        Level::Tiling,
+        Level::Constrained,
+        Level::Delaunay,
+        Level::Canonical,
+    ];
+
+    /// The name of the level: the variant in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Level::Tiling => "tiling",
+            Level::Constrained => "constrained",
+            Level::Delaunay => "delaunay",
+            Level::Canonical => "canonical",
+        }
+    }
+
     /// What a triangulation of this level is called.
     pub fn title(self) -> &'static str {
         match self {

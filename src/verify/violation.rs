@@ -1,13 +1,13 @@
 //! What can be wrong with a triangulation: each violation with its sentence, and the indices in it, collected or
 //! replaced by the numbers of a file.
 
+use std::fmt;
 use std::slice::from_mut;
 
 use super::depth::Depth;
 
 /// One fault. All numbers are indices into what the caller gave; of equal points the lowest is named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error, strum::IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize),
@@ -16,7 +16,6 @@ use super::depth::Depth;
 #[non_exhaustive]
 pub enum Violation {
     /// More points or corners of triangles than the verifier can number.
-    #[error("{given} points or corners are more than the {limit} that fit")]
     TooLarge {
         /// How many there are.
         given: usize,
@@ -24,13 +23,11 @@ pub enum Violation {
         limit: usize,
     },
     /// A coordinate of this point is NaN or infinite.
-    #[error("vertex {vertex} has a coordinate that is not finite")]
     NonFiniteCoordinate {
         /// The point.
         vertex: usize,
     },
     /// An end of this input edge is not the index of a point.
-    #[error("edge {edge} ends at vertex {vertex}, which does not exist")]
     EdgeOutOfRange {
         /// The edge.
         edge: usize,
@@ -38,7 +35,6 @@ pub enum Violation {
         vertex: usize,
     },
     /// A corner of this triangle is not the index of a point.
-    #[error("triangle {triangle} has vertex {vertex}, which does not exist")]
     TriangleOutOfRange {
         /// The triangle.
         triangle: usize,
@@ -46,23 +42,17 @@ pub enum Violation {
         vertex: usize,
     },
     /// The corners of this triangle lie on one line.
-    #[error("triangle {triangle} has its corners on one line")]
     FlatTriangle {
         /// The triangle.
         triangle: usize,
     },
     /// The corners of this triangle run clockwise (or against all others, where a clockwise file was
     /// accepted).
-    #[error("triangle {triangle} runs the wrong way round")]
     ReversedTriangle {
         /// The triangle.
         triangle: usize,
     },
     /// Two triangles lie on the same side of one side.
-    #[error(
-        "triangles {} and {} both lie to the left of side {}-{}",
-        .triangles[0], .triangles[1], .side[0], .side[1]
-    )]
     RepeatedSide {
         /// The side, in the direction that both have.
         side: [usize; 2],
@@ -70,25 +60,16 @@ pub enum Violation {
         triangles: [usize; 2],
     },
     /// There are no triangles although three points are not on one line.
-    #[error(
-        "there are no triangles, but vertices {}, {}, {} are not on a line",
-        .vertices[0], .vertices[1], .vertices[2]
-    )]
     NoTriangles {
         /// Three such points.
         vertices: [usize; 3],
     },
     /// The boundary meets itself in a vertex.
-    #[error("the boundary meets itself at vertex {vertex}")]
     PinchedBoundary {
         /// The vertex.
         vertex: usize,
     },
     /// The boundary has one more closed chain than the hull: a hole, or a second piece.
-    #[error(
-        "side {}-{} is on a boundary of {sides} sides that is not the hull",
-        .side[0], .side[1]
-    )]
     ExtraBoundary {
         /// A side of it, with a triangle on its left.
         side: [usize; 2],
@@ -96,10 +77,6 @@ pub enum Violation {
         sides: usize,
     },
     /// The boundary turns right, or back.
-    #[error(
-        "the boundary does not turn left at vertex {}, between {} and {}",
-        .vertices[1], .vertices[0], .vertices[2]
-    )]
     ConcaveBoundary {
         /// Three vertices that follow each other on it; it turns in the middle.
         vertices: [usize; 3],
@@ -107,13 +84,11 @@ pub enum Violation {
         depth: Option<Depth>,
     },
     /// The boundary turns left all the time, but goes round more than once.
-    #[error("the boundary goes round {times} times")]
     WindingBoundary {
         /// How often it goes round.
         times: usize,
     },
     /// A side of the boundary is not in the chains that the caller gave.
-    #[error("side {}-{} of triangle {triangle} is on no given boundary", .side[0], .side[1])]
     UndeclaredBoundary {
         /// The side, with a triangle on its left.
         side: [usize; 2],
@@ -121,32 +96,27 @@ pub enum Violation {
         triangle: usize,
     },
     /// Two vertices that follow each other in a chain of the caller are no side of the boundary.
-    #[error("side {}-{} of a given boundary bounds no triangle", .side[0], .side[1])]
     MissingBoundary {
         /// The two vertices.
         side: [usize; 2],
     },
     /// The chains of the caller do not bound a domain: two of their sides cross, or they go round some place
     /// more than once, or the wrong way.
-    #[error("the given boundary crosses or covers itself at side {}-{}", .side[0], .side[1])]
     TangledBoundary {
         /// A side of theirs where that is seen.
         side: [usize; 2],
     },
     /// No triangle has this point, or one that equals it, for a corner.
-    #[error("vertex {vertex} is in no triangle")]
     UnusedPoint {
         /// The point.
         vertex: usize,
     },
     /// A corner that is none of the input's points, and is allowed in the hull of these, lies outside of it.
-    #[error("vertex {vertex} was added outside of the hull")]
     AddedOutside {
         /// The point.
         vertex: usize,
     },
     /// The number of triangles is not what Euler's formula asks for.
-    #[error("there are {triangles} triangles, not {expected}")]
     WrongCount {
         /// How many there are.
         triangles: usize,
@@ -154,7 +124,6 @@ pub enum Violation {
         expected: usize,
     },
     /// An input edge is not a chain of sides.
-    #[error("edge {edge} is no chain of sides: none follows it from vertex {after}")]
     MissingEdge {
         /// The edge.
         edge: usize,
@@ -162,17 +131,11 @@ pub enum Violation {
         after: usize,
     },
     /// A triangle has not the attribute of the region that it lies in, or has one and lies in none.
-    #[error("triangle {triangle} has another attribute than the region that it lies in")]
     WrongRegion {
         /// The triangle.
         triangle: usize,
     },
     /// A side that is no input edge is not locally Delaunay.
-    #[error(
-        "side {}-{} of triangles {} and {} is not Delaunay: \
-         the circle of one holds vertex {} or {} of the other",
-        .side[0], .side[1], .triangles[0], .triangles[1], .opposite[0], .opposite[1]
-    )]
     NotDelaunay {
         /// The side, in the direction that the first triangle has.
         side: [usize; 2],
@@ -185,19 +148,140 @@ pub enum Violation {
     },
     /// Sides whose two triangles have all corners on one circle are the diagonal that is not canonical. Only
     /// [`Level::Canonical`](super::Level::Canonical) asks for these.
-    #[error(
-        "diagonals between vertices on one circle that do not end at the leftmost one: {sides}"
-    )]
     NotCanonical {
         /// How many.
         sides: usize,
     },
 }
 
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Violation::TooLarge { given, limit } => write!(
+                f,
+                "{given} points or corners are more than the {limit} that fit"
+            ),
+            Violation::NonFiniteCoordinate { vertex } => {
+                write!(f, "vertex {vertex} has a coordinate that is not finite")
+            }
+            Violation::EdgeOutOfRange { edge, vertex } => write!(
+                f,
+                "edge {edge} ends at vertex {vertex}, which does not exist"
+            ),
+            Violation::TriangleOutOfRange { triangle, vertex } => write!(
+                f,
+                "triangle {triangle} has vertex {vertex}, which does not exist"
+            ),
+            Violation::FlatTriangle { triangle } => {
+                write!(f, "triangle {triangle} has its corners on one line")
+            }
+            Violation::ReversedTriangle { triangle } => {
+                write!(f, "triangle {triangle} runs the wrong way round")
+            }
+            Violation::RepeatedSide { side, triangles } => write!(
+                f,
+                "triangles {} and {} both lie to the left of side {}-{}",
+                triangles[0], triangles[1], side[0], side[1]
+            ),
+            Violation::NoTriangles { vertices } => write!(
+                f,
+                "there are no triangles, but vertices {}, {}, {} are not on a line",
+                vertices[0], vertices[1], vertices[2]
+            ),
+            Violation::PinchedBoundary { vertex } => {
+                write!(f, "the boundary meets itself at vertex {vertex}")
+            }
+            Violation::ExtraBoundary { side, sides } => write!(
+                f,
+                "side {}-{} is on a boundary of {sides} sides that is not the hull",
+                side[0], side[1]
+            ),
+            Violation::ConcaveBoundary { vertices, .. } => write!(
+                f,
+                "the boundary does not turn left at vertex {}, between {} and {}",
+                vertices[1], vertices[0], vertices[2]
+            ),
+            Violation::WindingBoundary { times } => {
+                write!(f, "the boundary goes round {times} times")
+            }
+            Violation::UndeclaredBoundary { side, triangle } => write!(
+                f,
+                "side {}-{} of triangle {triangle} is on no given boundary",
+                side[0], side[1]
+            ),
+            Violation::MissingBoundary { side } => write!(
+                f,
+                "side {}-{} of a given boundary bounds no triangle",
+                side[0], side[1]
+            ),
+            Violation::TangledBoundary { side } => write!(
+                f,
+                "the given boundary crosses or covers itself at side {}-{}",
+                side[0], side[1]
+            ),
+            Violation::UnusedPoint { vertex } => write!(f, "vertex {vertex} is in no triangle"),
+            Violation::AddedOutside { vertex } => {
+                write!(f, "vertex {vertex} was added outside of the hull")
+            }
+            Violation::WrongCount {
+                triangles,
+                expected,
+            } => write!(f, "there are {triangles} triangles, not {expected}"),
+            Violation::MissingEdge { edge, after } => write!(
+                f,
+                "edge {edge} is no chain of sides: none follows it from vertex {after}"
+            ),
+            Violation::WrongRegion { triangle } => write!(
+                f,
+                "triangle {triangle} has another attribute than the region that it lies in"
+            ),
+            Violation::NotDelaunay {
+                side,
+                triangles,
+                opposite,
+                ..
+            } => write!(
+                f,
+                "side {}-{} of triangles {} and {} is not Delaunay: the circle of one holds vertex {} or {} of the other",
+                side[0], side[1], triangles[0], triangles[1], opposite[0], opposite[1]
+            ),
+            Violation::NotCanonical { sides } => write!(
+                f,
+                "diagonals between vertices on one circle that do not end at the leftmost one: {sides}"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Violation {}
+
 impl Violation {
     /// The name of the class of violation: the variant in lower case with hyphens.
     pub fn name(&self) -> &'static str {
-        self.into()
+        match self {
+            Violation::TooLarge { .. } => "too-large",
+            Violation::NonFiniteCoordinate { .. } => "non-finite-coordinate",
+            Violation::EdgeOutOfRange { .. } => "edge-out-of-range",
+            Violation::TriangleOutOfRange { .. } => "triangle-out-of-range",
+            Violation::FlatTriangle { .. } => "flat-triangle",
+            Violation::ReversedTriangle { .. } => "reversed-triangle",
+            Violation::RepeatedSide { .. } => "repeated-side",
+            Violation::NoTriangles { .. } => "no-triangles",
+            Violation::PinchedBoundary { .. } => "pinched-boundary",
+            Violation::ExtraBoundary { .. } => "extra-boundary",
+            Violation::ConcaveBoundary { .. } => "concave-boundary",
+            Violation::WindingBoundary { .. } => "winding-boundary",
+            Violation::UndeclaredBoundary { .. } => "undeclared-boundary",
+            Violation::MissingBoundary { .. } => "missing-boundary",
+            Violation::TangledBoundary { .. } => "tangled-boundary",
+            Violation::UnusedPoint { .. } => "unused-point",
+            Violation::AddedOutside { .. } => "added-outside",
+            Violation::WrongCount { .. } => "wrong-count",
+            Violation::MissingEdge { .. } => "missing-edge",
+            Violation::WrongRegion { .. } => "wrong-region",
+            Violation::NotDelaunay { .. } => "not-delaunay",
+            Violation::NotCanonical { .. } => "not-canonical",
+        }
     }
 
     /// How deep it is; `None` if it has no depth, or none that was measured.

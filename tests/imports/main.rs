@@ -33,7 +33,7 @@ fn read(folder: &Path, path: &str, tree: &mut Tree) {
 
 fn arrows_of_this_repository() -> Vec<Arrow> {
     let mut tree = Tree::new();
-    for folder in ["src", "fuzz", "testing", "experiments"] {
+    for folder in ["src", "fuzz", "crates"] {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         read(&root.join(folder), folder, &mut tree);
     }

@@ -140,7 +140,7 @@ fn other_settings() {
     for seed in 0..40 {
         let random = &mut Random::new(seed);
         let Input { points, edges } = medium(random);
-        let others = ALGORITHMS.map(|(_, algorithm)| algorithm);
+        let others = ALGORITHMS.iter().map(|&(_, algorithm)| algorithm);
         for algorithm in [Algorithm::Sweep].into_iter().chain(others) {
             let triangulator = Triangulator::new()
                 .algorithm(algorithm)

@@ -221,7 +221,7 @@ fn blamed<const KIND: u8>(algorithm: Algorithm) -> usize {
 #[test]
 fn every_run_ends() {
     let mut all = 0;
-    let others = ALGORITHMS.map(|(_, algorithm)| algorithm);
+    let others = ALGORITHMS.iter().map(|&(_, algorithm)| algorithm);
     for algorithm in [Algorithm::Auto, Algorithm::Sweep]
         .into_iter()
         .chain(others)

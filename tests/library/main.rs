@@ -4,17 +4,14 @@
 //!   goes through `runs` (every scalar with every front and setting of the heuristics) and is compared with
 //!   the oracle of `sweep_cdt_testing`, which is itself tested in `random`. `limits`: the largest numbers,
 //!   what is refused, and scalars that are not exact, which end in a panic that says so.
-//! * `trace`: the steps of the paper's figures and the sentences of the drawn steps, which are snapshots; the
+//! * `trace`: the steps of the paper's figures, which are snapshots; the
 //!   steps are the same for every scalar and front, and a replay returns the result.
-//! * `draw`: one picture of each kind, as a snapshot.
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
 //!   work, and none that is abandoned by the sweep has another result.
 //! * `location`: where points lie, and what is around a vertex. `input`: points and edges in other forms.
 //!   `serialized`: results as data.
 //! * `statistics`: what a run reports of itself and its progress. `fronts`: the steps that search structures
-//!   leave. `bands`: the sweep on all cores. `files`: odd files. `meshes`, `meshes_refused`: formats of other
-//!   programs. `generated`: the kinds of generated data.
-//! * `properties`: the bodies of the fuzz targets on their seeds, on past findings and on random bytes.
+//!   leave. `bands`: the sweep on all cores.
 //! * `scalars`, `domain` and `verify`: the exact predicates, what is inside, and the verifier.
 //!
 //! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin,
@@ -23,24 +20,17 @@
 //!
 //! Snapshots are plain text in `snapshots/`, to be read with the paper at hand.
 //! `INSTA_UPDATE=always cargo test --test library` writes them anew; then a person must look at what has changed.
-#![cfg(feature = "cli")]
 
 mod bands;
 mod cases;
 #[path = "../domain/mod.rs"]
 mod domain;
-mod draw;
-mod files;
 mod fronts;
-mod generated;
 mod hard;
 mod input;
 mod limits;
 mod location;
-mod meshes;
-mod meshes_refused;
 mod order;
-mod properties;
 mod random;
 mod runs;
 #[path = "../scalars/mod.rs"]
@@ -50,7 +40,6 @@ mod statistics;
 mod trace;
 #[path = "../verify/mod.rs"]
 mod verify;
-mod vtu;
 mod work;
 
 use std::collections::BTreeSet;
@@ -74,7 +63,6 @@ fn every_snapshot_is_used() {
         .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
         .collect();
     let names = trace::NAMES.iter().chain(work::NAMES);
-    let names = names.chain(draw::NAMES).chain(trace::formats::NAMES);
     let used: BTreeSet<String> = names.map(|name| (*name).to_owned()).collect();
     assert_eq!(found, used, "(left: the folder, right: the tests)");
 }

@@ -1,5 +1,5 @@
 //! Random inputs: small degenerate ones against the oracle, larger ones against its local tests; and the oracle
-//! itself against another program, and against its local tests.
+//! itself against its local tests.
 //!
 //! Each input goes through the default run and one other, which changes from input to input; about
 //! every hundredth small one through all.
@@ -8,12 +8,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
-use arbitrary::Unstructured;
 use sweep_cdt::triangulate;
-use sweep_cdt_properties::canonical;
-use sweep_cdt_testing::generators::{Shape, medium, read_shape, small};
+use sweep_cdt_testing::generators::{medium, small};
 use sweep_cdt_testing::oracle::{Verdict, check, check_found, verdict};
-use sweep_cdt_testing::{Input, Random, minimize, peers};
+use sweep_cdt_testing::{Input, Random, minimize};
 
 use crate::runs;
 
@@ -96,61 +94,6 @@ fn hundreds_of_points_and_edges_pass_the_local_tests() {
             };
             minimize::run(&agree, &input, seed);
         },
-    );
-}
-
-#[test]
-fn what_must_not_change_the_result_does_not() {
-    for seed in 0..300 {
-        let mut random = Random::new(seed);
-        let mut inputs = vec![small(&mut random)];
-        if seed % 15 == 0 {
-            inputs.push(medium(&mut random));
-        }
-        for input in inputs {
-            minimize::run(&|input| canonical::judge(input, seed), &input, seed);
-        }
-    }
-}
-
-/// The triangles that `spade` finds, each with its lowest vertex first; sorted.
-fn spade_triangles(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Vec<[usize; 3]> {
-    let mut triangles = peers::spade(points, edges).expect("finite points");
-    for corners in &mut triangles {
-        let least = (0..3).min_by_key(|&i| corners[i]).expect("three corners");
-        corners.rotate_left(least);
-    }
-    triangles.sort_unstable();
-    triangles
-}
-
-#[test]
-fn agrees_with_spade_in_general_position() {
-    let mut compared = 0;
-    for seed in 0..1000 {
-        let mut random = Random::new(seed);
-        let mut bytes = random.bytes(60);
-        // Few points, and not so small that the other program refuses them.
-        bytes[0] %= 7 << 5;
-        bytes[1] %= 12;
-        let input = read_shape(Shape::General, &mut Unstructured::new(&bytes)).expect("bytes");
-        let Ok(answer) = verdict(&input.points, &input.edges) else {
-            continue;
-        };
-        let has_duplicates = answer
-            .representatives
-            .iter()
-            .enumerate()
-            .any(|(v, &of)| v != of);
-        if !has_duplicates {
-            let triangles = spade_triangles(&input.points, &answer.constrained);
-            assert_eq!(answer.triangles, triangles, "seed {seed}: {input}");
-            compared += usize::from(!answer.constrained.is_empty() && triangles.len() > 3);
-        }
-    }
-    assert!(
-        compared > 300,
-        "only {compared} inputs of 1000 were of interest"
     );
 }
 

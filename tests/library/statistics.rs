@@ -155,20 +155,16 @@ fn the_mean_front_is_that_of_all_searches() {
         assert_eq!([counters.point_events, counters.front_lengths], seen);
         let mean = seen[1] as f64 / seen[0].max(1) as f64;
         assert!((counters.mean_front() - mean).abs() < 1e-9, "{algorithm:?}");
-        if algorithm == Algorithm::Sweep2005 {
+        if format!("{algorithm:?}") == "Sweep2005" {
             assert!(counters.made.middle > seen[0], "{counters:?}");
         }
         seen[0]
     };
     assert_eq!(of(Algorithm::Sweep), 499);
-    let searches = ALGORITHMS.map(|(name, algorithm)| (name, of(algorithm)));
-    let expected = [
-        ("divide and conquer", 0),
-        ("incremental", 0),
-        ("fortune", 0),
-        ("sweep of 2005", 499),
-    ];
-    assert_eq!(searches, expected);
+    for &(name, algorithm) in ALGORITHMS {
+        let expected = if name == "sweep of 2005" { 499 } else { 0 };
+        assert_eq!(of(algorithm), expected, "{name}");
+    }
 }
 
 /// Two corners, one after the other on the right of the last point. The squares of their cosines are 0.037 and
@@ -187,11 +183,16 @@ fn obtuse_corners_are_closed_up_to_their_angle() {
     for (corners, expected) in [
         (Corners::Off, 0),
         (Corners::RightAngle, 0),
+        #[cfg(feature = "comparison")]
         (Corners::OneUpTo(0), 0),
+        #[cfg(feature = "comparison")]
         (Corners::AllUpTo(0), 0),
         (Corners::Wide, 1),
+        #[cfg(feature = "comparison")]
         (Corners::OneUpTo(1), 1),
+        #[cfg(feature = "comparison")]
         (Corners::AllUpTo(1), 2),
+        #[cfg(feature = "comparison")]
         (Corners::AllUpTo(8), 2),
     ] {
         assert_eq!(closed(corners), expected, "{corners:?}");

@@ -135,7 +135,7 @@ fn small_members_are_right() {
     for family in families::all() {
         println!("{}", family.name);
         let input = member(family, 100);
-        let others = ALGORITHMS.map(|(_, algorithm)| algorithm);
+        let others = ALGORITHMS.iter().map(|&(_, algorithm)| algorithm);
         for algorithm in [Algorithm::Auto].into_iter().chain(others) {
             let (result, _) = run(&input, algorithm);
             check(&input.points, &input.edges, &result);
@@ -156,12 +156,12 @@ fn all_algorithms_agree_on_every_family() {
                 Algorithm::DivideAndConquer => true,
                 _ => result.is_empty(),
             };
-            let may_be_divided = is_divided || algorithm == Algorithm::Fortune;
+            let may_be_divided = is_divided || format!("{algorithm:?}") == "Fortune";
             assert!(stats.is_divided == is_divided || may_be_divided);
             answer(&input, &result)
         };
         let here = by(Algorithm::Sweep);
-        for (name, algorithm) in ALGORITHMS {
+        for &(name, algorithm) in ALGORITHMS {
             assert_eq!(here, by(algorithm), "{name}");
         }
     }
@@ -232,6 +232,7 @@ fn where_flips_are_many_the_papers_heuristics_go_on() {
 
 /// Mücke, Saias and Zhu: where points are evenly spread, the walk has about as many steps as triangles are
 /// drawn, the cube root of the points. A point is inserted with three flips or fewer, on average over the orders.
+#[cfg(feature = "comparison")]
 #[test]
 fn walks_to_random_points_are_short() {
     for n in [1000, 30_000] {
@@ -246,6 +247,7 @@ fn walks_to_random_points_are_short() {
 }
 
 /// Of what floating point chooses for Fortune's sweep line, exact signs must mend next to nothing.
+#[cfg(feature = "comparison")]
 #[test]
 fn a_beach_line_leaves_few_sides_to_flip() {
     let points = Random::new(3).points(10_000);
@@ -260,6 +262,7 @@ fn a_beach_line_leaves_few_sides_to_flip() {
 }
 
 /// On an arch that opens upwards every point is on the lower hull.
+#[cfg(feature = "comparison")]
 #[test]
 fn the_sweep_of_2005_has_no_artificial_points() {
     let arch = (-500..=500).map(|i: i32| [f64::from(i), f64::from(i * i) + f64::from(i) / 2e3]);
@@ -300,7 +303,7 @@ fn all_algorithms_name_the_same_crossing() {
             triangulator.triangulate(&points, &edges).err()
         };
         let here = by(Algorithm::Sweep);
-        for (name, algorithm) in ALGORITHMS {
+        for &(name, algorithm) in ALGORITHMS {
             assert_eq!(here, by(algorithm), "{name}, seed {seed}");
         }
         crossings += usize::from(matches!(here, Some(Error::CrossingEdges { .. })));

@@ -81,7 +81,7 @@ def each_polygon(ask):
     return run
 
 def crate(name):
-    """A crate, through the binary files of testing/src/binary.rs."""
+    """A crate, through the binary files of crates/testing/src/binary.rs."""
 
     def ask(points, edges):
         data = struct.pack("<3Q", 1, len(points), len(edges))

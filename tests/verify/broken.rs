@@ -5,9 +5,9 @@
 //! their own. These are broken, or what they are verified against is.
 
 use sweep_cdt::domain::{Rule, locate_seeds};
-use sweep_cdt::formats::{Coordinate, Graph, Matching, added_points};
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Regions, Report, Verifier};
+use sweep_cdt_formats::{Coordinate, Graph, Matching, added_points};
 use sweep_cdt_testing::oracle::arrangement::fractions;
 use sweep_cdt_testing::oracle::refined::Wanted;
 

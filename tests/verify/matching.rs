@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use sweep_cdt::formats::{
-    Graph, Matched, Matching, ResultError, ResultFormat, Source, Triangles, read_result,
-};
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::verify;
+use sweep_cdt_formats::{
+    Graph, Matched, Matching, ResultError, ResultFormat, Source, Triangles, read_result,
+};
 use sweep_cdt_testing::Random;
 
 type Points = Vec<[f64; 2]>;

@@ -8,6 +8,7 @@
 //! A right text is an expression, or statements without a `let`, that occurs once in its file outside of
 //! constants.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -48,7 +49,7 @@ pub struct Fault {
     pub kind: String,
     /// A short name.
     pub name: String,
-    /// The file under `src`.
+    /// The file, from the root of the repository.
     pub file: PathBuf,
     /// What is wrong with it.
     pub what: String,
@@ -121,15 +122,13 @@ pub fn plant(file: &Path, source: &str, faults: &[Fault]) -> Result<String, Stri
 }
 
 /// What of the crate's folder is needed to build a target: all that its manifest names.
-const NEEDED: [&str; 8] = [
+const NEEDED: [&str; 6] = [
     "Cargo.toml",
     "README.md",
     "benches",
+    "crates",
     "examples",
-    "experiments",
     "src",
-    "testing",
-    "tests/targets",
 ];
 /// What of the fuzz workspace.
 const NEEDED_OF_FUZZ: [&str; 5] = [
@@ -153,47 +152,55 @@ const PLANTED: &str = "planted.rs";
 /// If files cannot be read or written, or a fault cannot be planted.
 pub fn copy(to: &Path, faults: &[Fault]) -> io::Result<()> {
     for name in NEEDED {
-        copy_all(&root().join(name), &to.join(name), Path::new(""), faults)?;
+        copy_all(Path::new(name), to, faults)?;
     }
     for name in NEEDED_OF_FUZZ {
-        let from = root().join("fuzz").join(name);
-        copy_all(&from, &to.join("fuzz").join(name), Path::new(""), &[])?;
+        copy_all(&Path::new("fuzz").join(name), to, &[])?;
     }
-    write(
-        &to.join("src").join(PLANTED),
-        include_str!("planted.rs").as_bytes(),
-    )
+    for source in sources(faults) {
+        let chooser = include_str!("planted.rs");
+        write(&to.join(source).join(PLANTED), chooser.as_bytes())?;
+    }
+    Ok(())
 }
 
-/// Copies a file or a folder; `inside` is its path in the folder of the first call.
-fn copy_all(from: &Path, to: &Path, inside: &Path, faults: &[Fault]) -> io::Result<()> {
+/// The source folders of the packages that have faults.
+fn sources(faults: &[Fault]) -> BTreeSet<PathBuf> {
+    let is_source = |folder: &&Path| folder.ends_with("src");
+    let source = |fault: &Fault| fault.file.ancestors().find(is_source).map(Path::to_owned);
+    faults.iter().filter_map(source).collect()
+}
+
+/// Copies a file or a folder, whose path begins at the root of the repository.
+fn copy_all(path: &Path, to: &Path, faults: &[Fault]) -> io::Result<()> {
+    let (from, target) = (root().join(path), to.join(path));
     if from.is_dir() {
-        fs::create_dir_all(to)?;
-        remove_strangers(from, to)?;
+        fs::create_dir_all(&target)?;
+        remove_strangers(&from, &target)?;
         for entry in fs::read_dir(from)? {
             let name = entry?.file_name();
-            if name == BUILT {
-                continue;
+            if name != BUILT {
+                copy_all(&path.join(&name), to, faults)?;
             }
-            copy_all(
-                &from.join(&name),
-                &to.join(&name),
-                &inside.join(&name),
-                faults,
-            )?;
         }
         return Ok(());
     }
+    if let Some(folder) = target.parent() {
+        fs::create_dir_all(folder)?;
+    }
     let bytes = fs::read(from)?;
-    if !faults.iter().any(|fault| fault.file == inside) && inside != Path::new("lib.rs") {
-        return write(to, &bytes);
+    let is_root = sources(faults)
+        .iter()
+        .any(|source| source.join("lib.rs") == path);
+    if !is_root && !faults.iter().any(|fault| fault.file == path) {
+        return write(&target, &bytes);
     }
     let source = String::from_utf8(bytes).map_err(io::Error::other)?;
-    let mut planted = plant(inside, &source, faults).map_err(io::Error::other)?;
-    if inside == Path::new("lib.rs") && !faults.is_empty() {
+    let mut planted = plant(path, &source, faults).map_err(io::Error::other)?;
+    if is_root {
         planted = format!("#![allow(warnings)]\n{planted}\nmod planted;\n");
     }
-    write(to, planted.as_bytes())
+    write(&target, planted.as_bytes())
 }
 
 /// Removes from the second folder what the first does not have.
@@ -231,7 +238,7 @@ mod tests {
         let faults = faults();
         let files: BTreeSet<_> = faults.iter().map(|fault| &fault.file).collect();
         for file in files {
-            let source = fs::read_to_string(root().join("src").join(file)).expect("a source file");
+            let source = fs::read_to_string(root().join(file)).expect("a source file");
             if let Err(message) = plant(file, &source, &faults) {
                 panic!("{}: {message}", file.display());
             }

@@ -81,7 +81,7 @@ fn judge_algorithms(input: &Input, here: Option<&Answer>) {
         let result = run.triangulate(points, edges);
         result.map(|result| found(&result, points.len(), edges.len()))
     };
-    for (name, algorithm) in ALGORITHMS {
+    for &(name, algorithm) in ALGORITHMS {
         let there = by(algorithm);
         assert_eq!(there.as_ref().ok(), here, "{name}");
         if let Err(error) = there {

@@ -16,10 +16,10 @@ use std::time::Duration;
 use std::{fs, io, thread};
 
 use sweep_cdt::crossings::crossings;
-use sweep_cdt::draw::{CrossingsPicture, ResultPicture};
-use sweep_cdt::formats::Graph;
 use sweep_cdt::trace::{Event, Trace};
 use sweep_cdt::{Error, Triangulation, Triangulator};
+use sweep_cdt_draw::{CrossingsPicture, ResultPicture};
+use sweep_cdt_formats::Graph;
 use sweep_cdt_testing::Input;
 
 use crate::Target;

@@ -3,7 +3,7 @@
 //!
 //! `replay`: a replay returns the result, and refuses a damaged trace. `formats`: how steps are written.
 
-pub(crate) mod formats;
+mod formats;
 mod replay;
 
 use std::fmt::Write;
@@ -12,6 +12,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::trace::{Event, Trace};
 use sweep_cdt::{Corners, Heuristics};
+use sweep_cdt_formats::write_trace;
 use sweep_cdt_testing::fronts::FrontKind;
 use sweep_cdt_testing::generators::medium;
 use sweep_cdt_testing::runs::{Sample, convert};
@@ -36,7 +37,7 @@ fn text(trace: &Trace) -> String {
 
 fn lines(trace: &Trace) -> String {
     let mut text = Vec::new();
-    trace.write_lines(&mut text).expect("memory takes all");
+    write_trace(trace, &mut text).expect("memory takes all");
     String::from_utf8(text).expect("text")
 }
 

@@ -2,6 +2,7 @@
 
 use sweep_cdt::Heuristics;
 use sweep_cdt::trace::{BadTrace, Trace};
+use sweep_cdt_formats::read_trace;
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::{Input, Steps};
 
@@ -13,7 +14,7 @@ fn assert_replays(input: &Input) {
     for heuristics in HEURISTICS {
         let Steps { trace, result, .. } = steps(input, heuristics);
         assert_eq!(Trace::parse(&text(&trace)).as_ref(), Ok(&trace));
-        assert_eq!(Trace::parse(&lines(&trace)).as_ref(), Ok(&trace));
+        assert_eq!(read_trace(&lines(&trace)).as_ref(), Ok(&trace));
         let replayed = trace.replay();
         match result {
             Ok(result) => assert_eq!(replayed, Ok(result.canonical_triangles())),

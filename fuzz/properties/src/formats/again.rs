@@ -1,12 +1,12 @@
 //! What was read, written and read again.
 
 use num_rational::BigRational;
-use sweep_cdt::formats::{
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Triangulation, triangulate};
+use sweep_cdt_formats::{
     Column, Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read,
     read_result, write_graph, write_node,
 };
-use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Triangulation, triangulate};
 
 use sweep_cdt_testing::oracle::canonical;
 
@@ -175,7 +175,7 @@ pub(super) fn files<S: Coordinate>(
 ) -> [(ResultFormat, Vec<u8>); 3] {
     let text = |format| {
         let mut text = Vec::new();
-        sweep_cdt::formats::write(format, graph, result, &mut text)
+        sweep_cdt_formats::write(format, graph, result, &mut text)
             .expect("memory takes all that is written");
         text
     };
@@ -195,7 +195,7 @@ pub(super) fn result_text<S: Coordinate>(
 ) -> Vec<u8> {
     let format: OutputFormat = <&str>::from(format).parse().expect("the same name");
     let mut text = Vec::new();
-    sweep_cdt::formats::write(format, graph, result, &mut text)
+    sweep_cdt_formats::write(format, graph, result, &mut text)
         .expect("memory takes all that is written");
     text
 }
@@ -251,7 +251,8 @@ fn write_result<S: Exact>(graph: &Graph<S>, result: &Triangulation, node: &[u8])
     }
     assert_matches(graph, result);
     let mut picture = Vec::new();
-    sweep_cdt::formats::write(OutputFormat::Svg, graph, result, &mut picture)
+    sweep_cdt_draw::Output::Svg
+        .write(graph, result, &mut picture)
         .expect("memory takes all that is written");
     assert_picture(picture);
 }

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 use std::ops::Range;
 
-use sweep_cdt::formats::{Graph, InputFormat, ResultFormat, write_node};
 use sweep_cdt::triangulate;
+use sweep_cdt_formats::{Graph, InputFormat, ResultFormat, write_node};
 
 use super::again::{self, INPUTS, RESULTS};
 

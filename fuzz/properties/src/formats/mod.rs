@@ -14,12 +14,13 @@ use std::panic::catch_unwind;
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
 use sweep_cdt::Heuristics;
-use sweep_cdt::draw::ViolationsPicture;
-use sweep_cdt::formats::{
-    Column, Coordinate, Graph, Input, ResultFormat, Source, read, read_result,
-};
 use sweep_cdt::trace::Trace;
 use sweep_cdt::verify::Verifier;
+use sweep_cdt_draw::ViolationsPicture;
+use sweep_cdt_formats::{
+    Column, Coordinate, Graph, Input, ResultFormat, Source, read, read_result, read_trace,
+    write_trace,
+};
 
 use self::again::source;
 use self::files::{READERS, Reader};
@@ -262,7 +263,7 @@ fn try_result<S: Coordinate>(
 
 /// Reads any text, replays it if it is a trace, and reads it again as it is written.
 fn try_trace(text: &str) {
-    match Trace::parse(text) {
+    match read_trace(text) {
         Ok(trace) => {
             assert_trace_reads(&trace);
             if let Err(error) = trace.replay() {
@@ -287,10 +288,10 @@ fn assert_trace_reads(trace: &Trace) {
     let (mut text, mut lines) = (Vec::new(), Vec::new());
     trace
         .write_text(&mut text)
-        .and_then(|()| trace.write_lines(&mut lines))
+        .and_then(|()| write_trace(trace, &mut lines))
         .expect("memory takes all that is written");
     for file in [text, lines] {
         let file = String::from_utf8(file).expect("traces are text");
-        assert_eq!(Trace::parse(&file).as_ref(), Ok(trace));
+        assert_eq!(read_trace(&file).as_ref(), Ok(trace));
     }
 }

@@ -17,6 +17,7 @@ use damage::{Damage, Kind};
 
 use crate::file::File;
 use crate::reached;
+use sweep_cdt_formats::{read_trace, write_trace};
 use sweep_cdt_testing::Random;
 use sweep_cdt_testing::Steps;
 use sweep_cdt_testing::{Input, generators};
@@ -77,7 +78,7 @@ fn judge(input: &Input, choices: u64) {
         damage,
     } = Case::new(input, choices);
     let trace = &steps.trace;
-    assert_eq!(Trace::parse(&text).as_ref(), Ok(trace), "read again (left)");
+    assert_eq!(read_trace(&text).as_ref(), Ok(trace), "read again (left)");
     match &steps.result {
         Ok(result) => {
             let triangles = result.canonical_triangles();
@@ -102,13 +103,13 @@ fn text(trace: &Trace) -> String {
 
 fn lines(trace: &Trace) -> String {
     let mut text = Vec::new();
-    trace.write_lines(&mut text).expect("memory takes all");
+    write_trace(trace, &mut text).expect("memory takes all");
     String::from_utf8(text).expect("text")
 }
 
 /// Panics unless this is refused at a line that may be blamed, or harmless.
 fn judge_damaged(damage: &Damage, trace: &Trace, triangles: &[[usize; 3]]) {
-    let parsed = Trace::parse(&damage.text);
+    let parsed = read_trace(&damage.text);
     let events = parsed.as_ref().map_or(0, |trace| trace.events.len());
     match parsed.clone().and_then(|trace| trace.replay()) {
         Err(bad) => {

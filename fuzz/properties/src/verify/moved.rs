@@ -4,8 +4,8 @@
 use std::fmt::Write;
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::formats::{Coordinate, Graph, Matched, ResultFormat, Source, read_result};
 use sweep_cdt::triangulate;
+use sweep_cdt_formats::{Coordinate, Graph, Matched, ResultFormat, Source, read_result};
 use sweep_cdt_testing::generators;
 
 use crate::file::{File, json};

@@ -2,9 +2,9 @@
 
 use std::panic::catch_unwind;
 
-use sweep_cdt::draw::ViolationsPicture;
-use sweep_cdt::formats::{Graph, ResultFormat, Source, read_result};
 use sweep_cdt::verify::Verifier;
+use sweep_cdt_draw::ViolationsPicture;
+use sweep_cdt_formats::{Graph, ResultFormat, Source, read_result};
 
 use super::case::{Case, is_defined};
 use crate::file::{File, json};

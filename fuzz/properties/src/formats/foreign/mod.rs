@@ -14,8 +14,8 @@ mod vtk;
 mod vtu;
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::formats::{Graph, Input, InputFormat, Matched, ResultFormat, read, read_result};
 use sweep_cdt::{Triangulation, triangulate};
+use sweep_cdt_formats::{Graph, Input, InputFormat, Matched, ResultFormat, read, read_result};
 use sweep_cdt_testing::generators;
 
 use self::meant::Meant;

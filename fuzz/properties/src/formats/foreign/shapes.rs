@@ -1,8 +1,8 @@
 //! WKT and `GeoJSON`: points, lines, and polygons with holes, alone or several together, in collections or not.
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::formats::{Graph, Input, InputFormat, ResultFormat, read, read_result};
 use sweep_cdt::triangulate;
+use sweep_cdt_formats::{Graph, Input, InputFormat, ResultFormat, read, read_result};
 use sweep_cdt_testing::generators;
 
 use super::shapes_text::{Kind, Shape, Third, geojson, height, wkt};

@@ -3,8 +3,8 @@
 //! What must be read: if all corners are points of the input, these. Else each corner must be one point of the input
 //! rounded to single precision, and no other one; or the file is refused.
 
-use sweep_cdt::formats::{Graph, Matched, ResultFormat, read_result};
 use sweep_cdt::triangulate;
+use sweep_cdt_formats::{Graph, Matched, ResultFormat, read_result};
 
 use super::numbers::{Form, Kind, Order};
 use crate::formats::again::source;

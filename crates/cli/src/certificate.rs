@@ -1,0 +1,248 @@
+//! The certificate of a verification: the files, the counts and the verdict, as JSON.
+//!
+//! The same files give the same bytes: it holds no time, no path and nothing of the machine.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use serde::Serialize;
+use serde_json::value::RawValue;
+use sha2::{Digest, Sha256};
+use sweep_cdt::verify::{Depth, Depths};
+use sweep_cdt_formats::{Coordinate, Graph, Source, Triangles};
+
+use crate::shared::verification::{Answer, reached, report, violations};
+
+/// A file by name and contents.
+#[derive(Serialize)]
+pub(crate) struct Fingerprint {
+    file: String,
+    sha256: String,
+}
+
+impl Fingerprint {
+    pub(crate) fn of(source: &Source) -> Fingerprint {
+        let name = Path::new(&source.name).file_name();
+        let digits = Sha256::digest(&source.bytes);
+        Fingerprint {
+            file: name.map_or_else(
+                || source.name.clone(),
+                |name| name.to_string_lossy().into_owned(),
+            ),
+            sha256: digits.iter().map(|byte| format!("{byte:02x}")).collect(),
+        }
+    }
+}
+
+/// What was verified, and how.
+pub(crate) struct Subject<'a, S> {
+    pub(crate) input: &'a [Fingerprint],
+    pub(crate) result: &'a [Fingerprint],
+    pub(crate) scalar: &'static str,
+    /// What the triangles must tile.
+    pub(crate) domain: &'static str,
+    /// What they must reach.
+    pub(crate) level: &'static str,
+    pub(crate) clockwise: bool,
+    pub(crate) steiner: bool,
+    pub(crate) max_depth: Option<f64>,
+    /// Whether the result is wrong by no more than that.
+    pub(crate) is_within: bool,
+    pub(crate) graph: &'a Graph<S>,
+    pub(crate) triangles: &'a Triangles,
+}
+
+#[derive(Serialize)]
+struct Certificate<'a> {
+    program: &'static str,
+    version: &'static str,
+    verdict: &'static str,
+    /// Whether a correct result is the canonical one.
+    canonical: Option<bool>,
+    input: &'a [Fingerprint],
+    result: &'a [Fingerprint],
+    scalar: &'static str,
+    domain: &'static str,
+    level: &'static str,
+    highest_level: &'static str,
+    vertices_matched: MatchedBy,
+    clockwise_accepted: bool,
+    clockwise: bool,
+    steiner: bool,
+    max_depth: Option<f64>,
+    counts: Counts,
+    signs: Signs,
+    violations_found: usize,
+    depths: Measured,
+    violations: Vec<Item>,
+}
+
+/// How the vertices of the result were matched with those of the input.
+#[derive(Serialize)]
+struct MatchedBy {
+    by: &'static str,
+    because: &'static str,
+    /// None without coordinates.
+    greatest_difference: Option<Box<RawValue>>,
+}
+
+#[derive(Serialize)]
+struct Counts {
+    points: usize,
+    distinct_points: usize,
+    edges: usize,
+    triangles: usize,
+    boundary_sides: usize,
+    constrained_sides: usize,
+    free_sides: usize,
+    cocircular_sides: usize,
+    uncanonical_sides: usize,
+    added_points: usize,
+    split_edges: usize,
+}
+
+#[derive(Serialize)]
+struct Signs {
+    by_filter: u64,
+    exact: u64,
+}
+
+/// How deep violations are: how many were measured, the greatest, and how many are in each decade.
+#[derive(Serialize)]
+struct Measured {
+    measured: usize,
+    greatest: Option<f64>,
+    decades: Vec<Decade>,
+}
+
+/// From ten to this exponent on.
+#[derive(Serialize)]
+struct Decade {
+    exponent: i32,
+    violations: usize,
+}
+
+/// A violation, with all things numbered as in their files.
+#[derive(Serialize)]
+struct Item {
+    class: &'static str,
+    message: String,
+    depth: Option<f64>,
+    vertices: Vec<Place>,
+    edges: Vec<usize>,
+    triangles: Vec<usize>,
+}
+
+#[derive(Serialize)]
+struct Place {
+    vertex: usize,
+    at: [Box<RawValue>; 2],
+}
+
+/// Writes the certificate.
+pub(crate) fn write<S: Coordinate>(
+    subject: &Subject<'_, S>,
+    answer: &Answer,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let report = report(answer);
+    let matched = subject.triangles.matched;
+    let (list, found) = violations(answer);
+    // A violation names things as in the files; the places of its vertices are found by position.
+    let item = |&violation| {
+        let numbered = subject.triangles.as_numbered(subject.graph, violation);
+        let offenders = numbered.offenders();
+        let vertices = subject.triangles.vertices_of(subject.graph, violation);
+        let place = |v: usize| Place {
+            vertex: v + subject.graph.first_vertex,
+            at: subject.graph.points[v].each_ref().map(coordinate),
+        };
+        Item {
+            class: violation.name(),
+            message: numbered.to_string(),
+            depth: violation.depth().map(Depth::get),
+            vertices: vertices.into_iter().map(place).collect(),
+            edges: offenders.edges,
+            triangles: offenders.triangles,
+        }
+    };
+    let certificate = Certificate {
+        program: env!("CARGO_PKG_NAME"),
+        version: env!("CARGO_PKG_VERSION"),
+        verdict: match answer {
+            Ok(_) => "correct",
+            Err(_) if subject.is_within => "within-max-depth",
+            Err(_) => "wrong",
+        },
+        canonical: answer
+            .as_ref()
+            .ok()
+            .map(sweep_cdt::verify::Report::is_canonical),
+        input: subject.input,
+        result: subject.result,
+        scalar: subject.scalar,
+        domain: subject.domain,
+        level: subject.level,
+        highest_level: reached(report),
+        vertices_matched: MatchedBy {
+            by: matched.by(),
+            because: matched.name(),
+            greatest_difference: matched.difference().as_ref().map(coordinate),
+        },
+        clockwise_accepted: subject.clockwise,
+        clockwise: report.clockwise,
+        steiner: subject.steiner,
+        max_depth: subject.max_depth,
+        counts: Counts {
+            points: report.points,
+            distinct_points: report.distinct_points,
+            edges: report.edges,
+            triangles: report.triangles,
+            boundary_sides: report.boundary_sides,
+            constrained_sides: report.constrained_sides,
+            free_sides: report.free_sides,
+            cocircular_sides: report.cocircular_sides,
+            uncanonical_sides: report.uncanonical_sides,
+            added_points: report.added_points,
+            split_edges: report.split_edges,
+        },
+        signs: Signs {
+            by_filter: report.filtered,
+            exact: report.exact,
+        },
+        violations_found: found,
+        depths: measured(answer),
+        violations: list.iter().map(item).collect(),
+    };
+    serde_json::to_writer_pretty(&mut *out, &certificate)?;
+    writeln!(out)
+}
+
+fn measured(answer: &Answer) -> Measured {
+    let none = Depths::default();
+    let depths = match answer {
+        Ok(_) => &none,
+        Err(violations) => &violations.depths,
+    };
+    let decades = depths.decades.iter();
+    let decades = decades.map(|(&exponent, &violations)| Decade {
+        exponent,
+        violations,
+    });
+    Measured {
+        measured: depths.measured(),
+        greatest: depths.greatest.map(Depth::get),
+        decades: decades.collect(),
+    }
+}
+
+/// A finite coordinate: a number, or a string with a fraction.
+fn coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
+    let text = value.text();
+    let text = if text.contains('/') {
+        format!("\"{text}\"")
+    } else {
+        text
+    };
+    RawValue::from_string(text).expect("a finite number, or a string without special characters")
+}

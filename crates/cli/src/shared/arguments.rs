@@ -1,0 +1,248 @@
+//! Arguments that name what a subcommand reads, a graph and a result to verify, and what `triangulate` writes and where
+//! to.
+
+use std::fs;
+use std::path::Path;
+
+use sweep_cdt::Triangulation;
+use sweep_cdt::domain::Domain;
+use sweep_cdt_draw::Output;
+use sweep_cdt_formats::{
+    Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read, write_node,
+};
+
+use super::failure::Failure;
+use super::files::{
+    FileArgument, FilesRead, Identity, format_of_input, format_of_output, format_parser,
+};
+use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
+
+/// Arguments that name an input.
+#[derive(clap::Args)]
+pub(crate) struct InputArgs {
+    /// File to read: .node, .poly, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .geojson or .wkt; `-` for standard input
+    #[arg(value_name = "INPUT")]
+    pub(crate) input: FileArgument,
+
+    /// Format of the input [default: by its extension]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
+    input_format: Option<InputFormat>,
+}
+
+impl InputArgs {
+    /// An input that another argument names.
+    pub(crate) fn new(input: FileArgument, input_format: Option<InputFormat>) -> InputArgs {
+        InputArgs {
+            input,
+            input_format,
+        }
+    }
+
+    /// What messages call the input.
+    pub(crate) fn name(&self) -> String {
+        self.input.input_name()
+    }
+
+    /// Reads the input; `show` is called with each file that is read.
+    pub(crate) fn read(
+        &self,
+        files: &mut FilesRead,
+        mut show: impl FnMut(&Source),
+    ) -> Result<Input, Failure> {
+        let format = format_of_input(&self.input, "--input-format", self.input_format)?;
+        let source = files.load(&self.input)?;
+        show(&source);
+        // The `.node` beside a `.poly` is loaded only if the `.poly` turns out to need it.
+        match (read(format, &source, None), self.input.beside("node")) {
+            (Err(error), Some(file)) if error.missing_node => {
+                let node = files.load(&file)?;
+                show(&node);
+                Ok(read(format, &source, Some(&node))?)
+            }
+            (input, _) => Ok(input?),
+        }
+    }
+}
+
+/// Arguments that name a result.
+#[derive(clap::Args)]
+pub(crate) struct ResultArgs {
+    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson
+    /// or .wkt; `-` for standard input
+    #[arg(value_name = "RESULT")]
+    pub(crate) result: FileArgument,
+
+    /// Format of the result [default: by its extension]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<ResultFormat>())]
+    result_format: Option<ResultFormat>,
+}
+
+/// A result in memory.
+pub(crate) struct ResultFiles {
+    pub(crate) format: ResultFormat,
+    pub(crate) source: Source,
+    /// The `.node` beside a `.ele`.
+    pub(crate) node: Option<Source>,
+}
+
+impl ResultArgs {
+    /// Loads the result; `show` is called with each file of it.
+    pub(crate) fn load(
+        &self,
+        files: &mut FilesRead,
+        mut show: impl FnMut(&Source),
+    ) -> Result<ResultFiles, Failure> {
+        let format = format_of_input(&self.result, "--result-format", self.result_format)?;
+        let source = files.load(&self.result)?;
+        show(&source);
+        let node = match format {
+            ResultFormat::Ele => self.result.beside("node").filter(FileArgument::exists),
+            _ => None,
+        };
+        let node = node
+            .map(|file| files.load(&file).inspect(show))
+            .transpose()?;
+        Ok(ResultFiles {
+            format,
+            source,
+            node,
+        })
+    }
+}
+
+/// Arguments that name outputs.
+#[derive(clap::Args)]
+pub(crate) struct OutputArgs {
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson, .wkt or .svg; may be given
+    /// several times; `-` for standard output
+    #[arg(short, long = "output", value_name = "OUTPUT")]
+    output: Vec<FileArgument>,
+
+    /// Format of standard output, and of outputs whose extension tells none
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<Output>())]
+    output_format: Option<Output>,
+}
+
+/// A place to write to, and what.
+pub(crate) struct Target {
+    pub(crate) destination: Destination,
+    format: Output,
+}
+
+impl OutputArgs {
+    /// The outputs, each with its format. No two may be one file.
+    pub(crate) fn targets(&self) -> Result<Vec<Target>, Failure> {
+        let target = |file| {
+            Ok(Target {
+                format: format_of_output(file, self.output_format)?,
+                destination: Destination::of(file)?,
+            })
+        };
+        let targets: Result<Vec<Target>, Failure> = self.output.iter().map(target).collect();
+        let targets = targets?;
+        refuse_twice(targets.iter().map(|target| &target.destination))?;
+        Ok(targets)
+    }
+}
+
+/// Whether one of the outputs is standard output.
+pub(crate) fn has_standard(targets: &[Target]) -> bool {
+    targets
+        .iter()
+        .any(|target| target.destination.is_standard())
+}
+
+/// Refuses targets that were read, and adds the `.node` that a `.ele` needs beside it. One that is there
+/// already is overwritten only if it is a target itself.
+pub(crate) fn completed<S: Coordinate>(
+    mut targets: Vec<Target>,
+    read: &FilesRead,
+    graph: &Graph<S>,
+) -> Result<Vec<Target>, Failure> {
+    let paths = targets
+        .iter()
+        .filter(|target| {
+            target.format == Output::File(OutputFormat::Ele) && target.destination.is_file()
+        })
+        .map(|target| target.destination.name.with_extension("node"));
+    for path in paths.collect::<Vec<_>>() {
+        let is_target = |identity: &Identity| {
+            let mut identities = targets.iter().map(|target| &target.destination.identity);
+            identities.any(|target| target.as_ref() == Some(identity))
+        };
+        if let Ok(metadata) = fs::metadata(&path) {
+            let identity = Identity::there(&path, &metadata).ok();
+            let is_there = metadata.is_file() && holds_vertices(&path, graph);
+            if !is_there && !identity.as_ref().is_some_and(is_target) {
+                let path = path.display();
+                let message = format!(
+                    "{path} would be overwritten, since the .ele needs its vertices beside it: \
+                     give the .ele another name, or allow it by `-o {path}`"
+                );
+                return Err(Failure::Usage(message));
+            }
+            continue;
+        }
+        let destination = Destination::of_path(path)?;
+        if !destination.identity.as_ref().is_some_and(is_target) {
+            let format = Output::File(OutputFormat::Node);
+            targets.push(Target {
+                destination,
+                format,
+            });
+        }
+    }
+    refuse_read(read, targets.iter().map(|target| &target.destination))?;
+    Ok(targets)
+}
+
+/// Adds all targets to the outputs: the whole result, or what is inside a domain of it.
+pub(crate) fn add<'a, S: Coordinate>(
+    outputs: &mut Outputs<'a>,
+    targets: Vec<Target>,
+    graph: &'a Graph<S>,
+    result: &'a Triangulation,
+    domain: Option<&'a Domain<'a>>,
+) -> Result<(), Failure> {
+    targets.into_iter().try_for_each(|target| {
+        let Target {
+            destination,
+            format,
+        } = target;
+        outputs.add(destination, move |out| match domain {
+            Some(domain) => format.write_domain(graph, domain, out),
+            None => format.write(graph, result, out),
+        })
+    })
+}
+
+/// Whether the `.node` of this path holds the vertices of `graph`.
+fn holds_vertices<S: Coordinate>(path: &Path, graph: &Graph<S>) -> bool {
+    let file = FileArgument::File(path.to_owned());
+    let Ok(source) = FilesRead::default().load(&file) else {
+        return false;
+    };
+    let text = node_text(graph);
+    // It has the same bytes if it was written with a result of the same vertices.
+    if source.bytes == text {
+        return true;
+    }
+    match read(InputFormat::Node, &source, None) {
+        Ok(Input::Doubles(there)) => is_written(there, &text),
+        Ok(Input::Rationals(there)) => is_written(there, &text),
+        Err(_) => false,
+    }
+}
+
+/// Whether a graph is written so, with its columns or without them.
+fn is_written<S: Coordinate>(graph: Graph<S>, text: &[u8]) -> bool {
+    let with_columns = node_text(&graph) == text;
+    let columns = Vec::new();
+    with_columns || node_text(&Graph { columns, ..graph }) == text
+}
+
+fn node_text<S: Coordinate>(graph: &Graph<S>) -> Vec<u8> {
+    let mut text = Vec::new();
+    write_node(graph, &mut text).expect("memory takes all that is written");
+    text
+}

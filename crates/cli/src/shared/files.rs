@@ -1,0 +1,245 @@
+//! Files: as arguments name them, in which format they are (by an option, or else by the extension), which of them a
+//! run has read, and which file a path or a standard stream is, whatever it is called.
+
+use std::ffi::OsString;
+use std::fs::{self, File, Metadata};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use strum::VariantArray;
+use sweep_cdt_formats::{ReadError, Source};
+
+use super::failure::{Failure, printable, reason};
+use super::resources::has_room;
+
+/// A path on the command line: a file, or for `-` standard input or output.
+#[derive(Clone)]
+pub(crate) enum FileArgument {
+    Standard,
+    File(PathBuf),
+}
+
+impl From<OsString> for FileArgument {
+    fn from(text: OsString) -> Self {
+        if text == "-" {
+            FileArgument::Standard
+        } else {
+            FileArgument::File(text.into())
+        }
+    }
+}
+
+impl FileArgument {
+    /// What reports call it where it is an input.
+    pub(crate) fn input_name(&self) -> String {
+        printable(&self.raw_name())
+    }
+
+    /// The same, with all its characters.
+    fn raw_name(&self) -> String {
+        match self {
+            FileArgument::Standard => "standard input".to_owned(),
+            FileArgument::File(path) => path.display().to_string(),
+        }
+    }
+
+    pub(crate) fn is_standard(&self) -> bool {
+        matches!(self, FileArgument::Standard)
+    }
+
+    /// The path, if it is a file.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        match self {
+            FileArgument::Standard => None,
+            FileArgument::File(path) => Some(path),
+        }
+    }
+
+    /// Whether it is a file that exists.
+    pub(crate) fn exists(&self) -> bool {
+        self.path().is_some_and(Path::exists)
+    }
+
+    /// The file beside it with another extension; standard input has none.
+    pub(crate) fn beside(&self, extension: &str) -> Option<FileArgument> {
+        self.path()
+            .map(|path| FileArgument::File(path.with_extension(extension)))
+    }
+}
+
+/// Formats of a kind, each named by the extension of its files.
+pub(crate) trait Format:
+    FromStr<Err = strum::ParseError> + VariantArray + Into<&'static str> + Copy + Send + Sync + 'static
+{
+}
+
+impl<F> Format for F where
+    F: FromStr<Err = strum::ParseError>
+        + VariantArray
+        + Into<&'static str>
+        + Copy
+        + Send
+        + Sync
+        + 'static
+{
+}
+
+/// Reads the name of a format that is given by an option.
+pub(crate) fn format_parser<F: Format>() -> impl TypedValueParser<Value = F> {
+    PossibleValuesParser::new(names::<F>()).try_map(|name| name.parse())
+}
+
+/// The format of an input, which `option` may give.
+pub(crate) fn format_of_input<F: Format>(
+    file: &FileArgument,
+    option: &str,
+    given: Option<F>,
+) -> Result<F, Failure> {
+    given.or_else(|| by_extension(file)).ok_or_else(|| {
+        let (name, known) = (file.input_name(), names::<F>().join(", "));
+        Failure::Usage(format!(
+            "the format of {name} is not known: add {option} with one of {known}"
+        ))
+    })
+}
+
+/// The format of an output; `given` is that of outputs whose extension tells none.
+pub(crate) fn format_of_output<F: Format>(
+    file: &FileArgument,
+    given: Option<F>,
+) -> Result<F, Failure> {
+    by_extension(file).or(given).ok_or_else(|| {
+        let known = names::<F>().join(", ");
+        let name = match file {
+            FileArgument::Standard => "standard output".to_owned(),
+            FileArgument::File(path) => path.display().to_string(),
+        };
+        Failure::Usage(format!(
+            "the format of {name} is not known: add --output-format with one of {known}"
+        ))
+    })
+}
+
+fn by_extension<F: Format>(file: &FileArgument) -> Option<F> {
+    file.path()?.extension()?.to_str()?.parse().ok()
+}
+
+fn names<F: Format>() -> Vec<&'static str> {
+    F::VARIANTS.iter().map(|&format| format.into()).collect()
+}
+
+/// The regular files that a run has read, named or by implication: none of them may be overwritten.
+#[derive(Default)]
+pub(crate) struct FilesRead(Vec<Identity>);
+
+impl FilesRead {
+    /// Reads all of a file to memory, and notes which one it is.
+    pub(crate) fn load(&mut self, file: &FileArgument) -> Result<Source, ReadError> {
+        let name = file.raw_name();
+        let read = match file {
+            FileArgument::File(path) => read(&name, path),
+            FileArgument::Standard => read_standard_input(&name),
+        };
+        match read {
+            // What is read from text takes about as much memory as the text.
+            Ok((source, _)) if !has_room(source.bytes.len() as u64) => {
+                Err(ReadError::of_file(name, "out of memory"))
+            }
+            Ok((source, identity)) => {
+                self.0.extend(identity);
+                Ok(source)
+            }
+            Err(error) => Err(ReadError::of_file(name, reason(&error))),
+        }
+    }
+
+    /// Whether this file was read.
+    pub(crate) fn has(&self, identity: &Identity) -> bool {
+        self.0.contains(identity)
+    }
+}
+
+fn read(name: &str, path: &Path) -> io::Result<(Source, Option<Identity>)> {
+    let mut file = File::open(path)?;
+    let metadata = file.metadata()?;
+    let source = Source::of_file(name, &mut file)?;
+    let identity = metadata
+        .is_file()
+        .then(|| Identity::there(path, &metadata))
+        .transpose()?;
+    Ok((source, identity))
+}
+
+fn read_standard_input(name: &str) -> io::Result<(Source, Option<Identity>)> {
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    let which = standard_input().filter(|(kind, _)| kind.is_file());
+    let name = name.to_owned();
+    Ok((Source { name, bytes }, which.map(|(_, identity)| identity)))
+}
+
+#[cfg(unix)]
+type Key = (u64, u64);
+#[cfg(not(unix))]
+type Key = std::path::PathBuf;
+
+/// A file, there or still to be made.
+///
+/// On Unix a file is its device and inode, so symbolic and hard links lead to the same one. Elsewhere it is
+/// its canonical path. A file that is still to be made is its folder and its name.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) enum Identity {
+    There(Key),
+    New { folder: Key, name: OsString },
+}
+
+impl Identity {
+    /// The file of this path, links followed; `metadata` are its own.
+    pub(crate) fn there(path: &Path, metadata: &Metadata) -> io::Result<Identity> {
+        key(path, metadata).map(Identity::There)
+    }
+
+    /// The file of this name that will be made in this folder.
+    pub(crate) fn new(folder: &Path, name: OsString) -> io::Result<Identity> {
+        let folder = key(folder, &fs::metadata(folder)?)?;
+        Ok(Identity::New { folder, name })
+    }
+}
+
+/// What kind of file standard input is, and which; only Unix tells.
+fn standard_input() -> Option<(Metadata, Identity)> {
+    #[cfg(unix)]
+    return open(io::stdin());
+    #[cfg(not(unix))]
+    None
+}
+
+/// What kind of file standard output is, and which; only Unix tells.
+pub(crate) fn standard_output() -> Option<(Metadata, Identity)> {
+    #[cfg(unix)]
+    return open(io::stdout());
+    #[cfg(not(unix))]
+    None
+}
+
+#[cfg(unix)]
+fn open(stream: impl std::os::fd::AsFd) -> Option<(Metadata, Identity)> {
+    let file = fs::File::from(stream.as_fd().try_clone_to_owned().ok()?);
+    let metadata = file.metadata().ok()?;
+    let identity = Identity::there(Path::new(""), &metadata).ok()?;
+    Some((metadata, identity))
+}
+
+#[cfg(unix)]
+#[expect(clippy::unnecessary_wraps, reason = "elsewhere it can fail")]
+fn key(_path: &Path, metadata: &Metadata) -> io::Result<Key> {
+    use std::os::unix::fs::MetadataExt;
+    Ok((metadata.dev(), metadata.ino()))
+}
+
+#[cfg(not(unix))]
+fn key(path: &Path, _metadata: &Metadata) -> io::Result<Key> {
+    fs::canonicalize(path)
+}

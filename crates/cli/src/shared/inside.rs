@@ -1,0 +1,240 @@
+//! What of the hull is inside, and results that fill this interior in place of the hull.
+//!
+//! The interior comes from a triangulation of the input, which is proven right before anything is concluded from
+//! it. Its boundary and the edges in it are what the verifier then asks of the result.
+
+use clap::ValueEnum;
+use sweep_cdt::domain::{Domain, DomainError, Rule, locate_seeds};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::{Regions, Verifier, Violation};
+use sweep_cdt::{Triangulation, triangulate};
+use sweep_cdt_formats::{Coordinate, Graph, Triangles};
+
+use super::arithmetic::Given;
+use super::failure::Failure;
+use super::verification::{self, Answer};
+
+/// Arguments that choose the rule.
+#[derive(clap::Args)]
+pub(crate) struct InsideArgs {
+    /// Which triangles are inside; no others are written [default: holes for a .poly with holes, otherwise
+    /// hull]
+    #[arg(long, value_enum, value_name = "RULE")]
+    inside: Option<Inside>,
+}
+
+/// The rules.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Inside {
+    /// All of the convex hull
+    Hull,
+    /// What a path from outside enters by crossing an odd number of edges; one given twice is crossed
+    /// twice. The edges must be closed rings
+    EvenOdd,
+    /// What the edges go round, more often in one direction than in the other; each runs from its first
+    /// vertex to its second. The edges must be closed rings
+    Nonzero,
+    /// What is not reached without crossing an edge, neither from outside nor from the point of a hole in
+    /// the .poly. Triangles have the attributes of its regions
+    Holes,
+}
+
+impl Inside {
+    /// What messages and the command line call it.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Inside::Hull => "hull",
+            Inside::EvenOdd => "even-odd",
+            Inside::Nonzero => "nonzero",
+            Inside::Holes => "holes",
+        }
+    }
+
+    /// The domain of a graph.
+    pub(crate) fn domain<'a, S: Coordinate>(
+        self,
+        graph: &Graph<S>,
+        result: &'a Triangulation,
+    ) -> Result<Domain<'a>, DomainError> {
+        match self {
+            Inside::Hull => result.domain(Rule::Hull),
+            Inside::EvenOdd => result.domain(Rule::EvenOdd),
+            Inside::Nonzero => result.domain(Rule::NonZero(&graph.edges)),
+            Inside::Holes => {
+                let seeds = graph.regions.iter().map(|region| region.seed.clone());
+                let regions: Vec<[S; 2]> = seeds.collect();
+                result.domain_of_seeds(&graph.points, &graph.holes, &regions)
+            }
+        }
+    }
+}
+
+impl InsideArgs {
+    /// The rule for a graph.
+    pub(crate) fn rule<S>(&self, graph: &Graph<S>) -> Inside {
+        self.inside.unwrap_or(if graph.holes.is_empty() {
+            Inside::Hull
+        } else {
+            Inside::Holes
+        })
+    }
+
+    /// The domain, unless it is the hull. `name` is what messages call the input.
+    pub(crate) fn domain<'a, S: Coordinate>(
+        &self,
+        name: &str,
+        graph: &Graph<S>,
+        result: &'a Triangulation,
+    ) -> Result<Option<Domain<'a>>, Failure> {
+        let domain = match self.rule(graph) {
+            Inside::Hull => return Ok(None),
+            rule => rule.domain(graph, result),
+        };
+        let refused = |error| {
+            let way_out = match self.inside {
+                None => " (--inside hull keeps all triangles)",
+                Some(_) => "",
+            };
+            let error = graph.domain_as_numbered(error);
+            Failure::Error(format!("{name}: {error}{way_out}"))
+        };
+        domain.map(Some).map_err(refused)
+    }
+}
+
+/// What a result must fill.
+struct Interior {
+    boundary: Vec<Vec<usize>>,
+    /// How many triangles fill it.
+    triangles: usize,
+    /// The edges in it; of an edge that is in it in part, these parts.
+    edges: Vec<[usize; 2]>,
+    /// For each of them the input edge that it is, or is a part of.
+    numbers: Vec<usize>,
+}
+
+/// Verifies that triangles fill the interior by a rule, and that they have the attributes of its regions, if the result
+/// has any. The first `own` points are the input's, the others added.
+pub(crate) fn verify_interior<S: Coordinate, T: Scalar + Sync>(
+    rule: Inside,
+    given: &Given<'_, S, T>,
+    own: usize,
+    verifier: Verifier<'_>,
+    triangles: &Triangles,
+) -> Result<Answer, Failure> {
+    let interior = Interior::of(rule, given, &proven(given, own)?)?;
+    let list = &triangles.list;
+    let regions = &given.graph.regions;
+    let (Some(attributes), Inside::Holes, false) =
+        (&triangles.attributes, rule, regions.is_empty())
+    else {
+        return Ok(interior.verify(given, verifier, list));
+    };
+    let seeds: Vec<[S; 2]> = regions.iter().map(|region| region.seed.clone()).collect();
+    let places = locate_seeds(&given.graph.points, list, &seeds).into_iter();
+    let seeds = places.zip(regions);
+    let seeds: Vec<(usize, f64)> = seeds
+        .filter_map(|(place, region)| Some((place?, region.attribute)))
+        .collect();
+    let regions = Regions {
+        attributes,
+        seeds: &seeds,
+    };
+    Ok(interior.verify(given, verifier.regions(regions), list))
+}
+
+/// A rule by which triangles that do not fill the hull fill the interior, if there is one. The first `own` points are
+/// the input's.
+pub(crate) fn fitting_rule<S: Coordinate, T: Scalar + Sync>(
+    given: &Given<'_, S, T>,
+    own: usize,
+    verifier: Verifier<'_>,
+    triangles: &[[usize; 3]],
+) -> Option<Inside> {
+    let mut rules = [Inside::Holes, Inside::EvenOdd, Inside::Nonzero];
+    if given.graph.holes.is_empty() {
+        rules.rotate_left(1);
+    }
+    let hull = proven(given, own).ok()?;
+    let is_possible =
+        |interior: &Interior| given.points.len() > own || interior.triangles == triangles.len();
+    rules.into_iter().find(|&rule| {
+        Interior::of(rule, given, &hull).is_ok_and(|interior| {
+            is_possible(&interior) && interior.verify(given, verifier, triangles).is_ok()
+        })
+    })
+}
+
+/// The triangulation of the hull of the first `own` points.
+fn proven<S: Coordinate, T: Scalar + Sync>(
+    given: &Given<'_, S, T>,
+    own: usize,
+) -> Result<Triangulation, Failure> {
+    let (points, edges) = (&given.points[..own], &given.graph.edges);
+    let hull = triangulate(points, edges).map_err(|error| given.refused(error))?;
+    let triangles: Vec<[usize; 3]> = hull.triangles().collect();
+    match verification::verify(Verifier::new(), points, edges, &triangles) {
+        Ok(_) => Ok(hull),
+        Err(violations) => Err(given.failure(violations)),
+    }
+}
+
+impl Interior {
+    fn of<S: Coordinate, T>(
+        rule: Inside,
+        given: &Given<'_, S, T>,
+        hull: &Triangulation,
+    ) -> Result<Interior, Failure> {
+        let graph = given.graph;
+        let domain = rule.domain(graph, hull);
+        let domain = domain.map_err(|error| given.failure(graph.domain_as_numbered(error)))?;
+        let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
+        let mut sides: Vec<[usize; 2]> = domain.constrained_edges().map(sorted).collect();
+        sides.sort_unstable();
+        let is_in = |side: &[usize; 2]| sides.binary_search(&sorted(*side)).is_ok();
+        let mut edges = Vec::new();
+        for (number, &edge) in graph.edges.iter().enumerate() {
+            let chain = hull.edge_chain(number);
+            let parts: Vec<[usize; 2]> = chain
+                .clone()
+                .zip(chain.skip(1))
+                .map(|(a, b)| [a, b])
+                .collect();
+            if parts.iter().all(is_in) {
+                edges.push((edge, number));
+            } else {
+                edges.extend(parts.into_iter().filter(is_in).map(|part| (part, number)));
+            }
+        }
+        let (edges, numbers) = edges.into_iter().unzip();
+        Ok(Interior {
+            boundary: domain.boundary(),
+            triangles: domain.inside().len(),
+            edges,
+            numbers,
+        })
+    }
+
+    fn verify<S, T: Scalar + Sync>(
+        &self,
+        given: &Given<'_, S, T>,
+        verifier: Verifier<'_>,
+        triangles: &[[usize; 3]],
+    ) -> Answer {
+        let verifier = verifier.boundary(&self.boundary);
+        let mut answer = verification::verify(verifier, given.points, &self.edges, triangles);
+        let report = match &mut answer {
+            Ok(report) => report,
+            Err(violations) => {
+                for violation in &mut violations.list {
+                    if let Violation::MissingEdge { edge, .. } = violation {
+                        *edge = self.numbers[*edge];
+                    }
+                }
+                &mut *violations.report
+            }
+        };
+        report.edges = given.graph.edges.len();
+        answer
+    }
+}

@@ -1,0 +1,209 @@
+//! Running the verifier, and what it found in words.
+
+use std::io::{self, Write};
+use std::sync::Mutex;
+
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
+use sweep_cdt_formats::{Coordinate, Graph, Matched, Triangles};
+
+use super::resources::Progress;
+use super::tables::{NAME, NUMBER, rows};
+
+/// The verifier's answer.
+pub(crate) type Answer = Result<Report, Violations>;
+
+/// Verifies on all cores, with a progress bar where that takes long.
+pub(crate) fn verify<T: Scalar + Sync>(
+    verifier: Verifier<'_>,
+    points: &[[T; 2]],
+    edges: &[[usize; 2]],
+    triangles: &[[usize; 3]],
+) -> Answer {
+    let progress = Mutex::new(Progress::new("verifying"));
+    let show = |done, all| {
+        // If another thread is drawing the bar, this report is not needed.
+        if let Ok(mut progress) = progress.try_lock() {
+            progress.show(done, all);
+        }
+    };
+    verifier
+        .progress(&show)
+        .verify_parallel(points, edges, triangles)
+}
+
+/// The counts of an answer.
+pub(crate) fn report(answer: &Answer) -> &Report {
+    match answer {
+        Ok(report) => report,
+        Err(violations) => &violations.report,
+    }
+}
+
+/// The violations of an answer that are listed, and how many there are in all.
+pub(crate) fn violations(answer: &Answer) -> (&[Violation], usize) {
+    match answer {
+        Ok(_) => (&[], 0),
+        Err(violations) => (&violations.list, violations.found),
+    }
+}
+
+/// Writes the verdict on a level: one line.
+pub(crate) fn write_verdict(
+    answer: &Answer,
+    level: Level,
+    result: &str,
+    input: &str,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let what = level.title();
+    match answer {
+        Ok(report) => {
+            write!(out, "correct: {result} is {what} of {input}")?;
+            match (level, report.is_canonical()) {
+                (Level::Delaunay, true) => writeln!(out, ", the canonical one"),
+                (Level::Delaunay, false) => writeln!(out, ", not the canonical one"),
+                _ => writeln!(out),
+            }
+        }
+        Err(violations) => {
+            let found = violations.found;
+            let plural = if found == 1 { "" } else { "s" };
+            writeln!(
+                out,
+                "wrong: {result} is not {what} of {input}: {found} violation{plural}"
+            )
+        }
+    }
+}
+
+/// Writes the verdict on a result that is wrong by no more than `max_depth`: one line.
+pub(crate) fn write_rounded(
+    found: usize,
+    greatest: Depth,
+    [max_depth, what]: [&str; 2],
+    [result, input]: [&str; 2],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let plural = if found == 1 { "" } else { "s" };
+    writeln!(
+        out,
+        "up to {max_depth}: {result} is {what} of {input}, but not exactly: \
+         {found} violation{plural}, the deepest by {greatest}"
+    )
+}
+
+/// The name of the highest level reached.
+pub(crate) fn reached(report: &Report) -> &'static str {
+    report.level.map_or("none", Level::name)
+}
+
+/// Writes how the vertices of the result were matched with those of the input: one line.
+pub(crate) fn write_matching(matched: Matched, out: &mut impl Write) -> io::Result<()> {
+    let why = match matched {
+        Matched::Single { .. } => ", which are of single precision",
+        Matched::Unplaced => ": the result has no coordinates",
+        Matched::Rounded { .. } => ", because coordinates are rounded",
+        Matched::Near { .. } => ", within --tolerance",
+        Matched::Asked { .. } => ", because of --by-number",
+        _ => "",
+    };
+    write!(out, "vertices matched by {}{why}", matched.by())?;
+    match matched.difference() {
+        Some(difference) => writeln!(out, ": greatest difference {}", difference.text()),
+        None => writeln!(out),
+    }
+}
+
+/// Writes the counts.
+pub(crate) fn write_counts(report: &Report, out: &mut impl Write) -> io::Result<()> {
+    let size = |number: usize| number as u64;
+    rows(
+        out,
+        &[
+            ("points", size(report.points)),
+            ("distinct points", size(report.distinct_points)),
+            ("edges", size(report.edges)),
+            ("triangles", size(report.triangles)),
+            ("boundary sides", size(report.boundary_sides)),
+            ("constrained sides", size(report.constrained_sides)),
+            ("free sides", size(report.free_sides)),
+            ("cocircular ties", size(report.cocircular_sides)),
+            ("ties not canonical", size(report.uncanonical_sides)),
+        ],
+    )?;
+    if report.added_points > 0 {
+        let added = ("added points", size(report.added_points));
+        rows(out, &[added, ("split edges", size(report.split_edges))])?;
+    }
+    writeln!(out, "{:NAME$}{:>NUMBER$}", "highest level", reached(report))?;
+    let all = (report.filtered + report.exact).max(1);
+    for (name, number) in [("by filter", report.filtered), ("exact", report.exact)] {
+        let share = 100.0 * number as f64 / all as f64;
+        writeln!(
+            out,
+            "{:NAME$}{share:>NUMBER$.3} %",
+            format!("signs: {name}")
+        )?;
+    }
+    Ok(())
+}
+
+/// Writes how many violations are how deep, by decades.
+pub(crate) fn write_depths(answer: &Answer, out: &mut impl Write) -> io::Result<()> {
+    let Err(violations) = answer else {
+        return Ok(());
+    };
+    let Some(greatest) = violations.depths.greatest else {
+        return Ok(());
+    };
+    writeln!(out, "\ndepths of violations")?;
+    for (&decade, &count) in &violations.depths.decades {
+        let name = format!("1e{decade} to 1e{}", decade + 1);
+        rows(out, &[(&name, count as u64)])?;
+    }
+    match violations.found - violations.depths.measured() {
+        0 => {}
+        others => rows(out, &[("not measured", others as u64)])?,
+    }
+    let greatest = greatest.to_string();
+    writeln!(out, "{:NAME$}{greatest:>NUMBER$}", "the deepest")
+}
+
+/// Writes the violations, with all things numbered as in their files and where they are.
+pub(crate) fn write_violations<S: Coordinate>(
+    answer: &Answer,
+    graph: &Graph<S>,
+    triangles: &Triangles,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let (list, found) = violations(answer);
+    for &violation in list {
+        let numbered = triangles.as_numbered(graph, violation);
+        writeln!(out, "\n{}: {numbered}", violation.name())?;
+        let places: Vec<String> = triangles
+            .vertices_of(graph, violation)
+            .into_iter()
+            .map(|v| {
+                let [x, y] = graph.points[v].each_ref().map(S::text);
+                format!("{} ({x}, {y})", v + graph.first_vertex)
+            })
+            .collect();
+        if !places.is_empty() {
+            writeln!(out, "  {}", places.join(", "))?;
+        }
+        if let Some(depth) = violation.depth() {
+            let unit = match violation {
+                Violation::NotDelaunay { .. } => "of the squared radius",
+                _ => "of the distance of the vertices beside it",
+            };
+            writeln!(out, "  by {depth} {unit}")?;
+        }
+    }
+    match found - list.len() {
+        0 => {}
+        more if list.is_empty() => writeln!(out, "\n{more} violations are not listed")?,
+        more => writeln!(out, "\nand {more} more")?,
+    }
+    Ok(())
+}

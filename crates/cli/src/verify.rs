@@ -1,0 +1,357 @@
+//! `sweep-cdt verify`: is it a constrained Delaunay triangulation?
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::verify::{Level, Verifier};
+use sweep_cdt_draw::ViolationsPicture;
+use sweep_cdt_formats::{Coordinate, Graph, Input, Matching, ResultError, added_points};
+
+use crate::certificate::{self, Fingerprint, Subject};
+use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
+use crate::shared::arithmetic::{Given, Job, ScalarArgs};
+use crate::shared::failure::Failure;
+use crate::shared::files::FilesRead;
+use crate::shared::inside::{Inside, fitting_rule, verify_interior};
+use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
+use crate::shared::verification::{self, violations};
+
+/// Reads the name of a level.
+fn level_parser() -> impl TypedValueParser<Value = Level> {
+    let named = |name: String| Level::ALL.into_iter().find(|level| level.name() == name);
+    PossibleValuesParser::new(Level::ALL.map(Level::name))
+        .map(move |name| named(name).expect("one of the possible values"))
+}
+
+/// Verify a triangulation made by any program
+///
+/// Proves by exact arithmetic that the triangles are a constrained Delaunay triangulation of the input,
+/// or says what is wrong and where. In a correct one the triangles tile the convex hull of the points (or
+/// the interior, by --domain), every point there is a corner, every edge there is a side (or a chain of
+/// sides, where points lie on it), and every other side is locally Delaunay.
+#[derive(clap::Args)]
+#[command(after_long_help = AFTER_HELP)]
+pub(crate) struct Verify {
+    #[command(flatten)]
+    input: InputArgs,
+
+    #[command(flatten)]
+    result: ResultArgs,
+
+    #[command(flatten)]
+    scalar: ScalarArgs,
+
+    /// What the triangles must tile
+    ///
+    /// The interior is found from a triangulation of the input, which is itself verified first. Which way
+    /// its rings run does not matter but for nonzero. Points and edges outside of it need not be used.
+    #[arg(long, value_enum, value_name = "RULE", default_value_t = Inside::Hull)]
+    domain: Inside,
+
+    /// What the triangles must reach: tiling, constrained (and every edge is there), delaunay, or canonical
+    ///
+    /// Each includes those before it. Violations of higher ones are not reported. The report names the
+    /// highest one reached.
+    #[arg(long, value_name = "LEVEL", value_parser = level_parser(), default_value = "delaunay")]
+    level: Level,
+
+    /// Accept triangles that are all clockwise
+    #[arg(long)]
+    clockwise: bool,
+
+    /// By how much a coordinate of the result may differ from the input's [default: by rounding]
+    ///
+    /// Applies where the vertices of the result are not exactly those of the input: they are then matched
+    /// by number, if no coordinate differs by more. By default each must be the coordinate of the input,
+    /// rounded to as many significant digits as the result has for it, 6 or more.
+    #[arg(long, value_name = "DIFFERENCE", value_parser = difference, conflicts_with = "by_number")]
+    tolerance: Option<f64>,
+
+    /// Match vertices by number, whatever their coordinates
+    #[arg(long)]
+    by_number: bool,
+
+    /// Allow for vertices that the input lacks (Steiner points)
+    ///
+    /// They must lie in the hull of the input's points, or in the interior asked for. Edges may be split by
+    /// them, at points exactly on them. All other vertices must be the input's, exactly.
+    #[arg(long, conflicts_with_all = ["by_number", "tolerance"])]
+    steiner: bool,
+
+    /// How deep violations may be that count as rounding [default: none]
+    ///
+    /// The depth of a side that is not Delaunay is how far the opposite vertex lies in the circle: its power in
+    /// units of the square of the radius. That of a concave turn of the hull is the height of its vertex over the
+    /// line between the two beside it, in units of their distance. Rounding makes depths of about 1e-16. A
+    /// result with none beyond this is not correct, but gets a verdict and an exit status of its own.
+    #[arg(long, value_name = "DEPTH", value_parser = difference)]
+    max_depth: Option<f64>,
+
+    /// How many violations to list
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    limit: usize,
+
+    /// Print the certificate instead of the report
+    #[arg(long)]
+    json: bool,
+
+    /// Draw a picture, with close-ups of the first violations
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+
+    /// Write a certificate: the SHA-256 of the files, the counts and the verdict, as JSON
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+}
+
+const AFTER_HELP: &str = "\
+Result:
+  .ele     Triangle's triangles, numbered from 0 or 1, and the .node beside it, if there is one
+  .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; numbered from 0; with
+           \"points\": [[x, y], ...] or without. Also simplices or faces, and vertices
+  .obj, .off, .ply, .vtk, .vtu, .msh
+           vertices and faces; z is ignored. .ply, .vtk and .vtu may be binary
+  .stl, .geojson, .wkt
+           triangles by the coordinates of their corners, and no others; .stl may be binary
+  If the result has coordinates, its vertices are matched with those of the input by them, exactly
+  and in any order. If it has none, they are matched by number. Rounded ones are matched by number
+  too, and the report says by how much they differ. A result with other vertices is refused; see
+  --tolerance and --by-number.
+
+Violations:
+  triangle-out-of-range, edge-out-of-range    a vertex that does not exist
+  flat-triangle, reversed-triangle            corners that are not counter-clockwise
+  repeated-side                               two triangles that lie on the same side of a side
+  pinched-boundary, extra-boundary,
+  concave-boundary, winding-boundary          triangles that do not cover the convex hull once
+  undeclared-boundary, missing-boundary,
+  tangled-boundary                            triangles that do not cover the interior once
+  unused-point, no-triangles, wrong-count     points that are not corners
+  added-outside                               a vertex that --steiner allows, outside of the hull
+  missing-edge                                an input edge that is not a chain of sides
+  wrong-region                                an attribute that is not that of the region, with --domain holes
+  not-delaunay                                a side that should be flipped
+  not-canonical                               ties that end at another vertex, with --level canonical
+
+Exit status:
+  0  correct   1  wrong, or a file cannot be read   2  wrong usage
+  3  wrong, but no violation is deeper than --max-depth
+
+Examples:
+  triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
+  sweep-cdt verify polygon.json earcut.json --domain even-odd --level constrained
+  triangle -pqz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes --steiner
+  triangle -pz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes
+  sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --certificate terrain.verified.json";
+
+impl Verify {
+    /// Runs the subcommand.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let files = [&self.input.input, &self.result.result];
+        if files.iter().all(|file| file.is_standard()) {
+            let message = "only one of INPUT and RESULT can be standard input";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let svg = self.svg.clone().map(Destination::of_path).transpose()?;
+        let certificate = self.certificate.clone().map(Destination::of_path);
+        let certificate = certificate.transpose()?;
+        let standard = Destination::standard();
+        refuse_twice([&standard].into_iter().chain(&svg).chain(&certificate))?;
+        let mut read = FilesRead::default();
+        let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
+        let mut input = self
+            .input
+            .read(&mut read, |source| of_input.push(Fingerprint::of(source)))?;
+        let result = self
+            .result
+            .load(&mut read, |source| of_result.push(Fingerprint::of(source)))?;
+        refuse_read(&read, svg.iter().chain(&certificate))?;
+        let own = self.with_added(&mut input, &result)?;
+        let run = Run {
+            arguments: self,
+            result,
+            own,
+            of_input: &of_input,
+            of_result: &of_result,
+            svg,
+            certificate,
+        };
+        self.scalar.apply(&self.input.name(), &input, run)
+    }
+
+    /// Gives the input the vertices that the result has added, if these are allowed. Returns how many are its own.
+    fn with_added(&self, input: &mut Input, result: &ResultFiles) -> Result<usize, Failure> {
+        match input {
+            Input::Doubles(graph) => self.with_added_to(graph, result),
+            Input::Rationals(graph) => self.with_added_to(graph, result),
+        }
+    }
+
+    fn with_added_to<S: Coordinate>(
+        &self,
+        graph: &mut Graph<S>,
+        result: &ResultFiles,
+    ) -> Result<usize, Failure> {
+        let own = graph.points.len();
+        if self.steiner {
+            let added = added_points(result.format, &result.source, result.node.as_ref(), graph);
+            graph.points.extend(added.map_err(|error| refusal(&error))?);
+        }
+        Ok(own)
+    }
+}
+
+/// A run with files that are read.
+struct Run<'a> {
+    arguments: &'a Verify,
+    result: ResultFiles,
+    /// How many points are the input's own; the others were added.
+    own: usize,
+    of_input: &'a [Fingerprint],
+    of_result: &'a [Fingerprint],
+    svg: Option<Destination>,
+    certificate: Option<Destination>,
+}
+
+impl Job for Run<'_> {
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+        let Given {
+            graph,
+            points,
+            scalar,
+            ..
+        } = given;
+        let ResultFiles {
+            format,
+            source,
+            node,
+        } = self.result;
+        let arguments = self.arguments;
+        // The result is read in the type of the input, so that equal coordinates match.
+        let matching = Matching::new().by_number(arguments.by_number);
+        let matching = match arguments.tolerance {
+            Some(tolerance) => matching.tolerance(tolerance),
+            None => matching,
+        };
+        let triangles = matching
+            .read(format, &source, node.as_ref(), graph)
+            .map_err(|error| refusal(&error))?;
+        let verifier = Verifier::new()
+            .accept_clockwise(arguments.clockwise)
+            .level(arguments.level)
+            .all_depths(arguments.max_depth.is_some())
+            .limit(arguments.limit);
+        let verifier = if arguments.steiner {
+            verifier.added_from(self.own)
+        } else {
+            verifier
+        };
+        let (answer, fitting) = match arguments.domain {
+            Inside::Hull => {
+                let answer = verification::verify(verifier, points, &graph.edges, &triangles.list);
+                let fitting = match &answer {
+                    Ok(_) => None,
+                    Err(_) => fitting_rule(&given, self.own, verifier, &triangles.list),
+                };
+                (answer, fitting)
+            }
+            rule => {
+                let answer = verify_interior(rule, &given, self.own, verifier, &triangles)?;
+                (answer, None)
+            }
+        };
+
+        // What is wrong by no more than is allowed for.
+        let within = arguments.max_depth.and_then(|max| {
+            let violations = answer.as_ref().err()?;
+            let greatest = violations.depth().filter(|depth| depth.get() <= max)?;
+            Some((violations.found, greatest, format!("{max:e}")))
+        });
+        let subject = Subject {
+            input: self.of_input,
+            result: self.of_result,
+            scalar,
+            domain: arguments.domain.name(),
+            level: arguments.level.name(),
+            clockwise: arguments.clockwise,
+            steiner: arguments.steiner,
+            max_depth: arguments.max_depth,
+            is_within: within.is_some(),
+            graph,
+            triangles: &triangles,
+        };
+        let mut outputs = Outputs::default();
+        if let Some(certificate) = self.certificate {
+            outputs.add(certificate, |out| {
+                certificate::write(&subject, &answer, out)
+            })?;
+        }
+        if let Some(svg) = self.svg {
+            outputs.add(svg, |out| {
+                let (list, found) = violations(&answer);
+                ViolationsPicture::new(graph, &triangles, list)
+                    .found(found)
+                    .write(out)
+            })?;
+        }
+        outputs.add(Destination::standard(), |out| {
+            if arguments.json {
+                return certificate::write(&subject, &answer, out);
+            }
+            let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
+            let interior = |rule: Inside| format!("the interior of {input} ({})", rule.name());
+            let verified = match arguments.domain {
+                Inside::Hull => input.clone(),
+                rule => interior(rule),
+            };
+            if let Some((found, greatest, max)) = &within {
+                let what = [max, arguments.level.title()];
+                let files = [&*result, &*verified];
+                verification::write_rounded(*found, *greatest, what, files, out)?;
+            } else {
+                verification::write_verdict(&answer, arguments.level, &result, &verified, out)?;
+            }
+            if let Some(rule) = fitting {
+                let (interior, name) = (interior(rule), rule.name());
+                writeln!(out, "it is one of {interior}: ask with --domain {name}")?;
+            }
+            verification::write_matching(triangles.matched, out)?;
+            writeln!(out)?;
+            verification::write_counts(verification::report(&answer), out)?;
+            verification::write_depths(&answer, out)?;
+            verification::write_violations(&answer, graph, &triangles, out)
+        })?;
+        outputs.finish()?;
+        match answer {
+            Ok(_) => Ok(()),
+            Err(_) if within.is_some() => Err(Failure::Rounded),
+            Err(_) => Err(Failure::Wrong),
+        }
+    }
+}
+
+/// Reads a difference.
+fn difference(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    let is_difference = value.is_finite() && value >= 0.0;
+    is_difference
+        .then_some(value)
+        .ok_or_else(|| "not a finite number from 0 on".to_owned())
+}
+
+/// The failure of a result that is not read, with a way out where there is one.
+fn refusal(error: &ResultError) -> Failure {
+    let way_out = match error {
+        ResultError::Stranger { .. } => {
+            " (--steiner allows for vertices that were added, --by-number ignores coordinates)"
+        }
+        ResultError::Elsewhere { .. } => {
+            " (--tolerance allows for more, --by-number ignores coordinates)"
+        }
+        _ => "",
+    };
+    Failure::Error(format!("{error}{way_out}"))
+}

@@ -1,0 +1,42 @@
+//! A polygon triangulated and drawn.
+//!
+//!     cargo run --release --example polygon -- star.svg
+//!
+//! The sides of the polygon are edges of the input. The result covers the convex hull; the triangles inside the
+//! polygon are a domain of it.
+
+use std::error::Error;
+use std::fs::File;
+use std::io::BufWriter;
+
+use sweep_cdt::domain::Rule;
+use sweep_cdt::triangulate;
+use sweep_cdt_draw::Output;
+use sweep_cdt_formats::Graph;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let path = std::env::args().nth(1).unwrap_or("star.svg".to_owned());
+    let points: Vec<[f64; 2]> = (0..10).map(corner).collect();
+    let edges: Vec<[usize; 2]> = (0..10).map(|v| [v, (v + 1) % 10]).collect();
+    let result = triangulate(&points, &edges)?;
+    let star = result.domain(Rule::EvenOdd)?;
+    let (all, inside) = (result.len(), star.inside().len());
+    println!("{all} triangles, {inside} inside the star");
+
+    let graph = Graph {
+        points,
+        edges,
+        ..Graph::default()
+    };
+    let mut file = BufWriter::new(File::create(&path)?);
+    Output::Svg.write_domain(&graph, &star, &mut file)?;
+    println!("drawn to {path}");
+    Ok(())
+}
+
+/// Corner `i` of a star with five points.
+fn corner(i: u8) -> [f64; 2] {
+    let radius = if i.is_multiple_of(2) { 10.0 } else { 4.0 };
+    let (sine, cosine) = (f64::from(i) * std::f64::consts::PI / 5.0).sin_cos();
+    [radius * sine, radius * cosine]
+}

@@ -1,0 +1,24 @@
+//! Pictures, as SVG, of a result, of what is wrong with one, and of edges that cross; and of the steps of a trace, as SVG or as
+//! a page for a browser.
+
+mod close_up;
+mod crossings;
+mod output;
+mod panels;
+mod result;
+mod steps;
+mod style;
+mod svg;
+mod violations;
+mod window;
+
+pub use crossings::CrossingsPicture;
+pub use output::Output;
+pub use result::ResultPicture;
+pub use steps::{StepsPage, StepsSheet};
+pub use violations::ViolationsPicture;
+
+/// The example of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,149 @@
+//! Measuring: a cell, which is an input on which all variants run, and the rows that they give.
+
+mod row;
+mod triangle;
+mod variant;
+mod watched;
+
+use std::error::Error;
+use std::path::PathBuf;
+
+use sweep_cdt_generate::Kind;
+use sweep_cdt_testing::{Input, data};
+
+pub(crate) use row::Row;
+pub(crate) use triangle::TRIANGLE;
+pub(crate) use variant::Variant;
+
+/// Where the points come from.
+#[derive(Clone, Debug)]
+pub(crate) enum Source {
+    Kind(Kind),
+    /// A `.poly` file.
+    File(PathBuf),
+}
+
+/// An input, before it is made.
+#[derive(Clone, Debug)]
+pub(crate) struct Cell {
+    pub(crate) source: Source,
+    /// Points asked for; 0 for a file, which has as many as it has.
+    pub(crate) size: usize,
+}
+
+/// A variant whose time grows with the length of the front is left out where points times the mean length
+/// exceed this.
+const LONGEST: f64 = 2e9;
+
+impl Cell {
+    /// The name of the data.
+    pub(crate) fn data(&self) -> String {
+        match &self.source {
+            Source::Kind(kind) => kind.name.to_owned(),
+            Source::File(path) => {
+                let stem = path.file_stem().unwrap_or_default();
+                stem.to_string_lossy().into_owned()
+            }
+        }
+    }
+
+    /// Runs all variants once, in turn, to count, and as often as asked for in turn for the time.
+    ///
+    /// # Errors
+    /// If a variant cannot triangulate the input, or two differ in the result.
+    pub(crate) fn run(
+        &self,
+        variants: &[Variant],
+        seed: u64,
+        repetitions: usize,
+    ) -> Result<Vec<Row>, Box<dyn Error>> {
+        let input = match &self.source {
+            Source::Kind(kind) => kind.graph(self.size, seed).into(),
+            Source::File(path) => data::poly(path),
+        };
+        let mut rows: Vec<Row> = Vec::new();
+        for variant in variants {
+            let row = self.count(variant, &input, &rows)?;
+            rows.push(row);
+        }
+        let mut runs = vec![Vec::new(); variants.len()];
+        for turn in 0..repetitions {
+            // Each variant comes first in some turn.
+            for i in (0..variants.len()).map(|i| (i + turn) % variants.len()) {
+                if !rows[i].is_left_out {
+                    runs[i].push(variants[i].time(&input)?);
+                }
+            }
+        }
+        for (row, runs) in rows.iter_mut().zip(&runs) {
+            row.time(runs);
+        }
+        Ok(rows)
+    }
+
+    /// The row of a variant without its times; `before` are those of others on the same input.
+    fn count(
+        &self,
+        variant: &Variant,
+        input: &Input,
+        before: &[Row],
+    ) -> Result<Row, Box<dyn Error>> {
+        let mut row = Row {
+            data: self.data(),
+            size: self.size,
+            variant: variant.name.clone(),
+            points: input.points.len(),
+            edges: input.edges.len(),
+            ..Row::default()
+        };
+        let counted = before.iter().find(|row| !row.is_left_out);
+        let longest = counted.map_or(0.0, |row| row.points as f64 * row.front_mean);
+        if variant.is_linear && longest > LONGEST {
+            row.is_left_out = true;
+            return Ok(row);
+        }
+        variant.count(input, &mut row)?;
+        // What another program answers is verified instead.
+        let differs = |other: &&Row| !row.result.is_empty() && other.result != row.result;
+        if let Some(other) = counted.filter(differs) {
+            let (here, there) = (&row.variant, &other.variant);
+            return Err(format!("{}: {here} and {there} differ in the result", row.data).into());
+        }
+        Ok(row)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cell, Source, Variant};
+    use sweep_cdt_generate::KINDS;
+
+    const CELL: Cell = Cell {
+        source: Source::Kind(KINDS[0]),
+        size: 10,
+    };
+
+    #[test]
+    fn variants_that_differ_in_the_result_are_an_error() {
+        let [one, two] = ["one", "two"].map(|result| Variant::pretended(result, 9.0, false));
+        let error = CELL.run(&[one, two], 1, 1).expect_err("they differ");
+        assert_eq!(
+            error.to_string(),
+            "uniform: two and one differ in the result"
+        );
+    }
+
+    #[test]
+    fn what_would_take_very_long_is_left_out() {
+        for (front_mean, expected) in [(1999.0, [false, false]), (2001.0, [false, true])] {
+            let variants =
+                [false, true].map(|linear| Variant::pretended("same", front_mean, linear));
+            let rows = CELL.run(&variants, 1, 3).expect("they agree");
+            assert_eq!([0, 1].map(|i| rows[i].is_left_out), expected);
+            let repetitions = expected.map(|is_left_out| if is_left_out { 0 } else { 3 });
+            assert_eq!([0, 1].map(|i| rows[i].repetitions), repetitions);
+            // What was not run knows its input, which has ten points.
+            assert_eq!(rows[1].points == 10, expected[1]);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! Shewchuk's program Triangle as a variant, for the paper's table 1, which has it as LS-D&C: on its own mesh and
+//! with its own signs, so it compares programs and not algorithms.
+//!
+//! It runs as a process of its own. Its time is what it prints for the triangulation and the segments, whole
+//! milliseconds on the clock, without reading and writing. Of equal diagonals it may choose others than this crate
+//! does. So its result is not compared with those of the other variants, but verified.
+
+use std::error::Error;
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+use std::{fs, io};
+
+use sweep_cdt::verify::verify;
+use sweep_cdt_formats::{Graph, InputFormat, ResultFormat, Source, read_result, write_graph};
+use sweep_cdt_testing::Input;
+
+use super::row::{Row, Timed};
+use super::variant::Variant;
+
+/// What the variant is called.
+pub(crate) const TRIANGLE: &str = "Triangle";
+
+impl Variant {
+    /// Triangle, as this program.
+    pub(crate) fn triangle(program: &Path) -> Variant {
+        let (counted, timed) = (program.to_owned(), program.to_owned());
+        Variant::new(
+            TRIANGLE,
+            move |input, row| count(&counted, input, row),
+            move |input| {
+                let folder = tempfile::tempdir()?;
+                let printed = run(&timed, "-pcNEP", folder.path(), &graph(input))?;
+                Ok(Timed {
+                    processor: Some(milliseconds(&printed)?),
+                    ..Timed::default()
+                })
+            },
+        )
+    }
+}
+
+/// Runs it once and verifies its result.
+fn count(program: &Path, input: &Input, row: &mut Row) -> Result<(), Box<dyn Error>> {
+    let (folder, graph) = (tempfile::tempdir()?, graph(input));
+    run(program, "-pcNP", folder.path(), &graph)?;
+    let source = Source {
+        name: TRIANGLE.to_owned(),
+        bytes: fs::read(folder.path().join("input.1.ele"))?,
+    };
+    let triangles = read_result(ResultFormat::Ele, &source, None, &graph)?;
+    let report = verify(&input.points, &input.edges, &triangles.list)?;
+    row.triangles = report.triangles;
+    Ok(())
+}
+
+fn graph(input: &Input) -> Graph<f64> {
+    Graph {
+        points: input.points.clone(),
+        edges: input.edges.clone(),
+        ..Graph::default()
+    }
+}
+
+/// What it prints.
+fn run(
+    program: &Path,
+    options: &str,
+    folder: &Path,
+    graph: &Graph<f64>,
+) -> Result<String, Box<dyn Error>> {
+    let path = folder.join("input.poly");
+    let mut file = io::BufWriter::new(fs::File::create(&path)?);
+    write_graph(InputFormat::Poly, graph, &mut file)?;
+    io::Write::flush(&mut file)?;
+    let output = Command::new(program).arg(options).arg(&path).output();
+    let output = output.map_err(|error| format!("{}: {error}", program.display()))?;
+    if !output.status.success() {
+        return Err(format!("{}: {}", program.display(), output.status).into());
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// The times of the triangulation and of the segments.
+fn milliseconds(printed: &str) -> Result<Duration, Box<dyn Error>> {
+    let of = |what: &str| -> Result<u64, Box<dyn Error>> {
+        let line = format!("{what} milliseconds:");
+        let number = printed.lines().find_map(|text| text.strip_prefix(&line));
+        Ok(number
+            .ok_or(format!("no `{line}` of {TRIANGLE}"))?
+            .trim()
+            .parse()?)
+    };
+    Ok(Duration::from_millis(of("Delaunay")? + of("Segment")?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::milliseconds;
+
+    #[test]
+    fn times_are_read_from_what_is_printed() {
+        let printed = "Opening a.poly.\nDelaunay milliseconds:  27\nRecovering segments.\n\
+                       Segment milliseconds:  5\nOutput milliseconds:  9\n";
+        assert_eq!(milliseconds(printed).expect("both").as_millis(), 32);
+        assert!(milliseconds("Delaunay milliseconds:  27\n").is_err());
+    }
+}

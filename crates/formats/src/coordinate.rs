@@ -1,0 +1,198 @@
+//! Coordinates as text: doubles, and rationals, the exact scalar of files with fractions in them.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use sweep_cdt::scalar::Scalar;
+
+/// A scalar that files can hold.
+pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
+    /// The value of a token such as `12`, `-0.5`, `1e-3` or `2/3`.
+    ///
+    /// # Errors
+    /// See [`CoordinateError`].
+    fn from_text(token: &str) -> Result<Self, CoordinateError>;
+
+    /// The value of a double, as binary files hold it.
+    ///
+    /// # Errors
+    /// See [`CoordinateError`]: the type has no such value.
+    fn from_double(value: f64) -> Result<Self, CoordinateError>;
+
+    /// The shortest text from which [`from_text`](Coordinate::from_text) makes the same value again.
+    fn text(&self) -> String;
+
+    /// Appends [`text`](Coordinate::text) to a text.
+    fn write_text(&self, text: &mut Vec<u8>) {
+        text.extend_from_slice(self.text().as_bytes());
+    }
+}
+
+/// Why a token gives no coordinate: a sentence that begins with the token.
+///
+/// ```
+/// use sweep_cdt_formats::Coordinate;
+///
+/// let error = f64::from_text("1,5").unwrap_err();
+/// assert_eq!(format!("`1,5` {error}"), "`1,5` is not a coordinate");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CoordinateError {
+    /// It is not a number.
+    #[error("is not a coordinate")]
+    NotANumber,
+    /// It is a fraction, and the type has none.
+    #[error("is a fraction")]
+    Fraction,
+    /// It is a number beyond the largest double.
+    #[error("is too large for a double")]
+    TooLarge,
+    /// It has more digits than are read.
+    #[error("has too many digits")]
+    TooLong,
+}
+
+/// The nearest double. `nan` and `inf` are read too, for the library to refuse them.
+///
+/// ```
+/// use sweep_cdt_formats::{Coordinate, CoordinateError};
+///
+/// assert_eq!(f64::from_text("-1e-3"), Ok(-0.001));
+/// assert_eq!(f64::from_text("2/3"), Err(CoordinateError::Fraction));
+/// assert_eq!(f64::from_text("1e400"), Err(CoordinateError::TooLarge));
+/// assert_eq!(0.1.text(), "0.1");
+/// assert_eq!(4e300.text(), "4e300");
+/// assert_eq!(7.0.text(), "7");
+/// ```
+impl Coordinate for f64 {
+    fn from_text(token: &str) -> Result<Self, CoordinateError> {
+        match token.parse::<f64>() {
+            // `inf` is not a number too large, but none.
+            Ok(value) if value.is_infinite() && token.contains(|c: char| c.is_ascii_digit()) => {
+                Err(CoordinateError::TooLarge)
+            }
+            Ok(value) => Ok(value),
+            Err(_) if token.contains('/') => Err(CoordinateError::Fraction),
+            Err(_) => Err(CoordinateError::NotANumber),
+        }
+    }
+
+    fn from_double(value: f64) -> Result<Self, CoordinateError> {
+        Ok(value)
+    }
+
+    fn text(&self) -> String {
+        let mut text = Vec::new();
+        self.write_text(&mut text);
+        String::from_utf8(text).expect("digits and signs")
+    }
+
+    fn write_text(&self, text: &mut Vec<u8>) {
+        // `itoa` and `zmij` are faster than the standard library. All digits of a whole number below 2^53 tell
+        // it from the doubles beside it. The text of `zmij` is the same but for exponents, and where two shortest
+        // texts are equally near. There a number has at most 18 digits, and every one of this size that is no
+        // multiple of 2^-24 has more.
+        let (mut whole, mut fast, slow);
+        let is_plain = (1e-4..1e15).contains(&self.abs());
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "it is whole and below 2^53"
+        )]
+        let number = if is_plain && self.fract() == 0.0 {
+            whole = itoa::Buffer::new();
+            whole.format(*self as i64)
+        } else if is_plain && (self * f64::from(1 << 24)).fract() != 0.0 {
+            fast = zmij::Buffer::new();
+            fast.format_finite(*self)
+        } else {
+            // Unlike `{}`, `{:?}` writes powers of ten where they are shorter.
+            slow = format!("{self:?}");
+            slow.strip_suffix(".0").unwrap_or(&slow)
+        };
+        text.extend_from_slice(number.as_bytes());
+    }
+}
+
+/// How many digits a numerator or a denominator may have. A double needs at most 1,100.
+const MAX_DIGITS: usize = 10_000;
+
+/// A decimal means just what it says: `0.1` is one tenth, not the double near it.
+///
+/// ```
+/// use num_rational::BigRational;
+/// use sweep_cdt_formats::Coordinate;
+///
+/// assert_eq!(BigRational::from_text("0.25e1"), BigRational::from_text("10/4"));
+/// assert_eq!(BigRational::from_text("-2/6").unwrap().text(), "-1/3");
+/// ```
+impl Coordinate for BigRational {
+    fn from_text(token: &str) -> Result<Self, CoordinateError> {
+        let unsigned = token.strip_prefix(['-', '+']).unwrap_or(token);
+        let (numerator, denominator) = match unsigned.split_once('/') {
+            Some((numerator, denominator)) => (numerator.to_owned(), denominator.to_owned()),
+            None => decimal(unsigned)?,
+        };
+        let is_number =
+            |digits: &str| !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit());
+        if !is_number(&numerator) || !is_number(&denominator) {
+            return Err(CoordinateError::NotANumber);
+        }
+        if numerator.len().max(denominator.len()) > MAX_DIGITS {
+            return Err(CoordinateError::TooLong);
+        }
+        if denominator.bytes().all(|digit| digit == b'0') {
+            return Err(CoordinateError::NotANumber);
+        }
+        let value = fraction(&numerator, &denominator).ok_or(CoordinateError::NotANumber)?;
+        Ok(if token.starts_with('-') {
+            -value
+        } else {
+            value
+        })
+    }
+
+    fn from_double(value: f64) -> Result<Self, CoordinateError> {
+        BigRational::from_float(value).ok_or(CoordinateError::NotANumber)
+    }
+
+    fn text(&self) -> String {
+        let text = self.to_string();
+        // A whole number that is not a double is written as a fraction: a file of whole numbers alone is
+        // read as doubles, which would round it.
+        if text.contains('/') || BigRational::from_float(self.approx()).as_ref() == Some(self) {
+            text
+        } else {
+            format!("{text}/1")
+        }
+    }
+}
+
+/// Numerator and denominator of an unsigned decimal.
+fn decimal(token: &str) -> Result<(String, String), CoordinateError> {
+    let (mantissa, exponent) = token.split_once(['e', 'E']).unwrap_or((token, "0"));
+    let (whole, digits) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let exponent = exponent
+        .parse::<i32>()
+        .map_err(|_| CoordinateError::NotANumber)?;
+    if digits.len().max(exponent.unsigned_abs() as usize) > MAX_DIGITS {
+        return Err(CoordinateError::TooLong);
+    }
+    let mut numerator = [whole, digits].concat();
+    let mut denominator = format!("1{}", "0".repeat(digits.len()));
+    let longer = if exponent < 0 {
+        &mut denominator
+    } else {
+        &mut numerator
+    };
+    if !longer.is_empty() {
+        longer.push_str(&"0".repeat(exponent.unsigned_abs() as usize));
+    }
+    Ok((numerator, denominator))
+}
+
+/// The quotient of two strings of decimal digits, the second not zero.
+fn fraction(numerator: &str, denominator: &str) -> Option<BigRational> {
+    let parts: (BigInt, BigInt) = (numerator.parse().ok()?, denominator.parse().ok()?);
+    Some(BigRational::from(parts))
+}

@@ -1,0 +1,51 @@
+//! File formats: graphs and triangulations, read and written.
+//!
+//! | name | read | written |
+//! |---|---|---|
+//! | `node` | vertices ([Triangle]'s format) | vertices |
+//! | `poly` | vertices, edges, and seeds of holes and regions (Triangle's format) | the same |
+//! | `json` | an object with `points` and `edges`, or with `triangles` and maybe `points` | all of them and more |
+//! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
+//! | `obj`, `off`, `ply`, `vtk`, `vtu`, `msh` | vertices, lines and triangles | the same (Wavefront, Geomview, Stanford, VTK, Gmsh) |
+//! | `stl` | triangles by their coordinates | the same |
+//! | `geojson`, `wkt` | points, lines, rings of polygons; or triangles | the same |
+//! | `csv` | | edges that cross; `json` holds them too |
+//!
+//! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of the graph, and are
+//! written where a format has room for them. `docs/formats.md` says of each format what is read, and what is ignored.
+//!
+//! Readers take bytes, never panic on any of them, and name the line that is wrong. A byte order mark is
+//! skipped; lines end with a line feed, a carriage return or both. Writers list triangles in
+//! [canonical order](sweep_cdt::Triangulation::canonical_triangles), so that what they write depends on nothing
+//! but the input.
+//!
+//! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
+
+mod coordinate;
+#[cfg(feature = "geo-types")]
+mod geo;
+mod graph;
+mod read;
+mod split;
+mod threads;
+mod trace;
+mod write;
+
+pub use coordinate::{Coordinate, CoordinateError};
+#[cfg(feature = "geo-types")]
+pub use geo::geo_triangles;
+pub use graph::{Column, Graph, sorted_pairs};
+pub use read::{
+    Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
+    added_points, read, read_result,
+};
+pub use split::Splitting;
+pub use trace::{read_trace, write_trace};
+pub use write::{
+    CrossingsFormat, OutputFormat, write, write_crossings, write_domain, write_graph, write_node,
+};
+
+/// The example of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

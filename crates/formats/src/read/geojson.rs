@@ -1,0 +1,123 @@
+//! `GeoJSON` (RFC 7946): a geometry, a feature, or collections of them.
+//!
+//! | type | an input takes | a result takes |
+//! |---|---|---|
+//! | `Point`, `MultiPoint` | points | |
+//! | `LineString`, `MultiLineString` | points and edges | |
+//! | `Polygon`, `MultiPolygon` | points and edges of the rings | triangles: polygons of three corners |
+//! | `GeometryCollection`, `Feature`, `FeatureCollection` | what is in it | what is in it |
+//!
+//! The third coordinate is a height. Properties and all other members are ignored, and so is a geometry that is `null`.
+//! A coordinate may be a string with a fraction, as in our own JSON.
+//!
+//! Cost: each object is read once for each object around it, of which there may be [`NESTED`].
+
+use serde::Deserialize;
+use serde_json::value::RawValue;
+
+use crate::read::content::Syntax;
+use crate::read::json_pieces::{File, Position};
+use crate::read::shapes::{Part, Shapes};
+use crate::read::source::{ReadError, Source, quoted};
+
+/// So many objects may be in each other.
+const NESTED: usize = 100;
+
+/// Any object of the format.
+#[derive(Deserialize)]
+struct Object<'a> {
+    #[serde(borrow, rename = "type")]
+    kind: &'a RawValue,
+    #[serde(borrow, default)]
+    coordinates: Option<&'a RawValue>,
+    #[serde(borrow, default)]
+    geometry: Option<&'a RawValue>,
+    #[serde(borrow, default)]
+    geometries: Vec<&'a RawValue>,
+    #[serde(borrow, default)]
+    features: Vec<&'a RawValue>,
+}
+
+/// Reads a `.geojson`.
+pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
+    let file = File::new(source)?;
+    let mut shapes = Shapes::new(source, Syntax::Json);
+    // What is still to be read, each with the number of objects around it, the next one last.
+    let mut waiting = vec![(file.whole, 0)];
+    while let Some((piece, around)) = waiting.pop() {
+        if piece.get() == "null" {
+            continue;
+        }
+        if around > NESTED {
+            let message = format!("more than {NESTED} objects are in each other");
+            return Err(file.fault(piece, message));
+        }
+        let in_it = |piece| (piece, around + 1);
+        let wrong = |piece: &RawValue, what: &str| {
+            let shown = quoted(piece.get().as_bytes());
+            file.fault(piece, format!("{shown} is not {what}"))
+        };
+        let object: Object<'_> = serde_json::from_str(piece.get())
+            .map_err(|_| wrong(piece, "a geometry, a feature or a collection of them"))?;
+        let coordinates = || object.coordinates.unwrap_or(piece);
+        match object.kind.get().trim_matches('"') {
+            "Feature" => waiting.extend(object.geometry.map(in_it)),
+            "FeatureCollection" => {
+                waiting.extend(object.features.into_iter().rev().map(in_it));
+            }
+            "GeometryCollection" => {
+                waiting.extend(object.geometries.into_iter().rev().map(in_it));
+            }
+            "Point" => {
+                let point: Position<'_> = serde_json::from_str(coordinates().get())
+                    .map_err(|_| wrong(coordinates(), "a position"))?;
+                add(&mut shapes, vec![point], Part::Points);
+            }
+            kind @ ("MultiPoint" | "LineString") => {
+                let list: Vec<Position<'_>> = serde_json::from_str(coordinates().get())
+                    .map_err(|_| wrong(coordinates(), "a list of positions"))?;
+                let is_line = kind == "LineString";
+                add(
+                    &mut shapes,
+                    list,
+                    if is_line { Part::Line } else { Part::Points },
+                );
+            }
+            kind @ ("MultiLineString" | "Polygon") => {
+                let lists: Vec<Vec<Position<'_>>> = serde_json::from_str(coordinates().get())
+                    .map_err(|_| wrong(coordinates(), "a list of lists of positions"))?;
+                if kind == "Polygon" {
+                    add_polygon(&mut shapes, lists);
+                } else {
+                    lists
+                        .into_iter()
+                        .for_each(|list| add(&mut shapes, list, Part::Line));
+                }
+            }
+            "MultiPolygon" => {
+                let polygons: Vec<Vec<Vec<Position<'_>>>> =
+                    serde_json::from_str(coordinates().get())
+                        .map_err(|_| wrong(coordinates(), "a list of polygons"))?;
+                polygons
+                    .into_iter()
+                    .for_each(|rings| add_polygon(&mut shapes, rings));
+            }
+            _ => return Err(wrong(object.kind, "a type of GeoJSON")),
+        }
+    }
+    Ok(shapes)
+}
+
+fn add_polygon<'a>(shapes: &mut Shapes<'a>, rings: Vec<Vec<Position<'a>>>) {
+    for (at, ring) in rings.into_iter().enumerate() {
+        add(shapes, ring, if at == 0 { Part::Ring } else { Part::Hole });
+    }
+}
+
+fn add<'a>(shapes: &mut Shapes<'a>, positions: Vec<Position<'a>>, part: Part) {
+    for Position([x, y], z) in positions {
+        let text = |raw: &'a RawValue| raw.get().as_bytes();
+        shapes.push([text(x), text(y)], z.map(text));
+    }
+    shapes.end(part);
+}

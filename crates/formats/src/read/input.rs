@@ -1,0 +1,244 @@
+//! Reading a planar straight-line graph.
+
+use num_rational::BigRational;
+
+use crate::read::content::{Edges, Vertices};
+use crate::read::matching::{find, is_finite};
+use crate::read::source::{ReadError, Source};
+use crate::read::vtu::Unpacked;
+use crate::read::{geojson, json, msh, obj, off, ply, triangle, vtk, wkt};
+use crate::{Column, Coordinate, CoordinateError, Graph};
+use sweep_cdt::Region;
+
+/// What [`read()`] understands. Each format is named by the extension of its files.
+///
+/// ```
+/// use strum::VariantArray;
+/// use sweep_cdt_formats::InputFormat;
+///
+/// assert_eq!("poly".parse(), Ok(InputFormat::Poly));
+/// let names: Vec<&str> = InputFormat::VARIANTS.iter().map(Into::into).collect();
+/// assert_eq!(names[..3], ["node", "poly", "json"]);
+/// ```
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
+)]
+#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
+#[non_exhaustive]
+pub enum InputFormat {
+    /// Triangle's vertices.
+    Node,
+    /// Triangle's vertices and edges.
+    Poly,
+    /// An object with `points` and `edges`.
+    Json,
+    /// Wavefront's vertices and lines.
+    Obj,
+    /// Geomview's vertices, and faces of two corners.
+    Off,
+    /// Stanford's vertices and edges, as text or binary.
+    Ply,
+    /// VTK's points and lines, as text or binary.
+    Vtk,
+    /// VTK's points and lines, as XML.
+    Vtu,
+    /// Gmsh's nodes and lines, as text.
+    Msh,
+    /// Points, lines and polygons of maps, as JSON.
+    Geojson,
+    /// Points, lines and polygons as text.
+    Wkt,
+}
+
+impl InputFormat {
+    /// Whether every vertex has a height in it.
+    fn is_spatial(self) -> bool {
+        use InputFormat::{Geojson, Json, Msh, Node, Obj, Off, Ply, Poly, Vtk, Vtu, Wkt};
+        match self {
+            Obj | Off | Ply | Vtk | Vtu | Msh => true,
+            Node | Poly | Json | Geojson | Wkt => false,
+        }
+    }
+
+    /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
+    fn is_without_vertices(self) -> bool {
+        matches!(self, InputFormat::Geojson | InputFormat::Wkt)
+    }
+}
+
+/// What a file holds: rationals if any coordinate in it is a fraction `p/q`, doubles otherwise.
+///
+/// ```
+/// use num_rational::BigRational;
+/// use sweep_cdt_formats::{Coordinate, Input, InputFormat, Source, read};
+///
+/// let bytes = br#"{"points": [[0.1, "1/3"]]}"#.to_vec();
+/// let source = Source { name: "example".to_owned(), bytes };
+/// let Input::Rationals(graph) = read(InputFormat::Json, &source, None)? else {
+///     unreachable!("there is a fraction in the file")
+/// };
+/// assert_eq!(graph.points[0].each_ref().map(BigRational::text), ["1/10", "1/3"]);
+/// # Ok::<(), sweep_cdt_formats::ReadError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub enum Input {
+    /// All coordinates are decimals, each read as the nearest double.
+    Doubles(Graph<f64>),
+    /// Some coordinate is a fraction; all are read exactly.
+    Rationals(Graph<BigRational>),
+}
+
+/// Reads a file. `node` is the `.node` beside a `.poly`; it is read only if the `.poly` holds no vertices.
+///
+/// ```
+/// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+///
+/// let bytes = br#"{"points": [[0, 0], [1, 0.5]], "edges": [[0, 1]]}"#.to_vec();
+/// let source = Source { name: "example".to_owned(), bytes };
+/// let Input::Doubles(graph) = read(InputFormat::Json, &source, None)? else {
+///     unreachable!("no fraction in the file")
+/// };
+/// assert_eq!(graph.points, [[0.0, 0.0], [1.0, 0.5]]);
+/// assert_eq!(graph.edges, [[0, 1]]);
+/// # Ok::<(), sweep_cdt_formats::ReadError>(())
+/// ```
+///
+/// # Errors
+/// See [`ReadError`].
+pub fn read(
+    format: InputFormat,
+    source: &Source,
+    node: Option<&Source>,
+) -> Result<Input, ReadError> {
+    let content = match format {
+        InputFormat::Node => triangle::read_node(source).map(without_edges)?,
+        InputFormat::Poly => triangle::read_poly(source, node)?,
+        InputFormat::Json => json::read(source)?,
+        InputFormat::Obj => obj::read(source)?.into_graph()?,
+        InputFormat::Off => off::read(source)?.into_graph()?,
+        InputFormat::Ply => ply::read(source)?.into_graph()?,
+        InputFormat::Vtk => vtk::read(source)?.into_graph()?,
+        InputFormat::Vtu => {
+            let unpacked = Unpacked::of(source)?;
+            return input(format, unpacked.mesh()?.into_graph()?);
+        }
+        InputFormat::Msh => msh::read(source)?.into_graph()?,
+        InputFormat::Geojson => geojson::read(source)?.into_graph(),
+        InputFormat::Wkt => wkt::read(source)?.into_graph(),
+    };
+    input(format, content)
+}
+
+/// The contents of a file, with their numbers.
+fn input(format: InputFormat, mut content: Edges<'_>) -> Result<Input, ReadError> {
+    // First as doubles; if a coordinate is a fraction, all once more as rationals.
+    let is_exact = |error| match error {
+        CoordinateError::Fraction => true,
+        // No double, but perhaps a fraction after it says that there need be none.
+        CoordinateError::TooLarge => has_fraction(&content),
+        _ => false,
+    };
+    match graph(&content) {
+        Ok(graph) => Ok(Input::Doubles(finished(
+            format,
+            Graph {
+                columns: columns(format, &content.vertices)?,
+                edges: content.edges,
+                ..graph
+            },
+        ))),
+        Err((error, _)) if is_exact(error) => {
+            let edges = std::mem::take(&mut content.edges);
+            let graph = graph(&content).map_err(|(_, error)| error)?;
+            let columns = columns(format, &content.vertices)?;
+            Ok(Input::Rationals(finished(
+                format,
+                Graph {
+                    columns,
+                    edges,
+                    ..graph
+                },
+            )))
+        }
+        Err((_, error)) => Err(error),
+    }
+}
+
+/// The graph of a file; where coordinates stand for vertices, equal points are one.
+fn finished<S: Coordinate>(format: InputFormat, graph: Graph<S>) -> Graph<S> {
+    if format.is_without_vertices() {
+        merged(graph)
+    } else {
+        graph
+    }
+}
+
+/// The same graph with one vertex for equal points: the first of them, which keeps its numbers in the columns. Graphs
+/// with points that are not finite stay as they are; nothing is made of them.
+pub(crate) fn merged<S: Coordinate>(graph: Graph<S>) -> Graph<S> {
+    if !graph.points.iter().all(is_finite) {
+        return graph;
+    }
+    let firsts = find(&graph.points, &graph.points);
+    let is_first = |v: &usize| firsts[*v] == Some(*v);
+    let kept: Vec<usize> = (0..graph.points.len()).filter(is_first).collect();
+    let place = |v: usize| {
+        let first = firsts[v].expect("every point equals itself");
+        kept.binary_search(&first).expect("the first one is kept")
+    };
+    let column = |column: Column| Column {
+        values: kept.iter().map(|&v| column.of(v)).collect(),
+        ..column
+    };
+    Graph {
+        edges: graph.edges.iter().map(|edge| edge.map(place)).collect(),
+        columns: graph.columns.into_iter().map(column).collect(),
+        points: kept.iter().map(|&v| graph.points[v].clone()).collect(),
+        ..graph
+    }
+}
+
+/// The columns of the vertices. Where every vertex must have a height, heights that are all 0 say that there are none.
+fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, ReadError> {
+    let mut columns = vertices.columns()?;
+    if format.is_spatial() {
+        let is_flat = |column: &Column| column.values.iter().all(|&height| height == 0.0);
+        columns.retain(|column| column.name != Column::HEIGHT || !is_flat(column));
+    }
+    Ok(columns)
+}
+
+/// All but the columns and the edges, with coordinates as values of a type.
+fn graph<S: Coordinate>(content: &Edges<'_>) -> Result<Graph<S>, (CoordinateError, ReadError)> {
+    let attributes = content.attributes.iter();
+    let regions = content.regions.points()?.into_iter().zip(attributes);
+    Ok(Graph {
+        points: content.vertices.points()?,
+        columns: Vec::new(),
+        edges: Vec::new(),
+        pieces_of: Vec::new(),
+        holes: content.holes.points()?,
+        regions: regions
+            .map(|(seed, &attribute)| Region { seed, attribute })
+            .collect(),
+        first_vertex: content.vertices.first,
+        first_edge: content.first,
+        first_hole: content.holes.first,
+        first_region: content.regions.first,
+    })
+}
+
+/// Whether a coordinate looks like a fraction.
+fn has_fraction(content: &Edges<'_>) -> bool {
+    let lists = [&content.vertices, &content.holes, &content.regions];
+    let mut coordinates = lists
+        .iter()
+        .flat_map(|list| list.coordinates.as_flattened());
+    coordinates.any(|piece| piece.contains(&b'/'))
+}
+
+/// No edges. They are numbered from 0 or 1 as the vertices are.
+fn without_edges(vertices: Vertices<'_>) -> Edges<'_> {
+    let first = vertices.first;
+    Edges::without_seeds(vertices, Vec::new(), first)
+}

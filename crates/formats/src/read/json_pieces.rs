@@ -1,0 +1,142 @@
+//! A JSON file piece by piece. Each piece is a part of the file's text, and so has a line and a column.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde_json::value::RawValue;
+
+use crate::read::source::{ReadError, Source, quoted};
+
+/// A JSON file, member by member.
+pub(super) struct File<'a> {
+    source: &'a Source,
+    pub(super) whole: &'a RawValue,
+    /// In their order, and with those that are there twice.
+    pub(super) members: Vec<(String, &'a RawValue)>,
+}
+
+impl<'a> File<'a> {
+    pub(super) fn new(source: &'a Source) -> Result<File<'a>, ReadError> {
+        let text = source.text()?;
+        let whole: Result<&RawValue, _> = serde_json::from_slice(text);
+        let whole = whole.map_err(|error| no_json(source, &error))?;
+        let mut file = File {
+            source,
+            whole,
+            members: Vec::new(),
+        };
+        match serde_json::from_slice::<Members<'_>>(text) {
+            Ok(Members(members)) => file.members = members,
+            Err(error) if error.is_data() => {
+                let object = "an object such as {\"points\": [[x, y], ...]} should stand here";
+                return Err(file.fault(whole, object));
+            }
+            Err(error) => return Err(no_json(source, &error)),
+        }
+        Ok(file)
+    }
+
+    /// A fault of a piece of the file.
+    pub(super) fn fault(&self, piece: &RawValue, message: impl Into<String>) -> ReadError {
+        let (line, column) = self.source.position(piece.get().as_bytes());
+        ReadError {
+            column: Some(column),
+            ..self.source.error_in_line(line, message)
+        }
+    }
+}
+
+/// That a file is no JSON, or not all of it. Serde counts lines by line feeds alone.
+pub(super) fn no_json(source: &Source, error: &serde_json::Error) -> ReadError {
+    let text = source.text().unwrap_or_default();
+    if text.trim_ascii().is_empty() {
+        return source.error_in_line(1, "the file is empty");
+    }
+    let (_, last) = text.split_at(text.trim_ascii_end().len());
+    if error.is_eof() {
+        let (line, _) = source.position(last);
+        return source.error_in_line(line, "the file ends where the JSON should go on");
+    }
+    let before = text.split_inclusive(|&byte| byte == b'\n');
+    let before = before.take(error.line().saturating_sub(1));
+    let line_start: usize = before.map(<[u8]>::len).sum();
+    let word = word_at(text, line_start + error.column().saturating_sub(1));
+    let message = error.to_string();
+    let message = message.split(" at line ").next().unwrap_or_default();
+    let (line, column) = source.position(word);
+    ReadError {
+        column: Some(column),
+        ..source.error_in_line(line, format!("{} is no JSON here: {message}", quoted(word)))
+    }
+}
+
+/// The word or number around a place in the text, or the byte there.
+fn word_at(text: &[u8], at: usize) -> &[u8] {
+    let is_part = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
+    let (before, after) = text.split_at(at.min(text.len()));
+    let length = after.iter().take_while(|byte| is_part(byte)).count();
+    if length == 0 {
+        return &after[..after.len().min(1)];
+    }
+    let begun = before.iter().rev().take_while(|byte| is_part(byte)).count();
+    &text[before.len() - begun..before.len() + length]
+}
+
+/// The members of an object, in their order and with those that are there twice.
+struct Members<'a>(Vec<(String, &'a RawValue)>);
+
+impl<'de> Deserialize<'de> for Members<'de> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(MembersVisitor)
+    }
+}
+
+struct MembersVisitor;
+
+impl<'de> Visitor<'de> for MembersVisitor {
+    type Value = Members<'de>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Members<'de>, A::Error> {
+        let mut members = Vec::new();
+        while let Some(member) = map.next_entry()? {
+            members.push(member);
+        }
+        Ok(Members(members))
+    }
+}
+
+/// Coordinates, and a height if there is one.
+pub(super) struct Position<'a>(
+    pub(super) [&'a RawValue; 2],
+    pub(super) Option<&'a RawValue>,
+);
+
+impl<'de: 'a, 'a> Deserialize<'de> for Position<'a> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(PositionVisitor)
+    }
+}
+
+struct PositionVisitor;
+
+impl<'de> Visitor<'de> for PositionVisitor {
+    type Value = Position<'de>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("two or three coordinates")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Position<'de>, A::Error> {
+        let point: [Option<&'de RawValue>; 2] = [seq.next_element()?, seq.next_element()?];
+        let [Some(x), Some(y)] = point else {
+            return Err(A::Error::custom("coordinates are missing"));
+        };
+        // What follows a height is an error of the one who reads the list.
+        Ok(Position([x, y], seq.next_element()?))
+    }
+}

@@ -1,0 +1,108 @@
+//! What formats of meshes have in common: vertices, lines and faces.
+//!
+//! An input takes the vertices and the lines, and no faces. A result takes the vertices and the faces, which must be
+//! triangles, and no lines. So one file can be both: an input, and its triangulation.
+
+use crate::read::content::{Corners, Edges, Labels, Vertices};
+use crate::read::source::{ReadError, Source, no_vertex};
+
+/// The contents of a file.
+pub(super) struct Mesh<'a> {
+    pub(super) vertices: Vertices<'a>,
+    /// What the faces and the lines are made of.
+    pub(super) faces: Faces,
+    /// The file's number of the first line and of the first face.
+    pub(super) first: usize,
+}
+
+/// Lines and triangles, vertices as the file numbers them.
+#[derive(Default)]
+pub(super) struct Faces {
+    pub(super) lines: Vec<[usize; 2]>,
+    pub(super) triangles: Vec<[usize; 3]>,
+    /// That the first face that is no triangle is none.
+    other: Option<ReadError>,
+}
+
+impl Faces {
+    /// Adds a face: of two corners it is a line, of fewer it is nothing. `error` says where it is.
+    pub(super) fn add(&mut self, corners: &[usize], error: impl FnOnce(String) -> ReadError) {
+        match *corners {
+            [] | [_] => {}
+            [a, b] => self.lines.push([a, b]),
+            [a, b, c] => self.triangles.push([a, b, c]),
+            _ => self.refuse(|| error(no_triangle(corners.len()))),
+        }
+    }
+
+    /// Adds that there is something which a result must not have.
+    pub(super) fn refuse(&mut self, error: impl FnOnce() -> ReadError) {
+        self.other.get_or_insert_with(error);
+    }
+
+    /// Adds the triangles of a strip: each corner makes one with the two before, every other one turned over.
+    pub(super) fn add_strip(&mut self, corners: &[usize]) {
+        for (at, window) in corners.windows(3).enumerate() {
+            let [a, b, c] = [window[0], window[1], window[2]];
+            let triangle = if at % 2 == 0 { [a, b, c] } else { [b, a, c] };
+            self.triangles.push(triangle);
+        }
+    }
+
+    /// Adds lines from each corner to the next.
+    pub(super) fn add_lines(&mut self, corners: &[usize]) {
+        let pairs = corners.windows(2).map(|pair| [pair[0], pair[1]]);
+        self.lines.extend(pairs);
+    }
+}
+
+/// What is wrong with a face of so many corners.
+pub(super) fn no_triangle(corners: usize) -> String {
+    format!(
+        "the face has {corners} corners, and only triangles are read: split it, for example by the option \
+         `triangulate` of the program that wrote it"
+    )
+}
+
+impl<'a> Mesh<'a> {
+    /// The vertices and the lines.
+    pub(super) fn into_graph(self) -> Result<Edges<'a>, ReadError> {
+        let Mesh {
+            vertices,
+            faces: Faces { lines, .. },
+            first,
+        } = self;
+        let count = vertices.coordinates.len();
+        let mut edges = Vec::with_capacity(lines.len());
+        for line in lines {
+            for number in line {
+                if number
+                    .checked_sub(vertices.first)
+                    .is_none_or(|at| at >= count)
+                {
+                    let Source { name, .. } = vertices.source;
+                    let why = no_vertex(number, vertices.first, count);
+                    let message = format!("line {} of the mesh: {why}", edges.len() + first);
+                    return Err(ReadError::of_file(name, message));
+                }
+            }
+            edges.push(line.map(|number| number - vertices.first));
+        }
+        Ok(Edges::without_seeds(vertices, edges, first))
+    }
+
+    /// The vertices and the triangles.
+    pub(super) fn into_triangles(self) -> Result<Corners<'a>, ReadError> {
+        match self.faces.other {
+            Some(error) => Err(error),
+            None => Ok(Corners {
+                triangles: self.faces.triangles,
+                first: self.first,
+                first_vertex: self.vertices.first,
+                vertices: Some(self.vertices),
+                is_soup: false,
+                labels: Labels::Nothing,
+            }),
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! Gmsh's `.msh`, as text, of the versions 2 and 4: nodes, and the elements that are lines and triangles.
+//!
+//! ```text
+//! $MeshFormat                                   $MeshFormat
+//! 2.2 0 8                                       4.1 0 8
+//! $EndMeshFormat                                $EndMeshFormat
+//! $Nodes                                        $Nodes
+//! <nodes>                                       <blocks> <nodes> <least> <greatest>
+//! <node> <x> <y> <z>                            <dimension> <entity> <parametric> <nodes>      a block
+//! $EndNodes                                     <node>                                         all of its nodes
+//!                                               <x> <y> <z>                                    and then their places
+//! $Elements                                     $EndNodes and $Elements
+//! <elements>                                    <blocks> <elements> <least> <greatest>
+//! <element> <type> <tags> [tags] <node> ...     <dimension> <entity> <type> <elements>         a block
+//! $EndElements                                  <element> <node> ...                           all of its elements
+//! ```
+//!
+//! Elements of type 1 are lines, of type 2 triangles; points (15) are read over. Nodes that are not numbered from 0 or 1
+//! in the order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are not read.
+
+use std::collections::HashMap;
+
+use crate::read::content::Vertices;
+use crate::read::mesh::{Faces, Mesh};
+use crate::read::source::{ReadError, Source, quoted};
+use crate::read::token_lines::{Line, Lines};
+
+const NODE: &str = "a node's number";
+
+/// Reads a `.msh`.
+pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
+    let mut lines = Lines::new(source)?;
+    let mut has_blocks = None;
+    let mut nodes = None;
+    let mut faces = Faces::default();
+    while let Some(mut line) = lines.next_line() {
+        let section = line.expect_token("a section")?;
+        match (section, has_blocks, &nodes) {
+            (b"$MeshFormat", ..) => has_blocks = Some(read_version(&mut lines)?),
+            (b"$Nodes", Some(has_blocks), None) => {
+                nodes = Some(Nodes::read(has_blocks, &mut lines)?);
+            }
+            (b"$Elements", Some(has_blocks), Some(nodes)) => {
+                read_elements(has_blocks, nodes, &mut faces, &mut lines)?;
+            }
+            (b"$Nodes" | b"$Elements", ..) => {
+                return Err(
+                    line.error("`$MeshFormat`, `$Nodes` and `$Elements` come once, in this order")
+                );
+            }
+            _ if section.starts_with(b"$") => {}
+            _ => {
+                return Err(line.error(format!("{} is not the name of a section", quoted(section))));
+            }
+        }
+        let end = [b"$End", section.get(1..).unwrap_or_default()].concat();
+        let is_read = [&b"$MeshFormat"[..], b"$Nodes", b"$Elements"].contains(&section);
+        loop {
+            let shown = || quoted(&end);
+            let mut line = lines.expect_line(shown)?;
+            match line.token() {
+                Some(token) if token == end => break,
+                Some(token) if is_read => {
+                    return Err(line.error(format!(
+                        "{} stands where {} should",
+                        quoted(token),
+                        shown()
+                    )));
+                }
+                _ => {}
+            }
+        }
+    }
+    let Some(nodes) = nodes else {
+        return Err(ReadError::of_file(&source.name, "there are no `$Nodes`"));
+    };
+    let vertices = Vertices::plain(source, nodes.coordinates, nodes.first);
+    Ok(Mesh {
+        vertices: vertices.with_heights(&nodes.heights),
+        faces,
+        first: 1,
+    })
+}
+
+/// Whether the version has blocks.
+fn read_version(lines: &mut Lines<'_>) -> Result<bool, ReadError> {
+    let mut line = lines.expect_line(|| "the version".to_owned())?;
+    let has_blocks = match line.expect_token("the version")? {
+        b"4.1" => true,
+        token if token.starts_with(b"2") => false,
+        other => {
+            let shown = quoted(other);
+            return Err(line.error(format!(
+                "the version is {shown}, and only 2 and 4.1 are read"
+            )));
+        }
+    };
+    match line.expect_token("the type of the file")? {
+        b"0" => Ok(has_blocks),
+        _ => Err(line.error("only files of text are read, and no binary ones")),
+    }
+}
+
+/// The nodes of a file.
+#[derive(Default)]
+struct Nodes<'a> {
+    coordinates: Vec<[&'a [u8]; 2]>,
+    heights: Vec<Option<&'a [u8]>>,
+    /// The number of the first one.
+    first: usize,
+    /// The places of nodes that are not numbered one after the other.
+    places: HashMap<usize, usize>,
+}
+
+impl<'a> Nodes<'a> {
+    fn read(has_blocks: bool, lines: &mut Lines<'a>) -> Result<Nodes<'a>, ReadError> {
+        let mut nodes = Nodes::default();
+        let mut numbers = Vec::new();
+        let missing = || "a node".to_owned();
+        let mut line = lines.expect_line(missing)?;
+        let count = line.index("a number of nodes or of blocks")?;
+        if has_blocks {
+            for _ in 0..count {
+                let mut block = lines.expect_line(|| "a block of nodes".to_owned())?;
+                let size = fourth(&mut block)?;
+                for _ in 0..size {
+                    numbers.push(lines.expect_line(missing)?.index(NODE)?);
+                }
+                for _ in 0..size {
+                    nodes.push(&mut lines.expect_line(missing)?)?;
+                }
+            }
+        } else {
+            for _ in 0..count {
+                let mut line = lines.expect_line(missing)?;
+                numbers.push(line.index(NODE)?);
+                nodes.push(&mut line)?;
+            }
+        }
+        nodes.first = numbers.first().map_or(1, |&first| first.min(1));
+        if !numbers
+            .iter()
+            .enumerate()
+            .all(|(at, &number)| at + nodes.first == number)
+        {
+            nodes.first = 1;
+            nodes.places = numbers.iter().copied().zip(1..).collect();
+            if nodes.places.len() < numbers.len() {
+                return Err(line.error("two nodes have the same number"));
+            }
+        }
+        Ok(nodes)
+    }
+
+    fn push(&mut self, line: &mut Line<'a>) -> Result<(), ReadError> {
+        self.coordinates.push(line.coordinates()?);
+        self.heights
+            .push(Some(line.expect_token("a z coordinate")?));
+        Ok(())
+    }
+
+    /// The node that the next token names.
+    fn next(&self, line: &mut Line<'_>) -> Result<usize, ReadError> {
+        let number = line.index(NODE)?;
+        if self.places.is_empty() {
+            return Ok(number);
+        }
+        let place = self.places.get(&number).copied();
+        place.ok_or_else(|| line.error(format!("there is no node {number}")))
+    }
+}
+
+fn read_elements(
+    has_blocks: bool,
+    nodes: &Nodes<'_>,
+    faces: &mut Faces,
+    lines: &mut Lines<'_>,
+) -> Result<(), ReadError> {
+    let missing = || "an element".to_owned();
+    let count = lines
+        .expect_line(missing)?
+        .index("a number of elements or of blocks")?;
+    for _ in 0..count {
+        let mut line = lines.expect_line(missing)?;
+        if has_blocks {
+            let mut head = line.clone();
+            for what in ["a dimension", "an entity"] {
+                head.index(what)?;
+            }
+            let kind = head.index("a type of elements")?;
+            for _ in 0..fourth(&mut line)? {
+                let mut line = lines.expect_line(missing)?;
+                line.index("an element's number")?;
+                add(kind, nodes, faces, &mut line)?;
+            }
+        } else {
+            line.index("an element's number")?;
+            let kind = line.index("a type of elements")?;
+            for _ in 0..line.index("a number of tags")? {
+                line.expect_token("a tag")?;
+            }
+            add(kind, nodes, faces, &mut line)?;
+        }
+    }
+    Ok(())
+}
+
+/// Adds the element whose nodes follow in its line.
+fn add(
+    kind: usize,
+    nodes: &Nodes<'_>,
+    faces: &mut Faces,
+    line: &mut Line<'_>,
+) -> Result<(), ReadError> {
+    match kind {
+        1 => faces.lines.push([nodes.next(line)?, nodes.next(line)?]),
+        2 => faces
+            .triangles
+            .push([nodes.next(line)?, nodes.next(line)?, nodes.next(line)?]),
+        15 => {}
+        _ => faces.refuse(|| {
+            line.error(format!(
+                "elements of type {kind} are not read, only triangles (2)"
+            ))
+        }),
+    }
+    Ok(())
+}
+
+/// The fourth number of a line, how many things a block has.
+fn fourth(line: &mut Line<'_>) -> Result<usize, ReadError> {
+    for _ in 0..3 {
+        line.expect_token("a number")?;
+    }
+    line.index("the size of a block")
+}

@@ -1,0 +1,62 @@
+//! Wavefront's `.obj`: the `v`, `l` and `f` lines of the file.
+//!
+//! A vertex is x, y and a height z, which may be missing. The vertex of a corner may be followed by texture and
+//! normal (`7/1/2`), which are ignored, and may be counted back from the last vertex so far (`-1`). A line may go
+//! through more than two vertices. Vertices, lines and faces are numbered from 1. Other lines of the file are ignored.
+
+use crate::read::content::Vertices;
+use crate::read::mesh::{Faces, Mesh};
+use crate::read::source::{ReadError, Source, quoted};
+use crate::read::token_lines::{Line, Lines};
+
+/// Reads a `.obj`.
+pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
+    let mut lines = Lines::new(source)?;
+    let (mut coordinates, mut heights) = (Vec::new(), Vec::new());
+    let mut faces = Faces::default();
+    let mut corners = Vec::new();
+    while let Some(mut line) = lines.next_line() {
+        let keyword = line.token();
+        let least = match keyword {
+            Some(b"v") => {
+                coordinates.push(line.coordinates()?);
+                heights.push(line.token());
+                continue;
+            }
+            Some(b"l") => 2,
+            Some(b"f") => 3,
+            _ => continue,
+        };
+        corners.clear();
+        while corners.len() < least || !line.is_empty() {
+            corners.push(corner(&mut line, coordinates.len())?);
+        }
+        if least == 2 {
+            faces.add_lines(&corners);
+        } else {
+            faces.add(&corners, |message| line.error(message));
+        }
+    }
+    Ok(Mesh {
+        vertices: Vertices::plain(source, coordinates, 1).with_heights(&heights),
+        faces,
+        first: 1,
+    })
+}
+
+/// The vertex of a corner, where `count` vertices are listed so far.
+fn corner(line: &mut Line<'_>, count: usize) -> Result<usize, ReadError> {
+    const WHAT: &str = "a vertex's number";
+    let token = line.expect_token(WHAT)?;
+    let end = token.iter().position(|&byte| byte == b'/');
+    let number = std::str::from_utf8(&token[..end.unwrap_or(token.len())]).unwrap_or_default();
+    let vertex = match number.strip_prefix('-') {
+        Some(back) => back
+            .parse::<usize>()
+            .ok()
+            .and_then(|back| (count + 1).checked_sub(back))
+            .filter(|vertex| (1..=count).contains(vertex)),
+        None => number.parse().ok(),
+    };
+    vertex.ok_or_else(|| line.error(format!("{} is not {WHAT}", quoted(token))))
+}

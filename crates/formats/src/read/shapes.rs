@@ -1,0 +1,125 @@
+//! Points, lines and polygons as lists of coordinates, as `GeoJSON` and WKT have them.
+//!
+//! There are no numbers of vertices. An input takes the points, and the sides of lines and rings for edges; a ring that
+//! is not closed is closed. Equal points become one vertex ([`read`](crate::read())). A result takes the
+//! polygons, which must be triangles, and nothing else; its corners are found in the input by their coordinates.
+
+use std::ops::Range;
+
+use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};
+use crate::read::mesh::no_triangle;
+use crate::read::source::{ReadError, Source};
+
+/// The contents of a file.
+pub(super) struct Shapes<'a> {
+    source: &'a Source,
+    syntax: Syntax,
+    coordinates: Vec<[&'a [u8]; 2]>,
+    heights: Vec<Option<&'a [u8]>>,
+    parts: Vec<(Part, Range<usize>)>,
+}
+
+/// What some positions are together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    Points,
+    Line,
+    /// The border of a polygon.
+    Ring,
+    /// The border of a hole in the polygon before.
+    Hole,
+}
+
+impl<'a> Shapes<'a> {
+    pub(super) fn new(source: &'a Source, syntax: Syntax) -> Shapes<'a> {
+        Shapes {
+            source,
+            syntax,
+            coordinates: Vec::new(),
+            heights: Vec::new(),
+            parts: Vec::new(),
+        }
+    }
+
+    /// Adds a position.
+    pub(super) fn push(&mut self, point: [&'a [u8]; 2], height: Option<&'a [u8]>) {
+        self.coordinates.push(point);
+        self.heights.push(height);
+    }
+
+    /// Ends a part: it has the positions since the part before.
+    pub(super) fn end(&mut self, part: Part) {
+        let first = self.parts.last().map_or(0, |(_, range)| range.end);
+        self.parts.push((part, first..self.coordinates.len()));
+    }
+
+    /// All positions as vertices, and the sides of lines and rings.
+    pub(super) fn into_graph(self) -> Edges<'a> {
+        let mut edges = Vec::new();
+        for (part, range) in &self.parts {
+            if *part == Part::Points {
+                continue;
+            }
+            edges.extend(range.clone().skip(1).map(|v| [v - 1, v]));
+            let is_open = || self.is_apart(range.start, range.end - 1);
+            if *part != Part::Line && !range.is_empty() && is_open() {
+                edges.push([range.end - 1, range.start]);
+            }
+        }
+        let vertices = Vertices {
+            syntax: self.syntax,
+            ..Vertices::plain(self.source, self.coordinates, 0)
+        };
+        Edges::without_seeds(vertices.with_heights(&self.heights), edges, 0)
+    }
+
+    /// The polygons, each with its own three corners.
+    pub(super) fn into_triangles(self) -> Result<Corners<'a>, ReadError> {
+        let mut corners = Vec::new();
+        let rings = self.parts.iter();
+        for (part, range) in rings.filter(|(part, _)| matches!(part, Part::Ring | Part::Hole)) {
+            let mut ring = range.clone();
+            if ring.len() > 1 && !self.is_apart(ring.start, ring.end - 1) {
+                ring.end -= 1;
+            }
+            if ring.is_empty() {
+                continue;
+            }
+            let error = |message: String| {
+                let (line, _) = self.source.position(self.coordinates[ring.start][0]);
+                self.source.error_in_line(line, message)
+            };
+            if *part == Part::Hole {
+                return Err(error(
+                    "the polygon has a hole, and only triangles are read".to_owned(),
+                ));
+            }
+            if ring.len() != 3 {
+                return Err(error(no_triangle(ring.len())));
+            }
+            corners.extend_from_slice(&self.coordinates[ring]);
+        }
+        let triangles = (0..corners.len() / 3).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]);
+        Ok(Corners {
+            triangles: triangles.collect(),
+            first: 0,
+            first_vertex: 0,
+            vertices: Some(Vertices {
+                syntax: self.syntax,
+                ..Vertices::plain(self.source, corners, 0)
+            }),
+            is_soup: true,
+            labels: Labels::Nothing,
+        })
+    }
+
+    /// Whether two positions differ. Numbers may be written in several ways.
+    fn is_apart(&self, v: usize, w: usize) -> bool {
+        let value = |piece| self.syntax.value::<f64>(piece);
+        let differs = |axis: usize| {
+            let [one, other] = [v, w].map(|v| self.coordinates[v][axis]);
+            one != other && (value(one).is_err() || value(one) != value(other))
+        };
+        differs(0) || differs(1)
+    }
+}

@@ -1,0 +1,260 @@
+//! Files in memory, where one is wrong, and why a result is refused before it is verified.
+
+use std::fmt;
+
+use crate::Coordinate;
+
+/// A file in memory.
+///
+/// ```
+/// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+///
+/// let bytes = b"2 2 0 0\n1 0 0\n2 1 0.5\n".to_vec();
+/// let source = Source { name: "two.node".to_owned(), bytes };
+/// assert!(matches!(read(InputFormat::Node, &source, None), Ok(Input::Doubles(_))));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// What errors call it.
+    pub name: String,
+    /// Its contents.
+    pub bytes: Vec<u8>,
+}
+
+impl Source {
+    /// The contents after the byte order mark, if they begin with one.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::Source;
+    ///
+    /// let file = |bytes: &[u8]| Source { name: "a.node".to_owned(), bytes: bytes.to_vec() };
+    /// assert_eq!(file(b"\xef\xbb\xbf1 2\n").text()?, b"1 2\n");
+    /// let error = file(b"\xff\xfe1\0 \x002\0").text().unwrap_err();
+    /// assert_eq!(error.to_string(), "a.node: the text is UTF-16; save it as UTF-8");
+    /// # Ok::<(), sweep_cdt_formats::ReadError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The text is UTF-16, which is told by its byte order mark, or by zeros as every other byte.
+    pub fn text(&self) -> Result<&[u8], ReadError> {
+        let is_wide = match *self.bytes.as_slice() {
+            [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
+            [0, a, 0, b, ..] | [a, 0, b, 0, ..] => a != 0 && b != 0,
+            _ => false,
+        };
+        if is_wide {
+            let message = "the text is UTF-16; save it as UTF-8";
+            return Err(ReadError::of_file(&self.name, message));
+        }
+        Ok(self.bytes.strip_prefix(MARK).unwrap_or(&self.bytes))
+    }
+
+    /// An error in this line, counted from 1.
+    pub(super) fn error_in_line(&self, line: usize, message: impl Into<String>) -> ReadError {
+        ReadError {
+            line: Some(line),
+            ..ReadError::of_file(&self.name, message)
+        }
+    }
+
+    /// Line and column of a piece of the contents, both counted from 1.
+    pub(super) fn position(&self, piece: &[u8]) -> (usize, usize) {
+        let text = self.bytes.strip_prefix(MARK).unwrap_or(&self.bytes);
+        let mut rest = text;
+        let mut offset = piece.as_ptr().addr() - text.as_ptr().addr();
+        let mut line = 1;
+        loop {
+            let (first, others) = split_line(rest);
+            if offset < first.len() || others.is_empty() {
+                return (line, offset + 1);
+            }
+            (offset, rest, line) = (offset - first.len(), others, line + 1);
+        }
+    }
+}
+
+/// What some editors write before text, to say that it is UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// The first line with its end, which is a line feed, a carriage return or both, and all after it.
+pub(super) fn split_line(text: &[u8]) -> (&[u8], &[u8]) {
+    let length = match memchr::memchr2(b'\n', b'\r', text) {
+        Some(end) if text[end..].starts_with(b"\r\n") => end + 2,
+        Some(end) => end + 1,
+        None => text.len(),
+    };
+    text.split_at(length)
+}
+
+/// Where a file is wrong, and how: `file:line:column: message`.
+///
+/// ```
+/// use sweep_cdt_formats::{InputFormat, Source, read};
+///
+/// let source = Source { name: "a.node".to_owned(), bytes: b"1\n0 0 zero".to_vec() };
+/// let error = read(InputFormat::Node, &source, None).unwrap_err();
+/// assert_eq!(error.to_string(), "a.node:2: `zero` is not a coordinate");
+/// assert_eq!(error.line, Some(2));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ReadError {
+    /// The name of the file.
+    pub file: String,
+    /// The line, counted from 1, if one is to blame.
+    pub line: Option<usize>,
+    /// The column, counted from 1, where known.
+    pub column: Option<usize>,
+    /// What is wrong there.
+    pub message: String,
+    /// Whether the file is a `.poly` that leaves its vertices to the `.node` beside it, which was not
+    /// given.
+    pub missing_node: bool,
+}
+
+impl ReadError {
+    /// An error of the whole file: that it cannot be read at all, for instance.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::ReadError;
+    ///
+    /// let error = ReadError::of_file("a.poly", "permission denied");
+    /// assert_eq!(error.to_string(), "a.poly: permission denied");
+    /// ```
+    pub fn of_file(file: impl Into<String>, message: impl Into<String>) -> ReadError {
+        ReadError {
+            file: file.into(),
+            line: None,
+            column: None,
+            message: message.into(),
+            missing_node: false,
+        }
+    }
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:", self.file)?;
+        for number in [self.line, self.column].into_iter().flatten() {
+            write!(f, "{number}:")?;
+        }
+        write!(f, " {}", self.message)
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// A piece of a file as messages show it: on one line and not too long.
+pub(super) fn quoted(piece: &[u8]) -> String {
+    const LONGEST: usize = 40;
+    let text = String::from_utf8_lossy(&piece[..piece.len().min(4 * LONGEST)]);
+    let short: String = text
+        .chars()
+        .take(LONGEST)
+        .flat_map(char::escape_debug)
+        .collect();
+    let dots = if text.chars().count() > LONGEST {
+        "..."
+    } else {
+        ""
+    };
+    format!("`{short}{dots}`")
+}
+
+/// That an edge names a vertex which is not there, and what numbers there are.
+pub(super) fn no_vertex(number: usize, first: usize, count: usize) -> String {
+    match count {
+        0 => format!("vertex {number} does not exist: there are no vertices"),
+        _ => format!(
+            "vertex {number} does not exist: the vertices are numbered from {first} to {}",
+            first + count - 1
+        ),
+    }
+}
+
+/// A result that cannot be read, or whose vertices are not those of the input.
+///
+/// ```
+/// use sweep_cdt_formats::{Graph, ResultError, ResultFormat, Source, read_result};
+///
+/// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+/// let input = Graph { points, ..Graph::default() };
+/// let bytes = b"v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3".to_vec();
+/// let source = Source { name: "a.obj".to_owned(), bytes };
+/// let error = read_result(ResultFormat::Obj, &source, None, &input).unwrap_err();
+/// assert!(matches!(error, ResultError::Elsewhere { vertex: 3, .. }));
+/// let text = "a.obj:3: vertex 3 is at (0, 3), but vertex 2 of the input at (0, 1), which is more than \
+///     rounding to 6 digits";
+/// assert_eq!(error.to_string(), text);
+/// ```
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ResultError {
+    /// The file is wrong.
+    #[error(transparent)]
+    Unreadable(#[from] ReadError),
+    /// A vertex of the result has a coordinate that is not finite.
+    #[error("{file}:{} vertex {vertex} has a coordinate that is not finite", in_line(.line))]
+    NonFinite {
+        /// The name of the file.
+        file: String,
+        /// The line, counted from 1, if it is a text.
+        line: Option<usize>,
+        /// The file's number of the vertex.
+        vertex: usize,
+    },
+    /// A vertex of the result is no vertex of the input, and there are not as many of both, so that they
+    /// cannot be matched by number either.
+    #[error(
+        "{file}:{} vertex {vertex} is at {}, where the input has none",
+        in_line(.line), place(.at)
+    )]
+    Stranger {
+        /// The name of the file.
+        file: String,
+        /// The line, counted from 1, if it is a text.
+        line: Option<usize>,
+        /// The file's number of the vertex.
+        vertex: usize,
+        /// Where it is, in doubles.
+        at: [f64; 2],
+    },
+    /// The vertices of the result are not those of the input, and this one is too far from the one of the
+    /// same number.
+    #[error(
+        "{file}:{} vertex {vertex} is at {}, but vertex {of_input} of the input at {}, which is more \
+         than {}",
+        in_line(.line), place(.at), place(.expected), allowed(.tolerance)
+    )]
+    Elsewhere {
+        /// The name of the file.
+        file: String,
+        /// The line, counted from 1, if it is a text.
+        line: Option<usize>,
+        /// The file's number of the vertex.
+        vertex: usize,
+        /// Where it is, in doubles.
+        at: [f64; 2],
+        /// The input's number of the vertex with which it would be matched.
+        of_input: usize,
+        /// Where that is, in doubles.
+        expected: [f64; 2],
+        /// The difference that was allowed, if it was not rounding.
+        tolerance: Option<f64>,
+    },
+}
+
+fn in_line(line: &Option<usize>) -> String {
+    line.map_or(String::new(), |line| format!("{line}:"))
+}
+
+fn place([x, y]: &[f64; 2]) -> String {
+    format!("({}, {})", x.text(), y.text())
+}
+
+fn allowed(tolerance: &Option<f64>) -> String {
+    match tolerance {
+        None => "rounding to 6 digits".to_owned(),
+        Some(tolerance) => format!("the tolerance {}", tolerance.text()),
+    }
+}

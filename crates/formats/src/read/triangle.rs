@@ -1,0 +1,277 @@
+//! Triangle's `.node`, `.poly` and `.ele`.
+//!
+//! ```text
+//! .node    <vertices> 2 <attributes> <markers>        counts; only the first one is needed
+//!          <vertex> <x> <y> [attributes] [marker]     numbered from 0 or from 1
+//!
+//! .poly    as .node; 0 vertices: they are in the .node beside it
+//!          <segments> <markers>
+//!          <segment> <vertex> <vertex> [marker]       numbered from 0 or from 1
+//!          <holes>                                    this line and all after it may be left out
+//!          <hole> <x> <y>                             a point in the hole; numbered from 0 or from 1
+//!          <regions>                                  this line and all after it may be left out
+//!          <region> <x> <y> [attribute] [area]        a point in the region; numbered from 0 or from 1
+//!
+//! .ele     <triangles> 3 <attributes>                 counts; only the first one is needed
+//!          <triangle> <vertex> <vertex> <vertex> [attributes]       numbered from 0 or from 1
+//! ```
+//!
+//! The first attribute of a vertex is its height. Markers of vertices and edges are ignored, and so are attributes of
+//! triangles and the areas of regions, which limit triangles where a mesh is refined. A region without an attribute has 0. The vertices of a `.ele` are numbered
+//! as in the `.node` beside it; without one, from 0 or 1 as the triangles are, as Triangle does.
+
+use crate::read::content::{Corners, Edges, Field, Labels, Syntax, Vertices};
+use crate::read::source::{ReadError, Source, no_vertex, quoted};
+use crate::read::token_lines::{Line, Lines, Records};
+use crate::{Column, Coordinate};
+
+/// Reads a `.node`.
+pub(super) fn read_node(source: &Source) -> Result<Vertices<'_>, ReadError> {
+    let mut lines = Lines::new(source)?;
+    let (count, attributes) = vertex_counts(&mut lines)?;
+    let vertices = read_vertices(source, &mut lines, count, attributes)?;
+    match lines.next_line() {
+        Some(line) => Err(line.error(format!("the first line announces only {count} vertices"))),
+        None => Ok(vertices),
+    }
+}
+
+/// Reads a `.poly`; `node` is where its vertices are if it holds none.
+pub(super) fn read_poly<'a>(
+    source: &'a Source,
+    node: Option<&'a Source>,
+) -> Result<Edges<'a>, ReadError> {
+    // The vertices, here or in the `.node`.
+    let mut lines = Lines::new(source)?;
+    let vertices = match (vertex_counts(&mut lines)?, node) {
+        ((0, _), Some(node)) => read_node(node)?,
+        ((0, _), None) => {
+            return Err(ReadError {
+                missing_node: true,
+                ..ReadError::of_file(&source.name, "no vertices, and no .node beside it")
+            });
+        }
+        ((count, attributes), _) => read_vertices(source, &mut lines, count, attributes)?,
+    };
+
+    // The edges.
+    let count = lines
+        .expect_line(|| "the number of edges".to_owned())?
+        .index("a number of edges")?;
+    let records = Records {
+        name: "edge",
+        number: "an edge's number",
+        count,
+    };
+    let mut first = vertices.first;
+    let edges = records.read(&mut lines, &mut first, |line| {
+        Ok([end(line, &vertices)?, end(line, &vertices)?])
+    })?;
+
+    // Holes and regions, if the file goes on.
+    let holes = read_holes(source, &mut lines, vertices.first)?;
+    let (regions, attributes) = read_regions(source, &mut lines, vertices.first)?;
+    Ok(Edges {
+        vertices,
+        edges,
+        first,
+        holes,
+        regions,
+        attributes,
+    })
+}
+
+/// The numbers of vertices and of their attributes, from the first line.
+fn vertex_counts(lines: &mut Lines<'_>) -> Result<(usize, usize), ReadError> {
+    let mut line = lines.expect_line(|| "the number of vertices".to_owned())?;
+    let count = line.index("a number of vertices")?;
+    match line.token() {
+        None => Ok((count, 0)),
+        Some(b"2") if line.is_empty() => Ok((count, 0)),
+        Some(b"2") => Ok((count, line.index("a number of attributes")?)),
+        Some(b"3") => Err(line.error(
+            "3 coordinates are announced, and only x and y are read: leave out z and announce 2",
+        )),
+        Some(other) => Err(line.error(format!(
+            "{} is not 2, the number of coordinates",
+            quoted(other)
+        ))),
+    }
+}
+
+fn read_vertices<'a>(
+    source: &'a Source,
+    lines: &mut Lines<'a>,
+    count: usize,
+    attributes: usize,
+) -> Result<Vertices<'a>, ReadError> {
+    let records = Records {
+        name: "vertex",
+        number: "a vertex's number",
+        count,
+    };
+    let mut first = 0;
+    if attributes == 0 {
+        let coordinates = records.read(lines, &mut first, Line::coordinates)?;
+        return Ok(Vertices::plain(source, coordinates, first));
+    }
+    let rows = records.read(lines, &mut first, |line| {
+        let point = line.coordinates()?;
+        let row = (0..attributes).map(|_| line.expect_token("an attribute"));
+        Ok((point, row.collect::<Result<Vec<_>, _>>()?))
+    })?;
+    // Without a row there may be any number of attributes.
+    let width = rows.first().map_or(0, |(_, row)| row.len());
+    let field = |at: usize| Field {
+        name: match at {
+            0 => Column::HEIGHT.to_owned(),
+            _ => format!("attribute{}", at + 1),
+        },
+        syntax: Syntax::Plain,
+        pieces: rows.iter().map(|(_, row)| row[at]).collect(),
+    };
+    Ok(Vertices {
+        fields: (0..width).map(field).collect(),
+        ..Vertices::plain(
+            source,
+            rows.iter().map(|&(point, _)| point).collect(),
+            first,
+        )
+    })
+}
+
+/// Reads an end of an edge.
+fn end(line: &mut Line<'_>, vertices: &Vertices<'_>) -> Result<usize, ReadError> {
+    let number = line.index("a vertex's number")?;
+    number
+        .checked_sub(vertices.first)
+        .filter(|&vertex| vertex < vertices.coordinates.len())
+        .ok_or_else(|| {
+            let (first, count) = (vertices.first, vertices.coordinates.len());
+            line.error(no_vertex(number, first, count))
+        })
+}
+
+/// Reads a `.ele`; `node` is the `.node` beside it.
+pub(super) fn read_ele<'a>(
+    source: &'a Source,
+    node: Option<&'a Source>,
+) -> Result<Corners<'a>, ReadError> {
+    // The line of counts.
+    let mut lines = Lines::new(source)?;
+    let mut line = lines.expect_line(|| "the number of triangles".to_owned())?;
+    let count = line.index("a number of triangles")?;
+    match line.token() {
+        None | Some(b"3") => {}
+        Some(b"6") => {
+            return Err(line.error(
+                "the triangles have 6 nodes each, and only those of 3 are read: \
+                 write them without Triangle's option -o2",
+            ));
+        }
+        Some(b"4") => {
+            return Err(
+                line.error("the cells have 4 corners, and only triangles are read: split them")
+            );
+        }
+        Some(other) => {
+            return Err(line.error(format!("{} is not 3, the number of corners", quoted(other))));
+        }
+    }
+
+    // Without a number of attributes there are none.
+    let has_attributes = line.token().is_some_and(|number| number != b"0");
+
+    // The triangles.
+    let records = Records {
+        name: "triangle",
+        number: "a triangle's number",
+        count,
+    };
+    let mut first_triangle = 0;
+    let (triangles, labels) = if has_attributes {
+        let row = |line: &mut Line<'_>| Ok((corners(line)?, attribute(line)?));
+        let rows = records.read(&mut lines, &mut first_triangle, row)?;
+        let (triangles, attributes) = rows.into_iter().unzip();
+        (triangles, Labels::Attributes(attributes))
+    } else {
+        let triangles = records.read(&mut lines, &mut first_triangle, corners)?;
+        (triangles, Labels::Nothing)
+    };
+    if let Some(line) = lines.next_line() {
+        let message = format!("the first line announces only {count} triangles");
+        return Err(line.error(message));
+    }
+
+    // The vertices, whose numbers begin where the `.node` says, or where those of the triangles do.
+    let vertices = node.map(read_node).transpose()?;
+    Ok(Corners {
+        triangles,
+        first: first_triangle,
+        first_vertex: vertices
+            .as_ref()
+            .map_or(first_triangle, |vertices| vertices.first),
+        is_soup: false,
+        labels,
+        vertices,
+    })
+}
+
+/// Reads the corners of a triangle.
+fn corners(line: &mut Line<'_>) -> Result<[usize; 3], ReadError> {
+    let mut corner = || line.index("a vertex's number");
+    Ok([corner()?, corner()?, corner()?])
+}
+
+/// Reads the holes, if the file goes on; they are numbered from 0 or 1, or, if there are none, from `first`.
+fn read_holes<'a>(
+    source: &'a Source,
+    lines: &mut Lines<'a>,
+    mut first: usize,
+) -> Result<Vertices<'a>, ReadError> {
+    let records = Records {
+        name: "hole",
+        number: "a hole's number",
+        count: seed_count(lines, "a number of holes")?,
+    };
+    let coordinates = records.read(lines, &mut first, Line::coordinates)?;
+    Ok(seeds(source, coordinates, first))
+}
+
+/// Reads the regions, likewise, and their attributes. The area that may follow is not read.
+fn read_regions<'a>(
+    source: &'a Source,
+    lines: &mut Lines<'a>,
+    mut first: usize,
+) -> Result<(Vertices<'a>, Vec<f64>), ReadError> {
+    let records = Records {
+        name: "region",
+        number: "a region's number",
+        count: seed_count(lines, "a number of regions")?,
+    };
+    let regions = records.read(lines, &mut first, |line| {
+        Ok((line.coordinates()?, attribute(line)?))
+    })?;
+    let (coordinates, attributes) = regions.into_iter().unzip();
+    Ok((seeds(source, coordinates, first), attributes))
+}
+
+/// The number in the next line, or 0 if there is none.
+fn seed_count(lines: &mut Lines<'_>, what: &str) -> Result<usize, ReadError> {
+    let line = lines.next_line();
+    line.map_or(Ok(0), |mut line| line.index(what))
+}
+
+/// The attribute of a region or of a triangle, or 0 if the line ends.
+fn attribute(line: &mut Line<'_>) -> Result<f64, ReadError> {
+    let Some(token) = line.token() else {
+        return Ok(0.0);
+    };
+    let value = f64::from_text(&String::from_utf8_lossy(token)).ok();
+    let value = value.filter(|value| value.is_finite());
+    value.ok_or_else(|| line.error(format!("{} is not an attribute, a number", quoted(token))))
+}
+
+fn seeds<'a>(source: &'a Source, coordinates: Vec<[&'a [u8]; 2]>, first: usize) -> Vertices<'a> {
+    Vertices::plain(source, coordinates, first)
+}

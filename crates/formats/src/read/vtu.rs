@@ -1,0 +1,198 @@
+//! VTK's XML format `.vtu`: an `UnstructuredGrid` of one piece.
+//!
+//! ```text
+//! <VTKFile type="UnstructuredGrid" byte_order=".." header_type=".." compressor="..">
+//!   <UnstructuredGrid> <Piece NumberOfPoints="<points>" NumberOfCells="<cells>">
+//!     <PointData>  columns: DataArrays of one number for each point
+//!     <Points>     one DataArray of x, y and z of each point; numbered from 0
+//!     <Cells>      the DataArrays connectivity, offsets (the end of each cell) and types
+//! ```
+//!
+//! The numbers of a `DataArray` stand in it as text or in base 64, or in `AppendedData` behind all others, in base 64 or
+//! as they are; packed by zlib or not (see `vtu_arrays.rs`). All else is read over, and so are data of the cells and data
+//! of several components.
+//!
+//! What is packed is unpacked into a copy of the file, behind its text. So numbers are pieces of one source here as in
+//! all other readers. It costs the memory of the copy: what zlib packs well grows by up to a factor of 1,032.
+
+use std::ops::Range;
+
+use crate::read::binary::{Kind, Number};
+use crate::read::content::{Field, Syntax, Vertices};
+use crate::read::mesh::{Faces, Mesh};
+use crate::read::source::{ReadError, Source, quoted};
+use crate::read::vtk;
+use crate::read::vtu_arrays::{Packing, Stored};
+use crate::read::vtu_elements::{Array, Elements, Section};
+
+/// A file with its arrays unpacked behind the text.
+pub(super) struct Unpacked {
+    source: Source,
+    points: Numbers,
+    /// The corners of all cells, one after the other.
+    corners: Numbers,
+    /// Where the corners of each cell end.
+    ends: Numbers,
+    types: Numbers,
+    columns: Vec<(String, Numbers)>,
+}
+
+/// Where numbers stand, and how.
+struct Numbers {
+    syntax: Syntax,
+    range: Range<usize>,
+    count: usize,
+}
+
+impl Unpacked {
+    /// Finds the arrays that are read, and unpacks them.
+    pub(super) fn of(source: &Source) -> Result<Unpacked, ReadError> {
+        let elements = Elements::of(source)?;
+        let mut unpacked = source.clone();
+        let mut unpack = |array: &Array, count: Option<usize>| {
+            let numbers = place(&elements.packing, array, source, &mut unpacked)?;
+            match count {
+                Some(count) if count != numbers.count => {
+                    let (name, there) = (quoted(array.name.as_bytes()), numbers.count);
+                    let message = format!("the array {name} has {there} numbers, not {count}");
+                    Err(source.error_in_line(array.line, message))
+                }
+                _ => Ok(numbers),
+            }
+        };
+        let array = |section, name| {
+            let missing = || {
+                let message = format!("there is no array `{name}`");
+                ReadError::of_file(&source.name, message)
+            };
+            elements.array(section, name).ok_or_else(missing)
+        };
+        let points = array(Section::Points, "Points")?;
+        let coordinates = elements.points.checked_mul(3);
+        if points.components != 3 || points.kind == Kind::I64 || coordinates.is_none() {
+            let message = "a point is not three numbers that are doubles";
+            return Err(source.error_in_line(points.line, message));
+        }
+        let points = unpack(points, coordinates)?;
+        let cells = Some(elements.cells);
+        let corners = unpack(array(Section::Cells, "connectivity")?, None)?;
+        let ends = unpack(array(Section::Cells, "offsets")?, cells)?;
+        let types = unpack(array(Section::Cells, "types")?, cells)?;
+        let is_column =
+            |array: &&Array| array.section == Section::PointData && array.components == 1;
+        let columns = elements.arrays.iter().filter(is_column);
+        let columns = columns.map(|array| {
+            let numbers = unpack(array, Some(elements.points))?;
+            Ok((array.name.clone(), numbers))
+        });
+        Ok(Unpacked {
+            points,
+            corners,
+            ends,
+            types,
+            columns: columns.collect::<Result<_, ReadError>>()?,
+            source: unpacked,
+        })
+    }
+
+    /// What the arrays say.
+    pub(super) fn mesh(&self) -> Result<Mesh<'_>, ReadError> {
+        let pieces = self.pieces(&self.points);
+        let (points, _) = pieces.as_chunks();
+        let (coordinates, heights): (Vec<_>, Vec<_>) =
+            points.iter().map(|&[x, y, z]| ([x, y], Some(z))).unzip();
+        let vertices = Vertices {
+            syntax: self.points.syntax,
+            ..Vertices::plain(&self.source, coordinates, 0)
+        };
+        let mut vertices = vertices.with_heights(&heights);
+        vertices
+            .fields
+            .extend(self.columns.iter().map(|(name, numbers)| Field {
+                name: name.clone(),
+                syntax: numbers.syntax,
+                pieces: self.pieces(numbers),
+            }));
+        Ok(Mesh {
+            vertices,
+            faces: self.faces()?,
+            first: 0,
+        })
+    }
+
+    fn faces(&self) -> Result<Faces, ReadError> {
+        let corners = self.indices(&self.corners)?;
+        let (ends, types) = (self.indices(&self.ends)?, self.indices(&self.types)?);
+        let mut faces = Faces::default();
+        let mut begin = 0;
+        for (at, (end, kind)) in ends.into_iter().zip(types).enumerate() {
+            let Some(cell) = corners.get(begin..end) else {
+                let message = format!("cell {at}: its corners are not in `connectivity`");
+                return Err(ReadError::of_file(&self.source.name, message));
+            };
+            vtk::add_cell(&mut faces, kind, cell, &self.source, at);
+            begin = end;
+        }
+        Ok(faces)
+    }
+
+    fn indices(&self, numbers: &Numbers) -> Result<Vec<usize>, ReadError> {
+        let index = |piece: &[u8]| {
+            let error = || {
+                let text = numbers.syntax.text(piece);
+                let message = format!(
+                    "{} in `Cells` is not a whole number",
+                    quoted(text.as_bytes())
+                );
+                ReadError::of_file(&self.source.name, message)
+            };
+            numbers.syntax.index(piece).ok_or_else(error)
+        };
+        self.pieces(numbers).into_iter().map(index).collect()
+    }
+
+    /// The numbers one by one.
+    fn pieces(&self, numbers: &Numbers) -> Vec<&[u8]> {
+        let bytes = &self.source.bytes[numbers.range.clone()];
+        match numbers.syntax {
+            Syntax::Binary(number) => bytes.chunks_exact(number.kind.size()).collect(),
+            _ => words(bytes).collect(),
+        }
+    }
+}
+
+/// Where the numbers of an array stand: in the text, or behind it, where they are appended to `unpacked`.
+fn place(
+    packing: &Packing<'_>,
+    array: &Array,
+    source: &Source,
+    unpacked: &mut Source,
+) -> Result<Numbers, ReadError> {
+    if let Stored::Text(range) = &array.stored {
+        return Ok(Numbers {
+            syntax: Syntax::Plain,
+            range: range.clone(),
+            count: words(&source.bytes[range.clone()]).count(),
+        });
+    }
+    let begin = unpacked.bytes.len();
+    let unpack = packing.unpack(&array.stored, &source.bytes, &mut unpacked.bytes);
+    unpack.map_err(|what| {
+        let name = quoted(array.name.as_bytes());
+        source.error_in_line(array.line, format!("the array {name}: {what}"))
+    })?;
+    let range = begin..unpacked.bytes.len();
+    Ok(Numbers {
+        syntax: Syntax::Binary(Number {
+            kind: array.kind,
+            big_endian: packing.big_endian,
+        }),
+        count: range.len() / array.kind.size(),
+        range,
+    })
+}
+
+fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
+    text.split(u8::is_ascii_whitespace)
+        .filter(|word| !word.is_empty())
+}

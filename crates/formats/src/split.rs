@@ -1,0 +1,92 @@
+//! A graph with its edges split where they cross: [`split`] for points and edges, and what else a file says of them.
+//!
+//! Vertices of the input keep their numbers and columns. A new vertex takes its number in a column from the first
+//! edge through it, in proportion between that edge's ends; where an end has none, or they differ by more than the
+//! largest double, it takes that of the first end.
+//!
+//! Cost: that of [`split`], and the pieces times the columns.
+
+use crate::{Column, Coordinate, Graph};
+use sweep_cdt::Error;
+use sweep_cdt::crossings::{Exact, Split, split};
+
+/// What [`Graph::split_crossings`] came to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Splitting {
+    /// How many vertices are new.
+    pub vertices: usize,
+    /// How many edges there were, and how many pieces there are.
+    pub edges: [usize; 2],
+    /// How many rounds it took, as [`Split::rounds`].
+    pub rounds: usize,
+    /// How far an edge moved at most, as [`Split::displacement`].
+    pub displacement: f64,
+}
+
+impl<S: Coordinate + Exact> Graph<S> {
+    /// The same graph with its edges [split] where they cross.
+    ///
+    /// # Errors
+    /// Those of [`split`], with vertices and edges by their positions.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{Column, Graph};
+    ///
+    /// let points = vec![[0.0, 0.0], [2.0, 2.0], [0.0, 2.0], [2.0, 0.0]];
+    /// let heights = Column { name: Column::HEIGHT.to_owned(), values: vec![0.0, 10.0, 0.0, 0.0] };
+    /// let edges = vec![[0, 1], [2, 3]];
+    /// let graph = Graph { points, edges, columns: vec![heights], ..Graph::default() };
+    /// let (graph, splitting) = graph.split_crossings()?;
+    /// assert_eq!(graph.points[4], [1.0, 1.0]);
+    /// assert_eq!(graph.columns[0].values[4], 5.0);
+    /// assert_eq!(graph.pieces_of, [0, 0, 1, 1]);
+    /// assert_eq!((splitting.vertices, splitting.edges), (1, [2, 4]));
+    /// # Ok::<(), sweep_cdt::Error>(())
+    /// ```
+    pub fn split_crossings(&self) -> Result<(Graph<S>, Splitting), Error> {
+        let split = split(&self.points, &self.edges)?;
+        let splitting = Splitting {
+            vertices: split.points.len() - self.points.len(),
+            edges: [self.edges.len(), split.edges.len()],
+            rounds: split.rounds,
+            displacement: split.displacement,
+        };
+        let columns = self.columns.iter();
+        let columns = columns.map(|column| extended(column, self, &split));
+        let graph = Graph {
+            columns: columns.collect(),
+            points: split.points,
+            edges: split.edges,
+            pieces_of: split.pieces_of,
+            holes: self.holes.clone(),
+            regions: self.regions.clone(),
+            ..*self
+        };
+        Ok((graph, splitting))
+    }
+}
+
+/// A column with the numbers of new vertices.
+fn extended<S: Coordinate>(column: &Column, graph: &Graph<S>, split: &Split<S>) -> Column {
+    let mut values = column.values.clone();
+    values.resize(split.points.len(), f64::NAN);
+    let near = |v: usize| split.points[v].each_ref().map(S::approx);
+    for (piece, &edge) in split.edges.iter().zip(&split.pieces_of) {
+        let [a, b] = graph.edges[edge];
+        let [from, to] = [a, b].map(near);
+        let direction = [to[0] - from[0], to[1] - from[1]];
+        let axis = usize::from(direction[1].abs() > direction[0].abs());
+        for &v in piece {
+            if values[v].is_nan() {
+                let share = (near(v)[axis] - from[axis]) / direction[axis];
+                let value = values[a] + share * (values[b] - values[a]);
+                values[v] = if value.is_finite() { value } else { values[a] };
+            }
+        }
+    }
+    Column {
+        name: column.name.clone(),
+        values,
+    }
+}

@@ -1,0 +1,96 @@
+//! Lists of edges that cross, as CSV or JSON.
+//!
+//! Edges are numbered as in their file. `x` and `y` are exact: a whole number that is a double, or a
+//! fraction. `near_x` and `near_y` are the nearest doubles.
+//!
+//! ```text
+//! edge,other,x,y,near_x,near_y
+//! 1,3,1/3,1/2,0.3333333333333333,0.5
+//!
+//! {"crossings": [
+//! {"edges":[1,3],"point":["1/3","1/2"],"near":[0.3333333333333333,0.5]}]}
+//! ```
+
+use std::io::{self, Write};
+
+use num_rational::BigRational;
+use serde::Serialize;
+use serde_json::value::RawValue;
+
+use super::json::json_coordinate;
+use crate::{Coordinate, Graph};
+use sweep_cdt::crossings::Crossing;
+
+/// What [`write_crossings`] makes. Each format is named by the extension of its files.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
+)]
+#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
+#[non_exhaustive]
+pub enum CrossingsFormat {
+    /// A line for each pair: both edges, the point, the nearest doubles.
+    Csv,
+    /// An object with the list `crossings`.
+    Json,
+}
+
+/// An element of the list.
+#[derive(Serialize)]
+struct Element {
+    edges: [usize; 2],
+    point: [Box<RawValue>; 2],
+    /// `null` beyond the doubles.
+    near: [Option<Box<RawValue>>; 2],
+}
+
+/// Writes a list of edges of `graph` that cross, numbered as in its file.
+///
+/// ```
+/// use sweep_cdt::crossings::crossings;
+/// use sweep_cdt_formats::{CrossingsFormat, Graph, write_crossings};
+///
+/// let points = vec![[0.0, 0.0], [3.0, 1.0], [0.0, 1.0], [1.0, 0.0]];
+/// let edges = vec![[0, 1], [2, 3]];
+/// let graph = Graph { points, edges, first_edge: 1, ..Graph::default() };
+/// let mut text = Vec::new();
+/// let found = crossings(&graph.points, &graph.edges)?;
+/// write_crossings(CrossingsFormat::Csv, &graph, &found, &mut text)?;
+/// assert_eq!(text, b"edge,other,x,y,near_x,near_y\n1,2,3/4,1/4,0.75,0.25\n");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_crossings<S>(
+    format: CrossingsFormat,
+    graph: &Graph<S>,
+    crossings: &[Crossing],
+    out: &mut impl Write,
+) -> io::Result<()> {
+    match format {
+        CrossingsFormat::Csv => {
+            writeln!(out, "edge,other,x,y,near_x,near_y")?;
+            crossings.iter().try_for_each(|crossing| {
+                let [edge, other] = graph.edges_as_numbered(crossing.edges);
+                let [x, y] = crossing.point.each_ref().map(BigRational::text);
+                let [near_x, near_y] = crossing.near().map(|x| x.text());
+                writeln!(out, "{edge},{other},{x},{y},{near_x},{near_y}")
+            })
+        }
+        CrossingsFormat::Json => {
+            out.write_all(b"{\"crossings\": [")?;
+            for (at, crossing) in crossings.iter().enumerate() {
+                out.write_all(if at == 0 { b"\n" } else { b",\n" })?;
+                let element = Element {
+                    edges: graph.edges_as_numbered(crossing.edges),
+                    point: crossing.point.each_ref().map(json_coordinate),
+                    near: crossing
+                        .near()
+                        .map(|x| x.is_finite().then(|| json_coordinate(&x))),
+                };
+                serde_json::to_writer(&mut *out, &element)?;
+            }
+            out.write_all(b"]}\n")
+        }
+    }
+}

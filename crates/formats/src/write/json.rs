@@ -1,0 +1,156 @@
+//! JSON: the input's `points` and `edges` (so that the file can be read again), and the result.
+//!
+//! | member | one element for each | which is |
+//! |---|---|---|
+//! | `points` | vertex | `[x, y]`, or `[x, y, z]` with heights; numbers, fractions as strings `"p/q"` |
+//! | `edges` | input edge | its two vertices |
+//! | `triangles` | triangle | its vertices counter-clockwise, the lowest first; sorted |
+//! | `neighbors` | triangle | the triangles opposite its vertices, `null` beyond the hull |
+//! | `constrained` | side that is an edge or a piece of one | its two vertices, lower first; sorted |
+//! | `hull` | vertex on the border | the vertex; counter-clockwise from the leftmost one |
+//! | `duplicates` | vertex equal to an earlier one | the vertex and the first one equal to it |
+//! | `chains` | input edge | the vertices along it, upper end first |
+//! | `split` | edge before edges were split at their crossings, if they were | the vertices along it, from its first to its second |
+//!
+//! Of a graph that is not triangulated there are the first two alone. Of a domain only the triangles inside are listed, with their constrained sides, and beyond the domain is `null`.
+//! There are two members more:
+//!
+//! | member | one element for each | which is |
+//! |---|---|---|
+//! | `boundary` | closed chain around the domain | its vertices, with the domain on the left |
+//! | `regions` | triangle, if there are regions | its region, `null` for none |
+//!
+//! All vertices, triangles and regions are positions in `points`, in `triangles` and in the input's list, from 0.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+use serde_json::value::RawValue;
+
+use super::rows::places;
+use crate::{Coordinate, Graph, sorted_pairs};
+use sweep_cdt::Triangulation;
+use sweep_cdt::crossings::joined;
+use sweep_cdt::domain::Domain;
+
+/// Writes the object of the whole hull, one element a line.
+pub(super) fn write<S: Coordinate>(
+    graph: &Graph<S>,
+    result: &Triangulation,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_members(graph, &Domain::whole(result), out)?;
+    out.write_all(b"\n}\n")
+}
+
+/// Writes the object of a domain.
+pub(super) fn write_domain<S: Coordinate>(
+    graph: &Graph<S>,
+    domain: &Domain<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_members(graph, domain, out)?;
+    member(out, "boundary", domain.boundary())?;
+    if domain.has_regions() {
+        let triangles = domain.canonical_triangles();
+        let mut regions = vec![None; triangles.len()];
+        for (t, place) in places(domain, &triangles).into_iter().enumerate() {
+            if let Some((place, _)) = place {
+                regions[place] = domain.region(t);
+            }
+        }
+        member(out, "regions", regions)?;
+    }
+    out.write_all(b"\n}\n")
+}
+
+/// Writes the object of a graph alone.
+pub(super) fn write_graph<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
+    write_input(graph, out)?;
+    out.write_all(b"\n}\n")
+}
+
+/// Writes what all objects of a result have.
+fn write_members<S: Coordinate>(
+    graph: &Graph<S>,
+    domain: &Domain<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let result = domain.triangulation();
+    let triangles = domain.canonical_triangles();
+    let neighbors = neighbors(domain, &triangles);
+    let chains = (0..graph.edges.len()).map(|edge| result.edge_chain(edge).collect::<Vec<_>>());
+    write_input(graph, out)?;
+    member(out, "triangles", &triangles)?;
+    member(out, "neighbors", neighbors)?;
+    member(out, "constrained", sorted_pairs(domain.constrained_edges()))?;
+    member(out, "hull", result.hull())?;
+    member(out, "duplicates", result.duplicates())?;
+    member(out, "chains", chains)?;
+    if graph.pieces_of.is_empty() {
+        return Ok(());
+    }
+    let split = graph.pieces_of.chunk_by(|a, b| a == b);
+    let mut first = 0;
+    let split = split.map(|pieces| {
+        let range = first..first + pieces.len();
+        first = range.end;
+        joined(range, &graph.edges, result)
+    });
+    member(out, "split", split)
+}
+
+/// Writes the input's members.
+fn write_input<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
+    let heights = graph.heights();
+    let point = |(vertex, point): (usize, &[S; 2])| {
+        let height = heights.map(|column| json_coordinate(&column.of(vertex)));
+        let point = point.each_ref().map(json_coordinate);
+        point.into_iter().chain(height).collect::<Vec<_>>()
+    };
+    let points = graph.points.iter().enumerate().map(point);
+    out.write_all(b"{\n")?;
+    member(out, "points", points)?;
+    member(out, "edges", &graph.edges)
+}
+
+fn member<T: Serialize>(
+    out: &mut impl Write,
+    name: &str,
+    elements: impl IntoIterator<Item = T>,
+) -> io::Result<()> {
+    let comma = if name == "points" { "" } else { ",\n" };
+    write!(out, "{comma}\"{name}\": [")?;
+    for (at, element) in elements.into_iter().enumerate() {
+        out.write_all(if at == 0 { b"\n" } else { b",\n" })?;
+        serde_json::to_writer(&mut *out, &element)?;
+    }
+    out.write_all(b"]")
+}
+
+/// A finite coordinate as it stands in JSON: a number, or a string with a fraction.
+pub(super) fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
+    let text = value.text();
+    let text = if text.contains('/') {
+        format!("\"{text}\"")
+    } else {
+        text
+    };
+    RawValue::from_string(text).expect("a finite number, or a string without special characters")
+}
+
+/// For each triangle of the canonical list the places in it of those opposite its vertices.
+fn neighbors(domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<[Option<usize>; 3]> {
+    let result = domain.triangulation();
+    let places = places(domain, triangles);
+    let mut neighbors = vec![[None; 3]; triangles.len()];
+    for (t, place) in places.iter().enumerate() {
+        if let Some((place, first)) = *place {
+            neighbors[place] = [0, 1, 2].map(|i| {
+                let across = result.neighbor(t, (first + i) % 3)?;
+                places[across].map(|(place, _)| place)
+            });
+        }
+    }
+    neighbors
+}

@@ -1,0 +1,168 @@
+//! Writers: a [`Graph`] and its [`Triangulation`] in, or a graph alone, and text out.
+
+mod crossings;
+mod json;
+mod mesh;
+mod rows;
+mod shapes;
+mod vtu;
+
+use std::io::{self, Write};
+
+pub use crossings::{CrossingsFormat, write_crossings};
+pub use rows::write_node;
+
+use self::mesh::Mesh;
+use crate::{Coordinate, Graph, InputFormat};
+use sweep_cdt::Triangulation;
+use sweep_cdt::domain::Domain;
+
+/// What [`write()`] makes. Each format is named by the extension of its files.
+///
+/// ```
+/// use sweep_cdt_formats::OutputFormat;
+///
+/// assert_eq!("obj".parse(), Ok(OutputFormat::Obj));
+/// assert_eq!(<&str>::from(OutputFormat::Ele), "ele");
+/// ```
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
+)]
+#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
+#[non_exhaustive]
+pub enum OutputFormat {
+    /// Triangle's triangles, numbered as the input.
+    Ele,
+    /// Triangle's vertices, numbered as the input.
+    Node,
+    /// Vertices, edges and the whole result.
+    Json,
+    /// Wavefront's vertices and faces.
+    Obj,
+    /// Geomview's vertices and faces.
+    Off,
+    /// Stanford's vertices and faces, as text.
+    Ply,
+    /// VTK's points and cells, as text.
+    Vtk,
+    /// VTK's points and cells, as XML.
+    Vtu,
+    /// Gmsh's nodes and triangles, as text of version 2.2.
+    Msh,
+    /// Triangles alone, as text.
+    Stl,
+    /// Polygons of maps, as JSON.
+    Geojson,
+    /// Polygons as text.
+    Wkt,
+}
+
+/// Writes `result`, the triangulation of `graph`.
+///
+/// ```
+/// use sweep_cdt_formats::{Graph, OutputFormat, write};
+///
+/// let graph = Graph { points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], ..Graph::default() };
+/// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
+/// let mut text = Vec::new();
+/// write(OutputFormat::Ele, &graph, &result, &mut text)?;
+/// assert_eq!(text, b"1 3 0\n0 0 1 2\n");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write<S: Coordinate>(
+    format: OutputFormat,
+    graph: &Graph<S>,
+    result: &Triangulation,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    match format {
+        // These two need no domain, which takes a look at all triangles.
+        OutputFormat::Ele => {
+            rows::write_triangles(graph.first_vertex, &result.canonical_groups(), out)
+        }
+        OutputFormat::Node => write_node(graph, out),
+        OutputFormat::Json => json::write(graph, result, out),
+        _ => write_domain(format, graph, &Domain::whole(result), out),
+    }
+}
+
+/// Writes the part of a triangulation of `graph` that is inside a domain: the triangles inside and no others. The
+/// vertices are all written, and keep their numbers. A `.ele` has the attributes of regions, if the domain has
+/// regions and `graph` lists them.
+///
+/// ```
+/// use sweep_cdt::domain::Rule;
+/// use sweep_cdt_formats::{Graph, OutputFormat, write_domain};
+///
+/// let points = vec![[0.0, 0.0], [4.0, 3.0], [0.0, 6.0], [1.0, 3.0]];
+/// let edges = vec![[0, 1], [1, 2], [2, 3], [3, 0]];
+/// let graph = Graph { points, edges, ..Graph::default() };
+/// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
+/// let mut text = Vec::new();
+/// write_domain(OutputFormat::Ele, &graph, &result.domain(Rule::EvenOdd)?, &mut text)?;
+/// assert_eq!(text, b"2 3 0\n0 0 1 3\n1 1 2 3\n");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_domain<S: Coordinate>(
+    format: OutputFormat,
+    graph: &Graph<S>,
+    domain: &Domain<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    match format {
+        OutputFormat::Ele => rows::write_ele(graph, domain, out),
+        OutputFormat::Node => write_node(graph, out),
+        OutputFormat::Json => json::write_domain(graph, domain, out),
+        OutputFormat::Obj => Mesh::of(graph, domain).write_obj(out),
+        OutputFormat::Off => Mesh::of(graph, domain).write_off(out),
+        OutputFormat::Ply => Mesh::of(graph, domain).write_ply(out),
+        OutputFormat::Vtk => Mesh::of(graph, domain).write_vtk(out),
+        OutputFormat::Vtu => Mesh::of(graph, domain).write_vtu(out),
+        OutputFormat::Msh => Mesh::of(graph, domain).write_msh(out),
+        OutputFormat::Stl => Mesh::of(graph, domain).write_stl(out),
+        OutputFormat::Geojson => shapes::write_geojson(graph, domain, out),
+        OutputFormat::Wkt => shapes::write_wkt(graph, domain, out),
+    }
+}
+
+/// Writes a graph that is not triangulated, in a format from which [`read()`](crate::read()) makes the same
+/// one, but for fractions, which only the first three hold: the others have the nearest doubles. A `.node` holds vertices alone, a `.json` no seeds, and a `.poly` without vertices is read as one whose
+/// vertices are in the `.node` beside it.
+///
+/// ```
+/// use sweep_cdt_formats::{Graph, InputFormat, write_graph};
+///
+/// let graph = Graph { points: vec![[0.0, 0.5], [2.0, 0.0]], edges: vec![[0, 1]], ..Graph::default() };
+/// let mut text = Vec::new();
+/// write_graph(InputFormat::Poly, &graph, &mut text)?;
+/// assert_eq!(text, b"2 2 0 0\n0 0 0.5\n1 2 0\n1 0\n0 0 1\n0\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_graph<S: Coordinate>(
+    format: InputFormat,
+    graph: &Graph<S>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    match format {
+        InputFormat::Node => write_node(graph, out),
+        InputFormat::Poly => rows::write_poly(graph, out),
+        InputFormat::Json => json::write_graph(graph, out),
+        InputFormat::Obj => Mesh::of_graph(graph).write_obj(out),
+        InputFormat::Off => Mesh::of_graph(graph).write_off(out),
+        InputFormat::Ply => Mesh::of_graph(graph).write_ply(out),
+        InputFormat::Vtk => Mesh::of_graph(graph).write_vtk(out),
+        InputFormat::Vtu => Mesh::of_graph(graph).write_vtu(out),
+        InputFormat::Msh => Mesh::of_graph(graph).write_msh(out),
+        InputFormat::Geojson => shapes::write_geojson_graph(graph, out),
+        InputFormat::Wkt => shapes::write_wkt_graph(graph, out),
+    }
+}

@@ -1,0 +1,184 @@
+//! Triangle's formats, long lists of short lines: `.ele` and the `.node` that it refers to, and `.poly`. Columns are
+//! attributes of the vertices.
+
+use std::io::{self, Write};
+
+use crate::threads::in_turn;
+use crate::{Coordinate, Graph};
+use sweep_cdt::CanonicalGroups;
+use sweep_cdt::Region;
+use sweep_cdt::domain::Domain;
+
+/// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions, with the
+/// attributes of these.
+pub(super) fn write_ele<S>(
+    graph: &Graph<S>,
+    domain: &Domain<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let first = graph.first_vertex;
+    if !domain.has_regions() {
+        return write_triangles(first, &domain.canonical_groups(), out);
+    }
+    let triangles = domain.canonical_triangles();
+    let attributes = attributes(graph, domain, &triangles);
+    writeln!(out, "{} 3 1", triangles.len())?;
+    write_rows(out, triangles.len(), |t, text| {
+        triangle(first, t, triangles[t], text);
+        text.push(b' ');
+        attributes[t].write_text(text);
+        text.push(b'\n');
+    })
+}
+
+/// Writes triangles without attributes; they and the vertices are numbered from `first`. Those of a group are put in
+/// order and written at once.
+pub(super) fn write_triangles(
+    first: usize,
+    groups: &CanonicalGroups,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let mut count = 0;
+    let begin = |(group, &size)| {
+        count += size;
+        (group, count - size)
+    };
+    let begins: Vec<(usize, usize)> = groups.sizes().iter().enumerate().map(begin).collect();
+    writeln!(out, "{count} 3 0")?;
+    let text = |(group, begin)| {
+        let mut text = Vec::new();
+        for (t, corners) in (begin..).zip(groups.sorted(group)) {
+            triangle(first, t, corners, &mut text);
+            text.push(b'\n');
+        }
+        text
+    };
+    in_turn(begins, text, |text| out.write_all(&text))
+}
+
+/// Appends the number of a triangle and its corners.
+fn triangle(first: usize, t: usize, [a, b, c]: [usize; 3], text: &mut Vec<u8>) {
+    numbers([t, a, b, c].map(|number| number + first), text);
+}
+
+/// The attribute of each triangle in the list, 0 without a region.
+fn attributes<S>(graph: &Graph<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
+    let mut attributes = vec![0.0; triangles.len()];
+    for (t, place) in places(domain, triangles).into_iter().enumerate() {
+        let region = domain
+            .region(t)
+            .and_then(|region| graph.regions.get(region));
+        if let (Some((place, _)), Some(region)) = (place, region) {
+            attributes[place] = region.attribute;
+        }
+    }
+    attributes
+}
+
+/// Writes the vertices as a `.node`.
+///
+/// ```
+/// use sweep_cdt_formats::{Graph, write_node};
+///
+/// let graph = Graph { points: vec![[0.5, 2.0]], first_vertex: 1, ..Graph::default() };
+/// let mut text = Vec::new();
+/// write_node(&graph, &mut text)?;
+/// assert_eq!(text, b"1 2 0 0\n1 0.5 2\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_node<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "{} 2 {} 0", graph.points.len(), graph.columns.len())?;
+    write_rows(out, graph.points.len(), |vertex, text| {
+        number(vertex + graph.first_vertex, text);
+        for coordinate in &graph.points[vertex] {
+            text.push(b' ');
+            coordinate.write_text(text);
+        }
+        for column in &graph.columns {
+            text.push(b' ');
+            column.of(vertex).write_text(text);
+        }
+        text.push(b'\n');
+    })
+}
+
+/// Writes vertices, edges, and the seeds of holes and regions as a `.poly`.
+pub(super) fn write_poly<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
+    write_node(graph, out)?;
+    writeln!(out, "{} 0", graph.edges.len())?;
+    write_rows(out, graph.edges.len(), |edge, text| {
+        let [a, b] = graph.edges[edge].map(|end| end + graph.first_vertex);
+        numbers([edge + graph.first_edge, a, b], text);
+        text.push(b'\n');
+    })?;
+    writeln!(out, "{}", graph.holes.len())?;
+    for (hole, [x, y]) in graph.holes.iter().enumerate() {
+        writeln!(out, "{} {} {}", hole + graph.first_hole, x.text(), y.text())?;
+    }
+    if graph.regions.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "{}", graph.regions.len())?;
+    for (region, Region { seed, attribute }) in graph.regions.iter().enumerate() {
+        let [x, y] = seed.each_ref().map(Coordinate::text);
+        let region = region + graph.first_region;
+        writeln!(out, "{region} {x} {y} {}", attribute.text())?;
+    }
+    Ok(())
+}
+
+/// For each triangle, if it is inside, its place in the canonical list of the domain, and which of its vertices comes
+/// first there.
+pub(super) fn places(domain: &Domain<'_>, canonical: &[[usize; 3]]) -> Vec<Option<(usize, usize)>> {
+    let result = domain.triangulation();
+    let mut places = vec![None; result.len()];
+    for t in domain.inside() {
+        let corners = result.triangle(t);
+        let first = (0..3)
+            .min_by_key(|&i| corners[i])
+            .expect("a triangle has corners");
+        let listed = [0, 1, 2].map(|i| corners[(first + i) % 3]);
+        let place = canonical.binary_search(&listed);
+        places[t] = Some((place.expect("every triangle inside is listed"), first));
+    }
+    places
+}
+
+/// Writes `count` rows; `row` appends each to a text. The texts of some chunks at a time are made on all cores,
+/// while those before them are written.
+pub(super) fn write_rows(
+    out: &mut impl Write,
+    count: usize,
+    row: impl Fn(usize, &mut Vec<u8>) + Sync + Send,
+) -> io::Result<()> {
+    const ROWS: usize = 1 << 12;
+    let text = |start| {
+        let mut text = Vec::new();
+        (start..count.min(start + ROWS)).for_each(|at| row(at, &mut text));
+        text
+    };
+    in_turn((0..count).step_by(ROWS), text, |text| out.write_all(&text))
+}
+
+/// Appends numbers with spaces between them. All get their digits before the first is copied: a copy straight
+/// after the formatting would have to wait for it.
+pub(super) fn numbers<const N: usize>(numbers: [usize; N], text: &mut Vec<u8>) {
+    let mut buffers = numbers.map(|number| (number, itoa::Buffer::new()));
+    let digits = buffers
+        .each_mut()
+        .map(|(number, buffer)| buffer.format(*number));
+    for (at, digits) in digits.into_iter().enumerate() {
+        if at > 0 {
+            text.push(b' ');
+        }
+        text.extend_from_slice(digits.as_bytes());
+    }
+}
+
+/// Appends a number.
+pub(super) fn number(number: usize, text: &mut Vec<u8>) {
+    numbers([number], text);
+}

@@ -1,0 +1,343 @@
+//! Formats of other programs: what these wrote is read as it was meant, and what is written is read again.
+//!
+//! `tests/data/meshes.jsonl` holds one small terrain, first as lists, and then as files of other programs: made by
+//! `meshio`, `shapely` and VTK, or byte by byte by their specification, as `origin` says.
+
+use std::str::FromStr;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use serde::Deserialize;
+use strum::VariantArray;
+use sweep_cdt::verify::Verifier;
+use sweep_cdt_formats::{
+    Column, Graph, Input, InputFormat, Matched, OutputFormat, ResultFormat, Source, read,
+    read_result, write, write_graph,
+};
+
+/// The terrain.
+#[derive(Deserialize)]
+struct Terrain {
+    points: Vec<[f64; 3]>,
+    edges: Vec<[usize; 2]>,
+    triangles: Vec<[usize; 3]>,
+}
+
+/// A file with it.
+#[derive(Deserialize)]
+struct Sample {
+    /// What is in it: `triangles`, lines too (`all`), triangles without a list of vertices (`soup`), triangles in
+    /// single precision (`single`), no triangles (`graph`), or what is not read (`refused`).
+    kind: String,
+    format: String,
+    origin: String,
+    base64: String,
+}
+
+fn samples() -> (Terrain, Vec<Sample>) {
+    let text = include_str!("../data/meshes.jsonl");
+    let (first, others) = text.split_once('\n').expect("a first line");
+    let others = others.lines();
+    let sample = |line| serde_json::from_str(line).expect("a sample");
+    (
+        serde_json::from_str(first).expect("the terrain"),
+        others.map(sample).collect(),
+    )
+}
+
+impl Terrain {
+    fn graph(&self) -> Graph<f64> {
+        Graph {
+            points: self.points.iter().map(|&[x, y, _]| [x, y]).collect(),
+            columns: vec![Column {
+                name: Column::HEIGHT.to_owned(),
+                values: self.points.iter().map(|point| point[2]).collect(),
+            }],
+            edges: self.edges.clone(),
+            ..Graph::default()
+        }
+    }
+}
+
+impl Sample {
+    fn source(&self) -> Source {
+        source(&STANDARD.decode(&self.base64).expect("base 64"))
+    }
+}
+
+fn source(bytes: &[u8]) -> Source {
+    Source {
+        name: "file".to_owned(),
+        bytes: bytes.to_vec(),
+    }
+}
+
+/// A graph of doubles.
+#[track_caller]
+fn graph(format: InputFormat, source: &Source) -> Graph<f64> {
+    match read(format, source, None) {
+        Ok(Input::Doubles(graph)) => graph,
+        other => panic!("{format:?}: {other:?}"),
+    }
+}
+
+#[test]
+fn triangles_of_other_programs_are_read() {
+    let (terrain, samples) = samples();
+    let input = terrain.graph();
+    let is_result = |sample: &&Sample| !["graph", "refused"].contains(&sample.kind.as_str());
+    for sample in samples.iter().filter(is_result) {
+        let format = ResultFormat::from_str(&sample.format).expect("a format that is read");
+        let result = read_result(format, &sample.source(), None, &input);
+        let result = result.unwrap_or_else(|error| panic!("{}: {error}", sample.origin));
+        assert_eq!(result.list, terrain.triangles, "{}", sample.origin);
+        let is_single = sample.kind == "single" || sample.origin.contains("stl {'binary': True}");
+        match result.matched {
+            Matched::Rounded { difference } if sample.kind == "single" => {
+                assert!((1e-8..1e-6).contains(&difference));
+            }
+            Matched::Single { difference } if is_single => {
+                assert!((1e-8..1e-6).contains(&difference));
+            }
+            matched => assert_eq!((matched, is_single), (Matched::Equal, false)),
+        }
+        let verdict = Verifier::new().verify(&input.points, &[], &result.list);
+        assert!(verdict.is_ok(), "{}", sample.origin);
+    }
+}
+
+#[test]
+fn graphs_of_other_programs_are_read() {
+    let (terrain, samples) = samples();
+    let expected = terrain.graph();
+    let is_input = |sample: &&Sample| ["triangles", "all", "graph"].contains(&sample.kind.as_str());
+    for sample in samples.iter().filter(is_input) {
+        let format = InputFormat::from_str(&sample.format).expect("a format that is read");
+        let found = graph(format, &sample.source());
+        assert_eq!(found.points, expected.points, "{}", sample.origin);
+        assert_eq!(found.columns[0], expected.columns[0], "{}", sample.origin);
+        if sample.kind != "triangles" {
+            assert_eq!(found.edges, expected.edges, "{}", sample.origin);
+        }
+    }
+}
+
+#[test]
+fn other_columns_go_with_the_vertices() {
+    let (_, samples) = samples();
+    let rain = |values: [f64; 6]| Column {
+        name: "rain".to_owned(),
+        values: values.to_vec(),
+    };
+    let mut count = 0;
+    for sample in samples
+        .iter()
+        .filter(|sample| sample.kind != "refused" && !sample.origin.starts_with("struct"))
+    {
+        let format = InputFormat::from_str(&sample.format);
+        if let Ok(format @ (InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)) = format {
+            let read_first = graph(format, &sample.source());
+            assert_eq!(
+                read_first.columns[1..],
+                [rain([1.5, 2.0, 3.0, 4.0, 5.0, 0.1])]
+            );
+            for again in [InputFormat::Ply, InputFormat::Vtk, InputFormat::Vtu] {
+                let mut text = Vec::new();
+                write_graph(again, &read_first, &mut text).expect("memory takes it");
+                assert_eq!(
+                    graph(again, &source(&text)).columns,
+                    read_first.columns,
+                    "{again:?}"
+                );
+            }
+            let mut text = Vec::new();
+            write_graph(InputFormat::Node, &read_first, &mut text).expect("memory takes it");
+            let of_node = graph(InputFormat::Node, &source(&text)).columns;
+            assert_eq!(of_node[0], read_first.columns[0]);
+            assert_eq!(of_node[1].values, read_first.columns[1].values);
+            count += 1;
+        }
+    }
+    assert_eq!(count, 15);
+}
+
+#[test]
+fn every_format_reads_what_it_writes() {
+    let (terrain, _) = samples();
+    let terrain = terrain.graph();
+    let flat = Graph {
+        columns: Vec::new(),
+        ..terrain.clone()
+    };
+    for graph_written in [terrain, flat] {
+        for &format in InputFormat::VARIANTS {
+            let mut text = Vec::new();
+            write_graph(format, &graph_written, &mut text).expect("memory takes it");
+            let again = graph(format, &source(&text));
+            assert_eq!(again.points, graph_written.points, "{format:?}");
+            assert_eq!(again.columns, graph_written.columns, "{format:?}");
+            if format != InputFormat::Node {
+                assert_eq!(again.edges, graph_written.edges, "{format:?}");
+            }
+        }
+        let result = sweep_cdt::triangulate(&graph_written.points, &graph_written.edges);
+        let result = result.expect("edges do not cross");
+        for &format in ResultFormat::VARIANTS {
+            let same: OutputFormat = <&str>::from(format).parse().expect("the same name");
+            let mut text = Vec::new();
+            write(same, &graph_written, &result, &mut text).expect("memory takes it");
+            let again = read_result(format, &source(&text), None, &graph_written);
+            let again = again.unwrap_or_else(|error| panic!("{format:?}: {error}"));
+            assert_eq!(again.list, result.canonical_triangles(), "{format:?}");
+        }
+    }
+}
+
+#[test]
+fn damaged_files_are_refused_or_read_but_nothing_else() {
+    let (terrain, samples) = samples();
+    let input = terrain.graph();
+    let mut refused = 0;
+    for sample in &samples {
+        let whole = sample.source().bytes;
+        let mut damaged: Vec<Vec<u8>> = (0..whole.len()).map(|end| whole[..end].to_vec()).collect();
+        for at in 0..whole.len() {
+            for byte in *b"9- {\n\xff" {
+                damaged.push([&whole[..at], &[byte], &whole[at + 1..]].concat());
+            }
+        }
+        for bytes in damaged {
+            let source = source(&bytes);
+            if let Ok(format) = ResultFormat::from_str(&sample.format) {
+                match read_result(format, &source, None, &input) {
+                    Ok(triangles) => {
+                        drop(Verifier::new().verify(&input.points, &[], &triangles.list));
+                    }
+                    Err(error) => assert!(error.to_string().starts_with("file:")),
+                }
+            }
+            if let Ok(format) = InputFormat::from_str(&sample.format)
+                && let Err(error) = read(format, &source, None)
+            {
+                assert!(error.to_string().starts_with("file:"));
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > 1000, "{refused}");
+}
+
+/// A file that announces more than it has must not take the memory for it.
+#[test]
+fn counts_are_not_believed() {
+    const MANY: &str = "1000000000000000000";
+    let (_, samples) = samples();
+    for sample in &samples {
+        let bytes = sample.source().bytes;
+        for number in ["6", "8", "30"] {
+            for at in 0..bytes.len() {
+                if bytes[at..].starts_with(number.as_bytes()) {
+                    let after = &bytes[at + number.len()..];
+                    let source = source(&[&bytes[..at], MANY.as_bytes(), after].concat());
+                    if let Ok(format) = InputFormat::from_str(&sample.format) {
+                        drop(read(format, &source, None));
+                    }
+                    if let Ok(format) = ResultFormat::from_str(&sample.format) {
+                        drop(read_result(format, &source, None, &Graph::<f64>::default()));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What is written, as the specifications of the formats have it.
+#[test]
+fn triangles_are_written_by_the_book() {
+    let graph = Graph {
+        points: vec![[0.5, 0.0], [4.0, 0.0], [0.0, 3.0]],
+        columns: vec![
+            Column {
+                name: "z".to_owned(),
+                values: vec![7.0, 8.5, -9.0],
+            },
+            Column {
+                name: "wind speed".to_owned(),
+                values: vec![1.0, 2.0, 0.25],
+            },
+        ],
+        edges: vec![[1, 2]],
+        ..Graph::default()
+    };
+    let result = sweep_cdt::triangulate(&graph.points, &graph.edges).expect("a triangle");
+    for (format, lines) in [
+        ("obj", "v 0.5 0 7|v 4 0 8.5|v 0 3 -9|f 1 2 3"),
+        ("off", "OFF|3 1 0|0.5 0 7|4 0 8.5|0 3 -9|3 0 1 2"),
+        (
+            "ply",
+            "ply|format ascii 1.0|element vertex 3|property double x|property double y|property double z|\
+             property double wind_speed|element face 1|property list uchar int vertex_indices|end_header|\
+             0.5 0 7 1|4 0 8.5 2|0 3 -9 0.25|3 0 1 2",
+        ),
+        (
+            "vtk",
+            "# vtk DataFile Version 3.0|sweep-cdt|ASCII|DATASET UNSTRUCTURED_GRID|POINTS 3 double|0.5 0 7|4 0 8.5|0 3 -9|\
+             CELLS 1 4|3 0 1 2|CELL_TYPES 1|5|POINT_DATA 3|SCALARS wind_speed double 1|LOOKUP_TABLE default|1|2|0.25",
+        ),
+        (
+            "vtu",
+            "<?xml version=\"1.0\"?>|\
+             <VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">|<UnstructuredGrid>|\
+             <Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">|<PointData>|\
+             <DataArray type=\"Float64\" Name=\"wind speed\" NumberOfComponents=\"1\" format=\"ascii\">|1|2|0.25|\
+             </DataArray>|</PointData>|<Points>|\
+             <DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">|\
+             0.5 0 7|4 0 8.5|0 3 -9|</DataArray>|</Points>|<Cells>|\
+             <DataArray type=\"Int64\" Name=\"connectivity\" NumberOfComponents=\"1\" format=\"ascii\">|0 1 2|\
+             </DataArray>|\
+             <DataArray type=\"Int64\" Name=\"offsets\" NumberOfComponents=\"1\" format=\"ascii\">|3|</DataArray>|\
+             <DataArray type=\"UInt8\" Name=\"types\" NumberOfComponents=\"1\" format=\"ascii\">|5|</DataArray>|\
+             </Cells>|</Piece>|</UnstructuredGrid>|</VTKFile>",
+        ),
+        (
+            "msh",
+            "$MeshFormat|2.2 0 8|$EndMeshFormat|$Nodes|3|1 0.5 0 7|2 4 0 8.5|3 0 3 -9|$EndNodes|$Elements|1|\
+             1 2 0 1 2 3|$EndElements",
+        ),
+        (
+            "stl",
+            "solid sweep-cdt|facet normal 0 0 0|outer loop|vertex 0.5 0 7|vertex 4 0 8.5|vertex 0 3 -9|endloop|\
+             endfacet|endsolid sweep-cdt",
+        ),
+        (
+            "geojson",
+            "{\"type\":\"FeatureCollection\",\"features\":[|{\"type\":\"Feature\",\"properties\":{},\"geometry\":\
+             {\"type\":\"Polygon\",\"coordinates\":[[[0.5,0,7],[4,0,8.5],[0,3,-9],[0.5,0,7]]]}}]}",
+        ),
+        (
+            "wkt",
+            "GEOMETRYCOLLECTION Z (|POLYGON Z ((0.5 0 7,4 0 8.5,0 3 -9,0.5 0 7)))",
+        ),
+    ] {
+        let mut text = Vec::new();
+        let format = OutputFormat::from_str(format).expect("a format");
+        write(format, &graph, &result, &mut text).expect("memory takes it");
+        let text = String::from_utf8(text).expect("text");
+        assert_eq!(text.trim_end().replace('\n', "|"), lines, "{format:?}");
+    }
+}
+
+/// Corners that stand in the order of the vertices, two of which are duplicates: no number says that they are meant.
+#[test]
+fn corners_are_the_lowest_of_equal_vertices() {
+    let [a, b, c, d] = [[0.0, 0.0], [1.0, -2.0], [2.0, -2.0], [3.0, 0.0]];
+    let points = vec![a, b, c, a, c, d];
+    let graph = Graph {
+        points,
+        ..Graph::default()
+    };
+    let text = "MULTIPOLYGON (((0 0, 1 -2, 2 -2, 0 0)), ((0 0, 2 -2, 3 0, 0 0)))";
+    let result = read_result(ResultFormat::Wkt, &source(text.as_bytes()), None, &graph)
+        .expect("its vertices");
+    assert_eq!(result.list, [[0, 1, 2], [0, 2, 5]]);
+}

@@ -1,0 +1,265 @@
+//! VTK's XML: what is refused, and why; what is read over; and files that lie about their arrays.
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use sweep_cdt_formats::{Graph, Input, InputFormat, ResultFormat, Source, read, read_result};
+
+/// A file of two points and a line: what the elements `VTKFile` and `Points` say, and what stands behind the piece.
+fn file(head: &str, points: &str, tail: &str) -> Vec<u8> {
+    let text = format!(
+        "<VTKFile type=\"UnstructuredGrid\" {head}>\n<UnstructuredGrid>\n\
+         <Piece NumberOfPoints=\"2\" NumberOfCells=\"1\">\n\
+         <Points>\n{points}\n</Points>\n<Cells>\n\
+         <DataArray type=\"Int64\" Name=\"connectivity\">0 1</DataArray>\n\
+         <DataArray type=\"Int64\" Name=\"offsets\">2</DataArray>\n\
+         <DataArray type=\"UInt8\" Name=\"types\">3</DataArray>\n\
+         </Cells>\n</Piece>\n</UnstructuredGrid>\n{tail}</VTKFile>\n"
+    );
+    text.into_bytes()
+}
+
+/// An array of points with these attributes and this content.
+fn points(attributes: &str, content: &str) -> String {
+    format!(
+        "<DataArray type=\"Float64\" NumberOfComponents=\"3\" {attributes}>{content}</DataArray>"
+    )
+}
+
+const TEXT: &str = "1 0 0 2 0.5 0";
+
+fn graph(bytes: Vec<u8>) -> Result<Graph<f64>, String> {
+    let name = "file".to_owned();
+    match read(InputFormat::Vtu, &Source { name, bytes }, None) {
+        Ok(Input::Doubles(graph)) => Ok(graph),
+        Ok(other) => panic!("{other:?}"),
+        Err(error) => Err(error.to_string()),
+    }
+}
+
+#[track_caller]
+fn assert_is_read(bytes: Vec<u8>) {
+    let graph = graph(bytes).expect("it is right");
+    assert_eq!(graph.points, [[1.0, 0.0], [2.0, 0.5]]);
+    assert_eq!(graph.edges, [[0, 1]]);
+}
+
+#[track_caller]
+fn assert_refused(bytes: Vec<u8>, why: &str) {
+    assert_eq!(graph(bytes), Err(why.to_owned()));
+}
+
+/// The numbers of [`TEXT`] with a header of 32 bits.
+fn bytes() -> Vec<u8> {
+    let numbers = [1.0, 0.0, 0.0, 2.0, 0.5, 0.0].map(f64::to_le_bytes);
+    [&48_u32.to_le_bytes()[..], numbers.as_flattened()].concat()
+}
+
+#[test]
+fn what_is_no_grid_is_read_over() {
+    let text = points("format=\"ascii\" RangeMin=\"0\"", TEXT);
+    assert_is_read(file("", &text, ""));
+    let comment = format!("<!-- <DataArray> --><?pi?>{text}<Unknown><DataArray/></Unknown>");
+    assert_is_read(file("", &comment, ""));
+    let key = points(
+        "",
+        &format!("{TEXT}<InformationKey><Value>9</Value></InformationKey> "),
+    );
+    assert_is_read(file("version=\"1.0\"", &key, ""));
+    let marked = [
+        &b"\xef\xbb\xbf<?xml version=\"1.0\"?>\n"[..],
+        &file("", &text, ""),
+    ]
+    .concat();
+    assert_is_read(marked);
+}
+
+#[test]
+fn base_64_may_be_cut_and_broken_into_lines() {
+    let whole = STANDARD.encode(bytes());
+    assert_is_read(file("", &points("format=\"binary\"", &whole), ""));
+    let (head, numbers) = (&bytes()[..4], &bytes()[4..]);
+    let cut = STANDARD.encode(head) + "\n  " + &STANDARD.encode(numbers);
+    assert_is_read(file("", &points("format=\"binary\"", &cut), ""));
+    let lines: Vec<&str> = (0..whole.len()).map(|at| &whole[at..=at]).collect();
+    assert_is_read(file(
+        "",
+        &points("format=\"binary\"", &lines.join("\n")),
+        "",
+    ));
+}
+
+#[test]
+fn wrong_elements_are_named() {
+    let text = points("", TEXT);
+    assert_refused(Vec::new(), "file: there is no `Piece` of a `VTKFile`");
+    assert_refused(
+        b"<VTKFile type=\"PolyData\"/>".to_vec(),
+        "file:1: the attribute `type` is `PolyData`, not `UnstructuredGrid`",
+    );
+    assert_refused(
+        file("compressor=\"vtkLZ4DataCompressor\"", &text, ""),
+        "file:1: the attribute `compressor` is `vtkLZ4DataCompressor`, not `vtkZLibDataCompressor`",
+    );
+    assert_refused(
+        file("byte_order=\"Middle\"", &text, ""),
+        "file:1: the attribute `byte_order` is `Middle`, not `LittleEndian` or `BigEndian`",
+    );
+    assert_refused(file("", "", ""), "file: there is no array `Points`");
+    assert_refused(
+        file("", &text.replace("\"3\"", "\"2\""), ""),
+        "file:5: a point is not three numbers that are doubles",
+    );
+    assert_refused(
+        file("", &text.replace("\"3\"", "\"x\""), ""),
+        "file:5: the attribute `NumberOfComponents` is `x`, not a whole number",
+    );
+    assert_refused(
+        file("", &text.replace("Float64", "String"), ""),
+        "file:5: `String` is not a type that is read",
+    );
+    assert_refused(
+        file("", &points("", "1 0 0 2 zero 0"), ""),
+        "file:5: `zero` is not a coordinate",
+    );
+    assert_refused(
+        file("", &points("Name=\"P\"", "1 0 0"), ""),
+        "file:5: the array `P` has 3 numbers, not 6",
+    );
+    assert_refused(
+        file("", &text, "<Piece/>"),
+        "file:14: more than one `Piece` is not read",
+    );
+    assert_refused(
+        file("", &format!("{text}</Cells>"), ""),
+        "file:5: ill-formed document: expected `</Points>`, but `</Cells>` was found",
+    );
+    assert_refused(
+        b"<VTKFile>\n\xff".to_vec(),
+        "file: the elements are not UTF-8",
+    );
+}
+
+#[test]
+fn wrong_cells_are_named() {
+    let whole = file("", &points("", TEXT), "");
+    let whole = String::from_utf8(whole).expect("text");
+    let changed = |from: &str, to: &str| whole.replace(from, to).into_bytes();
+    assert_refused(
+        changed(">2<", ">3<"),
+        "file: cell 0: its corners are not in `connectivity`",
+    );
+    assert_refused(
+        changed(">0 1<", ">0 -1<"),
+        "file: `-1` in `Cells` is not a whole number",
+    );
+    assert_refused(
+        changed(">0 1<", ">0 2<"),
+        "file: line 0 of the mesh: vertex 2 does not exist: the vertices are numbered from 0 to 1",
+    );
+    let name = "file".to_owned();
+    let bytes = changed(">3<", ">10<");
+    let source = Source { name, bytes };
+    let result = read_result(ResultFormat::Vtu, &source, None, &Graph::<f64>::default());
+    let error = result.expect_err("a tetrahedron").to_string();
+    assert_eq!(error, "file: cell 0: cells of type 10 are no triangles");
+}
+
+/// The points as appended bytes; offsets are those of the file's arrays.
+fn appended(offsets: &[usize], encoding: &str, data: &[u8]) -> Vec<u8> {
+    let mut arrays = String::new();
+    for offset in offsets {
+        let array = points(
+            &format!("Name=\"P\" format=\"appended\" offset=\"{offset}\""),
+            "",
+        );
+        writeln!(arrays, "{array}").expect("memory takes it");
+    }
+    let whole = file("", arrays.trim_end(), "@");
+    let at = whole
+        .iter()
+        .position(|&byte| byte == b'@')
+        .expect("the tail");
+    let head = format!("<AppendedData {encoding}>\n _");
+    let (before, after) = (&whole[..at], &whole[at + 1..]);
+    [before, head.as_bytes(), data, b"\n</AppendedData>\n", after].concat()
+}
+
+#[test]
+fn appended_arrays_are_read_and_share_no_bytes() {
+    let raw = "encoding=\"raw\"";
+    assert_is_read(appended(&[0], raw, &bytes()));
+    let shifted = [b"<>\xff", &bytes()[..]].concat();
+    assert_is_read(appended(&[3], raw, &shifted));
+    assert_is_read(appended(
+        &[0],
+        "encoding=\"base64\"",
+        STANDARD.encode(bytes()).as_bytes(),
+    ));
+    assert_refused(
+        appended(&[0, 0], raw, &bytes()),
+        "file:5: the array `P`: another one has the offset 0, too",
+    );
+    assert_refused(
+        appended(&[0, 9], raw, &bytes()),
+        "file:5: the array `P`: there are fewer bytes than it says",
+    );
+    assert_refused(
+        appended(&[999], raw, &bytes()),
+        "file:5: the array `P`: `AppendedData` ends before the offset 999",
+    );
+    assert_refused(
+        appended(&[0], "encoding=\"hex\"", &bytes()),
+        "file:14: the attribute `encoding` is `hex`, not `base64` or `raw`",
+    );
+    let missing = points("Name=\"P\" format=\"appended\" offset=\"0\"", "");
+    assert_refused(
+        file("", &missing, ""),
+        "file:5: the array `P`: there is no `AppendedData`",
+    );
+}
+
+/// Blocks of 20 bytes packed by zlib, with a header of this size for each but the last and for the last.
+fn packed(full: u32, last: u32) -> Vec<u8> {
+    let pack = |block: &[u8]| {
+        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+        encoder.write_all(block).expect("memory takes it");
+        encoder.finish().expect("memory takes it")
+    };
+    let blocks: Vec<Vec<u8>> = bytes()[4..].chunks(20).map(pack).collect();
+    let size = |block: &Vec<u8>| u32::try_from(block.len()).expect("a small block");
+    let sizes = blocks.iter().map(size);
+    let header = [3, full, last].into_iter().chain(sizes);
+    let header: Vec<u8> = header.flat_map(u32::to_le_bytes).collect();
+    [header, blocks.concat()].concat()
+}
+
+#[test]
+fn blocks_have_the_sizes_that_they_say() {
+    let packed = |full, last| {
+        let text = STANDARD.encode(packed(full, last));
+        let array = points("Name=\"P\" format=\"binary\"", &text);
+        file("compressor=\"vtkZLibDataCompressor\"", &array, "")
+    };
+    assert_is_read(packed(20, 8));
+    for (full, last, says) in [
+        (19, 8, 19),
+        (21, 8, 21),
+        (20, 7, 7),
+        (20, 9, 9),
+        (20, 0, 20),
+    ] {
+        let why = format!("a block does not have the {says} bytes that it says");
+        assert_refused(packed(full, last), &format!("file:5: the array `P`: {why}"));
+    }
+    let text = STANDARD.encode(bytes());
+    let array = points("Name=\"P\" format=\"binary\"", &text);
+    assert_refused(
+        file("compressor=\"vtkZLibDataCompressor\"", &array, ""),
+        "file:5: the array `P`: there are fewer bytes than it says",
+    );
+}

@@ -1,0 +1,169 @@
+//! Generated data by kind, number of points and seed (feature `generate`): the same bytes on every platform.
+//!
+//! Only `+ - * /`, square roots and integers make coordinates: these are rounded alike everywhere, sines and
+//! powers are not. What is random comes from [`Random`]. Every kind can be triangulated at every size: edges
+//! meet at their ends only, or at a vertex. Time and memory are proportional to the number of points.
+//!
+//! ```
+//! use sweep_cdt_generate::Kind;
+//!
+//! let parcels = Kind::named("parcels").expect("there is such a kind").graph(1000, 1);
+//! let result = sweep_cdt::triangulate(&parcels.points, &parcels.edges)?;
+//! assert!(parcels.edges.len() > parcels.points.len());
+//! assert!(result.len() > parcels.edges.len());
+//! # Ok::<(), sweep_cdt::Error>(())
+//! ```
+
+mod contours;
+mod edges;
+mod points;
+mod random;
+
+pub use random::Random;
+
+use sweep_cdt::Pslg;
+
+/// A kind of data.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// Its name, a word.
+    pub name: &'static str,
+    /// What it is, in a line.
+    pub about: &'static str,
+    make: fn(n: usize, random: &mut Random) -> Pslg<f64>,
+}
+
+impl Kind {
+    /// About `n` points for a seed, with their edges: none for 0, and otherwise at least one. The numbers of
+    /// points of a lattice, of parcels and of contour lines differ from `n` most where `n` is small.
+    pub fn graph(&self, n: usize, seed: u64) -> Pslg<f64> {
+        if n == 0 {
+            return Pslg::default();
+        }
+        (self.make)(n, &mut Random::new(seed))
+    }
+
+    /// The kind of this name.
+    pub fn named(name: &str) -> Option<Kind> {
+        KINDS.iter().copied().find(|kind| kind.name == name)
+    }
+}
+
+/// All kinds: points, points with edges, and inputs made against some structure.
+pub const KINDS: &[Kind] = &[
+    Kind {
+        name: "uniform",
+        about: "points anywhere in a square",
+        make: points::uniform,
+    },
+    Kind {
+        name: "integers",
+        about: "points anywhere with integers below a million as coordinates",
+        make: points::integers,
+    },
+    Kind {
+        name: "clusters",
+        about: "twenty clusters, the widest 512 times as wide as the narrowest",
+        make: points::clusters,
+    },
+    Kind {
+        name: "power-law",
+        about: "one cluster whose density falls with a power of the distance",
+        make: points::power_law,
+    },
+    Kind {
+        name: "lattice",
+        about: "a square lattice, its points in random order",
+        make: points::shuffled_lattice,
+    },
+    Kind {
+        name: "lattice-in-order",
+        about: "a square lattice, row by row",
+        make: points::lattice,
+    },
+    Kind {
+        name: "rows",
+        about: "sixteen rows of equal y",
+        make: points::rows,
+    },
+    Kind {
+        name: "columns",
+        about: "sixteen columns of equal x",
+        make: points::columns,
+    },
+    Kind {
+        name: "circle",
+        about: "points on a circle",
+        make: points::circle,
+    },
+    Kind {
+        name: "parabola-up",
+        about: "a parabola open above: left and right in turn",
+        make: points::parabola_up,
+    },
+    Kind {
+        name: "parabola-right",
+        about: "a parabola open to the right",
+        make: points::parabola_right,
+    },
+    Kind {
+        name: "comb",
+        about: "long narrow teeth that hang down, with edges along them",
+        make: edges::comb,
+    },
+    Kind {
+        name: "fans",
+        about: "a hundred edges at each upper end",
+        make: edges::fans,
+    },
+    Kind {
+        name: "asterisk",
+        about: "edges in all directions through one vertex",
+        make: edges::asterisk,
+    },
+    Kind {
+        name: "segments",
+        about: "short edges that do not meet",
+        make: edges::segments,
+    },
+    Kind {
+        name: "outlines",
+        about: "rough closed outlines of 256 vertices, nothing inside",
+        make: edges::outlines,
+    },
+    Kind {
+        name: "parcels",
+        about: "parcels of land, with the paper's ratio of points to edges",
+        make: edges::parcels,
+    },
+    Kind {
+        name: "contours",
+        about: "contour lines of a fractal terrain",
+        make: contours::contours,
+    },
+    Kind {
+        name: "alternating",
+        about: "a row, and above it points near its two ends in turn",
+        make: points::alternating,
+    },
+    Kind {
+        name: "above-a-row",
+        about: "a row, and points anywhere above it",
+        make: points::above_a_row,
+    },
+    Kind {
+        name: "outliers",
+        about: "the same in a four-millionth of the width, between two points far away",
+        make: points::outliers,
+    },
+    Kind {
+        name: "leftwards",
+        about: "half a parabola, each point to the left of all before it",
+        make: points::leftwards,
+    },
+];
+
+/// The example of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,39 @@
+//! The points and edges of a request.
+
+use std::error::Error;
+
+use sweep_cdt_formats::{Input, InputFormat, Source, read as read_file};
+use sweep_cdt_generate::Kind;
+
+use super::request::Given;
+
+/// Reads files, one after the other in `files`, or generates data.
+pub(crate) fn read(given: Given, mut files: Vec<u8>) -> Result<Input, Box<dyn Error>> {
+    match given {
+        Given::File {
+            name,
+            format,
+            bytes,
+            node,
+        } => {
+            let format = named::<InputFormat>(&format)?;
+            let rest = files.split_off(bytes.min(files.len()));
+            let source = Source { name, bytes: files };
+            let node = node.map(|(name, bytes)| Source {
+                name,
+                bytes: rest[..bytes.min(rest.len())].to_vec(),
+            });
+            Ok(read_file(format, &source, node.as_ref())?)
+        }
+        Given::Generated { kind, points, seed } => {
+            let kind = Kind::named(&kind).ok_or_else(|| format!("there is no kind `{kind}`"))?;
+            Ok(Input::Doubles(kind.graph(points, seed).into()))
+        }
+    }
+}
+
+/// The format of this name.
+pub(crate) fn named<F: std::str::FromStr>(name: &str) -> Result<F, String> {
+    name.parse()
+        .map_err(|_| format!("there is no format `{name}`"))
+}

@@ -1,0 +1,90 @@
+//! What a request asks for, written.
+
+use std::error::Error;
+
+use sweep_cdt::crossings::Exact;
+use sweep_cdt::{Error as Refusal, trace};
+use sweep_cdt_draw::{Output, StepsPage};
+use sweep_cdt_formats::{Coordinate, Graph, write_graph, write_trace};
+
+use super::input::named;
+use super::picture::Picture;
+use super::request::{Settings, Trace, Wanted};
+
+/// So many points and edges may have their steps shown: a browser bears the page, and the memory of a process the steps.
+const MOST_WITH_STEPS: usize = 50_000;
+
+/// Writes what is wanted of the input called `name`.
+pub(crate) fn write<S: Coordinate + Exact>(
+    name: &str,
+    graph: &Graph<S>,
+    settings: Settings,
+    wanted: Wanted,
+    out: &mut Vec<u8>,
+) -> Result<(), Box<dyn Error>> {
+    let refused = |graph: &Graph<S>, error| format!("{name}: {}", graph.as_numbered(error));
+    if let Wanted::Picture = wanted {
+        let picture = Picture::new(graph, &settings);
+        let picture = picture.map_err(|error| refused(graph, error))?;
+        return Ok(picture.write(out)?);
+    }
+    if let Wanted::Graph(format) = wanted {
+        return Ok(write_graph(named(&format)?, graph, out)?);
+    }
+    let pieces = settings.pieces(graph);
+    let graph = pieces.map_err(|error| refused(graph, error))?;
+    let graph = graph.as_ref();
+    match wanted {
+        Wanted::Trace(format) => write_steps(name, graph, settings, format, out),
+        Wanted::Result(format) => {
+            let format: Output = named(&format)?;
+            let result = settings.triangulate(graph, None);
+            let (result, _) = result.map_err(|error| refused(graph, error))?;
+            match settings.domain(graph, &result) {
+                None => format.write(graph, &result, out)?,
+                Some(domain) => {
+                    let domain = domain.map_err(|error| graph.domain_as_numbered(error));
+                    let domain = domain.map_err(|error| format!("{name}: {error}"))?;
+                    format.write_domain(graph, &domain, out)?;
+                }
+            }
+            Ok(())
+        }
+        Wanted::Picture | Wanted::Graph(_) => Ok(()),
+    }
+}
+
+/// Writes the steps; of edges that cross, those up to the first crossing that the sweep meets.
+fn write_steps<S: Coordinate>(
+    name: &str,
+    graph: &Graph<S>,
+    settings: Settings,
+    format: Trace,
+    out: &mut Vec<u8>,
+) -> Result<(), Box<dyn Error>> {
+    let size = graph.points.len() + graph.edges.len();
+    if size > MOST_WITH_STEPS {
+        let message = format!(
+            "{name}: steps are shown of up to {MOST_WITH_STEPS} points and edges, and these are {size}"
+        );
+        return Err(message.into());
+    }
+    let mut events = Vec::new();
+    let refused = match settings.triangulate(graph, Some(&mut events)) {
+        Ok(_) => None,
+        Err(error @ Refusal::CrossingEdges { .. }) => Some(error),
+        Err(error) => return Err(format!("{name}: {}", graph.as_numbered(error)).into()),
+    };
+    match format {
+        Trace::Html => {
+            let page = StepsPage::new(graph, &events);
+            match &refused {
+                Some(error) => page.refused(error).write(out)?,
+                None => page.write(out)?,
+            }
+        }
+        Trace::Txt => trace::Trace { skipped: 0, events }.write_text(out)?,
+        Trace::Jsonl => write_trace(&trace::Trace { skipped: 0, events }, out)?,
+    }
+    Ok(())
+}

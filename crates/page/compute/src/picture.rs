@@ -1,0 +1,166 @@
+//! What the page draws and says of an input: a line of JSON, and then numbers.
+//!
+//! The numbers are little-endian, places as pairs of doubles, the rest in 32 bits each: the vertices, those of the input
+//! first; the edges of the input; the triangles; their sides, first those between two of them, then those of one; the
+//! places where edges cross; the edges that cross. The line says how many there are of each. So a million points pass
+//! from one memory to the other without becoming text.
+
+use std::io;
+
+use serde::Serialize;
+use sweep_cdt::crossings::{Crossing, Exact, crossings};
+use sweep_cdt::{Error, Stats, Triangulation};
+use sweep_cdt_formats::{Coordinate, Graph, Splitting};
+
+use super::request::Settings;
+
+/// All of it.
+pub(crate) struct Picture {
+    summary: Summary,
+    vertices: Vec<[f64; 2]>,
+    edges: Vec<[usize; 2]>,
+    shown: Shown,
+    crossings: Vec<Crossing>,
+}
+
+/// Triangles and their sides: those of two triangles, and those of one.
+#[derive(Default)]
+struct Shown {
+    triangles: Vec<[usize; 3]>,
+    inner: Vec<[usize; 2]>,
+    border: Vec<[usize; 2]>,
+}
+
+impl Shown {
+    /// The triangles of a result that are drawn.
+    fn new(result: &Triangulation, is_drawn: impl Fn(usize) -> bool) -> Shown {
+        let mut shown = Shown::default();
+        for t in (0..result.len()).filter(|&t| is_drawn(t)) {
+            let corners = result.triangle(t);
+            shown.triangles.push(corners);
+            for side in 0..3 {
+                let ends = [corners[(side + 1) % 3], corners[(side + 2) % 3]];
+                match result.neighbor(t, side).filter(|&across| is_drawn(across)) {
+                    None => shown.border.push(ends),
+                    Some(across) if across > t => shown.inner.push(ends),
+                    Some(_) => {}
+                }
+            }
+        }
+        shown
+    }
+}
+
+/// The line.
+#[derive(Serialize)]
+struct Summary {
+    /// How many points the input has; the vertices after these are crossings.
+    points: usize,
+    vertices: usize,
+    edges: usize,
+    triangles: usize,
+    inner: usize,
+    border: usize,
+    crossings: usize,
+    /// How far splitting moved an edge at most, in units in the last place, if edges were split.
+    displacement: Option<f64>,
+    /// Why the rule says nothing of what is inside, so that all triangles are drawn.
+    domain_refused: Option<String>,
+    /// Nothing, if edges cross and are not split.
+    stats: Option<Stats>,
+}
+
+impl Picture {
+    /// Triangulates. Edges that cross are no failure: they are listed, and split if the settings say so.
+    pub(crate) fn new<S: Coordinate + Exact>(
+        graph: &Graph<S>,
+        settings: &Settings,
+    ) -> Result<Picture, Error> {
+        match settings.triangulate(graph, None) {
+            Ok(run) => Ok(Picture::of(graph, graph, Some(run), Vec::new(), settings)),
+            Err(Error::CrossingEdges { .. }) => {
+                let found = crossings(&graph.points, &graph.edges)?;
+                if !settings.split {
+                    return Ok(Picture::of(graph, graph, None, found, settings));
+                }
+                let (pieces, splitting) = graph.split_crossings()?;
+                let run = settings.triangulate(&pieces, None)?;
+                let picture = Picture::of(graph, &pieces, Some(run), found, settings);
+                Ok(picture.displaced(splitting))
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The picture of `graph`, of which `pieces` were triangulated.
+    fn of<S: Coordinate>(
+        graph: &Graph<S>,
+        pieces: &Graph<S>,
+        run: Option<(Triangulation, Stats)>,
+        crossings: Vec<Crossing>,
+        settings: &Settings,
+    ) -> Picture {
+        let mut domain_refused = None;
+        let mut shown = Shown::default();
+        if let Some((result, _)) = &run {
+            shown = match settings.domain(pieces, result) {
+                None => Shown::new(result, |_| true),
+                Some(Ok(domain)) => Shown::new(result, |t| domain.is_inside(t)),
+                Some(Err(error)) => {
+                    domain_refused = Some(pieces.domain_as_numbered(error).to_string());
+                    Shown::new(result, |_| true)
+                }
+            };
+        }
+        let summary = Summary {
+            points: graph.points.len(),
+            vertices: pieces.points.len(),
+            edges: graph.edges.len(),
+            triangles: shown.triangles.len(),
+            inner: shown.inner.len(),
+            border: shown.border.len(),
+            crossings: crossings.len(),
+            displacement: None,
+            domain_refused,
+            stats: run.map(|(_, stats)| stats),
+        };
+        let near = |point: &[S; 2]| point.each_ref().map(S::approx);
+        Picture {
+            summary,
+            vertices: pieces.points.iter().map(near).collect(),
+            edges: graph.edges.clone(),
+            shown,
+            crossings,
+        }
+    }
+
+    fn displaced(mut self, splitting: Splitting) -> Picture {
+        self.summary.displacement = Some(splitting.displacement);
+        self
+    }
+
+    /// Writes it.
+    pub(crate) fn write(&self, out: &mut Vec<u8>) -> io::Result<()> {
+        serde_json::to_writer(&mut *out, &self.summary)?;
+        out.push(b'\n');
+        doubles(out, self.vertices.iter().copied());
+        indices(out, &self.edges);
+        indices(out, &self.shown.triangles);
+        indices(out, &self.shown.inner);
+        indices(out, &self.shown.border);
+        doubles(out, self.crossings.iter().map(Crossing::near));
+        let pairs: Vec<[usize; 2]> = self.crossings.iter().map(|found| found.edges).collect();
+        indices(out, &pairs);
+        Ok(())
+    }
+}
+
+fn doubles(out: &mut Vec<u8>, places: impl Iterator<Item = [f64; 2]>) {
+    out.extend(places.flatten().flat_map(f64::to_le_bytes));
+}
+
+/// Positions in lists that a page can hold are below 2^32.
+fn indices<const N: usize>(out: &mut Vec<u8>, rows: &[[usize; N]]) {
+    let numbers = rows.as_flattened().iter();
+    out.extend(numbers.flat_map(|&number| (number as u32).to_le_bytes()));
+}

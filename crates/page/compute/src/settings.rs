@@ -1,0 +1,84 @@
+//! The triangulation of a request: with its front, its algorithm and its heuristics, and what of it is inside.
+
+use std::borrow::Cow;
+
+use sweep_cdt::crossings::{Exact, crossings};
+use sweep_cdt::domain::{Domain, DomainError, Rule};
+use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::trace::Event;
+use sweep_cdt::{Error, Heuristics, Stats, Triangulation, Triangulator};
+use sweep_cdt_formats::{Coordinate, Graph};
+
+use super::request::{Front, Inside, Preset, Settings};
+
+impl Settings {
+    /// What is triangulated: the graph itself, or its edges split, if they are to be split and any cross.
+    pub(crate) fn pieces<'a, S: Coordinate + Exact>(
+        &self,
+        graph: &'a Graph<S>,
+    ) -> Result<Cow<'a, Graph<S>>, Error> {
+        if !self.split || crossings(&graph.points, &graph.edges)?.is_empty() {
+            return Ok(Cow::Borrowed(graph));
+        }
+        Ok(Cow::Owned(graph.split_crossings()?.0))
+    }
+
+    /// Triangulates; where steps are wanted, by the sweep.
+    pub(crate) fn triangulate<S: Coordinate>(
+        &self,
+        graph: &Graph<S>,
+        steps: Option<&mut Vec<Event>>,
+    ) -> Result<(Triangulation, Stats), Error> {
+        match self.front {
+            Front::Hash => self.run(HashTable::default(), graph, steps),
+            Front::SkipList => self.run(SkipList::default(), graph, steps),
+            Front::Linear => self.run(Linear::default(), graph, steps),
+        }
+    }
+
+    fn run<S: Coordinate, F: FrontSearch + Clone>(
+        &self,
+        front: F,
+        Graph { points, edges, .. }: &Graph<S>,
+        steps: Option<&mut Vec<Event>>,
+    ) -> Result<(Triangulation, Stats), Error> {
+        let triangulator = Triangulator::new()
+            .front(front)
+            .algorithm(self.method.into())
+            .heuristics(match self.heuristics {
+                Preset::Fast => Heuristics::FAST,
+                Preset::Paper => Heuristics::PAPER,
+                Preset::Off => Heuristics::OFF,
+            });
+        let run = match steps {
+            None => triangulator.triangulate_with_stats(points, edges)?,
+            Some(steps) => {
+                triangulator.triangulate_observed(points, edges, |event| steps.push(event))?
+            }
+        };
+        Ok((run.triangulation, run.stats))
+    }
+
+    /// What is inside; nothing, if that is the whole hull.
+    pub(crate) fn domain<'a, S: Coordinate>(
+        &self,
+        graph: &Graph<S>,
+        result: &'a Triangulation,
+    ) -> Option<Result<Domain<'a>, DomainError>> {
+        let rule = match self.inside {
+            Inside::Default if graph.holes.is_empty() => Inside::Hull,
+            Inside::Default => Inside::Holes,
+            rule => rule,
+        };
+        match rule {
+            Inside::EvenOdd => Some(result.domain(Rule::EvenOdd)),
+            Inside::Nonzero => Some(result.domain(Rule::NonZero(&graph.edges))),
+            Inside::Holes => {
+                let seeds = graph.regions.iter().map(|region| region.seed.clone());
+                let regions: Vec<[S; 2]> = seeds.collect();
+                Some(result.domain_of_seeds(&graph.points, &graph.holes, &regions))
+            }
+            Inside::Hull | Inside::Default => None,
+        }
+    }
+}

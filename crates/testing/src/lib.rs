@@ -1,0 +1,37 @@
+//! What the tests, the benchmarks and the fuzz targets share, and what tests of other programs can use (README.md).
+//!
+//! * [`generators`] turn bytes into inputs that are degenerate nearly every time; [`Random`] makes bytes
+//!   and numbers from a seed.
+//! * [`families`] are inputs that grow, the attacks on every promise about time; [`clouds`] and
+//!   [`segments()`] are the usual ones.
+//! * [`data`] reads the test data; [`binary`] writes inputs for other programs.
+//! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
+//! * [`judge`] decides with the oracle and the verifier whether another program is right.
+//! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
+//!   step by step; [`fronts`] lets both choose a front when the program runs.
+//! * [`boundary`] finds the closed chains around a set of triangles.
+//! * [`page`] reads a page of steps as its script does.
+//! * [`minimize`] makes a failing input small.
+//! * `peers` (with the feature of this name) calls other crates that triangulate.
+//!
+//! docs/testing.md describes the tests that are made of this.
+
+pub mod binary;
+pub mod clouds;
+pub mod data;
+pub mod families;
+pub mod fronts;
+pub mod generators;
+pub mod judge;
+pub mod minimize;
+pub mod oracle;
+pub mod page;
+#[cfg(feature = "peers")]
+pub mod peers;
+pub mod runs;
+
+pub use clouds::segments;
+pub use data::Input;
+pub use fronts::Steps;
+pub use oracle::boundary;
+pub use sweep_cdt_generate::Random;

@@ -1,0 +1,276 @@
+//! The table of runs: every scalar with every front and every setting of the heuristics, and every scalar
+//! with the other algorithms, in bands, and in memory that all inputs before it have used.
+//!
+//! A new front is a variant of [`FrontKind`], a new scalar one line in [`all`] and a [`Sample`] that says how
+//! it is made of a double.
+
+use std::cell::RefCell;
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::{BigRational, Ratio};
+use num_traits::{FromPrimitive, ToPrimitive};
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Algorithm, Error, Heuristics, Repeater, Triangulator};
+
+use crate::Input;
+use crate::fronts::{Choice, FrontKind, triangulate};
+use crate::oracle::{Answer, Verdict, found};
+
+/// What a run returns.
+pub type Outcome = Result<Answer, Error>;
+type Call = fn(&Input, Choice) -> Option<Outcome>;
+
+/// One way to triangulate.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Scalar, front and heuristics, or scalar and algorithm, bands or memory.
+    pub name: String,
+    choice: Choice,
+    call: Call,
+}
+
+impl Run {
+    /// What comes out, or `None` if the scalar cannot hold a coordinate.
+    pub fn outcome(&self, input: &Input) -> Option<Outcome> {
+        (self.call)(input, self.choice)
+    }
+}
+
+const HEURISTICS: &[(&str, Heuristics)] = &[
+    ("fast", Heuristics::FAST),
+    ("paper", Heuristics::PAPER),
+    ("off", Heuristics::OFF),
+];
+
+/// The algorithms beside the sweep, with their names.
+pub const ALGORITHMS: &[(&str, Algorithm)] = &[
+    ("divide and conquer", Algorithm::DivideAndConquer),
+    #[cfg(feature = "comparison")]
+    ("incremental", Algorithm::Incremental),
+    #[cfg(feature = "comparison")]
+    ("fortune", Algorithm::Fortune),
+    #[cfg(feature = "comparison")]
+    ("sweep of 2005", Algorithm::Sweep2005),
+];
+
+/// All runs; the first is the one that callers get who choose nothing.
+pub fn all() -> Vec<Run> {
+    let mut runs = with::<f64>("f64");
+    runs.extend(with::<f32>("f32"));
+    runs.extend(with::<i32>("i32"));
+    runs.extend(with::<i64>("i64"));
+    runs.extend(with::<i128>("i128"));
+    runs.extend(with::<Ratio<i64>>("Ratio<i64>"));
+    runs.extend(with::<BigInt>("BigInt"));
+    runs.extend(with::<BigRational>("BigRational"));
+    runs.extend(with::<Archetype>("archetype"));
+    runs
+}
+
+/// The runs with one scalar.
+pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
+    let mut runs = Vec::new();
+    for (name, front) in FrontKind::ALL {
+        for &(setting, heuristics) in HEURISTICS {
+            runs.push(Run {
+                name: format!("{scalar}, {name}, {setting}"),
+                choice: Choice {
+                    front,
+                    heuristics,
+                    ..Choice::default()
+                },
+                call: call::<S>,
+            });
+        }
+    }
+    for &(name, algorithm) in ALGORITHMS {
+        runs.push(Run {
+            name: format!("{scalar}, {name}"),
+            choice: Choice {
+                algorithm,
+                ..Choice::default()
+            },
+            call: call::<S>,
+        });
+    }
+    #[cfg(feature = "comparison")]
+    {
+        let mut obtuse = Heuristics::PAPER;
+        obtuse.corners = sweep_cdt::Corners::AllUpTo(8);
+        runs.push(Run {
+            name: format!("{scalar}, obtuse corners"),
+            choice: Choice {
+                heuristics: obtuse,
+                ..Choice::default()
+            },
+            call: call::<S>,
+        });
+    }
+    runs.push(Run {
+        name: format!("{scalar}, memory kept"),
+        choice: Choice::default(),
+        call: call_in_kept_memory::<S>,
+    });
+    #[cfg(feature = "parallel")]
+    for bands in 2..=5 {
+        runs.push(Run {
+            name: format!("{scalar}, {bands} bands"),
+            choice: Choice {
+                bands,
+                ..Choice::default()
+            },
+            call: call::<S>,
+        });
+    }
+    runs
+}
+
+fn call<S: Sample>(input: &Input, choice: Choice) -> Option<Outcome> {
+    let points = convert::<S>(&input.points)?;
+    let result = triangulate(&points, &input.edges, choice);
+    Some(result.map(|result| found(&result, points.len(), input.edges.len())))
+}
+
+thread_local! {
+    /// The memory that runs of this thread keep, whatever their scalar.
+    static REPEATER: RefCell<Repeater<'static>> = RefCell::new(Triangulator::new().repeater());
+}
+
+fn call_in_kept_memory<S: Sample>(input: &Input, _: Choice) -> Option<Outcome> {
+    let points = convert::<S>(&input.points)?;
+    Some(REPEATER.with_borrow_mut(|repeater| {
+        let result = repeater.triangulate(&points, &input.edges)?;
+        Ok(found(result, points.len(), input.edges.len()))
+    }))
+}
+
+/// Points in another scalar, if it can hold all of their coordinates.
+pub fn convert<S: Sample>(points: &[[f64; 2]]) -> Option<Vec<[S; 2]>> {
+    points
+        .iter()
+        .map(|&[x, y]| Some([S::of(x)?, S::of(y)?]))
+        .collect()
+}
+
+/// Panics unless every run returns what the verdict says.
+pub fn assert_agree(input: &Input, verdict: &Verdict, runs: &[Run]) {
+    for run in runs {
+        let Some(outcome) = run.outcome(input) else {
+            continue;
+        };
+        match (verdict, &outcome) {
+            (Ok(expected), Ok(answer)) => {
+                assert_eq!(answer, expected, "{} (right: oracle)", run.name);
+            }
+            (Err(crossings), Err(Error::CrossingEdges { edges })) => assert!(
+                crossings.contains(edges),
+                "{}: {edges:?} are said to cross, but only {crossings:?} do",
+                run.name
+            ),
+            _ => panic!("{}: {outcome:?}, but the oracle says {verdict:?}", run.name),
+        }
+    }
+}
+
+/// A scalar that can be made of a double.
+pub trait Sample: Scalar + Sync {
+    /// Exactly this number, if the type can hold it.
+    fn of(x: f64) -> Option<Self>;
+}
+
+fn integer<T: FromPrimitive>(x: f64) -> Option<T> {
+    if x.fract() == 0.0 {
+        T::from_f64(x)
+    } else {
+        None
+    }
+}
+
+impl Sample for f64 {
+    fn of(x: f64) -> Option<f64> {
+        Some(x)
+    }
+}
+
+impl Sample for f32 {
+    fn of(x: f64) -> Option<f32> {
+        x.to_f32().filter(|&y| f64::from(y).total_cmp(&x).is_eq())
+    }
+}
+
+impl Sample for i32 {
+    fn of(x: f64) -> Option<i32> {
+        integer(x)
+    }
+}
+
+impl Sample for i64 {
+    fn of(x: f64) -> Option<i64> {
+        integer(x)
+    }
+}
+
+impl Sample for i128 {
+    fn of(x: f64) -> Option<i128> {
+        integer(x)
+    }
+}
+
+impl Sample for Ratio<i64> {
+    fn of(x: f64) -> Option<Ratio<i64>> {
+        let exact = BigRational::from_float(x)?;
+        Some(Ratio::new(exact.numer().to_i64()?, exact.denom().to_i64()?))
+    }
+}
+
+impl Sample for BigInt {
+    fn of(x: f64) -> Option<BigInt> {
+        integer(x)
+    }
+}
+
+impl Sample for BigRational {
+    fn of(x: f64) -> Option<BigRational> {
+        BigRational::from_float(x)
+    }
+}
+
+/// A scalar that has nothing but the trait: not even `Clone` or `Debug`.
+pub struct Archetype(BigRational);
+
+impl Archetype {
+    fn minus(&self, other: &Archetype) -> BigRational {
+        &self.0 - &other.0
+    }
+}
+
+impl Scalar for Archetype {
+    fn approx(&self) -> f64 {
+        self.0.to_f64().expect("every rational is near a double")
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        self.0.cmp(&other.0)
+    }
+
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+        let left = b[0].minus(&a[0]) * c[1].minus(&a[1]);
+        left.cmp(&(b[1].minus(&a[1]) * c[0].minus(&a[0])))
+    }
+
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+        let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [0, 1].map(|i| p[i].minus(&d[i])));
+        let lift = |x: &BigRational, y: &BigRational| x * x + y * y;
+        let det = lift(&ax, &ay) * (&bx * &cy - &by * &cx)
+            + lift(&bx, &by) * (&cx * &ay - &cy * &ax)
+            + lift(&cx, &cy) * (&ax * &by - &ay * &bx);
+        det.cmp(&BigRational::from_integer(BigInt::ZERO))
+    }
+}
+
+impl Sample for Archetype {
+    fn of(x: f64) -> Option<Archetype> {
+        BigRational::from_float(x).map(Archetype)
+    }
+}

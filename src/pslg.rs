@@ -1,0 +1,48 @@
+//! The input as one value: the planar straight-line graph of the paper's introduction (figure 1a), with seeds of holes
+//! and regions.
+
+/// A planar straight-line graph: what is triangulated, and what of the result counts as inside.
+///
+/// ```
+/// use sweep_cdt::Pslg;
+///
+/// let graph = Pslg {
+///     points: vec![[0, 0], [3, 0], [3, 2], [0, 2]],
+///     edges: vec![[1, 3]],
+///     ..Pslg::default()
+/// };
+/// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
+/// assert_eq!(result.len(), 2);
+/// # Ok::<(), sweep_cdt::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pslg<S> {
+    /// The points.
+    pub points: Vec<[S; 2]>,
+    /// The edges, as positions in `points`.
+    pub edges: Vec<[usize; 2]>,
+    /// Points that stand for the holes they lie in.
+    pub holes: Vec<[S; 2]>,
+    /// Points that stand for the regions they lie in.
+    pub regions: Vec<Region<S>>,
+}
+
+impl<S> Default for Pslg<S> {
+    fn default() -> Pslg<S> {
+        Pslg {
+            points: Vec::new(),
+            edges: Vec::new(),
+            holes: Vec::new(),
+            regions: Vec::new(),
+        }
+    }
+}
+
+/// A region of a [`Pslg`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Region<S> {
+    /// A point in it.
+    pub seed: [S; 2],
+    /// The number that its triangles bear.
+    pub attribute: f64,
+}
