@@ -1,6 +1,6 @@
 //! How many instructions a triangulation takes, against the numbers of the last recording.
 //!
-//! `cargo bench --bench instructions` fails if one differs by more than 2 % from benches/instructions.txt;
+//! `cargo bench -p sweep-cdt-benches --bench instructions` fails if one differs by more than 2 % from benches/instructions.txt;
 //! `-- --record` writes that file anew. Instructions are counted by `valgrind`, without which the check says so
 //! and passes: first for a process that only makes the input, then for one that triangulates it too. The
 //! difference varies by less than 0.1 %.
@@ -82,7 +82,7 @@ fn check(is_recording: bool) -> ExitCode {
         println!("not checked: {FILE} was recorded elsewhere; here it would begin\n{place}");
     } else if !is_good {
         println!(
-            "more than 2 % from {FILE}; if it is meant: cargo bench --bench instructions -- --record"
+            "more than 2 % from {FILE}; if it is meant: cargo bench -p sweep-cdt-benches --bench instructions -- --record"
         );
         return ExitCode::FAILURE;
     }

@@ -1,6 +1,6 @@
 //! How much memory a triangulation takes beyond its input: at the peak, and what the result keeps.
 //!
-//! `cargo bench --bench memory [-- FOLDER]` takes a million uniform points and every `.poly` file of the
+//! `cargo bench -p sweep-cdt-benches --bench memory [-- FOLDER]` takes a million uniform points and every `.poly` file of the
 //! folder (`tests/data` unless named).
 
 use std::path::PathBuf;

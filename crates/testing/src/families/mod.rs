@@ -1,6 +1,6 @@
 //! Families of inputs that grow: each gives an input of about `n` points, for every `n`.
 //!
-//! They are the attacks on every promise about time. `cargo bench --bench growth` measures how time and
+//! They are the attacks on every promise about time. The program `growth` of `benches/peers` measures how time and
 //! memory grow; the tests compare small members with the oracle.
 
 mod hubs;
