@@ -77,7 +77,7 @@ pub(crate) fn orient2d([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Orderin
     let [bx, by] = minus(b, c);
     let (left, right) = (ax * by, ay * bx);
     let determinant = left - right;
-    let bound = ORIENT2D * (left.abs() + right.abs()) + scale.underflow_if_exact();
+    let bound = ORIENT2D * (left.abs() + right.abs()) + scale.underflow_bound();
     if determinant.abs() > bound {
         return Some(sign(determinant));
     }
@@ -98,7 +98,7 @@ pub(crate) fn in_circle([p, a, b, q]: [[f64; 2]; 4], scale: Scale) -> Option<Ord
     let products = cross * dot.swapped();
     let determinant = products.high() - products.low();
     let size = (ax.abs() + ay.abs()) * (bx.abs() + by.abs());
-    let bound = IN_CIRCLE * (size.low() * size.high()) + scale.underflow_if_exact();
+    let bound = IN_CIRCLE * (size.low() * size.high()) + scale.underflow_bound();
     if determinant.abs() > bound {
         return Some(sign(determinant));
     }

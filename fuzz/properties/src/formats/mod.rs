@@ -18,6 +18,7 @@ use sweep_cdt::draw::ViolationsPicture;
 use sweep_cdt::formats::{
     Column, Coordinate, Graph, Input, ResultFormat, Source, read, read_result,
 };
+use sweep_cdt::scalar::Measure;
 use sweep_cdt::trace::Trace;
 use sweep_cdt::verify::Verifier;
 
@@ -235,7 +236,7 @@ fn try_reader(reader: Reader, bytes: &[u8]) {
 }
 
 /// Reads a result, verifies it, and writes and draws what is wrong with it.
-fn try_result<S: Coordinate>(
+fn try_result<S: Coordinate + Measure>(
     format: ResultFormat,
     source: &Source,
     node: Option<&Source>,
