@@ -75,7 +75,7 @@ pub trait Measure: Scalar {
     /// How deep `d` lies in the circumcircle of a counter-clockwise triangle `a`, `b`, `c`: its power to the circle
     /// in units of the square of the radius, positive inside. The centre has depth 1. `None` if the type does not tell.
     ///
-    /// Its sign must be that of [`in_circle`](Scalar::in_circle), its size right to some units of 2^-52 of itself.
+    /// The sign must be that of [`in_circle`](Scalar::in_circle), the size right to some units of 2^-52 of itself.
     ///
     /// ```
     /// use sweep_cdt::scalar::Measure;

@@ -18,7 +18,7 @@
 //!
 //! | type | how it is exact |
 //! |---|---|
-//! | `f64` | machine integers, then adaptive expansions (crate `robust`), then big integers where exponents are extreme |
+//! | `f64` | machine integers, adaptive expansions (crate `robust`), big integers where exponents are extreme |
 //! | `f32`, `i32` | as `f64`, which holds all of them |
 //! | `i64`, `i128` | 128-bit integers where they suffice, else big integers |
 //! | `BigRational`, `Ratio<i64>` | integers over a common denominator |

@@ -166,7 +166,7 @@ pub(crate) fn integers<const N: usize>(
     (integers, unit)
 }
 
-/// The same numbers in 128 bits, if they fit.
+/// Integers in 128 bits, if they fit.
 fn small<const N: usize>(rows: &[[BigInt; 2]; N]) -> Option<[[i128; 2]; N]> {
     let mut result = [[0; 2]; N];
     for (small, big) in result.iter_mut().flatten().zip(rows.iter().flatten()) {

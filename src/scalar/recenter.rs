@@ -97,7 +97,7 @@ fn plain(near: &[[f64; 2]], i: usize) -> impl Iterator<Item = (f64, i64)> {
     near.iter().map(move |x| normal((known(x[i]), 0)))
 }
 
-/// The same number with a double from 1 to 2 in size, if it is neither zero nor infinite.
+/// A number with a double from 1 to 2 in size, if it is neither zero nor infinite.
 fn normal((x, by): (f64, i64)) -> (f64, i64) {
     let (x, by) = match x.classify() {
         FpCategory::Normal => (x, by),

@@ -76,12 +76,12 @@ fn doubles<const N: usize>(points: [&[Rational; 2]; N]) -> Option<[[f64; 2]; N]>
         .then_some(doubles)
 }
 
-/// The same number in pure Rust.
+/// A rational in pure Rust.
 fn pure(number: &Rational) -> BigRational {
     BigRational::new_raw(big(number.numer()), big(number.denom()))
 }
 
-/// The same integer in pure Rust.
+/// An integer in pure Rust.
 pub(super) fn big(integer: &Integer) -> BigInt {
     let sign = match integer.cmp0() {
         Ordering::Less => Sign::Minus,

@@ -48,7 +48,7 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
-    /// That of doubles which are the coordinates.
+    /// The scale of doubles which are the coordinates.
     pub(super) const EXACT: Scale = Scale {
         underflow_bound: UNDERFLOW,
         is_injective: true,
@@ -57,7 +57,7 @@ impl Scale {
         absolute: 0.0,
     };
 
-    /// That of doubles in range which are the coordinates, with what their lattice promises.
+    /// The scale of doubles in range which are the coordinates, with what their lattice promises.
     pub(crate) fn exact(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Scale {
         Scale {
             lattice: Lattice::of(points, point),
@@ -65,7 +65,7 @@ impl Scale {
         }
     }
 
-    /// That of doubles each of which is off by at most 2u / (1 - 2u) of itself, or by 2^-1022 times
+    /// The scale of doubles each of which is off by at most 2u / (1 - 2u) of itself, or by 2^-1022 times
     /// `unit`, and once more by at most 2^-1022.
     pub(super) const fn rounded(unit: f64) -> Scale {
         Scale {
@@ -177,7 +177,7 @@ pub(crate) fn is_in_range(point: [f64; 2]) -> bool {
     is_moderate(point[0]) & is_moderate(point[1])
 }
 
-/// The same double, or an infinite one from 2^200 on.
+/// A double below 2^200, or an infinite one in its place.
 pub(super) fn bounded(x: f64) -> f64 {
     if x.abs() < power(200) {
         x

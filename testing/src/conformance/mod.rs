@@ -1,5 +1,5 @@
-//! Whether a scalar keeps its promises: every function of [`Scalar`](sweep_cdt::scalar::Scalar) and [`Measure`] on many
-//! numbers, against determinants of big integers.
+//! Whether a scalar keeps its promises: every function of [`Scalar`](sweep_cdt::scalar::Scalar) and [`Measure`] on
+//! many numbers, against determinants of big integers.
 //!
 //! | | file |
 //! |---|---|
