@@ -18,7 +18,7 @@ use std::cmp::Ordering;
 
 use crate::ids::TriangleId;
 use crate::mesh::{Side, next, prev};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, filtered_orient2d};
 use crate::triangulation::Triangulation;
 
 /// So few triangles are looked at one by one.
@@ -159,7 +159,7 @@ impl Triangulation {
         t: usize,
     ) -> impl Fn(u32) -> Ordering + Copy + 'a {
         let corner = move |i| &points[self.input_index(self.triangles[t].vertex(i))];
-        move |side| S::orient2d(corner(next(side)), corner(prev(side)), query)
+        move |side| filtered_orient2d(corner(next(side)), corner(prev(side)), query)
     }
 
     /// The place in a triangle of a point with these turns from its sides, none of them to the right.

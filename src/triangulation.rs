@@ -8,7 +8,7 @@ use crate::canonical::{CanonicalGroups, canonical};
 use crate::chains::Chains;
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, Side, Triangle};
-use crate::scalar::Scalar;
+use crate::scalar::Measure;
 use crate::verify::{Report, Violations, verify};
 
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
@@ -174,7 +174,7 @@ impl Triangulation {
     /// assert!(result.verify(&points, &[[0, 2]])?.is_canonical());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn verify<S: Scalar>(
+    pub fn verify<S: Measure>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],

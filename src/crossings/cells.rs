@@ -18,7 +18,7 @@ use num_traits::{One, Zero};
 
 use super::boxes::{Bounds, Boxes};
 use super::exact::Exact;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, filtered_orient2d};
 
 /// Each of the pieces, by its position, with each of the vertices, none of them its end, that it passes.
 pub(super) fn passed<S: Exact>(
@@ -58,7 +58,9 @@ fn corners<S: Exact>(point: &[S; 2]) -> [[S; 2]; 4] {
 
 /// Whether not all of these lie on one side of a piece.
 fn may_pass<S: Scalar>([a, b]: [&[S; 2]; 2], corners: &[[S; 2]; 4]) -> bool {
-    let turns = corners.each_ref().map(|corner| S::orient2d(a, b, corner));
+    let turns = corners
+        .each_ref()
+        .map(|corner| filtered_orient2d(a, b, corner));
     [Ordering::Greater, Ordering::Less]
         .iter()
         .all(|side| turns.iter().any(|turn| turn != side))

@@ -33,7 +33,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::error::Error;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, filtered_orient2d};
 use boxes::{Bounds, Boxes};
 use exact::meeting;
 use vertices::Vertices;
@@ -122,8 +122,8 @@ fn find<S: Exact>(
 fn cross<S: Scalar>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> bool {
     let are_apart =
         |one: Ordering, other: Ordering| one != Ordering::Equal && one == other.reverse();
-    are_apart(S::orient2d(a, b, c), S::orient2d(a, b, d))
-        && are_apart(S::orient2d(c, d, a), S::orient2d(c, d, b))
+    let turn = filtered_orient2d;
+    are_apart(turn(a, b, c), turn(a, b, d)) && are_apart(turn(c, d, a), turn(c, d, b))
 }
 
 #[cfg(test)]

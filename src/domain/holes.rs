@@ -18,7 +18,7 @@ use super::error::{DomainError, Seed};
 use super::labels::{self, Domain};
 use crate::Triangulation;
 use crate::ids::narrow;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, filtered_orient2d};
 
 impl Triangulation {
     /// What of the hull is inside, by seed points of holes. `points` are those that were triangulated; `holes` and
@@ -208,7 +208,7 @@ fn place<S: Scalar>(
     triangle: [&[S; 2]; 3],
     point: &[S; 2],
 ) -> Option<(Option<usize>, Option<usize>)> {
-    let turn = |i: usize| S::orient2d(triangle[(i + 1) % 3], triangle[(i + 2) % 3], point);
+    let turn = |i: usize| filtered_orient2d(triangle[(i + 1) % 3], triangle[(i + 2) % 3], point);
     let turns = [turn(0), turn(1), turn(2)];
     if turns.contains(&Ordering::Less) && turns.contains(&Ordering::Greater) {
         return None;

@@ -1,16 +1,15 @@
-//! `f64`: exact for every finite double, in four stages, each only where the one before decides nothing.
+//! `f64`: exact for every finite double, in three stages, each only where the one before decides nothing.
 //!
-//! 1. The [filter](super::filter): most signs.
-//! 2. Machine integers, in 64 to 256 bits. If all coordinates are multiples of a power of two less than 2^61
+//! 1. Machine integers, in 64 to 256 bits. If all coordinates are multiples of a power of two less than 2^61
 //!    times as large as it, they are integers in that unit: most ties and near-ties, since coordinates of 53
 //!    bits may still differ by 2^8 in size. If not, the differences are, where none is rounded and the largest is
 //!    less than 2^61 units: points close together that lie far from the origin along one axis only. 10 to 30 ns.
-//! 3. The adaptive expansions of Shewchuk (1997; crate `robust`), 300 to 700 ns on ties. They are exact
+//! 2. The adaptive expansions of Shewchuk (1997; crate `robust`), 300 to 700 ns on ties. They are exact
 //!    while nothing under- or overflows, which holds if every coordinate is zero or within
 //!    2^-142..=2^201 in size; coordinates outside are multiplied by a power of two first if that
 //!    brings all of them in, exactly. They begin with a filter of their own, which the crate gives no
 //!    way around; it costs some nanoseconds.
-//! 4. Big integers: every finite double is an integer times a power of two. They take microseconds, and are
+//! 3. Big integers: every finite double is an integer times a power of two. They take microseconds, and are
 //!    needed only if sizes differ by a factor of more than 2^342.
 
 use std::cmp::Ordering;
@@ -21,8 +20,8 @@ use num_traits::float::FloatCore;
 use robust::Coord;
 
 use super::doubles::{exponent, power};
-use super::whole::{largest, whole};
-use super::{Scalar, Stage, filtered_in_circle, filtered_orient2d, unbounded, wide};
+use super::integer_points::{largest, whole};
+use super::{Measure, Scalar, Stage, wide};
 
 impl Scalar for f64 {
     const APPROX_IS_EXACT: bool = true;
@@ -39,39 +38,22 @@ impl Scalar for f64 {
         self.partial_cmp(other).expect("coordinates are numbers")
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        filtered_orient2d([a, b, c])
-    }
-
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        filtered_in_circle([a, b, c, d])
-    }
-
-    fn depth(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2], &d: &[Self; 2]) -> Option<f64> {
-        unbounded::depth(&big([a, b, c, d]))
-    }
-
-    fn height(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> Option<f64> {
-        unbounded::height(&big([a, b, c]))
-    }
-
     #[cold]
-    fn orient2d_exact(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> (Ordering, Stage) {
         if let Some([a, b]) = differences([a, b], c) {
             return (wide::turn(a, b), Stage::Integers);
         }
         let points = [a, b, c];
         let Some(points) = moderate(points) else {
             let [a, b, c] = big(points);
-            let sign = unbounded::turn(&unbounded::minus(&a, &c), &unbounded::minus(&b, &c));
-            return (sign, Stage::BigIntegers);
+            return BigInt::orient2d(&a, &b, &c);
         };
         let [a, b, c] = points.map(|[x, y]| Coord { x, y });
         (sign(robust::orient2d(a, b, c)), Stage::Expansions)
     }
 
     #[cold]
-    fn in_circle_exact(
+    fn in_circle(
         &a: &[Self; 2],
         &b: &[Self; 2],
         &c: &[Self; 2],
@@ -83,11 +65,22 @@ impl Scalar for f64 {
         let points = [a, b, c, d];
         let Some(points) = moderate(points) else {
             let [a, b, c, d] = big(points);
-            let sign = unbounded::lifted(&[a, b, c].map(|p| unbounded::minus(&p, &d)));
-            return (sign, Stage::BigIntegers);
+            return BigInt::in_circle(&a, &b, &c, &d);
         };
         let [a, b, c, d] = points.map(|[x, y]| Coord { x, y });
         (sign(robust::incircle(a, b, c, d)), Stage::Expansions)
+    }
+}
+
+impl Measure for f64 {
+    fn depth(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2], &d: &[Self; 2]) -> Option<f64> {
+        let [a, b, c, d] = big([a, b, c, d]);
+        BigInt::depth(&a, &b, &c, &d)
+    }
+
+    fn height(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> Option<f64> {
+        let [a, b, c] = big([a, b, c]);
+        BigInt::height(&a, &b, &c)
     }
 }
 

@@ -77,7 +77,7 @@ pub(crate) fn orient2d([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Orderin
     let [bx, by] = minus(b, c);
     let (left, right) = (ax * by, ay * bx);
     let determinant = left - right;
-    let bound = ORIENT2D * (left.abs() + right.abs()) + scale.underflow_if_exact();
+    let bound = ORIENT2D * (left.abs() + right.abs()) + scale.underflow_bound();
     if determinant.abs() > bound {
         return Some(sign(determinant));
     }
@@ -98,7 +98,7 @@ pub(crate) fn in_circle([p, a, b, q]: [[f64; 2]; 4], scale: Scale) -> Option<Ord
     let products = cross * dot.swapped();
     let determinant = products.high() - products.low();
     let size = (ax.abs() + ay.abs()) * (bx.abs() + by.abs());
-    let bound = IN_CIRCLE * (size.low() * size.high()) + scale.underflow_if_exact();
+    let bound = IN_CIRCLE * (size.low() * size.high()) + scale.underflow_bound();
     if determinant.abs() > bound {
         return Some(sign(determinant));
     }
@@ -114,7 +114,8 @@ pub(crate) fn orient2d_on_lattice([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Opt
     (ax * by).partial_cmp(&(ay * bx))
 }
 
-/// The same for the side of the circle through `a`, `b`, `c` on which `d` lies.
+/// The side of the circle through `a`, `b`, `c` on which `d` lies, where they lie on so coarse a lattice that the
+/// determinant is not rounded.
 pub(crate) fn in_circle_on_lattice([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
     if !scale.lattice().has_exact_in_circle() {
         return None;
@@ -123,7 +124,7 @@ pub(crate) fn in_circle_on_lattice([a, b, c, d]: [[f64; 2]; 4], scale: Scale) ->
     determinant.partial_cmp(&0.0)
 }
 
-/// The same as [`orient2d`] for doubles that may be off. Where they are exact it decides no more.
+/// The orientation of points whose doubles may be off. Where they are exact it decides no more than [`orient2d`].
 #[cold]
 #[inline(never)]
 pub(crate) fn orient2d_approx([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
@@ -136,7 +137,8 @@ pub(crate) fn orient2d_approx([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<
     (determinant.abs() > bound).then_some(sign(determinant))
 }
 
-/// The same as [`in_circle`] for doubles that may be off. Where they are exact it decides no more.
+/// The side of a circle for points whose doubles may be off. Where they are exact it decides no more than
+/// [`in_circle`].
 #[cold]
 #[inline(never)]
 pub(crate) fn in_circle_approx([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {

@@ -7,7 +7,8 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 
-use super::{Scalar, Stage, all_doubles, integer, unbounded};
+use super::forward::forward;
+use super::{Measure, Scalar, Stage, all_doubles, integer};
 
 /// The differences of points to a last one, if they fit.
 fn differences<const N: usize>(
@@ -47,40 +48,23 @@ impl Scalar for i128 {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        Self::orient2d_exact(a, b, c).0
-    }
-
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        Self::in_circle_exact(a, b, c, d).0
-    }
-
-    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
-        unbounded::depth(&big([a, b, c, d]))
-    }
-
-    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
-        unbounded::height(&big([a, b, c]))
-    }
-
-    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         if let Some([a, b]) = differences([a, b], c) {
             return integer::turn(a, b);
         }
         let [a, b, c] = big([a, b, c]);
-        BigInt::orient2d_exact(&a, &b, &c)
+        BigInt::orient2d(&a, &b, &c)
     }
 
-    fn in_circle_exact(
-        a: &[Self; 2],
-        b: &[Self; 2],
-        c: &[Self; 2],
-        d: &[Self; 2],
-    ) -> (Ordering, Stage) {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
         if let Some(rows) = differences([a, b, c], d) {
             return integer::in_circle(rows);
         }
         let [a, b, c, d] = big([a, b, c, d]);
-        BigInt::in_circle_exact(&a, &b, &c, &d)
+        BigInt::in_circle(&a, &b, &c, &d)
     }
+}
+
+impl Measure for i128 {
+    forward!(sizes: BigInt, |&x: &i128| BigInt::from(x));
 }

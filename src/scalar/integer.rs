@@ -1,6 +1,6 @@
-//! `i32` and `i64`: exact for every value, in integers as wide as the differences require: machine integers
-//! of 64, 128 and 256 bits where they hold the determinant ([`wide`]), and big integers where they do not. Other
-//! scalars use them too.
+//! `i32` and `i64`: exact for every value. `i32` as [`f64`](super::f64), which holds all of them; `i64` as
+//! [`i128`](super::i128), in integers as wide as the differences require: machine integers of 64, 128 and 256 bits
+//! where they hold the determinant ([`wide`]), and big integers where they do not. Other scalars use them too.
 //!
 //! Cost: 5 to 15 ns for a test. Big integers, for a microsecond, only for in-circle tests with differences
 //! above 2^61.
@@ -9,12 +9,8 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 
-use super::{Scalar, Stage, all_doubles, unbounded, wide};
-
-/// The difference of two points; it always fits.
-fn minus(a: &[i64; 2], b: &[i64; 2]) -> [i128; 2] {
-    [0, 1].map(|i| i128::from(a[i]) - i128::from(b[i]))
-}
+use super::forward::forward;
+use super::{Measure, Scalar, Stage, all_doubles, determinants, wide};
 
 impl Scalar for i64 {
     fn approx(&self) -> f64 {
@@ -28,41 +24,18 @@ impl Scalar for i64 {
     }
 
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {
-        Some(((i128::from(*self) - i128::from(*other)) as f64, 0))
+        i128::from(*self).difference(&i128::from(*other))
     }
 
     fn compare(&self, other: &Self) -> Ordering {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        Self::orient2d_exact(a, b, c).0
-    }
+    forward!(predicates: i128, |&x: &i64| i128::from(x));
+}
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        Self::in_circle_exact(a, b, c, d).0
-    }
-
-    fn depth(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2], &d: &[Self; 2]) -> Option<f64> {
-        unbounded::depth(&[a, b, c, d].map(|p| p.map(BigInt::from)))
-    }
-
-    fn height(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> Option<f64> {
-        unbounded::height(&[a, b, c].map(|p| p.map(BigInt::from)))
-    }
-
-    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
-        turn(minus(a, c), minus(b, c))
-    }
-
-    fn in_circle_exact(
-        a: &[Self; 2],
-        b: &[Self; 2],
-        c: &[Self; 2],
-        d: &[Self; 2],
-    ) -> (Ordering, Stage) {
-        in_circle([a, b, c].map(|p| minus(p, d)))
-    }
+impl Measure for i64 {
+    forward!(sizes: i128, |&x: &i64| i128::from(x));
 }
 
 impl Scalar for i32 {
@@ -76,29 +49,10 @@ impl Scalar for i32 {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        Self::orient2d_exact(a, b, c).0
-    }
-
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        Self::in_circle_exact(a, b, c, d).0
-    }
-
-    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
-        let [a, b, c] = [a, b, c].map(|p| p.map(i64::from));
-        i64::orient2d_exact(&a, &b, &c)
-    }
-
-    fn in_circle_exact(
-        a: &[Self; 2],
-        b: &[Self; 2],
-        c: &[Self; 2],
-        d: &[Self; 2],
-    ) -> (Ordering, Stage) {
-        let [a, b, c, d] = [a, b, c, d].map(|p| p.map(i64::from));
-        i64::in_circle_exact(&a, &b, &c, &d)
-    }
+    forward!(predicates: f64, |&x: &i32| f64::from(x));
 }
+
+impl Measure for i32 {}
 
 /// The sign of the turn from `a` to `b`, two differences to the same point, and the integers it took.
 pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> (Ordering, Stage) {
@@ -106,7 +60,7 @@ pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> (Ordering, Stage) {
         (Some(left), Some(right)) => (left.cmp(&right), Stage::Integers),
         _ => {
             let [a, b] = [a, b].map(|row| row.map(BigInt::from));
-            (unbounded::turn(&a, &b), Stage::BigIntegers)
+            (determinants::turn(&a, &b), Stage::BigIntegers)
         }
     }
 }
@@ -126,7 +80,8 @@ pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> (Ordering, Stage) {
         let sign = wide::in_circle(rows.map(|row| row.map(|x| x as i64)));
         (sign, Stage::Integers)
     } else {
-        let sign = unbounded::lifted(&rows.map(|row| row.map(BigInt::from)));
+        let rows = rows.map(|row| row.map(BigInt::from));
+        let sign = determinants::determinant(&rows).cmp(&BigInt::ZERO);
         (sign, Stage::BigIntegers)
     }
 }

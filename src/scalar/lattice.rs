@@ -22,9 +22,9 @@ use super::wide;
 
 /// The most bits of differences for which the orientation determinant is exact.
 const ORIENT2D: i64 = 25;
-/// The same for the in-circle determinant.
+/// The most bits of differences for which the in-circle determinant is exact.
 const IN_CIRCLE: i64 = 12;
-/// The same for the differences. Five fewer than would do: multiples of 2^-53 below 1, such as many
+/// The most bits of differences that are taken for integers. Five fewer than would do: multiples of 2^-53 below 1, such as many
 /// generators of random numbers return, gain nothing.
 const DIFFERENCES: i64 = 48;
 /// How many points are looked at before all are.
@@ -46,7 +46,7 @@ impl Lattice {
         per_unit: 0.0,
     };
 
-    /// That of these points, whose coordinates are zero or from 2^-120 to 2^200 in size.
+    /// The lattice of these points, whose coordinates are zero or from 2^-120 to 2^200 in size.
     pub(super) fn of(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Lattice {
         let all = (0..points).map(&point);
         let sample = all.clone().step_by(points.div_ceil(SAMPLE).max(1));
@@ -63,7 +63,7 @@ impl Lattice {
         Lattice::new(unit, ranges)
     }
 
-    /// That with this unit, a power of two, and these ranges of x and y.
+    /// The lattice with this unit, a power of two, and these ranges of x and y.
     fn new(unit: i64, ranges: [Range; 2]) -> Lattice {
         let longest = ranges.map(|[least, most]| most - least);
         let longest = longest.into_iter().fold(power(unit), f64::max);

@@ -1,35 +1,47 @@
 //! All arithmetic on coordinates: exact predicates, which take references and return signs.
 //!
-//! The sweep asks four questions of a coordinate type: is it a finite number, which of two is larger, on
-//! which side of a line is a point, and is a point inside a circle. All answers are exact. A fifth
-//! function, [`Scalar::approx`], gives a double near the value. The doubles feed the floating-point filter
-//! (which returns a sign only if it is certain) and choose what only costs time: hash buckets, and the
-//! angles of the heuristics. A sixth, [`Scalar::difference`], may be left out. It gives a double near a
-//! difference, for points whose own doubles tell too little. Two more, [`Scalar::depth`] and [`Scalar::height`], may be
-//! left out too: the verifier tells by them how much is wrong.
+//! [`Scalar`] is the contract. A coordinate type gives a double near a value, the order of two values, and two exact
+//! signs: on which side of a line is a point, and is a point inside a circle. The doubles feed the floating-point
+//! filter, which returns a sign only if it is certain, and choose what only costs time: hash buckets, and the angles
+//! of the heuristics. What else a type can tell saves time. [`Measure`] is for the verifier, which says how much is
+//! wrong.
+//!
+//! Each sign comes from the first of these stages that is certain of it (`predicates`):
+//!
+//! | stage | of what | file |
+//! |---|---|---|
+//! | filter | doubles | `filter` |
+//! | lattices | doubles that are not rounded, where all points are on one | `lattice` |
+//! | integers | doubles in one unit | `integer_points`, `lattice`, `wide` |
+//! | doubles | doubles that are the coordinates | `f64` |
+//! | scalar | the coordinates | that of the type |
 //!
 //! | type | how it is exact |
 //! |---|---|
-//! | `f64` | filter, then machine integers, then adaptive expansions (crate `robust`), then big integers where exponents are extreme |
-//! | `f32` | as `f64`, which holds every `f32` |
-//! | `i32`, `i64`, `i128` | 128-bit integers where they suffice, else big integers |
-//! | `BigRational`, `Ratio<i64>` | filter, then integers over a common denominator |
-//! | any [`Unbounded`] number (`BigInt`, your own, ...) | filter, then its own arithmetic |
-//! | `rug::Rational`, `rug::Integer` (feature `rug`) | filter, then GMP's arithmetic |
-//! | `&S` for each of these | as `S` |
+//! | `f64` | machine integers, adaptive expansions (crate `robust`), big integers where exponents are extreme |
+//! | `f32`, `i32` | as `f64`, which holds all of them |
+//! | `i64`, `i128` | 128-bit integers where they suffice, else big integers |
+//! | `BigRational`, `Ratio<i64>` | integers over a common denominator |
+//! | any [`Unbounded`] number (`BigInt`, your own, ...) | its own arithmetic |
+//! | `rug::Rational`, `rug::Integer` (feature `rug`) | GMP's arithmetic |
+//! | `&S` for each of these but your own | as `S` |
 
-mod conformance;
+mod determinants;
 mod doubles;
 mod f32;
 mod f64;
 pub(crate) mod filter;
-pub(crate) mod frame;
+mod forward;
 mod i128;
 mod integer;
+mod integer_points;
 mod lanes;
 mod lattice;
+mod measure;
+mod predicates;
 mod ratio;
 mod rational;
+mod recenter;
 mod reference;
 #[cfg(feature = "rug")]
 mod rug;
@@ -37,16 +49,17 @@ mod rug;
 mod rug_integer;
 mod scale;
 mod unbounded;
-mod whole;
 mod wide;
 
 use std::cmp::Ordering;
 
-pub use conformance::{Nonconformity, conformance};
+pub use measure::Measure;
+pub(crate) use predicates::{NearTies, Predicates};
+pub use predicates::{filtered_in_circle, filtered_orient2d};
 pub(crate) use rational::integers;
+pub(crate) use recenter::recenter;
 pub(crate) use scale::{Scale, is_in_range};
 pub use unbounded::Unbounded;
-pub(crate) use whole::WholePoints;
 
 /// A coordinate type with exact predicates.
 ///
@@ -57,30 +70,30 @@ pub(crate) use whole::WholePoints;
 /// differences of coordinates. Numbers whose arithmetic is exact without bounds need [`Unbounded`] only.
 ///
 /// Everything relies on that: that the predicates are exact, agree with one another and with `compare`, and
-/// give the same answer each time. [`conformance`] tests a type of your own. With a type that breaks this the sweep returns no correct result: it
+/// give the same answer each time. With a type that breaks this the sweep returns no correct result: it
 /// may return a wrong one, panic, or take long. The verifier, which asks the same predicates, is no judge
-/// of them.
+/// of them. `sweep-cdt-testing`, a package of the repository, has a test for a type of your own: `conformance`.
 ///
-/// References to all scalars of this crate are scalars too; for those to your own type see
-/// [`scalar_by_reference!`](crate::scalar_by_reference).
-///
-/// A predicate answers with an [`Ordering`]: the sign of the determinant compared with zero.
+/// A predicate answers with an [`Ordering`], the sign of the determinant compared with zero, and with the [`Stage`]
+/// that decided it, which is counted and changes nothing: [`Stage::Own`] for your own arithmetic. It computes at
+/// once. The sweep and the verifier ask it only where the floating-point filter has left the sign open;
+/// [`filtered_orient2d`] and [`filtered_in_circle`] do so for a few points.
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use sweep_cdt::scalar::Scalar;
+/// use sweep_cdt::scalar::{Scalar, Stage};
 ///
 /// let (a, b, c) = ([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]);
-/// assert_eq!(Scalar::orient2d(&a, &b, &c), Ordering::Greater);
-/// assert_eq!(Scalar::in_circle(&a, &b, &c, &[1.0, 1.0]), Ordering::Equal);
+/// assert_eq!(Scalar::orient2d(&a, &b, &c), (Ordering::Greater, Stage::Integers));
+/// assert_eq!(Scalar::in_circle(&a, &b, &c, &[1.0, 1.0]).0, Ordering::Equal);
 /// ```
 ///
 /// Your own type: signs do not change if all coordinates are multiplied by the same positive number, so a
-/// fixed-point number can leave the work to `i64`:
+/// fixed-point number can leave the work to `i64`. The empty implementation of [`Measure`] lets the verifier judge it:
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use sweep_cdt::scalar::Scalar;
+/// use sweep_cdt::scalar::{Measure, Scalar, Stage};
 ///
 /// /// A number of 65536ths.
 /// #[derive(Clone, Copy)]
@@ -99,17 +112,26 @@ pub(crate) use whole::WholePoints;
 ///         self.0.cmp(&other.0)
 ///     }
 ///
-///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
 ///         Scalar::orient2d(&whole(a), &whole(b), &whole(c))
 ///     }
 ///
-///     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+///     fn in_circle(
+///         a: &[Self; 2],
+///         b: &[Self; 2],
+///         c: &[Self; 2],
+///         d: &[Self; 2],
+///     ) -> (Ordering, Stage) {
 ///         Scalar::in_circle(&whole(a), &whole(b), &whole(c), &whole(d))
 ///     }
 /// }
 ///
+/// impl Measure for Fixed {}
+///
 /// let points = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|point| point.map(Fixed));
-/// assert_eq!(sweep_cdt::triangulate(&points, &[[0, 2]])?.len(), 2);
+/// let result = sweep_cdt::triangulate(&points, &[[0, 2]])?;
+/// assert_eq!(result.len(), 2);
+/// assert!(result.verify(&points, &[[0, 2]]).is_ok());
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[diagnostic::on_unimplemented(
@@ -187,65 +209,12 @@ pub trait Scalar: Sized {
     fn compare(&self, other: &Self) -> Ordering;
 
     /// `Greater` if `a`, `b`, `c` make a left turn (counter-clockwise), `Less` for a right turn,
-    /// `Equal` if they lie on one line.
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering;
+    /// `Equal` if they lie on one line; and what decided that.
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage);
 
     /// For a counter-clockwise triangle `a`, `b`, `c`: `Greater` if `d` lies inside its circumcircle,
-    /// `Less` outside, `Equal` on it. Swapping two of the first three points reverses the sign.
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering;
-
-    /// How deep `d` lies in the circumcircle of a counter-clockwise triangle `a`, `b`, `c`: its power to the circle
-    /// in units of the square of the radius, positive inside. The centre has depth 1. `None` if the type does not tell.
-    ///
-    /// The verifier says by it how wrong a side is. Its sign must be that of [`in_circle`](Scalar::in_circle), its
-    /// size right to some units of 2^-52 of itself. A common positive factor of all coordinates changes nothing, so
-    /// a type may leave this to another as it may leave the predicates.
-    ///
-    /// ```
-    /// use sweep_cdt::scalar::Scalar;
-    ///
-    /// let [a, b, c] = [[0_i64, 0], [4, 0], [4, 4]];
-    /// assert_eq!(Scalar::depth(&a, &b, &c, &[2, 2]), Some(1.0));
-    /// assert_eq!(Scalar::depth(&a, &b, &c, &[0, 4]), Some(0.0));
-    /// assert_eq!(Scalar::depth(&a, &b, &c, &[1, 3]), Some(0.75));
-    /// ```
-    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
-        of_doubles([a, b, c, d]).and_then(|[a, b, c, d]| Scalar::depth(&a, &b, &c, &d))
-    }
-
-    /// The height of `b` over the line from `a` to `c`, in units of the distance from `a` to `c`; positive where the
-    /// path through them turns left. `None` if it turns by a right angle or more, or if the type does not tell.
-    ///
-    /// What holds of [`depth`](Scalar::depth) holds of it, with the sign of [`orient2d`](Scalar::orient2d).
-    ///
-    /// ```
-    /// use sweep_cdt::scalar::Scalar;
-    ///
-    /// let turn = Scalar::height(&[0.0, 0.0], &[1.0, -1e-17], &[2.0, 0.0]);
-    /// assert_eq!(turn, Some(0.5e-17));
-    /// ```
-    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
-        of_doubles([a, b, c]).and_then(|[a, b, c]| Scalar::height(&a, &b, &c))
-    }
-
-    /// The answer of [`orient2d`](Scalar::orient2d), and the stage that gave it.
-    ///
-    /// The sweep and the verifier call this one, and only where the floating-point filter has left the
-    /// sign open. A type whose `orient2d` filters too skips its filter here.
-    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
-        (Self::orient2d(a, b, c), Stage::Own)
-    }
-
-    /// The answer of [`in_circle`](Scalar::in_circle), and the stage that gave it; see
-    /// [`orient2d_exact`](Scalar::orient2d_exact).
-    fn in_circle_exact(
-        a: &[Self; 2],
-        b: &[Self; 2],
-        c: &[Self; 2],
-        d: &[Self; 2],
-    ) -> (Ordering, Stage) {
-        (Self::in_circle(a, b, c, d), Stage::Own)
-    }
+    /// `Less` outside, `Equal` on it; and what decided that. Swapping two of the first three points reverses the sign.
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage);
 }
 
 /// The exact arithmetic that decided a sign where the floating-point filter did not.
@@ -266,41 +235,4 @@ pub enum Stage {
 fn all_doubles<S>(points: &[[S; 2]], double: impl Fn(&S) -> Option<f64>) -> Option<Vec<[f64; 2]>> {
     let doubles = points.iter().map(|[x, y]| Some([double(x)?, double(y)?]));
     doubles.collect()
-}
-
-/// The points as doubles, if these are the coordinates themselves.
-fn of_doubles<S: Scalar, const N: usize>(points: [&[S; 2]; N]) -> Option<[[f64; 2]; N]> {
-    let doubles = || points.map(|[x, y]| [x.approx(), y.approx()]);
-    S::APPROX_IS_EXACT.then(doubles)
-}
-
-/// [`Scalar::orient2d`] for those who call it directly with a few points: the [`filter`] at the scale of these points,
-/// then the exact stages.
-///
-/// The sweep and the verifier have one scale for all their points, and call the filter themselves.
-fn filtered_orient2d<S: Scalar>(points: [&[S; 2]; 3]) -> Ordering {
-    let (doubles, scale) = scaled(points);
-    let filtered = filter::orient2d(doubles, scale);
-    let filtered = filtered.or_else(|| filter::orient2d_approx(doubles, scale));
-    filtered.unwrap_or_else(|| {
-        let [a, b, c] = points;
-        S::orient2d_exact(a, b, c).0
-    })
-}
-
-/// The same for [`Scalar::in_circle`].
-fn filtered_in_circle<S: Scalar>(points: [&[S; 2]; 4]) -> Ordering {
-    let (doubles, scale) = scaled(points);
-    let filtered = filter::in_circle(doubles, scale);
-    let filtered = filtered.or_else(|| filter::in_circle_approx(doubles, scale));
-    filtered.unwrap_or_else(|| {
-        let [a, b, c, d] = points;
-        S::in_circle_exact(a, b, c, d).0
-    })
-}
-
-fn scaled<S: Scalar, const N: usize>(points: [&[S; 2]; N]) -> ([[f64; 2]; N], Scale) {
-    let mut near = points.map(|[x, y]| [x.approx(), y.approx()]);
-    let scale = Scale::unify(&mut near, S::APPROX_IS_EXACT);
-    (near, scale)
 }

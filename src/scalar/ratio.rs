@@ -15,8 +15,9 @@ use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 
 use super::doubles::power;
+use super::forward::forward;
 use super::rational::{odd_part, odd_unit, whole};
-use super::{Scalar, Stage, all_doubles, filtered_in_circle, filtered_orient2d};
+use super::{Measure, Scalar, all_doubles};
 
 /// Numerator and denominator, the latter not negative: `new_raw` may make it so.
 fn parts(number: &Ratio<i64>) -> [i128; 2] {
@@ -31,10 +32,6 @@ fn parts(number: &Ratio<i64>) -> [i128; 2] {
 fn big(number: &Ratio<i64>) -> BigRational {
     let [numerator, denominator] = parts(number).map(BigInt::from);
     BigRational::new_raw(numerator, denominator)
-}
-
-fn big_points<const N: usize>(points: [&[Ratio<i64>; 2]; N]) -> [[BigRational; 2]; N] {
-    points.map(|point| point.each_ref().map(big))
 }
 
 impl Scalar for Ratio<i64> {
@@ -69,36 +66,9 @@ impl Scalar for Ratio<i64> {
         (a * d).cmp(&(c * b))
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        filtered_orient2d([a, b, c])
-    }
+    forward!(predicates: BigRational, big);
+}
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        filtered_in_circle([a, b, c, d])
-    }
-
-    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
-        let [a, b, c, d] = big_points([a, b, c, d]);
-        BigRational::depth(&a, &b, &c, &d)
-    }
-
-    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
-        let [a, b, c] = big_points([a, b, c]);
-        BigRational::height(&a, &b, &c)
-    }
-
-    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
-        let [a, b, c] = big_points([a, b, c]);
-        BigRational::orient2d_exact(&a, &b, &c)
-    }
-
-    fn in_circle_exact(
-        a: &[Self; 2],
-        b: &[Self; 2],
-        c: &[Self; 2],
-        d: &[Self; 2],
-    ) -> (Ordering, Stage) {
-        let [a, b, c, d] = big_points([a, b, c, d]);
-        BigRational::in_circle_exact(&a, &b, &c, &d)
-    }
+impl Measure for Ratio<i64> {
+    forward!(sizes: BigRational, big);
 }

@@ -1,5 +1,4 @@
-//! `BigRational`: behind the floating-point [filter](super::filter), as doubles where the numbers are
-//! doubles, else in integers over a common denominator.
+//! `BigRational`: as doubles where the numbers are doubles, else in integers over a common denominator.
 //!
 //! Why it is right: multiplying all coordinates by one number other than zero multiplies the determinants by
 //! its square or fourth power, and changes no sign. With a common multiple of the denominators, whichever
@@ -16,8 +15,9 @@ use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive, Zero};
 
-use super::unbounded::{self, minus, near_quotient};
-use super::{Scalar, Stage, all_doubles, filtered_in_circle, filtered_orient2d, integer};
+use super::determinants::{determinant, minus, turn};
+use super::unbounded::near_quotient;
+use super::{Measure, Scalar, Stage, all_doubles, integer};
 
 impl Scalar for BigRational {
     /// Whether the denominator is not zero, as `new_raw` may make it.
@@ -52,51 +52,42 @@ impl Scalar for BigRational {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
-        filtered_orient2d([a, b, c])
-    }
-
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
-        filtered_in_circle([a, b, c, d])
-    }
-
-    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
-        unbounded::depth(&integers([a, b, c, d]).0)
-    }
-
-    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
-        unbounded::height(&integers([a, b, c]).0)
-    }
-
-    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         let points = [a, b, c];
         if let Some([a, b, c]) = doubles(points) {
-            return f64::orient2d_exact(&a, &b, &c);
+            return f64::orient2d(&a, &b, &c);
         }
         let ([a, b, c], _) = integers(points);
         let rows = [minus(&a, &c), minus(&b, &c)];
         match small(&rows) {
             Some([a, b]) => integer::turn(a, b),
-            None => (unbounded::turn(&rows[0], &rows[1]), Stage::BigIntegers),
+            None => (turn(&rows[0], &rows[1]), Stage::BigIntegers),
         }
     }
 
-    fn in_circle_exact(
-        a: &[Self; 2],
-        b: &[Self; 2],
-        c: &[Self; 2],
-        d: &[Self; 2],
-    ) -> (Ordering, Stage) {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
         let points = [a, b, c, d];
         if let Some([a, b, c, d]) = doubles(points) {
-            return f64::in_circle_exact(&a, &b, &c, &d);
+            return f64::in_circle(&a, &b, &c, &d);
         }
         let ([a, b, c, d], _) = integers(points);
         let rows = [a, b, c].map(|p| minus(&p, &d));
         match small(&rows) {
             Some(rows) => integer::in_circle(rows),
-            None => (unbounded::lifted(&rows), Stage::BigIntegers),
+            None => (determinant(&rows).cmp(&BigInt::ZERO), Stage::BigIntegers),
         }
+    }
+}
+
+impl Measure for BigRational {
+    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
+        let ([a, b, c, d], _) = integers([a, b, c, d]);
+        BigInt::depth(&a, &b, &c, &d)
+    }
+
+    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
+        let ([a, b, c], _) = integers([a, b, c]);
+        BigInt::height(&a, &b, &c)
     }
 }
 
@@ -175,7 +166,7 @@ pub(crate) fn integers<const N: usize>(
     (integers, unit)
 }
 
-/// The same numbers in 128 bits, if they fit.
+/// Integers in 128 bits, if they fit.
 fn small<const N: usize>(rows: &[[BigInt; 2]; N]) -> Option<[[i128; 2]; N]> {
     let mut result = [[0; 2]; N];
     for (small, big) in result.iter_mut().flatten().zip(rows.iter().flatten()) {

@@ -16,7 +16,7 @@
 //!   above 1 makes the second larger. Where |X| is the largest double nothing is known of x, so it
 //!   becomes infinite (where it is the coordinate too, so that every scalar takes the same steps);
 //! - by the contract of [`difference`](super::Scalar::difference) one that is near the difference to an
-//!   origin ([`frame`](super::frame)) is off by the first of these, and by at most 2^-1022 where it falls
+//!   origin ([`recenter`](super::recenter)) is off by the first of these, and by at most 2^-1022 where it falls
 //!   below the normal doubles.
 //!
 //! Scaling and becoming infinite keep the order: a larger coordinate never has a smaller double.
@@ -37,10 +37,10 @@ pub(super) const UNDERFLOW: f64 = power(-660);
 /// How the doubles that filter and steer relate to the coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scale {
-    /// [`UNDERFLOW`] if finite doubles are the coordinates, up to the factor; infinite if not.
-    underflow_if_exact: f64,
+    /// [`UNDERFLOW`] where finite doubles are the coordinates, up to the factor; infinite elsewhere.
+    underflow_bound: f64,
     /// Whether coordinates of equal doubles are equal: all doubles are finite and exact.
-    tells_equal: bool,
+    is_injective: bool,
     /// What is known of their lattice.
     lattice: Lattice,
     relative: f64,
@@ -48,16 +48,16 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
-    /// That of doubles which are the coordinates.
+    /// The scale of doubles which are the coordinates.
     pub(super) const EXACT: Scale = Scale {
-        underflow_if_exact: UNDERFLOW,
-        tells_equal: true,
+        underflow_bound: UNDERFLOW,
+        is_injective: true,
         lattice: Lattice::UNKNOWN,
         relative: 0.0,
         absolute: 0.0,
     };
 
-    /// That of doubles in range which are the coordinates, with what their lattice promises.
+    /// The scale of doubles in range which are the coordinates, with what their lattice promises.
     pub(crate) fn exact(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Scale {
         Scale {
             lattice: Lattice::of(points, point),
@@ -65,16 +65,24 @@ impl Scale {
         }
     }
 
-    /// That of doubles each of which is off by at most 2u / (1 - 2u) of itself, or by 2^-1022 times
+    /// The scale of doubles each of which is off by at most 2u / (1 - 2u) of itself, or by 2^-1022 times
     /// `unit`, and once more by at most 2^-1022.
     pub(super) const fn rounded(unit: f64) -> Scale {
         Scale {
-            underflow_if_exact: f64::INFINITY,
-            tells_equal: false,
+            underflow_bound: f64::INFINITY,
+            is_injective: false,
             lattice: Lattice::UNKNOWN,
             relative: RELATIVE_ERROR,
             absolute: power(-1019) * unit.max(1.0),
         }
+    }
+
+    /// Brings many coordinates to one scale, and looks for their lattice where that moves none of them.
+    pub(super) fn of_coordinates(near: &mut [[f64; 2]]) -> Scale {
+        if near.iter().all(|&point| is_in_range(point)) {
+            return Scale::exact(near.len(), |i| near[i]);
+        }
+        Scale::move_into_range(near, true)
     }
 
     /// Brings approximations, which are the coordinates themselves if `exact`, to one scale.
@@ -106,13 +114,13 @@ impl Scale {
                 x.signum() * f64::INFINITY
             };
         }
-        let (rounded, tells_equal) = (
+        let (rounded, is_injective) = (
             Scale::rounded(factor),
             near.iter().flatten().all(|x| x.is_finite()),
         );
         match (exact, keeps_digits) {
             (true, true) => Scale {
-                tells_equal,
+                is_injective,
                 ..Scale::EXACT
             },
             (true, false) => Scale {
@@ -125,7 +133,7 @@ impl Scale {
 
     /// Whether the doubles are the coordinates, up to the factor, wherever they are finite.
     pub(crate) fn is_exact(self) -> bool {
-        self.underflow_if_exact == UNDERFLOW
+        self.underflow_bound == UNDERFLOW
     }
 
     /// What is known of the lattice of the doubles.
@@ -139,17 +147,17 @@ impl Scale {
         self.lattice.in_circle(points)
     }
 
-    /// What underflow adds to a determinant of exact doubles; infinite if they are not, so that such a
-    /// bound decides nothing and costs no test.
+    /// What underflow adds to a determinant of exact doubles at most. Infinite if they are not exact, so that the
+    /// filter for exact doubles decides nothing and need not ask.
     #[inline(always)]
-    pub(super) fn underflow_if_exact(self) -> f64 {
-        self.underflow_if_exact
+    pub(super) fn underflow_bound(self) -> f64 {
+        self.underflow_bound
     }
 
     /// Whether coordinates of equal doubles are equal.
     #[inline(always)]
-    pub(crate) fn tells_equal(self) -> bool {
-        self.tells_equal
+    pub(crate) fn is_injective(self) -> bool {
+        self.is_injective
     }
 
     /// What the difference of two coordinates with these doubles may be off that of the doubles.
@@ -169,7 +177,7 @@ pub(crate) fn is_in_range(point: [f64; 2]) -> bool {
     is_moderate(point[0]) & is_moderate(point[1])
 }
 
-/// The same double, or an infinite one from 2^200 on.
+/// A double below 2^200, or an infinite one in its place.
 pub(super) fn bounded(x: f64) -> f64 {
     if x.abs() < power(200) {
         x

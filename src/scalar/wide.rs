@@ -34,7 +34,7 @@ pub(super) fn in_circle(rows: [[i64; 2]; 3]) -> Ordering {
     }
 }
 
-/// The same for differences below 2^30.
+/// The in-circle sign for differences below 2^30.
 fn narrow([a, b, c]: [[i64; 2]; 3]) -> Ordering {
     let (from_b, to_b) = (minus(a, b), minus(c, b));
     let cross = |[ax, ay]: [i64; 2], [bx, by]: [i64; 2]| ax * by - bx * ay;
@@ -43,7 +43,7 @@ fn narrow([a, b, c]: [[i64; 2]; 3]) -> Ordering {
     left.cmp(&product(dot(from_b, to_b), cross(a, c)))
 }
 
-/// The same for differences below 2^62.
+/// The in-circle sign for differences below 2^62.
 fn middle([a, b, c]: [[i64; 2]; 3]) -> Ordering {
     let (from_b, to_b) = (minus(a, b), minus(c, b));
     let cross = |[ax, ay]: [i64; 2], [bx, by]: [i64; 2]| product(ax, by) - product(bx, ay);

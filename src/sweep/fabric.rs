@@ -9,7 +9,7 @@ use std::mem::take;
 use super::flip_limit::FlipLimit;
 use super::memory::Memory;
 use super::polygons::Polygons;
-use super::signs::Signs;
+use super::signs::SweepPredicates;
 use super::stretch::Stretch;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{Mesh, Side};
@@ -20,7 +20,7 @@ use crate::trace::{Event, Vertex, Why};
 #[derive(Debug)]
 pub(super) struct Fabric<'a, S, P> {
     pub(super) mesh: Mesh,
-    pub(super) signs: Signs<'a, S>,
+    pub(super) signs: SweepPredicates<'a, S>,
     /// Sides that may be illegal.
     pub(super) suspects: Vec<Side>,
     pub(super) flip_limit: FlipLimit,
@@ -34,7 +34,7 @@ pub(super) struct Fabric<'a, S, P> {
 impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
     /// The triangles of `memory`, with the signs of their vertices. `has_budget` if the work may be abandoned.
     pub(super) fn new(
-        signs: Signs<'a, S>,
+        signs: SweepPredicates<'a, S>,
         has_budget: bool,
         probe: P,
         memory: &mut Memory,
@@ -93,7 +93,7 @@ impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
         self.signs.orient2d_near(vertices, near, &mut self.probe)
     }
 
-    /// Which side of the ray `from`-`to` a vertex is on; see [`Signs::side`].
+    /// Which side of the ray `from`-`to` a vertex is on; see [`SweepPredicates::side`].
     pub(super) fn side(&mut self, ray: [VertexId; 2], v: VertexId) -> Ordering {
         self.signs.side(ray, v, &mut self.probe)
     }

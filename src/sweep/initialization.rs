@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::fabric::Fabric;
 use super::located::Located;
 use super::memory::Memory;
-use super::signs::Signs;
+use super::signs::SweepPredicates;
 use super::state::Sweep;
 use super::vertices::Vertices;
 use crate::chains::ChainNotes;
@@ -77,7 +77,7 @@ pub(super) fn begin<'a, S: Scalar, F: FrontSearch, P: Probe>(
     // There is an open side for each vertex, the segment of the front that starts there.
     let n = vertices.len();
     memory.mesh.begin(2 * n + 2, n + 2);
-    let signs = Signs::new(points, vertices);
+    let signs = SweepPredicates::new(points, vertices);
     let has_budget = settings.algorithm == Algorithm::Auto;
     let fabric = Fabric::new(signs, has_budget, probe, memory);
     let front = memory.take_front(n);

@@ -2,8 +2,8 @@
 //! and their neighbours tested in turn, until none violates it.
 //!
 //! Why it is right: a side stays if it is open or fixed, or if it passes the exact test of
-//! [`Signs::must_flip`](super::signs::Signs::must_flip). A flip makes suspects of the four sides around
-//! the flipped one. When no suspect is left, every free side is locally Delaunay, and then the whole
+//! [`SweepPredicates::must_flip`](super::signs::SweepPredicates::must_flip). A flip makes suspects of the four sides
+//! around the flipped one. When no suspect is left, every free side is locally Delaunay, and then the whole
 //! triangulation is constrained Delaunay (Lee and Lin 1986; Chew 1989). The flips end, because each one
 //! lowers the lifted surface, ties included (canonical rule).
 //!

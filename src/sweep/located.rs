@@ -9,7 +9,7 @@
 //! Differs from the paper: its coordinates are doubles.
 
 use crate::error::Error;
-use crate::scalar::{Scalar, Scale, frame, is_in_range};
+use crate::scalar::{Scalar, Scale, is_in_range, recenter};
 
 /// The points with doubles for their coordinates, all on one [`Scale`].
 #[derive(Debug)]
@@ -59,7 +59,7 @@ impl<'a, S: Scalar> Located<'a, S> {
                 return Err(Error::NonFiniteCoordinate { vertex });
             }
             stored.extend(points.iter().map(doubles));
-            frame::fit(points, &mut stored)
+            recenter(points, &mut stored)
         };
         Ok(Located {
             points,

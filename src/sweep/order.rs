@@ -82,8 +82,8 @@ pub(super) fn sort<S: Scalar>(
         run,
         row,
     } = workspace;
-    let is_long = |sites: &[Site]| sites.len() > FEW && scale.tells_equal();
-    let is_row = |sites: &[Site]| scale.tells_equal() && is_row(sites);
+    let is_long = |sites: &[Site]| sites.len() > FEW && scale.is_injective();
+    let is_row = |sites: &[Site]| scale.is_injective() && is_row(sites);
     let is_sorted = |sites: &[Site]| sites.is_sorted_by(|a, b| by_index(a, b).is_lt());
     let mut sort_row = |sites: &mut [Site]| {
         if sites.len() <= FEW {
@@ -166,7 +166,7 @@ fn sort_few(sites: &mut [Site]) {
 /// Exact sweep order of two sites.
 fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Ordering {
     let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
-        Some(order) if order.is_ne() || scale.tells_equal() => order,
+        Some(order) if order.is_ne() || scale.is_injective() => order,
         _ => points[a.1 as usize][i].compare(&points[b.1 as usize][i]),
     };
     axis(1).then_with(|| axis(0))

@@ -136,14 +136,14 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         (at, order == Equal)
     }
 
-    /// Tells the search structure of a long walk, and gives it places instead of x if it asks for them.
+    /// Tells the search structure of a long walk, and gives it ranks instead of x if it asks for them.
     #[cold]
     fn report_walk(&mut self, steps: usize) {
         let signs = &mut self.fabric.signs;
-        if signs.has_places() || !self.search.strayed(steps) {
+        if signs.has_x_ranks() || !self.search.strayed(steps) {
             return;
         }
-        signs.number_by_x();
+        signs.rank_by_x();
         let n = signs.vertices.len();
         let by_rank: Vec<[f64; 2]> = (0..n)
             .map(|v| [signs.search_x(VertexId::at(v)), 0.0])

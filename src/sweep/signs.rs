@@ -1,7 +1,7 @@
 //! The decisions of the sweep as exact signs, with vertices named by rank; the empty circle test of section
-//! 2 (figures 2 and 3) is [`Signs::must_flip`].
+//! 2 (figures 2 and 3) is [`SweepPredicates::must_flip`].
 //!
-//! **Stages.** The floating-point [`filter`] decides most signs from doubles. The scalar decides the others
+//! **Stages.** The floating-point [`filter`] decides most signs from doubles. [`Predicates`] decide the others
 //! exactly. Rules decide the tests with an artificial point ([`super::artificial`]).
 //!
 //! **Canonical rule.** Where four points lie on one circle, the side stays that ends at the leftmost of
@@ -17,38 +17,30 @@ use super::artificial::{self, Artificial};
 use super::vertices::Vertices;
 use crate::ids::{VertexId, narrow};
 use crate::probe::Probe;
-use crate::scalar::{Scalar, Scale, Stage, WholePoints, filter};
+use crate::scalar::{NearTies, Predicates, Scalar, filter};
 
 /// The exact signs, by rank. A probe that the caller passes counts how they were decided.
 #[derive(Debug)]
-pub(super) struct Signs<'a, S> {
+pub(super) struct SweepPredicates<'a, S> {
     points: &'a [[S; 2]],
     pub(super) vertices: Vertices,
     pub(super) artificial: Artificial,
-    /// For each vertex its place from left to right, if the search structure asked for them.
-    places: Vec<u32>,
-    /// How many in-circle tests the filter left open so far, and the vertices as integers once they are many.
-    near_ties: usize,
-    whole: Option<WholePoints>,
+    /// For each vertex its rank from left to right, if the search structure asked for that.
+    x_ranks: Vec<u32>,
+    near_ties: NearTies,
 }
 
-/// After so many near-ties, and one for so many vertices, integers are made of all. That takes some 60 instructions a
-/// vertex; a near-tie takes some 360 without them.
-const NEAR_TIES: usize = 16;
-const VERTICES_A_TIE: usize = 3;
-
-impl<'a, S: Scalar> Signs<'a, S> {
+impl<'a, S: Scalar> SweepPredicates<'a, S> {
     /// The signs of these points, whose sorted and merged vertices are given.
     pub(super) fn new(points: &'a [[S; 2]], mut vertices: Vertices) -> Self {
         let artificial = Artificial::beside(vertices.len());
         vertices.approx.extend(artificial::APPROX);
-        Signs {
+        SweepPredicates {
             points,
             vertices,
             artificial,
-            places: Vec::new(),
-            near_ties: 0,
-            whole: None,
+            x_ranks: Vec::new(),
+            near_ties: NearTies::default(),
         }
     }
 
@@ -64,11 +56,11 @@ impl<'a, S: Scalar> Signs<'a, S> {
         self.search_x_near(v, self.approx(v))
     }
 
-    /// The same for a vertex with these approximated coordinates.
+    /// What a search structure gets for the x of a vertex with these approximated coordinates.
     #[inline(always)]
     pub(super) fn search_x_near(&self, v: VertexId, near: [f64; 2]) -> f64 {
-        match self.places.get(v.index()) {
-            Some(&place) => f64::from(place),
+        match self.x_ranks.get(v.index()) {
+            Some(&rank) => f64::from(rank),
             None => near[0],
         }
     }
@@ -82,18 +74,18 @@ impl<'a, S: Scalar> Signs<'a, S> {
         &self.points[self.vertices.input[v.index()] as usize]
     }
 
-    /// Whether a search structure gets places for x.
-    pub(super) fn has_places(&self) -> bool {
-        !self.places.is_empty()
+    /// Whether a search structure gets ranks for x.
+    pub(super) fn has_x_ranks(&self) -> bool {
+        !self.x_ranks.is_empty()
     }
 
-    /// Numbers the vertices from left to right, of equal x in sweep order.
-    pub(super) fn number_by_x(&mut self) {
+    /// Ranks the vertices from left to right, those of equal x in sweep order.
+    pub(super) fn rank_by_x(&mut self) {
         let mut order: Vec<VertexId> = (0..self.vertices.len()).map(VertexId::at).collect();
         order.sort_unstable_by(|&a, &b| self.compare_x(a, b).then(a.cmp(&b)));
-        self.places = vec![0; order.len()];
-        for (place, v) in order.into_iter().enumerate() {
-            self.places[v.index()] = narrow(place);
+        self.x_ranks = vec![0; order.len()];
+        for (rank, v) in order.into_iter().enumerate() {
+            self.x_ranks[v.index()] = narrow(rank);
         }
     }
 
@@ -103,7 +95,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
         self.compare_x_near(a, b, self.approx(b))
     }
 
-    /// The same where `b` has these approximated coordinates.
+    /// Order by x where `b` has these approximated coordinates.
     #[inline(always)]
     pub(super) fn compare_x_near(&self, a: VertexId, b: VertexId, near_b: [f64; 2]) -> Ordering {
         let x = self.approx(a)[0];
@@ -118,7 +110,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
 
     /// Order by x of vertices whose approximated x are equal.
     fn compare_equal_x(&self, a: VertexId, b: VertexId) -> Ordering {
-        if self.vertices.scale.tells_equal() {
+        if self.vertices.scale.is_injective() {
             return Equal;
         }
         match self.artificial.compare_x(a, b) {
@@ -134,7 +126,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
         self.orient2d_near([a, b, c], near, probe)
     }
 
-    /// The same where these are their doubles.
+    /// `Greater` if the vertices, all real, with these approximated coordinates turn left.
     #[inline(always)]
     pub(super) fn orient2d_near(
         &self,
@@ -154,25 +146,15 @@ impl<'a, S: Scalar> Signs<'a, S> {
     /// The orientation test where the filter for exact doubles does not decide.
     #[cold]
     #[inline(never)]
-    fn orient2d_exact(&self, [a, b, c]: [VertexId; 3], probe: &mut impl Probe) -> Ordering {
-        let scale = self.vertices.scale;
-        let doubles = [a, b, c].map(|v| self.approx(v));
-        let filtered = if scale.is_exact() {
-            filter::orient2d_on_lattice(doubles, scale)
-        } else {
-            filter::orient2d_approx(doubles, scale)
-        };
-        if let Some(sign) = filtered {
-            probe.count(|c| c.orient2d_filtered += 1);
-            return sign;
-        }
-        let (sign, stage) = if are_coordinates(doubles, scale) {
-            let [a, b, c] = &doubles;
-            f64::orient2d_exact(a, b, c)
-        } else {
-            S::orient2d_exact(self.exact(a), self.exact(b), self.exact(c))
-        };
-        probe.count(|c| c.count_orient2d(stage));
+    fn orient2d_exact(&self, vertices: [VertexId; 3], probe: &mut impl Probe) -> Ordering {
+        let decision = self
+            .real()
+            .orient2d_below_filter(vertices.map(VertexId::number));
+        let (sign, stage) = decision;
+        probe.count(|c| match stage {
+            None => c.orient2d_filtered += 1,
+            Some(stage) => c.count_orient2d(stage),
+        });
         sign
     }
 
@@ -199,7 +181,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
     /// across it must be flipped (figure 3).
     #[inline(always)]
     pub(super) fn must_flip(
-        &mut self,
+        &self,
         [p, a, b]: [VertexId; 3],
         near_p: [f64; 2],
         q: VertexId,
@@ -219,7 +201,7 @@ impl<'a, S: Scalar> Signs<'a, S> {
     #[cold]
     #[inline(never)]
     fn must_flip_exact(
-        &mut self,
+        &self,
         [p, a, b]: [VertexId; 3],
         q: VertexId,
         probe: &mut impl Probe,
@@ -245,54 +227,35 @@ impl<'a, S: Scalar> Signs<'a, S> {
         }
     }
 
-    /// On which side of the circle through `a`, `b`, `c` the vertex `d` lies, all real, where the filter for
+    /// On which side of the circle through the first three the last vertex lies, all real, where the filter for
     /// exact doubles does not decide: `Greater` for inside.
-    fn in_circle_exact(&mut self, [a, b, c, d]: [VertexId; 4], probe: &mut impl Probe) -> Ordering {
-        if let Some(whole) = &self.whole
-            && let Some(sign) = whole.in_circle([a, b, c, d].map(VertexId::index))
-        {
-            probe.count(|c| c.count_in_circle(Stage::Integers));
-            return sign;
-        }
-        let scale = self.vertices.scale;
-        let doubles = [a, b, c, d].map(|v| self.approx(v));
-        let filtered = if scale.is_exact() {
-            filter::in_circle_on_lattice(doubles, scale)
-        } else {
-            filter::in_circle_approx(doubles, scale)
-        };
-        if let Some(sign) = filtered {
-            probe.count(|c| c.in_circle_filtered += 1);
-            return sign;
-        }
-        let (sign, stage) = if let Some(sign) = scale.in_circle_by_integers(doubles) {
-            (sign, Stage::Integers)
-        } else if are_coordinates(doubles, scale) {
-            self.count_near_tie();
-            let [a, b, c, d] = &doubles;
-            f64::in_circle_exact(a, b, c, d)
-        } else {
-            let [a, b, c, d] = [a, b, c, d].map(|v| self.exact(v));
-            S::in_circle_exact(a, b, c, d)
-        };
-        probe.count(|c| c.count_in_circle(stage));
+    fn in_circle_exact(&self, vertices: [VertexId; 4], probe: &mut impl Probe) -> Ordering {
+        let decision = self
+            .real()
+            .in_circle_below_filter(vertices.map(VertexId::number));
+        let (sign, stage) = decision;
+        probe.count(|c| match stage {
+            None => c.in_circle_filtered += 1,
+            Some(stage) => c.count_in_circle(stage),
+        });
         sign
     }
 
-    /// Counts a test that took exact coordinates; makes integers of all vertices when these are many.
-    #[cold]
-    #[inline(never)]
-    fn count_near_tie(&mut self) {
-        self.near_ties += 1;
-        let n = self.vertices.len();
-        if self.near_ties == NEAR_TIES + n / VERTICES_A_TIE && self.vertices.scale.tells_equal() {
-            self.whole = Some(WholePoints::of(&self.vertices.approx[..n]));
+    /// The predicates of the real vertices.
+    #[inline(always)]
+    fn real(&self) -> Predicates<'_, S> {
+        Predicates {
+            points: self.points,
+            index: &self.vertices.input,
+            approx: &self.vertices.approx,
+            scale: &self.vertices.scale,
+            near_ties: &self.near_ties,
         }
     }
 
     /// Bytes of the arrays that grow with the input.
     pub(super) fn memory(&self) -> usize {
-        self.vertices.memory() + self.whole.as_ref().map_or(0, WholePoints::memory)
+        self.vertices.memory() + self.near_ties.memory()
     }
 
     /// The leftmost of two vertices, the upper one where x is equal.
@@ -303,10 +266,4 @@ impl<'a, S: Scalar> Signs<'a, S> {
             Equal => a.max(b),
         }
     }
-}
-
-/// Whether doubles are the coordinates, up to a power of two, which changes no sign. They lie nearer in memory
-/// than the caller's points, which are in any order.
-fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: Scale) -> bool {
-    scale.tells_equal() || scale.is_exact() && doubles.iter().flatten().all(|x| x.is_finite())
 }

@@ -29,10 +29,10 @@ use super::scanline;
 use super::sides::Sides;
 use super::soup::Soup;
 use super::violation::Violation;
-use crate::scalar::Scalar;
+use crate::scalar::{Measure, Scalar};
 
 /// Checks the boundary, against the domain if the caller declared one.
-pub(super) fn check<S: Scalar>(
+pub(super) fn check<S: Measure>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     domain: Option<&Domain>,
@@ -64,7 +64,7 @@ fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
 ///
 /// There is at least one boundary side. Otherwise every side had a triangle on both of its sides, crossing
 /// a side would never change how many triangles cover a point, and that number is 0 far away.
-fn check_hull<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Record) {
+fn check_hull<S: Measure>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Record) {
     // If each vertex starts at most one side, the sides are closed chains.
     let mut sides: Vec<[u32; 2]> = boundary.iter().map(|&side| soup.side(side)).collect();
     sides.sort_unstable();
@@ -118,7 +118,7 @@ fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
 }
 
 /// Checks that a closed chain never turns right nor back, and that it goes round once.
-fn check_convex<S: Scalar>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Record) {
+fn check_convex<S: Measure>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Record) {
     let at = |i: usize| chain[i % chain.len()];
     let (mut times, mut wrong) = (0, Vec::new());
     for i in 0..chain.len() {
@@ -147,7 +147,7 @@ fn check_convex<S: Scalar>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Recor
 
 /// Reports the turns of a closed chain that are wrong, with their depths if they are all there is: if they go on, and
 /// the chain neither crosses nor covers itself.
-fn report_concave<S: Scalar>(
+fn report_concave<S: Measure>(
     soup: &Soup<'_, S>,
     chain: &[u32],
     wrong: &[[u32; 3]],

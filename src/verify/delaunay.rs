@@ -8,7 +8,7 @@ use super::report::{Findings, Level, Record};
 use super::sides::Sides;
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
-use crate::scalar::Scalar;
+use crate::scalar::Measure;
 
 /// What is found in a chunk of triangles.
 struct Part {
@@ -20,7 +20,7 @@ struct Part {
 }
 
 /// Checks all free sides.
-pub(super) fn check<S: Scalar, C: Schedule<S>>(
+pub(super) fn check<S: Measure, C: Schedule<S>>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     progress: &Progress<'_>,
@@ -58,7 +58,7 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
 impl Part {
     /// Checks the side from `a` to `b` of triangle `a`, `b`, `c`, with `d` opposite to it in the triangle
     /// of its twin.
-    fn check_side<S: Scalar>(&mut self, soup: &Soup<'_, S>, side: usize, twin: usize) {
+    fn check_side<S: Measure>(&mut self, soup: &Soup<'_, S>, side: usize, twin: usize) {
         let corner = |side: usize, i: usize| soup.triangles[side / 3][(side % 3 + i) % 3];
         let [a, b, c] = [0, 1, 2].map(|i| corner(side, i));
         let d = corner(twin, 2);

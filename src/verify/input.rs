@@ -9,9 +9,9 @@ use std::cmp::Ordering;
 
 use super::declared::Domain;
 use super::report::Record;
-use super::soup::{LIMIT, REJECTED, Signs, Soup};
+use super::soup::{LIMIT, REJECTED, Soup, SoupPredicates};
 use super::violation::Violation;
-use crate::scalar::{Scalar, frame};
+use crate::scalar::{NearTies, Scalar, recenter};
 
 /// What the caller gave, by rank, as far as it is in range.
 #[derive(Debug)]
@@ -70,7 +70,7 @@ pub(super) fn read<'a, S: Scalar>(
 
 /// Ranks as they are given out.
 struct Ranks<'a, S> {
-    signs: Signs<'a, S>,
+    signs: SoupPredicates<'a, S>,
     /// For each point its rank, [`NEW`] or [`NOT_FINITE`].
     rank: Vec<u32>,
     /// For each point the lowest index of a point equal to it, unless all differ.
@@ -100,14 +100,15 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             }
         }
         let is_finite = |v: u32| rank[v as usize] == NEW;
-        let scale = frame::fit(points, &mut approximations);
+        let scale = recenter(points, &mut approximations);
         let representative = representatives(points, &approximations, is_finite);
-        let signs = Signs {
+        let signs = SoupPredicates {
             points,
             added_from,
             scale,
             vertex: Vec::with_capacity(points.len()),
             near: Vec::with_capacity(points.len()),
+            near_ties: NearTies::default(),
         };
         Ranks {
             signs,

@@ -28,7 +28,7 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use super::soup::{Signs, Tally};
+use super::soup::{SoupPredicates, Tally};
 use crate::scalar::Scalar;
 
 /// A declared side.
@@ -63,13 +63,13 @@ enum Place {
 /// A place as a key, ordered from below.
 #[derive(Debug)]
 struct Key<'a, S> {
-    signs: &'a Signs<'a, S>,
+    signs: &'a SoupPredicates<'a, S>,
     place: Place,
 }
 
 /// The line.
 struct Line<'a, S> {
-    signs: &'a Signs<'a, S>,
+    signs: &'a SoupPredicates<'a, S>,
     /// The sides that it crosses, each with how often the chains go round what is above it.
     sides: BTreeMap<Key<'a, S>, (Side, i32)>,
 }
@@ -77,7 +77,7 @@ struct Line<'a, S> {
 /// Which of `points` lie in the domain that the sides bound, or on its boundary, in ascending order. The
 /// sides form closed chains. An error is a side where they do not bound a domain.
 pub(super) fn inside<'a, S: Scalar>(
-    signs: &'a Signs<'a, S>,
+    signs: &'a SoupPredicates<'a, S>,
     sides: &[[u32; 2]],
     points: impl Iterator<Item = u32>,
 ) -> Result<Vec<u32>, [u32; 2]> {
@@ -185,7 +185,7 @@ impl<'a, S: Scalar> Line<'a, S> {
 
 /// On which side of a side a vertex is: greater is above. How many signs a search takes is up to the
 /// standard library, so they are not counted.
-fn turn<S: Scalar>(signs: &Signs<'_, S>, side: Side, v: u32) -> Ordering {
+fn turn<S: Scalar>(signs: &SoupPredicates<'_, S>, side: Side, v: u32) -> Ordering {
     signs.orient2d([side.from, side.to, v], &mut Tally::default())
 }
 

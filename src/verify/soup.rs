@@ -1,5 +1,5 @@
 //! What is to be verified: a *triangle soup*, points and triangles of which nothing is known yet; and the exact
-//! signs that the checks ask for: the floating-point [`filter`], then the scalar.
+//! signs that the checks ask for, from the [`Predicates`] of scalars.
 //!
 //! Vertices go by rank, the order in which the triangles name them first, so that memory follows the
 //! triangles; each distinct point has one rank, whatever number of equal points the caller gave. How the
@@ -8,7 +8,7 @@
 use std::cmp::Ordering;
 use std::ops::AddAssign;
 
-use crate::scalar::{Scalar, Scale, filter};
+use crate::scalar::{Measure, NearTies, Predicates, Scalar, Scale, Stage};
 
 /// How many points or corners of triangles can be verified: ranks and sides are numbers of 31 bits.
 pub(super) const LIMIT: usize = 1 << 31;
@@ -20,7 +20,7 @@ pub(super) const REJECTED: [u32; 3] = [u32::MAX; 3];
 /// Points and triangles by rank.
 #[derive(Debug)]
 pub(super) struct Soup<'a, S> {
-    pub(super) signs: Signs<'a, S>,
+    pub(super) signs: SoupPredicates<'a, S>,
     /// In the caller's order; [`REJECTED`] ones stay in their places.
     pub(super) triangles: Vec<[u32; 3]>,
 }
@@ -49,9 +49,9 @@ impl<S: Scalar> Soup<'_, S> {
     }
 }
 
-/// Points by rank.
+/// Points by rank, and their exact signs.
 #[derive(Debug)]
-pub(super) struct Signs<'a, S> {
+pub(super) struct SoupPredicates<'a, S> {
     pub(super) points: &'a [[S; 2]],
     /// From this index on they are none of the input's, unless they equal one of these.
     pub(super) added_from: usize,
@@ -60,6 +60,7 @@ pub(super) struct Signs<'a, S> {
     /// For each rank the approximated coordinates, scaled.
     pub(super) near: Vec<[f64; 2]>,
     pub(super) scale: Scale,
+    pub(super) near_ties: NearTies,
 }
 
 /// How signs were decided.
@@ -78,21 +79,15 @@ impl AddAssign for Tally {
 
 impl Tally {
     #[inline]
-    fn count(&mut self, filtered: Option<Ordering>, exact: impl FnOnce() -> Ordering) -> Ordering {
-        match filtered {
-            Some(sign) => {
-                self.filtered += 1;
-                sign
-            }
-            None => {
-                self.exact += 1;
-                exact()
-            }
+    fn count(&mut self, stage: Option<Stage>) {
+        match stage {
+            None => self.filtered += 1,
+            Some(_) => self.exact += 1,
         }
     }
 }
 
-impl<S: Scalar> Signs<'_, S> {
+impl<S: Scalar> SoupPredicates<'_, S> {
     /// The caller's index of a vertex.
     pub(super) fn name(&self, v: u32) -> usize {
         self.vertex[v as usize] as usize
@@ -107,38 +102,31 @@ impl<S: Scalar> Signs<'_, S> {
         &self.points[self.name(v)]
     }
 
+    #[inline(always)]
+    fn predicates(&self) -> Predicates<'_, S> {
+        Predicates {
+            points: self.points,
+            index: &self.vertex,
+            approx: &self.near,
+            scale: &self.scale,
+            near_ties: &self.near_ties,
+        }
+    }
+
+    /// `Greater` if three vertices turn left.
     #[inline]
-    pub(super) fn orient2d(&self, [a, b, c]: [u32; 3], tally: &mut Tally) -> Ordering {
-        let near = |v: u32| self.near[v as usize];
-        let near = [near(a), near(b), near(c)];
-        let filtered = filter::orient2d(near, self.scale);
-        let filtered = filtered.or_else(|| filter::orient2d_approx(near, self.scale));
-        tally.count(filtered, || {
-            S::orient2d_exact(self.point(a), self.point(b), self.point(c)).0
-        })
+    pub(super) fn orient2d(&self, vertices: [u32; 3], tally: &mut Tally) -> Ordering {
+        let (sign, stage) = self.predicates().orient2d(vertices);
+        tally.count(stage);
+        sign
     }
 
+    /// `Greater` if the last vertex lies inside the circle through the first three, which are counter-clockwise.
     #[inline]
-    pub(super) fn in_circle(&self, [a, b, c, d]: [u32; 4], tally: &mut Tally) -> Ordering {
-        let near = |v: u32| self.near[v as usize];
-        let near = [near(a), near(b), near(c), near(d)];
-        let filtered = filter::in_circle(near, self.scale);
-        let filtered = filtered.or_else(|| filter::in_circle_approx(near, self.scale));
-        tally.count(filtered, || {
-            S::in_circle_exact(self.point(a), self.point(b), self.point(c), self.point(d)).0
-        })
-    }
-
-    /// How deep the last vertex lies in the circle of the others, if the scalar tells.
-    pub(super) fn depth(&self, vertices: [u32; 4]) -> Option<f64> {
-        let [a, b, c, d] = vertices.map(|v| self.point(v));
-        S::depth(a, b, c, d)
-    }
-
-    /// How far a turn is from straight, if the scalar tells.
-    pub(super) fn height(&self, vertices: [u32; 3]) -> Option<f64> {
-        let [a, b, c] = vertices.map(|v| self.point(v));
-        S::height(a, b, c)
+    pub(super) fn in_circle(&self, vertices: [u32; 4], tally: &mut Tally) -> Ordering {
+        let (sign, stage) = self.predicates().in_circle(vertices);
+        tally.count(stage);
+        sign
     }
 
     /// Order by x, then y.
@@ -151,5 +139,19 @@ impl<S: Scalar> Signs<'_, S> {
     pub(super) fn is_left_or_above(&self, a: u32, b: u32) -> bool {
         let (p, q) = (self.point(a), self.point(b));
         p[0].compare(&q[0]).then_with(|| q[1].compare(&p[1])) == Ordering::Less
+    }
+}
+
+impl<S: Measure> SoupPredicates<'_, S> {
+    /// How deep the last vertex lies in the circle of the others, if the scalar tells.
+    pub(super) fn depth(&self, vertices: [u32; 4]) -> Option<f64> {
+        let [a, b, c, d] = vertices.map(|v| self.point(v));
+        S::depth(a, b, c, d)
+    }
+
+    /// How far a turn is from straight, if the scalar tells.
+    pub(super) fn height(&self, vertices: [u32; 3]) -> Option<f64> {
+        let [a, b, c] = vertices.map(|v| self.point(v));
+        S::height(a, b, c)
     }
 }

@@ -10,7 +10,7 @@ use super::input::{self, Ranked};
 use super::regions::{self, Regions};
 use super::report::{Level, Record, Report, Violations};
 use super::{boundary, delaunay, edges, sides, turns};
-use crate::scalar::Scalar;
+use crate::scalar::Measure;
 
 /// The verifier with options.
 ///
@@ -173,7 +173,7 @@ impl<'a> Verifier<'a> {
     /// # Errors
     /// [`Violations`], if `triangles` does not reach the level asked for: by default, if it is not a constrained
     /// Delaunay triangulation of `points` with `edges`.
-    pub fn verify<S: Scalar>(
+    pub fn verify<S: Measure>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
@@ -190,7 +190,7 @@ impl<'a> Verifier<'a> {
     /// Delaunay triangulation of `points` with `edges`.
     #[cfg(feature = "parallel")]
     #[cfg_attr(docsrs, doc(cfg(feature = "parallel")))]
-    pub fn verify_parallel<S: Scalar + Sync>(
+    pub fn verify_parallel<S: Measure + Sync>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
@@ -200,7 +200,7 @@ impl<'a> Verifier<'a> {
     }
 
     /// The checks, numbered as in the documentation of the module.
-    fn check<S: Scalar, C: Schedule<S>>(
+    fn check<S: Measure, C: Schedule<S>>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],

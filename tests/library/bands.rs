@@ -6,7 +6,7 @@
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::front::Linear;
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::Measure;
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
 use sweep_cdt_testing::data::{self, Hard};
 use sweep_cdt_testing::families;
@@ -19,7 +19,7 @@ const BANDS: [usize; 4] = [2, 3, 4, 5];
 
 /// Panics unless these points and edges have the same result in bands, or the same error. Returns whether
 /// bands were swept, in all cases.
-fn agrees<S: Scalar + Sync>(
+fn agrees<S: Measure + Sync>(
     triangulator: &Triangulator<'_>,
     points: &[[S; 2]],
     edges: &[[usize; 2]],

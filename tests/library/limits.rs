@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::{Measure, Scalar, Stage};
 use sweep_cdt::verify::{Violation, verify};
 use sweep_cdt::{Algorithm, Error, Triangulation, Triangulator, triangulate};
 use sweep_cdt_testing::Random;
@@ -120,14 +120,16 @@ impl Scalar for Nothing {
         Equal
     }
 
-    fn orient2d(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
-        Equal
+    fn orient2d(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> (Ordering, Stage) {
+        (Equal, Stage::Own)
     }
 
-    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
-        Equal
+    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> (Ordering, Stage) {
+        (Equal, Stage::Own)
     }
 }
+
+impl Measure for Nothing {}
 
 #[test]
 fn more_than_can_be_numbered_is_refused() {
@@ -172,21 +174,21 @@ impl<const KIND: u8> Scalar for Wrong<KIND> {
         self.0.total_cmp(&other.0)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         let [a, b, c] = [a, b, c].map(|p| p.map(|x| x.0));
         if KIND == RANDOM {
-            random(&[&a, &b, &c])
+            (random(&[&a, &b, &c]), Stage::Own)
         } else {
             Scalar::orient2d(&a, &b, &c)
         }
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
         if KIND == ALWAYS_INSIDE {
-            return Greater;
+            return (Greater, Stage::Own);
         }
         let [a, b, c, d] = [a, b, c, d].map(|p| p.map(|x| x.0));
-        random(&[&a, &b, &c, &d])
+        (random(&[&a, &b, &c, &d]), Stage::Own)
     }
 }
 

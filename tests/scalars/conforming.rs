@@ -1,11 +1,12 @@
-//! The public test of scalars: every scalar of the crate passes it, and it names what a wrong one gets wrong.
+//! The test of scalars (`sweep_cdt_testing::conformance`): every scalar of the crate passes it, and it names what a wrong one gets wrong.
 
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
-use sweep_cdt::scalar::{Nonconformity, Scalar, Stage, conformance};
+use sweep_cdt::scalar::{Measure, Scalar, Stage};
+use sweep_cdt_testing::conformance::{Nonconformity, conformance};
 
 /// The integer that equals a fraction.
 fn integer<T>(x: &BigRational, to: fn(&BigInt) -> Option<T>) -> Option<T> {
@@ -27,7 +28,7 @@ fn ratio(x: &BigRational) -> Option<Ratio<i64>> {
 }
 
 /// Panics unless so many answers are right.
-fn conforms<S: Scalar>(of: impl Fn(&BigRational) -> Option<S>, least: usize) {
+fn conforms<S: Measure>(of: impl Fn(&BigRational) -> Option<S>, least: usize) {
     match conformance(of) {
         Ok(answers) => assert!(answers > least, "{answers}"),
         Err(fault) => panic!("{}: {fault}", std::any::type_name::<S>()),
@@ -81,9 +82,9 @@ const FAULTS: [&str; 14] = [
     "is_finite(",
     "depth(",
     "height(",
-    "orient2d_exact(",
+    "orient2d(",
     "approx(",
-    "in_circle_exact(",
+    "in_circle(",
     "in_circle(",
 ];
 
@@ -124,9 +125,9 @@ impl<const FAULT: usize> Scalar for Wrong<FAULT> {
         }
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         let [a, b, c] = [a, b, c].map(whole);
-        match FAULT {
+        let sign = match FAULT {
             0 => {
                 let minus = |p: [i64; 2]| [0, 1].map(|i| p[i].wrapping_sub(c[i]));
                 let (p, q) = (minus(a), minus(b));
@@ -138,22 +139,30 @@ impl<const FAULT: usize> Scalar for Wrong<FAULT> {
                 let product = |x: i64, y: i64| x.checked_mul(y).expect("room");
                 product(p[0], q[1]).cmp(&product(p[1], q[0]))
             }
-            _ => Scalar::orient2d(&a, &b, &c),
-        }
+            // Only what is straight.
+            10 => Scalar::orient2d(&a, &b, &c).0.then(Ordering::Less),
+            _ => Scalar::orient2d(&a, &b, &c).0,
+        };
+        (sign, Stage::Own)
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
         let [p, q, r, s] = [a, b, c, d].map(whole);
-        let exact = Scalar::in_circle(&p, &q, &r, &s);
+        let (exact, _) = Scalar::in_circle(&p, &q, &r, &s);
         let depth = i64::depth(&p, &q, &r, &s);
-        match FAULT {
+        let sign = match FAULT {
             // Whatever is hardly inside or outside is on the circle.
             1 if depth.is_some_and(|depth| depth.abs() < 1e-9) => Ordering::Equal,
+            // Only what is on the circle.
+            12 => exact.then(Ordering::Less),
             13 => rounded::in_circle(a, b, c, d),
             _ => exact,
-        }
+        };
+        (sign, Stage::Own)
     }
+}
 
+impl<const FAULT: usize> Measure for Wrong<FAULT> {
     fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
         let [a, b, c, d] = [a, b, c, d].map(whole);
         let depth = i64::depth(&a, &b, &c, &d)?;
@@ -164,22 +173,6 @@ impl<const FAULT: usize> Scalar for Wrong<FAULT> {
         let [a, b, c] = [a, b, c].map(whole);
         let height = i64::height(&a, &b, &c)?;
         Some(if FAULT == 9 { height / 1024.0 } else { height })
-    }
-
-    fn orient2d_exact(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
-        let sign = Self::orient2d(a, b, c);
-        (if FAULT == 10 { sign.reverse() } else { sign }, Stage::Own)
-    }
-
-    fn in_circle_exact(
-        a: &[Self; 2],
-        b: &[Self; 2],
-        c: &[Self; 2],
-        d: &[Self; 2],
-    ) -> (Ordering, Stage) {
-        let sign = Self::in_circle(a, b, c, d);
-        let is_tie = FAULT == 12 && sign.is_eq();
-        (if is_tie { Ordering::Less } else { sign }, Stage::Own)
     }
 }
 

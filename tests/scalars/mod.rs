@@ -16,7 +16,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{ToPrimitive, Zero};
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
 use sweep_cdt_testing::Random;
 
 /// A random number from -1 up to, but not, 1.
@@ -75,21 +75,22 @@ fn check<S: Scalar>(points: &[[S; 2]; 4], expected: [Ordering; 3], what: &str) {
     let [a, b, c, d] = points;
     let near: Vec<f64> = points.iter().flatten().map(S::approx).collect();
     let scalar = std::any::type_name::<S>();
-    assert_eq!(
-        S::orient2d(a, b, c),
-        expected[0],
-        "orient2d {scalar} {what} {near:?}"
+    let exact = (
+        S::orient2d(a, b, c).0,
+        S::in_circle(a, b, c, d).0,
+        S::in_circle(b, a, c, d).0,
     );
-    assert_eq!(
-        S::in_circle(a, b, c, d),
-        expected[1],
-        "in_circle {scalar} {what} {near:?}"
+    let filtered = (
+        filtered_orient2d(a, b, c),
+        filtered_in_circle(a, b, c, d),
+        filtered_in_circle(b, a, c, d),
     );
-    assert_eq!(
-        S::in_circle(b, a, c, d),
-        expected[1].reverse(),
-        "swapped {scalar} {what} {near:?}"
-    );
+    for (turn, circle, swapped) in [exact, filtered] {
+        assert_eq!(turn, expected[0], "orient2d {scalar} {what} {near:?}");
+        assert_eq!(circle, expected[1], "in_circle {scalar} {what} {near:?}");
+        let reversed = expected[1].reverse();
+        assert_eq!(swapped, reversed, "swapped {scalar} {what} {near:?}");
+    }
     assert_eq!(
         a[0].compare(&b[0]),
         expected[2],

@@ -12,9 +12,9 @@ const SQUARES: usize = (SIDE - 1) * (SIDE - 1);
 const CHUNK: usize = 1 << 14;
 
 /// A raster whose squares are cut from the upper left to the lower right corner, as is canonical, or the
-/// other way. Its rows may be shifted against each other.
+/// other way. Its rows may be shifted against each other. It is so wide that doubles do not decide all ties.
 fn raster(is_canonical: bool, shift: f64) -> (Vec<[f64; 2]>, Vec<[usize; 3]>) {
-    let at = |i: usize| [i % SIDE, i / SIDE].map(|x| x as f64);
+    let at = |i: usize| [i % SIDE, i / SIDE].map(|x| 25.0 * x as f64);
     let points = (0..SIDE * SIDE)
         .map(at)
         .map(|[x, y]| [x + shift * y, y])

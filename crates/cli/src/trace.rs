@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
 use sweep_cdt::Error;
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::trace::Event;
 use sweep_cdt_draw::{StepsPage, StepsSheet};
 use sweep_cdt_formats::{Coordinate, Graph, write_trace};
@@ -193,7 +193,7 @@ struct Run<'a> {
 }
 
 impl Job for Run<'_> {
-    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+    fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
         let Given { graph, points, .. } = given;
         let [first, last] = [self.arguments.from, self.arguments.to].map(NonZeroUsize::get);
         // Only the steps that are written are kept.

@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 
 use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_formats::{Coordinate, Splitting};
 
@@ -169,7 +169,7 @@ struct Run<'a> {
 }
 
 impl Job for Run<'_> {
-    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+    fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
         let Given { graph, points, .. } = given;
         let arguments = self.arguments;
         let targets = completed(self.targets, self.read, graph)?;

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::verify::verify;
 use sweep_cdt::{Error, Triangulator, triangulate};
 
@@ -67,7 +67,7 @@ fn all_scalars(name: &str, points: &[[i32; 2]], lines: &mut Vec<String>) {
 }
 
 /// The result and its steps without edges, with edges that do not cross, and with edges that do.
-fn line<S: Scalar + Clone>(name: &str, points: &[[S; 2]]) -> String {
+fn line<S: Measure + Clone>(name: &str, points: &[[S; 2]]) -> String {
     let edges = sides_of_every_other(points);
     let crossing: Vec<[usize; 2]> = (1..points.len()).map(|v| [v, v / 2]).collect();
     let mut line = format!("{name}: {} points", points.len());

@@ -6,6 +6,7 @@
 //!   [`segments()`] are the usual ones.
 //! * [`data`] reads the test data; [`binary`] writes inputs for other programs.
 //! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
+//! * [`conformance`](mod@conformance) tests a scalar of your own.
 //! * [`judge`] decides with the oracle and the verifier whether another program is right.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
@@ -18,6 +19,7 @@
 
 pub mod binary;
 pub mod clouds;
+pub mod conformance;
 pub mod data;
 pub mod families;
 pub mod fronts;

@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{FromPrimitive, ToPrimitive};
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::{Measure, Scalar, Stage};
 use sweep_cdt::{Algorithm, Error, Heuristics, Repeater, Triangulator};
 
 use crate::Input;
@@ -174,7 +174,7 @@ pub fn assert_agree(input: &Input, verdict: &Verdict, runs: &[Run]) {
 }
 
 /// A scalar that can be made of a double.
-pub trait Sample: Scalar + Sync {
+pub trait Sample: Measure + Sync {
     /// Exactly this number, if the type can hold it.
     fn of(x: f64) -> Option<Self>;
 }
@@ -254,20 +254,24 @@ impl Scalar for Archetype {
         self.0.cmp(&other.0)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         let left = b[0].minus(&a[0]) * c[1].minus(&a[1]);
-        left.cmp(&(b[1].minus(&a[1]) * c[0].minus(&a[0])))
+        let sign = left.cmp(&(b[1].minus(&a[1]) * c[0].minus(&a[0])));
+        (sign, Stage::Own)
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
         let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [0, 1].map(|i| p[i].minus(&d[i])));
         let lift = |x: &BigRational, y: &BigRational| x * x + y * y;
         let det = lift(&ax, &ay) * (&bx * &cy - &by * &cx)
             + lift(&bx, &by) * (&cx * &ay - &cy * &ax)
             + lift(&cx, &cy) * (&ax * &by - &ay * &bx);
-        det.cmp(&BigRational::from_integer(BigInt::ZERO))
+        let sign = det.cmp(&BigRational::from_integer(BigInt::ZERO));
+        (sign, Stage::Own)
     }
 }
+
+impl Measure for Archetype {}
 
 impl Sample for Archetype {
     fn of(x: f64) -> Option<Archetype> {

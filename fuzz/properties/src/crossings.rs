@@ -4,7 +4,7 @@
 //! triangulations of the pieces are tested by the verifier and by the oracle's local tests.
 
 use sweep_cdt::crossings::{Split, crossings, split};
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::{Error, Triangulation, triangulate};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::oracle::arrangement::{self, Exact, fractions, is_nearest};
@@ -125,7 +125,7 @@ fn judge_rounded(
 
 /// The triangulation of the pieces, which the verifier and the oracle accept, and in which each edge runs from its
 /// first end to its second.
-fn triangulated<S: Scalar>(
+fn triangulated<S: Measure>(
     split: &Split<S>,
     exact: &[Exact],
     points: &[Exact],

@@ -9,7 +9,7 @@
 use bnum::types::I256;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation};
 
 use crate::reached;
@@ -114,7 +114,7 @@ fn agrees_by_reference(Input { points, edges }: &Input, steps: &Steps) {
 
 /// Panics unless the same points in another scalar lead through the same steps, to a result that the
 /// verifier accepts with that scalar's predicates.
-fn assert_same_steps<S: Scalar>(
+fn assert_same_steps<S: Measure>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     steps: &Steps,

@@ -12,7 +12,7 @@ use super::super::divide_and_conquer::Seam;
 use super::super::fabric::Fabric;
 use super::super::flip_limit::FlipLimit;
 use super::super::memory::Memory;
-use super::super::signs::Signs;
+use super::super::signs::SweepPredicates;
 use super::super::state::Sweep;
 use super::band::Swept;
 use super::strata::Edge;
@@ -63,7 +63,12 @@ pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
         mesh,
         ..Memory::default()
     };
-    let mut fabric = Fabric::new(Signs::new(points, vertices), true, (), &mut memory);
+    let mut fabric = Fabric::new(
+        SweepPredicates::new(points, vertices),
+        true,
+        (),
+        &mut memory,
+    );
     let seam = if chains.is_empty() {
         Seam::Carved
     } else {

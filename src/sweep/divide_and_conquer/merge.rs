@@ -14,8 +14,8 @@
 //! ```
 //!
 //! Why it is right: both tests ask whether a side of a quadrilateral must be flipped
-//! ([`Signs::must_flip`](super::super::signs::Signs::must_flip)): l-l2 between r and the vertex behind it, and
-//! r-l2 between l and r2. So the canonical rule decides ties here as in the sweep. That is the sign for points
+//! ([`SweepPredicates::must_flip`](super::super::signs::SweepPredicates::must_flip)): l-l2 between r and the vertex
+//! behind it, and r-l2 between l and r2. So the canonical rule decides ties here as in the sweep. That is the sign for points
 //! which are lifted and lowered by symbolic amounts, where no four lie on one circle, and for these Guibas
 //! and Stolfi's proof holds.
 //!

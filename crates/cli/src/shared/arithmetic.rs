@@ -14,7 +14,7 @@ use sweep_cdt::Error;
 use sweep_cdt::Region;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::domain::{DomainError, Seed};
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::Measure;
 use sweep_cdt_formats::{Coordinate, Graph, Input};
 
 use super::failure::Failure;
@@ -45,7 +45,7 @@ enum Kind {
 /// What a subcommand does with its input, in any arithmetic.
 pub(crate) trait Job {
     /// Does it.
-    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure>;
+    fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure>;
 }
 
 /// An input in the arithmetic of a run.

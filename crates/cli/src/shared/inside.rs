@@ -5,7 +5,7 @@
 
 use clap::ValueEnum;
 use sweep_cdt::domain::{Domain, DomainError, Rule, locate_seeds};
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Regions, Verifier, Violation};
 use sweep_cdt::{Triangulation, triangulate};
 use sweep_cdt_formats::{Coordinate, Graph, Triangles};
@@ -115,7 +115,7 @@ struct Interior {
 
 /// Verifies that triangles fill the interior by a rule, and that they have the attributes of its regions, if the result
 /// has any. The first `own` points are the input's, the others added.
-pub(crate) fn verify_interior<S: Coordinate, T: Scalar + Sync>(
+pub(crate) fn verify_interior<S: Coordinate, T: Measure + Sync>(
     rule: Inside,
     given: &Given<'_, S, T>,
     own: usize,
@@ -145,7 +145,7 @@ pub(crate) fn verify_interior<S: Coordinate, T: Scalar + Sync>(
 
 /// A rule by which triangles that do not fill the hull fill the interior, if there is one. The first `own` points are
 /// the input's.
-pub(crate) fn fitting_rule<S: Coordinate, T: Scalar + Sync>(
+pub(crate) fn fitting_rule<S: Coordinate, T: Measure + Sync>(
     given: &Given<'_, S, T>,
     own: usize,
     verifier: Verifier<'_>,
@@ -166,7 +166,7 @@ pub(crate) fn fitting_rule<S: Coordinate, T: Scalar + Sync>(
 }
 
 /// The triangulation of the hull of the first `own` points.
-fn proven<S: Coordinate, T: Scalar + Sync>(
+fn proven<S: Coordinate, T: Measure + Sync>(
     given: &Given<'_, S, T>,
     own: usize,
 ) -> Result<Triangulation, Failure> {
@@ -215,7 +215,7 @@ impl Interior {
         })
     }
 
-    fn verify<S, T: Scalar + Sync>(
+    fn verify<S, T: Measure + Sync>(
         &self,
         given: &Given<'_, S, T>,
         verifier: Verifier<'_>,

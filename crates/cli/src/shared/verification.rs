@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::sync::Mutex;
 
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
 use sweep_cdt_formats::{Coordinate, Graph, Matched, Triangles};
 
@@ -14,7 +14,7 @@ use super::tables::{NAME, NUMBER, rows};
 pub(crate) type Answer = Result<Report, Violations>;
 
 /// Verifies on all cores, with a progress bar where that takes long.
-pub(crate) fn verify<T: Scalar + Sync>(
+pub(crate) fn verify<T: Measure + Sync>(
     verifier: Verifier<'_>,
     points: &[[T; 2]],
     edges: &[[usize; 2]],

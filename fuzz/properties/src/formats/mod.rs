@@ -14,6 +14,7 @@ use std::panic::catch_unwind;
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
 use sweep_cdt::Heuristics;
+use sweep_cdt::scalar::Measure;
 use sweep_cdt::trace::Trace;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_draw::ViolationsPicture;
@@ -236,7 +237,7 @@ fn try_reader(reader: Reader, bytes: &[u8]) {
 }
 
 /// Reads a result, verifies it, and writes and draws what is wrong with it.
-fn try_result<S: Coordinate>(
+fn try_result<S: Coordinate + Measure>(
     format: ResultFormat,
     source: &Source,
     node: Option<&Source>,

@@ -1,4 +1,5 @@
-//! What is asked about one sample: each function of [`Scalar`], in several orders of the points.
+//! What is asked about one sample: each function of [`Scalar`](sweep_cdt::scalar::Scalar) and [`Measure`], in several
+//! orders of the points.
 
 use std::cell::Cell;
 use std::fmt::Debug;
@@ -7,11 +8,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
+use sweep_cdt::scalar::{Measure, filtered_in_circle, filtered_orient2d};
 
 use super::nonconformity::Nonconformity;
 use super::samples::Sample;
 use super::truth::{self, area, determinant, is_near, sign};
-use crate::scalar::Scalar;
 
 type Asked = Result<(), Nonconformity>;
 
@@ -26,7 +27,7 @@ pub(super) struct Questions<'a, S> {
     answers: Cell<usize>,
 }
 
-impl<'a, S: Scalar> Questions<'a, S> {
+impl<'a, S: Measure> Questions<'a, S> {
     pub(super) fn new(
         sample: &'a Sample,
         fractions: &'a [[BigRational; 2]; 4],
@@ -110,9 +111,10 @@ impl<'a, S: Scalar> Questions<'a, S> {
         let [p, q, r] = [a, b, c].map(|i| &self.points[i]);
         let call = |function: &str| self.call(function, &order[..3]);
         let expected = sign(&area(corners));
-        self.equal(|| call("orient2d"), || S::orient2d(p, q, r), expected)?;
-        let exact = || S::orient2d_exact(p, q, r).0;
-        self.equal(|| call("orient2d_exact"), exact, expected)?;
+        let exact = || S::orient2d(p, q, r).0;
+        self.equal(|| call("orient2d"), exact, expected)?;
+        let filtered = || filtered_orient2d(p, q, r);
+        self.equal(|| call("filtered_orient2d"), filtered, expected)?;
         let found = self.answer(|| call("height"), || S::height(p, q, r))?;
         let Some(found) = found else { return Ok(()) };
         match truth::height(corners) {
@@ -132,9 +134,10 @@ impl<'a, S: Scalar> Questions<'a, S> {
         let [p, q, r, s] = order.map(|i| &self.points[i]);
         let call = |function: &str| self.call(function, &order);
         let expected = sign(&determinant(corners));
-        self.equal(|| call("in_circle"), || S::in_circle(p, q, r, s), expected)?;
-        let exact = || S::in_circle_exact(p, q, r, s).0;
-        self.equal(|| call("in_circle_exact"), exact, expected)?;
+        let exact = || S::in_circle(p, q, r, s).0;
+        self.equal(|| call("in_circle"), exact, expected)?;
+        let filtered = || filtered_in_circle(p, q, r, s);
+        self.equal(|| call("filtered_in_circle"), filtered, expected)?;
         if turn.is_lt() {
             return Ok(());
         }

@@ -1,7 +1,7 @@
 //! Doubles as integers: in units of a power of two, where that makes integers of 61 bits of them.
 //!
 //! An input with many near-ties, such as points on a circle, keeps the integers of all its points
-//! ([`WholePoints`]), so that a test only subtracts and multiplies.
+//! ([`IntegerPoints`]), so that a test only subtracts and multiplies.
 //!
 //! Why it is right: a product by a power of two keeps all digits, unless it falls below the normal doubles; and
 //! what the conversion to integers drops is missed when the integer is turned back. Differences of numbers below
@@ -42,28 +42,28 @@ pub(super) fn largest(points: &[[f64; 2]]) -> f64 {
     f64::from_bits(bits.fold(0, u64::max))
 }
 
-/// Points as integers in one unit for all; [`NOT_WHOLE`] for those that are none in it.
+/// Points as integers in one unit for all; [`NO_INTEGERS`] in place of a point that has none in it.
 #[derive(Debug)]
-pub(crate) struct WholePoints(Vec<[i64; 2]>);
+pub(super) struct IntegerPoints(Vec<[i64; 2]>);
 
-/// In place of a point. No integer of 61 bits is so small.
-const NOT_WHOLE: [i64; 2] = [i64::MIN; 2];
+/// No integer of 61 bits is so small.
+const NO_INTEGERS: [i64; 2] = [i64::MIN; 2];
 
-impl WholePoints {
-    /// Those of finite doubles.
-    pub(crate) fn of(points: &[[f64; 2]]) -> WholePoints {
+impl IntegerPoints {
+    /// The integers of finite doubles.
+    pub(super) fn of(points: &[[f64; 2]]) -> IntegerPoints {
         let size = largest(points);
         let integers = points.iter().map(|&point| match whole(&[point], size) {
             ([integers], true) => integers,
-            _ => NOT_WHOLE,
+            _ => NO_INTEGERS,
         });
-        WholePoints(integers.collect())
+        IntegerPoints(integers.collect())
     }
 
-    /// The side of the circle through the first three points on which the last lies, if all four are whole.
+    /// The side of the circle through the first three points on which the last lies, if all four have integers.
     // Apart: most inputs have no use for it.
     #[inline(never)]
-    pub(crate) fn in_circle(&self, points: [usize; 4]) -> Option<Ordering> {
+    pub(super) fn in_circle(&self, points: [usize; 4]) -> Option<Ordering> {
         let [a, b, c, d] = points.map(|i| self.0[i]);
         if [a, b, c, d].iter().any(|p| p[0] == i64::MIN) {
             return None;
@@ -73,7 +73,7 @@ impl WholePoints {
     }
 
     /// Bytes held.
-    pub(crate) fn memory(&self) -> usize {
+    pub(super) fn memory(&self) -> usize {
         self.0.capacity() * size_of::<[i64; 2]>()
     }
 }
@@ -82,7 +82,7 @@ impl WholePoints {
 mod tests {
     use std::cmp::Ordering::{Equal, Greater, Less};
 
-    use super::{WholePoints, power};
+    use super::{IntegerPoints, power};
 
     /// The unit is 2^-60, and the three points are counter-clockwise.
     #[test]
@@ -96,7 +96,7 @@ mod tests {
             ([-0.0, -0.0], Some(Greater)),
         ] {
             let points = [[1.0, 0.0], [0.0, 1.0], [0.0, -1.0], point];
-            let found = WholePoints::of(&points).in_circle([1, 2, 0, 3]);
+            let found = IntegerPoints::of(&points).in_circle([1, 2, 0, 3]);
             assert_eq!(found, expected, "{point:?}");
         }
     }

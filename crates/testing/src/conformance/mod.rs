@@ -1,5 +1,5 @@
-//! Whether a scalar keeps its promises: every function of [`Scalar`] on many numbers, against determinants of big
-//! integers.
+//! Whether a scalar keeps its promises: every function of [`Scalar`](sweep_cdt::scalar::Scalar) and [`Measure`] on
+//! many numbers, against determinants of big integers.
 //!
 //! | | file |
 //! |---|---|
@@ -22,8 +22,8 @@ mod samples;
 mod truth;
 
 use num_rational::BigRational;
+use sweep_cdt::scalar::Measure;
 
-use super::Scalar;
 pub use nonconformity::Nonconformity;
 use questions::Questions;
 use samples::samples;
@@ -43,7 +43,7 @@ const LEAST: usize = 100;
 ///
 /// ```
 /// use num_traits::ToPrimitive;
-/// use sweep_cdt::scalar::conformance;
+/// use sweep_cdt_testing::conformance::conformance;
 ///
 /// let right = conformance(|x| x.is_integer().then(|| x.to_i64()).flatten());
 /// assert!(right.is_ok_and(|answers| answers > 10_000));
@@ -54,7 +54,8 @@ const LEAST: usize = 100;
 /// ```
 /// use std::cmp::Ordering;
 /// use num_traits::ToPrimitive;
-/// use sweep_cdt::scalar::{Nonconformity, Scalar, conformance};
+/// use sweep_cdt::scalar::{Measure, Scalar, Stage};
+/// use sweep_cdt_testing::conformance::{Nonconformity, conformance};
 ///
 /// struct Fixed(i64);
 ///
@@ -62,18 +63,20 @@ const LEAST: usize = 100;
 /// #     [a.0.wrapping_sub(c.0), b.0.wrapping_sub(d.0)]
 /// # }
 /// impl Scalar for Fixed {
-///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
 ///         let ([ax, ay], [bx, by]) = (minus(a, c), minus(b, c));
-///         ax.wrapping_mul(by).cmp(&ay.wrapping_mul(bx))
+///         (ax.wrapping_mul(by).cmp(&ay.wrapping_mul(bx)), Stage::Own)
 ///     }
 ///     // ...
 /// #     fn approx(&self) -> f64 { self.0 as f64 / 65536.0 }
 /// #     fn compare(&self, other: &Self) -> Ordering { self.0.cmp(&other.0) }
-/// #     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+/// #     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
 /// #         let [a, b, c, d] = [a, b, c, d].map(|[x, y]| [x.0, y.0]);
 /// #         Scalar::in_circle(&a, &b, &c, &d)
 /// #     }
 /// }
+///
+/// impl Measure for Fixed {}
 ///
 /// let fixed = |x: &num_rational::BigRational| {
 ///     let whole = x * num_bigint::BigInt::from(65536);
@@ -84,7 +87,7 @@ const LEAST: usize = 100;
 /// };
 /// assert!(call.starts_with("orient2d(["));
 /// ```
-pub fn conformance<S: Scalar>(
+pub fn conformance<S: Measure>(
     of: impl Fn(&BigRational) -> Option<S>,
 ) -> Result<usize, Nonconformity> {
     let (mut tried, mut answers) = (0, 0);

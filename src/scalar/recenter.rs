@@ -26,11 +26,11 @@ const SAMPLE: usize = 256;
 /// For each point a double times a power of two, along one axis.
 type Axis = Vec<(f64, i64)>;
 
-/// Makes the approximations in `near` of these points the doubles that the filter gets, and returns what is
-/// known of them. What stands for points that are not finite means nothing.
-pub(crate) fn fit<S: Scalar>(points: &[[S; 2]], near: &mut [[f64; 2]]) -> Scale {
+/// Makes the approximations in `near` of these points the doubles that the filter gets, and returns their scale. What
+/// stands for points that are not finite means nothing.
+pub(crate) fn recenter<S: Scalar>(points: &[[S; 2]], near: &mut [[f64; 2]]) -> Scale {
     if S::APPROX_IS_EXACT {
-        return Scale::unify(near, true);
+        return Scale::of_coordinates(near);
     }
     match [0, 1].map(|i| moved(points, near, i)) {
         [None, None] => Scale::unify(near, false),
@@ -97,7 +97,7 @@ fn plain(near: &[[f64; 2]], i: usize) -> impl Iterator<Item = (f64, i64)> {
     near.iter().map(move |x| normal((known(x[i]), 0)))
 }
 
-/// The same number with a double from 1 to 2 in size, if it is neither zero nor infinite.
+/// A number with a double from 1 to 2 in size, if it is neither zero nor infinite.
 fn normal((x, by): (f64, i64)) -> (f64, i64) {
     let (x, by) = match x.classify() {
         FpCategory::Normal => (x, by),
@@ -146,7 +146,7 @@ mod tests {
     use num_rational::BigRational;
     use num_traits::One;
 
-    use super::fit;
+    use super::recenter;
     use crate::scalar::Scalar;
 
     /// Most points in a column far from zero, the others close to zero: the column is no origin.
@@ -165,7 +165,7 @@ mod tests {
             .iter()
             .map(|p| p.each_ref().map(Scalar::approx))
             .collect();
-        fit(&points, &mut near);
+        recenter(&points, &mut near);
         let others: Vec<[f64; 2]> = near.into_iter().step_by(5).collect();
         assert!(others.windows(2).all(|pair| pair[0][0] < pair[1][0]));
     }

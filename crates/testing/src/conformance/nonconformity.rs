@@ -1,11 +1,13 @@
 //! What is wrong with a scalar.
 
+use std::error::Error;
+use std::fmt;
+
 /// What a scalar promises and does not keep.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Nonconformity {
     /// An answer is wrong.
-    #[error("{call} is {answer}, but must be {expected}")]
     WrongAnswer {
         /// The function and its arguments, as fractions.
         call: String,
@@ -15,15 +17,31 @@ pub enum Nonconformity {
         expected: String,
     },
     /// There is no answer: the call panics, as arithmetic does that overflows.
-    #[error("{call} panics")]
     Panic {
         /// The function and its arguments, as fractions.
         call: String,
     },
     /// Hardly any of the points that were to be tried have coordinates of this type.
-    #[error("too few points can be tried: {tried}")]
     TooFewNumbers {
         /// How many have.
         tried: usize,
     },
 }
+
+impl fmt::Display for Nonconformity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Nonconformity::WrongAnswer {
+                call,
+                answer,
+                expected,
+            } => write!(f, "{call} is {answer}, but must be {expected}"),
+            Nonconformity::Panic { call } => write!(f, "{call} panics"),
+            Nonconformity::TooFewNumbers { tried } => {
+                write!(f, "too few points can be tried: {tried}")
+            }
+        }
+    }
+}
+
+impl Error for Nonconformity {}

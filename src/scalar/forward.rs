@@ -1,0 +1,43 @@
+//! What a scalar leaves to another one that has all its values: exact predicates, and sizes.
+//!
+//! Why it is right: the points are converted exactly, or all by the same positive factor, which changes no sign.
+//!
+//! Cost: a conversion of six or eight numbers.
+
+/// Writes the exact predicates of a [`Scalar`](super::Scalar), or the functions of its [`Measure`](super::Measure), by
+/// those of another type and a function that converts a number.
+macro_rules! forward {
+    (predicates: $other:ty, $convert:expr) => {
+        fn orient2d(
+            a: &[Self; 2],
+            b: &[Self; 2],
+            c: &[Self; 2],
+        ) -> (::std::cmp::Ordering, $crate::scalar::Stage) {
+            let [a, b, c] = [a, b, c].map(|point| point.each_ref().map($convert));
+            <$other as $crate::scalar::Scalar>::orient2d(&a, &b, &c)
+        }
+
+        fn in_circle(
+            a: &[Self; 2],
+            b: &[Self; 2],
+            c: &[Self; 2],
+            d: &[Self; 2],
+        ) -> (::std::cmp::Ordering, $crate::scalar::Stage) {
+            let [a, b, c, d] = [a, b, c, d].map(|point| point.each_ref().map($convert));
+            <$other as $crate::scalar::Scalar>::in_circle(&a, &b, &c, &d)
+        }
+    };
+    (sizes: $other:ty, $convert:expr) => {
+        fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
+            let [a, b, c, d] = [a, b, c, d].map(|point| point.each_ref().map($convert));
+            <$other as $crate::scalar::Measure>::depth(&a, &b, &c, &d)
+        }
+
+        fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
+            let [a, b, c] = [a, b, c].map(|point| point.each_ref().map($convert));
+            <$other as $crate::scalar::Measure>::height(&a, &b, &c)
+        }
+    };
+}
+
+pub(super) use forward;
