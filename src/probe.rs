@@ -1,4 +1,9 @@
 //! How the sweep is observed: counters, clocks and events, which cost nothing when nobody observes.
+//!
+//! There are two probes, so the sweep is compiled twice for each scalar: with `()`, and with an [`Observer`] for all
+//! runs that are counted, whether or not somebody wants the events too.
+
+use std::fmt;
 
 use crate::recorder::{Phase, Recorder};
 use crate::stats::Counters;
@@ -6,10 +11,14 @@ use crate::trace::Event;
 
 /// Receives what the sweep did; `()` receives nothing and compiles to nothing.
 pub(crate) trait Probe {
+    /// Whether anything is recorded, and events may be received.
+    const RECORDS: bool;
+
     /// Whether events are received.
-    const EVENTS: bool = false;
-    /// Whether anything is recorded.
-    const RECORDS: bool = true;
+    #[inline(always)]
+    fn wants_events(&self) -> bool {
+        false
+    }
 
     /// A part of the algorithm (section 3.2) begins.
     fn begin(&mut self, _phase: Phase) {}
@@ -31,45 +40,48 @@ impl Probe for () {
     const RECORDS: bool = false;
 }
 
-impl Probe for Recorder {
-    fn begin(&mut self, phase: Phase) {
-        self.clock(phase);
-    }
-
-    #[inline(always)]
-    fn count(&mut self, add: impl FnOnce(&mut Counters)) {
-        add(&mut self.stats.counters);
-    }
-
-    #[inline(always)]
-    fn record(&mut self, record: impl FnOnce(&mut Recorder)) {
-        record(self);
-    }
-}
-
-/// Records statistics and passes events on to a closure.
-#[derive(Debug)]
-pub(crate) struct Observer<E> {
+/// Records statistics, and passes events on if somebody wants them.
+#[derive(Default)]
+pub(crate) struct Observer<'o> {
     pub(crate) recorder: Recorder,
-    pub(crate) observer: E,
+    /// Takes each event.
+    pub(crate) events: Option<&'o mut dyn FnMut(Event)>,
 }
 
-impl<E: FnMut(Event)> Probe for Observer<E> {
-    const EVENTS: bool = true;
+impl Probe for Observer<'_> {
+    const RECORDS: bool = true;
+
+    #[inline(always)]
+    fn wants_events(&self) -> bool {
+        self.events.is_some()
+    }
 
     fn begin(&mut self, phase: Phase) {
-        self.recorder.begin(phase);
+        self.recorder.clock(phase);
     }
 
+    #[inline(always)]
     fn count(&mut self, add: impl FnOnce(&mut Counters)) {
-        self.recorder.count(add);
+        add(&mut self.recorder.stats.counters);
     }
 
+    #[inline(always)]
     fn record(&mut self, record: impl FnOnce(&mut Recorder)) {
-        self.recorder.record(record);
+        record(&mut self.recorder);
     }
 
     fn event(&mut self, event: Event) {
-        (self.observer)(event);
+        if let Some(take) = &mut self.events {
+            take(event);
+        }
+    }
+}
+
+impl fmt::Debug for Observer<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Observer")
+            .field("recorder", &self.recorder)
+            .field("wants_events", &self.wants_events())
+            .finish()
     }
 }

@@ -62,9 +62,9 @@ impl<F: FrontSearch + Clone> Repeater<'_, F> {
         edges: &[[usize; 2]],
     ) -> Result<&Triangulation, Error> {
         self.memory.recycle(std::mem::take(&mut self.result));
-        let search = self.search.take().unwrap_or_else(|| self.front.clone());
-        let run = sweep::run(points, edges, self.settings, search, (), &mut self.memory);
-        let (result, search, ()) = run?;
+        let mut search = self.search.take().unwrap_or_else(|| self.front.clone());
+        let memory = &mut self.memory;
+        let (result, ()) = sweep::run(points, edges, self.settings, &mut search, (), memory)?;
         (self.result, self.search) = (result, Some(search));
         Ok(&self.result)
     }

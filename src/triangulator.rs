@@ -167,11 +167,13 @@ impl<F: FrontSearch + Clone + Send> Triangulator<'_, F> {
             let most = rayon::current_num_threads();
             let bands = self.bands.unwrap_or(most.min(points.len() / LEAST));
             let bands = bands.min(points.len() / 2);
-            if bands > 1
-                && let Some(result) =
-                    sweep::run_in_bands(points, edges, self.settings, &self.front, bands)
-            {
-                return Ok(result);
+            if bands > 1 {
+                let front = self.front.clone();
+                let structure = &mut move || Box::new(front.clone()) as _;
+                let result = sweep::run_in_bands(points, edges, self.settings, structure, bands);
+                if let Some(result) = result {
+                    return Ok(result);
+                }
             }
         }
         self.triangulate(points, edges)
@@ -188,7 +190,7 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<Triangulation, Error> {
-        let (triangulation, _, ()) = self.run(points, edges, ())?;
+        let (triangulation, ()) = self.run(points, edges, &mut self.front.clone(), ())?;
         Ok(triangulation)
     }
 
@@ -206,13 +208,7 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<Run<F>, Error> {
-        let (triangulation, front, recorder) = self.run(points, edges, Recorder::default())?;
-        let stats = recorder.finish(points.len(), edges.len(), &triangulation);
-        Ok(Run {
-            triangulation,
-            stats,
-            front,
-        })
+        self.record(points, edges, None)
     }
 
     /// The same; also passes every step to `observer` as it happens.
@@ -223,33 +219,47 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
-        observer: impl FnMut(Event),
+        mut observer: impl FnMut(Event),
     ) -> Result<Run<F>, Error> {
+        self.record(points, edges, Some(&mut observer))
+    }
+
+    /// Triangulates with statistics, and passes the steps on if they are wanted.
+    fn record<S: Scalar>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        events: Option<&mut dyn FnMut(Event)>,
+    ) -> Result<Run<F>, Error> {
+        let mut front = self.front.clone();
         let recorder = Recorder::default();
-        let probe = Observer { recorder, observer };
-        let (triangulation, front, probe) = self.run(points, edges, probe)?;
-        let stats = probe
-            .recorder
-            .finish(points.len(), edges.len(), &triangulation);
+        let probe = Observer { recorder, events };
+        let (triangulation, probe) = self.run(points, edges, &mut front, probe)?;
+        let (points, edges) = (points.len(), edges.len());
+        let stats = probe.recorder.finish(points, edges, &triangulation);
         Ok(Run {
             triangulation,
             stats,
             front,
         })
     }
+}
 
+impl<F> Triangulator<'_, F> {
+    /// Triangulates with this search structure.
     fn run<S: Scalar, P: Probe>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
+        front: &mut dyn FrontSearch,
         probe: P,
-    ) -> Result<(Triangulation, F, P), Error> {
+    ) -> Result<(Triangulation, P), Error> {
         let mut settings = self.settings;
-        if P::EVENTS {
+        if probe.wants_events() {
             // Only the sweep has steps.
             settings.algorithm = Algorithm::Sweep;
         }
         let memory = &mut Memory::default();
-        sweep::run(points, edges, settings, self.front.clone(), probe, memory)
+        sweep::run(points, edges, settings, front, probe, memory)
     }
 }

@@ -22,6 +22,7 @@
 //! Differs from the paper: an entry stays when its node leaves the front; the search notices it. Intervals may be
 //! cut, quantiles or places.
 
+use std::any::Any;
 use std::iter::successors;
 
 use super::intervals::Intervals;
@@ -199,6 +200,10 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         }
         self.table[at] = node;
         self.last = node;
+    }
+
+    fn as_any(&mut self) -> Option<&mut dyn Any> {
+        Some(self)
     }
 }
 

@@ -15,6 +15,8 @@
 //! lead to long walks may ask for *places* instead: the numbers of the vertices from left to right, by exact
 //! comparison ([`FrontSearch::strayed`]). The first two do; the costs above are averages over a run.
 //!
+//! [`AnyFront`] is one of the three, chosen by name when the program runs.
+//!
 //! `HashTable::counting` and `SkipList::counting` are the same structures with counts of their work ([`Work`]).
 //!
 //! A structure can be tested without a sweep: [`Front`], [`FrontNode`] and [`Domain`] can be made and
@@ -22,6 +24,8 @@
 //!
 //! Differs from the paper: the paper's structure is the hash table; the others are for comparison.
 
+mod any;
+mod dispatch;
 mod hash_table;
 mod intervals;
 mod linear;
@@ -31,6 +35,8 @@ mod search;
 mod skip_list;
 mod work;
 
+pub use any::AnyFront;
+pub(crate) use dispatch::Search;
 pub use hash_table::HashTable;
 pub use linear::Linear;
 pub(crate) use list::Way;

@@ -1,5 +1,7 @@
 //! What a search structure for the advancing front must do (section 3.4.1), and when it asks for places.
 
+use std::any::Any;
+
 use super::list::{Front, FrontNode};
 
 /// What a search structure may know of the vertices before the sweep starts.
@@ -43,7 +45,7 @@ pub const LONG_WALK: usize = 32;
 /// and may be left out; so may [`strayed`](FrontSearch::strayed), by which a structure can ask for better
 /// keys than x. A structure is a value: it may carry parameters, a seed and counters of its own.
 /// Each run of a [`Triangulator`](crate::Triangulator) works on a clone of the value it was given and
-/// returns that clone in [`Run::front`](crate::Run::front).
+/// returns that clone in [`Run::front`](crate::Run::front). The sweep calls it through `dyn`.
 ///
 /// From left to right on the front, the x that a structure gets never falls. It may repeat: where a new
 /// vertex comes straight above another, and where two coordinates have the same approximation. So a
@@ -155,6 +157,12 @@ pub trait FrontSearch {
     /// `node`, whose x is `x`, has left the front, forever.
     fn removed(&mut self, node: FrontNode, x: f64) {
         let _ = (node, x);
+    }
+
+    /// The structure with its type, by which the sweep knows the default hash table and calls it directly.
+    #[doc(hidden)]
+    fn as_any(&mut self) -> Option<&mut dyn Any> {
+        None
     }
 }
 

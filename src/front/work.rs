@@ -45,7 +45,7 @@ impl Work {
 }
 
 /// What takes the counts of a search structure: [`Work`] keeps them, `()` keeps none and compiles to nothing.
-pub trait Tally: Copy + Default + fmt::Debug {
+pub trait Tally: Copy + Default + fmt::Debug + 'static {
     /// Adds to the counts.
     fn count(&mut self, add: impl FnOnce(&mut Work));
 }

@@ -19,7 +19,7 @@
 //! stretch up to the height of the rim.
 
 use super::state::Sweep;
-use crate::front::{FrontSearch, Way};
+use crate::front::Way;
 use crate::ids::VertexId;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
@@ -28,7 +28,7 @@ use crate::trace::Why;
 /// How many nodes the search for the bottom of a basin may pass, and again that for its other end.
 const BASIN_REACH: usize = 32;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Fills the basins that begin right and left of `p`.
     #[inline(always)]
     pub(super) fn fill_basins(&mut self, p: VertexId) {

@@ -35,7 +35,6 @@ use super::edges::Rest;
 use super::obstacles::{Crossed, Part};
 use super::state::Sweep;
 use crate::error::Error;
-use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -45,7 +44,7 @@ use crate::trace::{EdgePosition, Event, Why};
 /// So few edges are looked for one by one: that takes no longer than making the triangles around their upper end.
 const FEW: usize = 4;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
         let leftmost = self.leftmost(upper);

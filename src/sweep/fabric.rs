@@ -63,18 +63,31 @@ impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
         t
     }
 
+    /// Whether steps are reported to somebody.
+    #[inline(always)]
+    pub(super) fn is_observed(&self) -> bool {
+        P::RECORDS && self.probe.wants_events()
+    }
+
     /// Reports a step to the observer, if there is one; vertices get their names in `event`.
     #[inline(always)]
     pub(super) fn report(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
-        if P::EVENTS {
-            let signs = &self.signs;
-            let event = event(&|v| match signs.vertices.input.get(v.index()) {
-                Some(&input) => Vertex::Input(input),
-                None if v == signs.artificial.left => Vertex::Left,
-                None => Vertex::Right,
-            });
-            self.probe.event(event);
+        if self.is_observed() {
+            self.pass_on(event);
         }
+    }
+
+    /// Passes a step on to the observer.
+    #[cold]
+    #[inline(never)]
+    fn pass_on(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
+        let signs = &self.signs;
+        let event = event(&|v| match signs.vertices.input.get(v.index()) {
+            Some(&input) => Vertex::Input(input),
+            None if v == signs.artificial.left => Vertex::Left,
+            None => Vertex::Right,
+        });
+        self.probe.event(event);
     }
 
     /// `Greater` if three real vertices turn left.

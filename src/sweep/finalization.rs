@@ -30,7 +30,6 @@ use std::mem::take;
 use super::flip_limit::contradiction;
 use super::memory::Memory;
 use super::state::Sweep;
-use crate::front::FrontSearch;
 use crate::ids::{OpenId, TriangleId, narrow};
 use crate::mesh::{Side, Triangle};
 use crate::probe::Probe;
@@ -42,7 +41,7 @@ use crate::triangulation::Triangulation;
 /// So few artificial triangles are sorted by comparison.
 const FEW: usize = 100;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Fills the front up to the upper hull.
     pub(super) fn complete_hull(&mut self) {
         self.fabric.probe.begin(Phase::Finalization);
@@ -55,8 +54,8 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
         }
     }
 
-    /// Returns the triangulation, whose hull is complete, with the search structure and the probe.
-    pub(super) fn finalize(mut self, memory: &mut Memory) -> (Triangulation, F, P) {
+    /// Returns the triangulation, whose hull is complete, with the probe.
+    pub(super) fn finalize(mut self, memory: &mut Memory) -> (Triangulation, P) {
         let bytes = self.memory();
         self.fabric.probe.record(|r| r.stats.memory = bytes);
         let mut hull = take(&mut memory.hull);
@@ -99,7 +98,7 @@ impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
             memory.chain = self.chain;
             memory.incidence = self.incidence;
         }
-        (result, self.search, self.fabric.probe)
+        (result, self.fabric.probe)
     }
 
     /// Lists all vertices on the hull, counter-clockwise from the leftmost, as input indices, and the artificial

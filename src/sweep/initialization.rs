@@ -16,7 +16,7 @@ use super::state::Sweep;
 use super::vertices::Vertices;
 use crate::chains::ChainNotes;
 use crate::error::Error;
-use crate::front::{Domain, FrontSearch};
+use crate::front::{Domain, Search};
 use crate::ids::{OpenId, VertexId, narrow};
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -26,14 +26,14 @@ use crate::settings::{Algorithm, Settings};
 use crate::trace::{Event, Why};
 
 /// Sorts and merges the points, lists the edges and makes the first triangle.
-pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
+pub(super) fn initialize<'a, S: Scalar, P: Probe>(
     points: &'a [[S; 2]],
     edges: &[[usize; 2]],
     settings: Settings<'_>,
-    search: F,
+    search: Search<'a>,
     mut probe: P,
     memory: &mut Memory,
-) -> Result<Sweep<'a, S, F, P>, Error> {
+) -> Result<Sweep<'a, S, P>, Error> {
     probe.begin(Phase::Initialization);
     // Vertices and edges; too many or wrong ones are refused.
     if points.len() > LIMIT {
@@ -64,15 +64,15 @@ pub(super) fn initialize<'a, S: Scalar, F: FrontSearch, P: Probe>(
 }
 
 /// The state with the first triangle of these vertices; `memory` lists their edges.
-pub(super) fn begin<'a, S: Scalar, F: FrontSearch, P: Probe>(
+pub(super) fn begin<'a, S: Scalar, P: Probe>(
     points: &'a [[S; 2]],
     vertices: Vertices,
     chains: ChainNotes,
     settings: Settings<'_>,
-    mut search: F,
+    mut search: Search<'a>,
     probe: P,
     memory: &mut Memory,
-) -> Sweep<'a, S, F, P> {
+) -> Sweep<'a, S, P> {
     search.begin(Domain::new(&vertices.approx));
     // There is an open side for each vertex, the segment of the front that starts there.
     let n = vertices.len();
@@ -93,10 +93,10 @@ pub(super) fn begin<'a, S: Scalar, F: FrontSearch, P: Probe>(
 /// artificial ones.
 pub(super) const LIMIT: usize = Side::LIMIT / 2 - 4;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Reports the sweep order to the observer.
     fn report_order(&mut self, vertices: usize) {
-        if P::EVENTS {
+        if self.fabric.is_observed() {
             for v in (0..vertices).map(VertexId::at) {
                 self.fabric.report(|name| Event::Sorted { vertex: name(v) });
             }

@@ -133,7 +133,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// Reports a flip that is about to be made.
     #[inline(always)]
     fn report_flip(&mut self, side: Side) {
-        if P::EVENTS {
+        if self.is_observed() {
             let ([p, a, b], q) = self.quadrilateral(side);
             self.report(|name| Event::Flip {
                 side: [a, b].map(name),
@@ -190,7 +190,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         if P::RECORDS {
             self.probe.count(|c| c.legalization_tests += 1);
         }
-        if P::EVENTS {
+        if self.is_observed() {
             let ([p, a, b], q) = self.quadrilateral(side);
             self.report(|name| Event::Test {
                 side: [a, b].map(name),

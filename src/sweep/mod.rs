@@ -74,7 +74,7 @@ mod traversal;
 mod vertices;
 
 use crate::error::Error;
-use crate::front::FrontSearch;
+use crate::front::{FrontSearch, Search};
 use crate::ids::VertexId;
 use crate::probe::Probe;
 use crate::recorder::Phase;
@@ -90,22 +90,23 @@ pub(crate) use memory::Memory;
 const CHECK: u32 = 16;
 const REPORT: u32 = 4096;
 
-/// Runs the three parts of section 3.2, or divide and conquer in place of the first two. The search
-/// structure and the probe come back with the result, the memory if it is kept.
-pub(crate) fn run<S: Scalar, F: FrontSearch, P: Probe>(
+/// Runs the three parts of section 3.2, or divide and conquer in place of the first two. The probe
+/// comes back with the result, the memory if it is kept.
+pub(crate) fn run<S: Scalar, P: Probe>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     settings: Settings<'_>,
-    search: F,
+    search: &mut dyn FrontSearch,
     probe: P,
     memory: &mut Memory,
-) -> Result<(Triangulation, F, P), Error> {
+) -> Result<(Triangulation, P), Error> {
+    let search = Search::with(search);
     let mut sweep = initialization::initialize(points, edges, settings, search, probe, memory)?;
     sweep.triangulate(settings)?;
     Ok(sweep.finalize(memory))
 }
 
-impl<S: Scalar, F: FrontSearch, P: Probe> state::Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> state::Sweep<'_, S, P> {
     /// Triangulates up to the hull, with all edges, artificial triangles around it.
     fn triangulate(&mut self, settings: Settings<'_>) -> Result<(), Error> {
         let swept = match settings.algorithm {

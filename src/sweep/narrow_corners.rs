@@ -22,7 +22,7 @@
 use std::cmp::Ordering::{self, Greater, Less};
 
 use super::state::{NewVertex, Sweep};
-use crate::front::{FrontSearch, Way};
+use crate::front::Way;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -98,7 +98,7 @@ impl Angle {
     }
 }
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Closes the corners right and left of `p` while they are narrow.
     #[inline(always)]
     pub(super) fn close_narrow_corners(&mut self, p: NewVertex, obtuse: Obtuse) {

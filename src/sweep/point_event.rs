@@ -26,7 +26,7 @@ use std::hint::select_unpredictable;
 
 use super::narrow_corners::Obtuse;
 use super::state::{NewVertex, Sweep};
-use crate::front::{Domain, FrontNode, FrontSearch, LONG_WALK, Way};
+use crate::front::{Domain, FrontNode, LONG_WALK, Way};
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -34,7 +34,7 @@ use crate::scalar::Scalar;
 use crate::settings::Corners;
 use crate::trace::{Event, PointCase, Why};
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Adds vertex `v`, the next one in sweep order.
     pub(super) fn point_event(&mut self, v: VertexId) {
         let p = self.new_vertex(v);

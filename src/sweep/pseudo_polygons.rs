@@ -166,7 +166,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         polygon: PseudoPolygon,
         vertices: impl IntoIterator<Item = VertexId>,
     ) {
-        if P::EVENTS {
+        if self.is_observed() {
             for vertex in vertices {
                 self.report(|name| Event::Border {
                     polygon,

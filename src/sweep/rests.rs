@@ -24,13 +24,12 @@
 use super::edges::Rest;
 use super::state::Sweep;
 use crate::error::Error;
-use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Inserts all rests; the hull is complete.
     pub(super) fn insert_rests(&mut self) -> Result<(), Error> {
         while let Some(&Rest { from, .. }) = self.rests.peek() {

@@ -16,7 +16,7 @@ use super::incidence::Incidence;
 use super::memory::Memory;
 use super::obstacles::Obstacles;
 use crate::chains::ChainNotes;
-use crate::front::{Front, FrontNode, FrontSearch};
+use crate::front::{Front, FrontNode, Search};
 use crate::ids::{OpenId, VertexId};
 use crate::probe::Probe;
 use crate::recorder::Recorder;
@@ -33,10 +33,10 @@ pub(super) struct NewVertex {
 
 /// The state between two events.
 #[derive(Debug)]
-pub(super) struct Sweep<'a, S, F, P> {
+pub(super) struct Sweep<'a, S, P> {
     pub(super) fabric: Fabric<'a, S, P>,
     pub(super) front: Front,
-    pub(super) search: F,
+    pub(super) search: Search<'a>,
     pub(super) heuristics: Heuristics,
     pub(super) edges: Edges,
     /// For the result: the vertices along each edge inserted so far.
@@ -53,14 +53,14 @@ pub(super) struct Sweep<'a, S, F, P> {
     pub(super) chain: Vec<Corner>,
 }
 
-impl<'a, S: Scalar, F: FrontSearch, P: Probe> Sweep<'a, S, F, P> {
+impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
     /// These triangles, this front without a vertex on it, and the edges that `memory` lists.
     pub(super) fn new(
         fabric: Fabric<'a, S, P>,
         front: Front,
         chains: ChainNotes,
         heuristics: Heuristics,
-        search: F,
+        search: Search<'a>,
         memory: &mut Memory,
     ) -> Self {
         let mut incidence = take(&mut memory.incidence);

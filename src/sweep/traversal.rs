@@ -33,7 +33,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use super::flip_limit::contradiction;
 use super::obstacles::{Crossed, Part};
 use super::state::Sweep;
-use crate::front::{FrontSearch, Way};
+use crate::front::Way;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -61,7 +61,7 @@ enum Place {
     End(VertexId),
 }
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Follows the edge from vertex `from` towards `to`, which is lower, to the next vertex on it.
     /// `around` is a side opposite `from`, of any triangle there.
     pub(super) fn traverse(

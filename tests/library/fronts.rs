@@ -3,10 +3,11 @@
 use std::fmt::Debug;
 
 use num_bigint::BigInt;
-use sweep_cdt::Triangulator;
-use sweep_cdt::front::{Domain, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{AnyFront, Domain, FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Algorithm, Counters, Triangulator};
 use sweep_cdt_testing::Random;
+use sweep_cdt_testing::fronts::Choice;
 
 use crate::statistics::{raster, square};
 
@@ -120,14 +121,62 @@ fn points_placed_beside_the_sample_make_no_search_long() {
 }
 
 /// A row far from most points, where doubles cannot tell its points apart, and points above it.
-#[test]
-fn points_with_equal_doubles_make_no_search_long() {
+fn with_equal_doubles() -> Vec<[BigInt; 2]> {
     let far = BigInt::from(1) << 100;
     let row = |i: i32| [&far + 1000 * i, BigInt::from(0)];
     let above = |i: i32| [&far + (i * 7919 % 1000) * 1000 + 500, BigInt::from(1 + i)];
     let near = |i: i32| [i, 10_000 + i * i % 7].map(BigInt::from);
     let mut points: Vec<[BigInt; 2]> = (0..1000).flat_map(|i| [row(i), above(i)]).collect();
     points.extend((0..3000).map(near));
+    points
+}
+
+#[test]
+fn points_with_equal_doubles_make_no_search_long() {
+    let points = with_equal_doubles();
     assert!(whole_steps_a_point::<HashTable, _>(&points) < 6);
     assert!(whole_steps_a_point::<SkipList, _>(&points) < 6);
+}
+
+/// The counters of a run with a front of the table of runs, which asks for the ranks by x where doubles tell too
+/// little, are those of the structure in it.
+#[test]
+fn a_run_of_the_table_reaches_the_ranks() {
+    fn counters(front: impl FrontSearch + Clone, points: &[[BigInt; 2]]) -> Counters {
+        let run = Triangulator::new()
+            .front(front)
+            .triangulate_with_stats(points, &[]);
+        run.expect("no edges").stats.counters
+    }
+    let points = with_equal_doubles();
+    for front in AnyFront::all() {
+        let expected = match &front {
+            AnyFront::HashTable(structure) => counters(structure.clone(), &points),
+            AnyFront::SkipList(structure) => counters(structure.clone(), &points),
+            AnyFront::Linear(structure) => counters(structure.clone(), &points),
+            other => panic!("{other:?} is not compared"),
+        };
+        let name = front.name();
+        let choice = Choice {
+            front,
+            algorithm: Algorithm::default(),
+            ..Choice::default()
+        };
+        let run = choice.triangulator().triangulate_with_stats(&points, &[]);
+        let counters = run.expect("no edges").stats.counters;
+        assert_eq!(counters, expected, "{name}");
+        if name != "linear" {
+            assert!(counters.front_steps < 6 * points.len() as u64, "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_front_has_the_name_by_which_it_is_found() {
+    for front in AnyFront::all() {
+        let found = AnyFront::named(front.name()).expect("it has this name");
+        assert_eq!(format!("{found:?}"), format!("{front:?}"));
+    }
+    assert!(AnyFront::named("").is_none());
+    assert_eq!(AnyFront::default().name(), AnyFront::all()[0].name());
 }

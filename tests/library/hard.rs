@@ -36,11 +36,7 @@ fn test(hard: &Hard) {
     let scalars: &[&str] = if is_exact {
         &["f64", "BigRational", "rug"]
     } else {
-        &[
-            "f64, hash table",
-            "f64, skip list",
-            "f64, divide and conquer",
-        ]
+        &["f64, hash", "f64, skip-list", "f64, divide and conquer"]
     };
     let expected = match triangulate(points, edges) {
         Ok(result) => {

@@ -1,91 +1,16 @@
-//! Fronts that are chosen when the program runs; a run with every step of it, and whether another run takes the
-//! same steps.
-//!
-//! The compiler makes a sweep for each scalar with each front, which takes most of the time that the tests
-//! need to compile. With [`AnyFront`] it makes one for each scalar.
+//! A run with settings that are chosen when the program runs; one with every step of it, and whether another run
+//! takes the same steps.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{AnyFront, FrontSearch};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::{Event, Trace};
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
 
-/// One of the crate's search structures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FrontKind {
-    /// [`HashTable`], the default.
-    HashTable,
-    /// [`SkipList`].
-    SkipList,
-    /// [`Linear`].
-    Linear,
-}
-
-impl FrontKind {
-    /// Each of them, with its name.
-    pub const ALL: [(&str, FrontKind); 3] = [
-        ("hash table", FrontKind::HashTable),
-        ("skip list", FrontKind::SkipList),
-        ("linear", FrontKind::Linear),
-    ];
-}
-
-/// Any of the crate's search structures.
-#[derive(Clone, Debug)]
-enum AnyFront {
-    HashTable(HashTable),
-    SkipList(SkipList),
-    Linear(Linear),
-}
-
-impl From<FrontKind> for AnyFront {
-    fn from(kind: FrontKind) -> AnyFront {
-        match kind {
-            FrontKind::HashTable => AnyFront::HashTable(HashTable::default()),
-            FrontKind::SkipList => AnyFront::SkipList(SkipList::default()),
-            FrontKind::Linear => AnyFront::Linear(Linear::default()),
-        }
-    }
-}
-
-impl FrontSearch for AnyFront {
-    fn begin(&mut self, domain: Domain<'_>) {
-        match self {
-            AnyFront::HashTable(search) => search.begin(domain),
-            AnyFront::SkipList(search) => search.begin(domain),
-            AnyFront::Linear(search) => search.begin(domain),
-        }
-    }
-
-    fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
-        match self {
-            AnyFront::HashTable(search) => search.locate(x, front),
-            AnyFront::SkipList(search) => search.locate(x, front),
-            AnyFront::Linear(search) => search.locate(x, front),
-        }
-    }
-
-    fn inserted(&mut self, node: FrontNode, x: f64) {
-        match self {
-            AnyFront::HashTable(search) => search.inserted(node, x),
-            AnyFront::SkipList(search) => search.inserted(node, x),
-            AnyFront::Linear(search) => search.inserted(node, x),
-        }
-    }
-
-    fn removed(&mut self, node: FrontNode, x: f64) {
-        match self {
-            AnyFront::HashTable(search) => search.removed(node, x),
-            AnyFront::SkipList(search) => search.removed(node, x),
-            AnyFront::Linear(search) => search.removed(node, x),
-        }
-    }
-}
-
 /// What a run chooses, beside the scalar.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Choice {
     /// The front.
-    pub front: FrontKind,
+    pub front: AnyFront,
     /// The heuristics.
     pub heuristics: Heuristics,
     /// The algorithm.
@@ -98,12 +23,22 @@ pub struct Choice {
 impl Default for Choice {
     fn default() -> Choice {
         Choice {
-            front: FrontKind::HashTable,
+            front: AnyFront::default(),
             heuristics: Heuristics::FAST,
             algorithm: Algorithm::Sweep,
             #[cfg(feature = "parallel")]
             bands: 1,
         }
+    }
+}
+
+impl Choice {
+    /// What triangulates so; bands are left out.
+    pub fn triangulator(&self) -> Triangulator<'static, AnyFront> {
+        Triangulator::new()
+            .front(self.front.clone())
+            .heuristics(self.heuristics)
+            .algorithm(self.algorithm)
     }
 }
 
@@ -114,12 +49,9 @@ impl Default for Choice {
 pub fn triangulate<S: Scalar + Sync>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-    choice: Choice,
+    choice: &Choice,
 ) -> Result<Triangulation, Error> {
-    let triangulator = Triangulator::new()
-        .front(AnyFront::from(choice.front))
-        .heuristics(choice.heuristics)
-        .algorithm(choice.algorithm);
+    let triangulator = choice.triangulator();
     #[cfg(feature = "parallel")]
     if choice.bands > 1 {
         return triangulator
@@ -143,14 +75,9 @@ impl Steps {
     /// Those of this input in these numbers, with the default front.
     pub fn of<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]], heuristics: Heuristics) -> Steps {
         let mut trace = Trace::default();
+        let front = AnyFront::default();
         let mut observer = |event| trace.events.push(event);
-        let result = observe(
-            points,
-            edges,
-            FrontKind::HashTable,
-            heuristics,
-            &mut observer,
-        );
+        let result = observe(points, edges, front, heuristics, &mut observer);
         Steps {
             heuristics,
             trace,
@@ -164,24 +91,11 @@ impl Steps {
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
-        front: FrontKind,
-        name: &str,
-    ) {
-        self.compare(edges.len(), name, |observer| {
-            observe(points, edges, front, self.heuristics, observer)
-        });
-    }
-
-    /// The same with a front of any type.
-    pub fn assert_same_with(
-        &self,
-        points: &[[f64; 2]],
-        edges: &[[usize; 2]],
         front: impl FrontSearch + Clone,
         name: &str,
     ) {
         self.compare(edges.len(), name, |observer| {
-            observe_with(points, edges, front, self.heuristics, observer)
+            observe(points, edges, front, self.heuristics, observer)
         });
     }
 
@@ -213,17 +127,6 @@ impl Steps {
 
 /// Triangulates with a front, and passes every step to `observer`.
 fn observe<S: Scalar>(
-    points: &[[S; 2]],
-    edges: &[[usize; 2]],
-    front: FrontKind,
-    heuristics: Heuristics,
-    observer: &mut dyn FnMut(Event),
-) -> Result<Triangulation, Error> {
-    observe_with(points, edges, AnyFront::from(front), heuristics, observer)
-}
-
-/// The same with a front of any type.
-fn observe_with<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     front: impl FrontSearch + Clone,

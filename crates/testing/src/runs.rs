@@ -1,7 +1,7 @@
 //! The table of runs: every scalar with every front and every setting of the heuristics, and every scalar
 //! with the other algorithms, in bands, and in memory that all inputs before it have used.
 //!
-//! A new front is a variant of [`FrontKind`], a new scalar one line in [`all`] and a [`Sample`] that says how
+//! A new front is a variant of the crate's [`AnyFront`], a new scalar one line in [`all`] and a [`Sample`] that says how
 //! it is made of a double.
 
 use std::cell::RefCell;
@@ -10,16 +10,17 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{FromPrimitive, ToPrimitive};
+use sweep_cdt::front::AnyFront;
 use sweep_cdt::scalar::{Measure, Scalar, Stage};
 use sweep_cdt::{Algorithm, Error, Heuristics, Repeater, Triangulator};
 
 use crate::Input;
-use crate::fronts::{Choice, FrontKind, triangulate};
+use crate::fronts::{Choice, triangulate};
 use crate::oracle::{Answer, Verdict, found};
 
 /// What a run returns.
 pub type Outcome = Result<Answer, Error>;
-type Call = fn(&Input, Choice) -> Option<Outcome>;
+type Call = fn(&Input, &Choice) -> Option<Outcome>;
 
 /// One way to triangulate.
 #[derive(Clone, Debug)]
@@ -33,7 +34,7 @@ pub struct Run {
 impl Run {
     /// What comes out, or `None` if the scalar cannot hold a coordinate.
     pub fn outcome(&self, input: &Input) -> Option<Outcome> {
-        (self.call)(input, self.choice)
+        (self.call)(input, &self.choice)
     }
 }
 
@@ -71,12 +72,12 @@ pub fn all() -> Vec<Run> {
 /// The runs with one scalar.
 pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
     let mut runs = Vec::new();
-    for (name, front) in FrontKind::ALL {
+    for front in AnyFront::all() {
         for &(setting, heuristics) in HEURISTICS {
             runs.push(Run {
-                name: format!("{scalar}, {name}, {setting}"),
+                name: format!("{scalar}, {}, {setting}", front.name()),
                 choice: Choice {
-                    front,
+                    front: front.clone(),
                     heuristics,
                     ..Choice::default()
                 },
@@ -126,7 +127,7 @@ pub fn with<S: Sample>(scalar: &str) -> Vec<Run> {
     runs
 }
 
-fn call<S: Sample>(input: &Input, choice: Choice) -> Option<Outcome> {
+fn call<S: Sample>(input: &Input, choice: &Choice) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
     let result = triangulate(&points, &input.edges, choice);
     Some(result.map(|result| found(&result, points.len(), input.edges.len())))
@@ -137,7 +138,7 @@ thread_local! {
     static REPEATER: RefCell<Repeater<'static>> = RefCell::new(Triangulator::new().repeater());
 }
 
-fn call_in_kept_memory<S: Sample>(input: &Input, _: Choice) -> Option<Outcome> {
+fn call_in_kept_memory<S: Sample>(input: &Input, _: &Choice) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
     Some(REPEATER.with_borrow_mut(|repeater| {
         let result = repeater.triangulate(&points, &input.edges)?;

@@ -6,10 +6,9 @@
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, SkipList};
+use sweep_cdt::front::{self, Domain, Front, FrontNode, FrontSearch, HashTable, SkipList};
 use sweep_cdt_experiments::fronts::AnyFront;
 use sweep_cdt_experiments::{Contestant, standard};
-use sweep_cdt_testing::fronts::FrontKind;
 
 use crate::file::File;
 use crate::reached;
@@ -52,16 +51,17 @@ fn judge(Input { points, edges }: &Input, choices: u64) {
     let settings = [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF];
     let heuristics = settings[(choices % 3) as usize];
     let steps = Steps::of(points, edges, heuristics);
-    for (name, front) in FrontKind::ALL {
+    for front in front::AnyFront::all() {
+        let name = front.name();
         steps.assert_same(points, edges, front, name);
     }
     for contestant in standard() {
         let front = contestant.front().clone();
-        steps.assert_same_with(points, edges, front, contestant.name());
+        steps.assert_same(points, edges, front, contestant.name());
     }
     let astray = Astray::default();
-    steps.assert_same_with(points, edges, astray, "a structure that leads astray");
-    steps.assert_same_with(points, edges, Idle, "a structure that knows nothing");
+    steps.assert_same(points, edges, astray, "a structure that leads astray");
+    steps.assert_same(points, edges, Idle, "a structure that knows nothing");
 }
 
 /// Names both ends and all nodes ever inserted in turn, as far as they are on the front.

@@ -9,12 +9,13 @@
 use bnum::types::I256;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
+use sweep_cdt::front::AnyFront;
 use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation};
 
 use crate::reached;
 use sweep_cdt_testing::Steps;
-use sweep_cdt_testing::fronts::{self, Choice, FrontKind};
+use sweep_cdt_testing::fronts::{self, Choice};
 use sweep_cdt_testing::oracle::{self, Integers, found};
 use sweep_cdt_testing::runs::{Archetype, Sample, convert};
 use sweep_cdt_testing::{Input, generators};
@@ -120,7 +121,7 @@ fn assert_same_steps<S: Measure>(
     steps: &Steps,
     name: &str,
 ) {
-    steps.assert_same(points, edges, FrontKind::HashTable, name);
+    steps.assert_same(points, edges, AnyFront::default(), name);
     if let Ok(result) = &steps.result {
         let report = result.verify(points, edges);
         assert!(
@@ -142,7 +143,7 @@ fn assert_same<S: Scalar + Sync>(
         algorithm: Algorithm::DivideAndConquer,
         ..Choice::default()
     };
-    let here = fronts::triangulate(points, edges, choice);
+    let here = fronts::triangulate(points, edges, &choice);
     match (here, expected) {
         (Ok(here), Ok(there)) => assert_eq!(answer(&here), answer(there), "{name} (left)"),
         (Err(Error::CrossingEdges { .. }), Err(Error::CrossingEdges { .. })) => {}

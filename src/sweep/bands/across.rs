@@ -13,14 +13,13 @@
 use super::super::state::Sweep;
 use super::strata::Edge;
 use crate::error::Error;
-use crate::front::FrontSearch;
 use crate::scalar::Scalar;
 
 /// Triangles that are looked through, more than two for each vertex: some of the first vertices' triangles are made
 /// late.
 const MORE: usize = 1 << 16;
 
-impl<S: Scalar, F: FrontSearch> Sweep<'_, S, F, ()> {
+impl<S: Scalar> Sweep<'_, S, ()> {
     /// Inserts these edges, numbered in the whole: of each the part down to the first vertex on it. `starts` are the
     /// numbers of the first vertex and the first triangle of each band but the lowest, which has no upper ends.
     pub(super) fn insert_across(

@@ -11,21 +11,23 @@ use super::super::vertices::Vertices;
 use super::strata::Edge;
 use crate::chains::ChainNotes;
 use crate::error::Error;
-use crate::front::FrontSearch;
+use crate::front::{FrontSearch, Search};
 use crate::ids::VertexId;
 use crate::mesh::Mesh;
 use crate::scalar::Scalar;
 use crate::settings::Settings;
 
+/// A search structure of a band.
+pub(crate) type Structure<'f> = Box<dyn FrontSearch + Send + 'f>;
+
 /// A band before the sweep.
-#[derive(Debug)]
-pub(super) struct Band<F> {
+pub(super) struct Band<'f> {
     pub(super) vertices: Vertices,
     /// Lists of the edges within it.
     pub(super) edges: Vec<Vec<Edge>>,
     /// The number of its first vertex in the whole.
     pub(super) first: usize,
-    pub(super) search: F,
+    pub(super) search: Structure<'f>,
 }
 
 /// A band after the sweep. Vertices and triangles are numbered within the band.
@@ -49,14 +51,14 @@ pub(super) struct Shared<'a, S> {
 
 impl<S: Scalar> Shared<'_, S> {
     /// Triangulates a band of at least two vertices with the edges within it.
-    pub(super) fn sweep<F: FrontSearch>(
+    pub(super) fn sweep(
         &self,
         Band {
             vertices,
             edges,
             first,
-            search,
-        }: Band<F>,
+            mut search,
+        }: Band<'_>,
         settings: Settings<'_>,
     ) -> Result<Swept, Error> {
         let n = vertices.len();
@@ -73,7 +75,7 @@ impl<S: Scalar> Shared<'_, S> {
             vertices,
             chains,
             settings,
-            search,
+            Search::with(&mut *search),
             (),
             &mut memory,
         );

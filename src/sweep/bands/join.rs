@@ -16,20 +16,20 @@ use super::super::signs::SweepPredicates;
 use super::super::state::Sweep;
 use super::band::Swept;
 use super::strata::Edge;
-use crate::front::{Front, FrontSearch};
+use crate::front::{Front, Search};
 use crate::ids::narrow;
 use crate::scalar::Scalar;
 use crate::settings::Settings;
 
 /// Joins the bands, of which there are at least two, into the state of a sweep whose hull is complete. `None` if
 /// that takes too many flips, or where only one thread can say what is wrong.
-pub(super) fn join<'a, S: Scalar, F: FrontSearch>(
+pub(super) fn join<'a, S: Scalar>(
     points: &'a [[S; 2]],
     bands: Vec<Swept>,
     across: Vec<Edge>,
     settings: Settings<'_>,
-    search: F,
-) -> Option<Sweep<'a, S, F, ()>> {
+    search: Search<'a>,
+) -> Option<Sweep<'a, S, ()>> {
     let mut bands = bands.into_iter();
     let lowest = bands.next().expect("there are two bands");
     let (mut mesh, mut vertices, mut chains) = (lowest.mesh, lowest.vertices, lowest.chains);

@@ -25,12 +25,12 @@ use rayon::prelude::*;
 use super::initialization::LIMIT;
 use super::located::Located;
 use super::memory::Memory;
-use crate::front::FrontSearch;
+use crate::front::Search;
 use crate::ids::VertexId;
 use crate::scalar::Scalar;
 use crate::settings::Settings;
 use crate::triangulation::Triangulation;
-use band::{Band, Shared, Swept};
+use band::{Band, Shared, Structure, Swept};
 use strata::Strata;
 
 /// More bands are of no use: each takes some memory for each chunk of points.
@@ -39,13 +39,14 @@ const MOST: usize = 256;
 /// eight points, bands are no gain.
 const MANY_ACROSS: usize = 10_000;
 
-/// Triangulates in so many bands, at least two, on the current rayon pool, without reports of progress. `None`
+/// Triangulates in so many bands, at least two, each with a search structure of its own, on the current rayon pool,
+/// without reports of progress. `None`
 /// where only [`super::run`] can say what is wrong, or is as fast.
-pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
+pub(crate) fn run<'f, S: Scalar + Sync>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     settings: Settings<'_>,
-    search: &F,
+    structure: &mut (dyn FnMut() -> Structure<'f> + Send),
     bands: usize,
 ) -> Option<Triangulation> {
     let (algorithm, heuristics) = (settings.algorithm, settings.heuristics);
@@ -54,17 +55,16 @@ pub(crate) fn run<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         heuristics,
         progress: None,
     };
-    let search = search.clone();
     // On threads of the pool from here on. Otherwise this one would wake them for each step, and some systems start
     // a thread that wakes on the core of the one that woke it.
-    rayon::scope(move |_| triangulate(points, edges, settings, search, bands))
+    rayon::scope(move |_| triangulate(points, edges, settings, structure, bands))
 }
 
-fn triangulate<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
+fn triangulate<'f, S: Scalar + Sync>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     settings: impl Fn() -> Settings<'static> + Sync,
-    search: F,
+    structure: &mut (dyn FnMut() -> Structure<'f> + Send),
     bands: usize,
 ) -> Option<Triangulation> {
     // The bands have a few triangles more, all together, than one sweep.
@@ -88,13 +88,13 @@ fn triangulate<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         outside: VertexId::at(first[last]),
     };
     let parts = strata.bands.into_iter().zip(edges.within);
-    let sorted: Vec<Band<F>> = parts
+    let sorted: Vec<Band<'_>> = parts
         .zip(first)
         .map(|((vertices, edges), &first)| Band {
             vertices,
             edges,
             first,
-            search: search.clone(),
+            search: structure(),
         })
         .collect();
     let sweep = |band| shared.sweep(band, settings());
@@ -104,6 +104,8 @@ fn triangulate<S: Scalar + Sync, F: FrontSearch + Clone + Send>(
         .collect::<Result<_, _>>()
         .ok()?;
     drop(shared);
+    let mut search = structure();
+    let search = Search::with(&mut *search);
     let sweep = join::join(points, swept, edges.across, settings(), search)?;
     let (triangulation, ..) = sweep.finalize(&mut Memory::default());
     Some(triangulation)

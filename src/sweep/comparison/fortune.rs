@@ -36,7 +36,6 @@ use super::super::fabric::Fabric;
 use super::super::state::Sweep;
 use super::beach_line::{BeachLine, top};
 use crate::error::Error;
-use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -53,7 +52,7 @@ fn key(height: f64) -> u64 {
     if negative { !bits } else { bits | 1 << 63 }
 }
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Sweeps with a beach line, and then inserts the edges; afterwards the hull is complete. Returns how many
     /// vertices lie within it: all, or none if they all lie on one line or no triangulation has come of it.
     pub(in crate::sweep) fn sweep_beach_line(&mut self) -> Result<usize, Error> {

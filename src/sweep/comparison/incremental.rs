@@ -35,14 +35,13 @@ use super::super::flip_limit::contradiction;
 use super::super::state::Sweep;
 use super::super::stretch::Random;
 use crate::error::Error;
-use crate::front::FrontSearch;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Triangulates by insertion, and then inserts the edges; afterwards the hull is complete. Returns how many
     /// vertices lie within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn insert_at_random(&mut self) -> Result<usize, Error> {

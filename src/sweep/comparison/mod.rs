@@ -23,14 +23,13 @@ use std::cmp::Ordering::Equal;
 use super::fabric::Fabric;
 use super::state::Sweep;
 use crate::error::Error;
-use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::recorder::Phase;
 use crate::scalar::Scalar;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Begins to triangulate, if not all vertices lie on one line: returns the first one off it.
     fn begin_off_line(&mut self) -> Option<VertexId> {
         let off_line = self.fabric.first_off_line()?;

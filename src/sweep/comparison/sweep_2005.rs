@@ -29,7 +29,7 @@ use std::cmp::Ordering::Less;
 
 use super::super::state::{NewVertex, Sweep};
 use crate::error::Error;
-use crate::front::{FrontSearch, Way};
+use crate::front::Way;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -61,7 +61,7 @@ impl LowerHull {
     }
 }
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Sweeps the points, and then inserts the edges; afterwards the hull is complete. Returns how many vertices
     /// lie within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn sweep_without_artificial(&mut self) -> Result<usize, Error> {

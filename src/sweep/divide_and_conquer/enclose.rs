@@ -14,13 +14,12 @@
 use super::super::flip_limit::contradiction;
 use super::super::state::Sweep;
 use super::Part;
-use crate::front::FrontSearch;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Encloses the first `vertices` vertices, two or more and all that have been swept, in ghosts with the
     /// vertex `outside`.
     pub(in crate::sweep) fn enclose(&mut self, vertices: usize, outside: VertexId) -> Part {

@@ -10,13 +10,12 @@ use std::cmp::Ordering::Greater;
 
 use super::super::flip_limit::contradiction;
 use super::super::state::Sweep;
-use crate::front::FrontSearch;
 use crate::ids::{OpenId, VertexId};
 use crate::mesh::Side;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Replaces the ghosts; the hull side of `start` starts at the lowest vertex.
     pub(in crate::sweep) fn hand_over(&mut self, start: Side) {
         let ghosts = self.ring_of(start);

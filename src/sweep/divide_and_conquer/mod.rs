@@ -28,7 +28,6 @@ use super::fabric::Fabric;
 use super::flip_limit::FlipLimit;
 use super::state::Sweep;
 use crate::error::Error;
-use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Side;
 use crate::probe::Probe;
@@ -64,7 +63,7 @@ pub(super) enum Seam {
     Zipped,
 }
 
-impl<S: Scalar, F: FrontSearch, P: Probe> Sweep<'_, S, F, P> {
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Triangulates without sweeping; afterwards the hull is complete, and of each edge the part down to the
     /// first vertex on it is inserted. The first `swept` vertices are kept as they are, with a hull that is
     /// complete; if there are any, two others or more follow, and there are no edges.
@@ -144,7 +143,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 mod tests {
     use super::super::initialization::initialize;
     use super::super::memory::Memory;
-    use crate::front::HashTable;
+    use crate::front::{HashTable, Search};
     use crate::ids::VertexId;
     use crate::settings::{Algorithm, Heuristics, Settings};
     use crate::triangulation::Triangulation;
@@ -159,7 +158,8 @@ mod tests {
     /// The triangulation whose sweep is abandoned after so many vertices.
     fn after(swept: usize, points: &[[f64; 2]]) -> Triangulation {
         let mut memory = Memory::default();
-        let front = HashTable::default();
+        let mut front = HashTable::default();
+        let front = Search::with(&mut front);
         let sweep = initialize(points, &[], SETTINGS, front, (), &mut memory);
         let mut sweep = sweep.expect("valid points");
         for v in (1..swept).map(VertexId::at) {
@@ -169,7 +169,7 @@ mod tests {
             sweep.complete_hull();
         }
         sweep.divide_and_conquer(swept).expect("no edges");
-        let (triangulation, ..) = sweep.finalize(&mut memory);
+        let (triangulation, ()) = sweep.finalize(&mut memory);
         triangulation
     }
 

@@ -10,10 +10,10 @@ use std::fmt::Write;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use sweep_cdt::front::AnyFront;
 use sweep_cdt::trace::{Event, Trace};
 use sweep_cdt::{Corners, Heuristics};
 use sweep_cdt_formats::write_trace;
-use sweep_cdt_testing::fronts::FrontKind;
 use sweep_cdt_testing::generators::medium;
 use sweep_cdt_testing::runs::{Sample, convert};
 use sweep_cdt_testing::{Input, Random, Steps, data};
@@ -150,9 +150,9 @@ fn check(name: &str, input: &Input, heuristics: Heuristics, lines: &[&str]) {
 /// Panics unless the steps in these numbers, if they hold the points, are the same with every front.
 fn assert_same<S: Sample>(input: &Input, expected: &Steps) {
     if let Some(points) = convert::<S>(&input.points) {
-        for (front, kind) in FrontKind::ALL {
-            let name = format!("{}, {front}", std::any::type_name::<S>());
-            expected.assert_same(&points, &input.edges, kind, &name);
+        for front in AnyFront::all() {
+            let name = format!("{}, {}", std::any::type_name::<S>(), front.name());
+            expected.assert_same(&points, &input.edges, front, &name);
         }
     }
 }
@@ -179,10 +179,13 @@ fn assert_same_steps(input: &Input, heuristics: Heuristics) {
     let expected = steps(input, heuristics);
     assert!(expected.result.is_ok(), "{:?}", expected.result);
     assert!(expected.trace.events.len() > 3 * points.len());
-    expected.assert_same(points, edges, FrontKind::SkipList, "skip list");
-    expected.assert_same(points, edges, FrontKind::Linear, "linear");
+    // The steps are those of the first one.
+    for front in AnyFront::all().into_iter().skip(1) {
+        let name = front.name();
+        expected.assert_same(points, edges, front, name);
+    }
     let points = convert::<BigRational>(points).expect("a rational holds a double");
-    expected.assert_same(&points, edges, FrontKind::HashTable, "BigRational");
+    expected.assert_same(&points, edges, AnyFront::default(), "BigRational");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use clap::ValueEnum;
-use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{AnyFront, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Algorithm, Error, Heuristics, Stats, Triangulation, Triangulator};
@@ -72,49 +72,10 @@ impl Settings {
         edges: &[[usize; 2]],
         stats: bool,
     ) -> Result<(Triangulation, Option<Stats>), Error> {
-        match self.front {
-            Front::Hash => self.run::<S, HashTable>(points, edges, stats),
-            Front::SkipList => self.run::<S, SkipList>(points, edges, stats),
-            Front::Linear => self.run::<S, Linear>(points, edges, stats),
-        }
-    }
-
-    /// The same, with every step reported to `observer`.
-    pub(crate) fn observe<S: Scalar>(
-        &self,
-        points: &[[S; 2]],
-        edges: &[[usize; 2]],
-        observer: impl FnMut(Event),
-    ) -> Result<Triangulation, Error> {
-        let triangulator = Triangulator::new().heuristics(self.heuristics());
-        Ok(match self.front {
-            Front::Hash => {
-                let run = triangulator.triangulate_observed(points, edges, observer)?;
-                run.triangulation
-            }
-            Front::SkipList => {
-                let triangulator = triangulator.front(SkipList::default());
-                let run = triangulator.triangulate_observed(points, edges, observer)?;
-                run.triangulation
-            }
-            Front::Linear => {
-                let triangulator = triangulator.front(Linear::default());
-                let run = triangulator.triangulate_observed(points, edges, observer)?;
-                run.triangulation
-            }
-        })
-    }
-
-    fn run<S: Scalar + Sync, F: FrontSearch + Clone + Default + Send>(
-        &self,
-        points: &[[S; 2]],
-        edges: &[[usize; 2]],
-        stats: bool,
-    ) -> Result<(Triangulation, Option<Stats>), Error> {
         let progress = RefCell::new(Progress::new("sweeping"));
         let show = |swept, points| progress.borrow_mut().show(swept, points);
         let triangulator = Triangulator::new()
-            .front(F::default())
+            .front(self.front())
             .algorithm(self.algorithm())
             .heuristics(self.heuristics())
             .progress(&show);
@@ -129,6 +90,28 @@ impl Settings {
             triangulator.triangulate(points, edges)?
         };
         Ok((result, None))
+    }
+
+    /// Triangulates by the sweep, and reports every step to `observer`.
+    pub(crate) fn observe<S: Scalar>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        observer: impl FnMut(Event),
+    ) -> Result<Triangulation, Error> {
+        let triangulator = Triangulator::new()
+            .front(self.front())
+            .heuristics(self.heuristics());
+        let run = triangulator.triangulate_observed(points, edges, observer)?;
+        Ok(run.triangulation)
+    }
+
+    fn front(&self) -> AnyFront {
+        match self.front {
+            Front::Hash => AnyFront::HashTable(HashTable::default()),
+            Front::SkipList => AnyFront::SkipList(SkipList::default()),
+            Front::Linear => AnyFront::Linear(Linear::default()),
+        }
     }
 
     fn algorithm(&self) -> Algorithm {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use sweep_cdt::crossings::{Exact, crossings};
 use sweep_cdt::domain::{Domain, DomainError, Rule};
-use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{AnyFront, HashTable, Linear, SkipList};
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Error, Heuristics, Stats, Triangulation, Triangulator};
 use sweep_cdt_formats::{Coordinate, Graph};
@@ -26,22 +26,14 @@ impl Settings {
     /// Triangulates; where steps are wanted, by the sweep.
     pub(crate) fn triangulate<S: Coordinate>(
         &self,
-        graph: &Graph<S>,
-        steps: Option<&mut Vec<Event>>,
-    ) -> Result<(Triangulation, Stats), Error> {
-        match self.front {
-            Front::Hash => self.run(HashTable::default(), graph, steps),
-            Front::SkipList => self.run(SkipList::default(), graph, steps),
-            Front::Linear => self.run(Linear::default(), graph, steps),
-        }
-    }
-
-    fn run<S: Coordinate, F: FrontSearch + Clone>(
-        &self,
-        front: F,
         Graph { points, edges, .. }: &Graph<S>,
         steps: Option<&mut Vec<Event>>,
     ) -> Result<(Triangulation, Stats), Error> {
+        let front = match self.front {
+            Front::Hash => AnyFront::HashTable(HashTable::default()),
+            Front::SkipList => AnyFront::SkipList(SkipList::default()),
+            Front::Linear => AnyFront::Linear(Linear::default()),
+        };
         let triangulator = Triangulator::new()
             .front(front)
             .algorithm(self.method.into())

@@ -1,0 +1,109 @@
+//! How the sweep calls its search structure, whose type it does not know.
+//!
+//! The sweep is compiled once for each scalar, not once more for each structure: it calls the structure through
+//! `dyn`. Only the default hash table is called directly, so that a run with it has its searches inlined.
+//!
+//! Cost: a branch for each call of the hash table; for each call of another structure that, and an indirect call.
+
+use std::fmt;
+
+use super::hash_table::HashTable;
+use super::list::{Front, FrontNode};
+use super::search::{Domain, FrontSearch};
+
+/// A search structure that somebody else holds, for one run.
+pub(crate) enum Search<'a> {
+    /// The default.
+    HashTable(&'a mut HashTable),
+    /// Any other one.
+    Other(&'a mut dyn FrontSearch),
+}
+
+impl<'a> Search<'a> {
+    /// Uses this structure, which may turn out to be the default one.
+    pub(crate) fn with(structure: &'a mut dyn FrontSearch) -> Search<'a> {
+        let is_default = structure
+            .as_any()
+            .is_some_and(|structure| structure.is::<HashTable>());
+        if !is_default {
+            return Search::Other(structure);
+        }
+        let table = structure.as_any().and_then(|any| any.downcast_mut());
+        Search::HashTable(table.expect("it has just been one"))
+    }
+
+    /// Calls [`FrontSearch::begin`].
+    pub(crate) fn begin(&mut self, domain: Domain<'_>) {
+        match self {
+            Search::HashTable(table) => table.begin(domain),
+            Search::Other(structure) => structure.begin(domain),
+        }
+    }
+
+    /// Calls [`FrontSearch::locate`].
+    #[inline(always)]
+    pub(crate) fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
+        match self {
+            Search::HashTable(table) => table.locate(x, front),
+            Search::Other(structure) => structure.locate(x, front),
+        }
+    }
+
+    /// Calls [`FrontSearch::strayed`].
+    pub(crate) fn strayed(&mut self, steps: usize) -> bool {
+        match self {
+            Search::HashTable(table) => table.strayed(steps),
+            Search::Other(structure) => structure.strayed(steps),
+        }
+    }
+
+    /// Calls [`FrontSearch::inserted`].
+    #[inline(always)]
+    pub(crate) fn inserted(&mut self, node: FrontNode, x: f64) {
+        match self {
+            Search::HashTable(table) => table.inserted(node, x),
+            Search::Other(structure) => structure.inserted(node, x),
+        }
+    }
+
+    /// Calls [`FrontSearch::removed`].
+    #[inline(always)]
+    pub(crate) fn removed(&mut self, node: FrontNode, x: f64) {
+        match self {
+            Search::HashTable(table) => table.removed(node, x),
+            Search::Other(structure) => structure.removed(node, x),
+        }
+    }
+}
+
+impl fmt::Debug for Search<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Search::HashTable(table) => f.debug_tuple("HashTable").field(table).finish(),
+            Search::Other(_) => f.debug_tuple("Other").finish_non_exhaustive(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FrontSearch, HashTable, Search};
+    use crate::front::{AnyFront, Linear, SkipList};
+
+    /// The default hash table is, alone and in an [`AnyFront`], as the speed of the default call needs it; no other
+    /// structure is.
+    #[test]
+    fn only_the_default_is_called_directly() {
+        let is_direct = |structure: &mut dyn FrontSearch| {
+            matches!(Search::with(structure), Search::HashTable(_))
+        };
+        assert!(is_direct(&mut HashTable::default()));
+        assert!(!is_direct(&mut HashTable::counting()));
+        assert!(!is_direct(&mut SkipList::default()));
+        assert!(!is_direct(&mut Linear::default()));
+        assert_eq!(
+            AnyFront::all().each_mut().map(|front| is_direct(front)),
+            [true, false, false]
+        );
+    }
+}
