@@ -1,4 +1,4 @@
-//! Numbers of vertices, triangles and open sides: 32 bits each, and a type for each, so that the compiler
+//! Numbers of vertices, triangles and border half-edges: 32 bits each, and a type for each, so that the compiler
 //! keeps them apart.
 //!
 //! [`narrow`] is the one place where a count or position becomes 32 bits wide; the size of the input
@@ -13,9 +13,9 @@ pub(crate) struct VertexId(u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct TriangleId(u32);
 
-/// An open side: a segment of the advancing front, or a side that borders on an empty polygon.
+/// An border half-edge: a segment of the advancing front, or a side that borders on an empty polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) struct OpenId(u32);
+pub(crate) struct BorderId(u32);
 
 /// A count or position in 32 bits.
 #[inline(always)]
@@ -51,13 +51,13 @@ macro_rules! id {
 
 id!(VertexId);
 id!(TriangleId);
-id!(OpenId);
+id!(BorderId);
 
-impl OpenId {
+impl BorderId {
     /// The segment of the front that starts at `v`: segments bear the number of their left end.
     #[inline(always)]
     pub(crate) const fn segment(v: VertexId) -> Self {
-        OpenId(v.0)
+        BorderId(v.0)
     }
 
     /// The left end of the segment of the front that this is.

@@ -3,11 +3,10 @@
 
 mod bucket;
 mod canonical;
-mod chains;
 pub mod crossings;
 pub mod domain;
+mod edge_chains;
 mod error;
-mod fans;
 pub mod front;
 mod ids;
 pub mod input;
@@ -16,11 +15,12 @@ mod mesh;
 mod probe;
 mod pslg;
 mod recorder;
-mod repeater;
 pub mod scalar;
 #[cfg(feature = "serde")]
 mod serialized;
+mod session;
 mod settings;
+mod stars;
 mod stats;
 mod sweep;
 #[doc(hidden)]
@@ -32,11 +32,11 @@ pub mod verify;
 
 pub use canonical::CanonicalGroups;
 pub use error::Error;
-pub use fans::Fans;
 pub use locate::Location;
 pub use pslg::{Pslg, Region};
-pub use repeater::Repeater;
+pub use session::Session;
 pub use settings::{Algorithm, Corners, Heuristics};
+pub use stars::{Corner, VertexStars};
 pub use stats::{ByCause, Counters, Stats};
 pub use triangulation::Triangulation;
 pub use triangulator::{Run, Triangulator};

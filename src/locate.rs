@@ -17,7 +17,7 @@
 use std::cmp::Ordering;
 
 use crate::ids::TriangleId;
-use crate::mesh::{Side, next, prev};
+use crate::mesh::{HalfEdge, next, prev};
 use crate::scalar::{Scalar, filtered_orient2d};
 use crate::triangulation::Triangulation;
 
@@ -66,13 +66,13 @@ impl Triangulation {
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
     pub fn locate<S: Scalar>(&self, points: &[[S; 2]], query: &[S; 2]) -> Location {
-        let near = |point: &[S; 2]| [point[0].approx(), point[1].approx()];
+        let approx = |point: &[S; 2]| [point[0].approx(), point[1].approx()];
         if !query.iter().all(S::is_finite) {
             return Location::Outside;
         }
-        let to = near(query);
+        let to = approx(query);
         let distance = |t: usize| {
-            let [x, y] = near(&points[self.input_index(self.triangles[t].vertex(0))]);
+            let [x, y] = approx(&points[self.input_index(self.triangles[t].vertex(0))]);
             (x - to[0]).powi(2) + (y - to[1]).powi(2)
         };
         let root = (1..).find(|root: &usize| root.pow(3) >= self.len());
@@ -132,11 +132,11 @@ impl Triangulation {
             let Some(side) = sides.into_iter().find(|&side| turns(side).is_lt()) else {
                 return Some(self.at(t, [0, 1, 2].map(turns)));
             };
-            let across = self.triangles[t].across(side);
-            if across.is_open() {
+            let twin = self.triangles[t].twin(side);
+            if twin.is_border() {
                 return Some(Location::Outside);
             }
-            t = across.triangle().index();
+            t = twin.triangle().index();
             turns = self.turns(points, query, t);
         }
         None
@@ -167,12 +167,12 @@ impl Triangulation {
         let [a, b, c] = turns.map(Ordering::is_eq);
         let vertex = |i| Location::Vertex(self.input_index(self.triangles[t].vertex(i)));
         let side = |i| {
-            let across = self.triangles[t].across(i);
-            let here = Side::new(TriangleId::at(t), i);
-            let lower = if across.is_open() {
+            let twin = self.triangles[t].twin(i);
+            let here = HalfEdge::new(TriangleId::at(t), i);
+            let lower = if twin.is_border() {
                 here
             } else {
-                here.min(across.unfixed())
+                here.min(twin.unconstrained())
             };
             Location::Side {
                 triangle: lower.triangle().index(),

@@ -9,7 +9,7 @@
 use std::time::Instant;
 
 use crate::ids::TriangleId;
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::stats::{ByCause, Counters, Stats};
 use crate::trace::Why;
 use crate::triangulation::Triangulation;
@@ -106,9 +106,9 @@ impl Recorder {
     }
 
     /// A flip made two triangles of two.
-    pub(crate) fn flipped(&mut self, sides: [Side; 2]) {
+    pub(crate) fn flipped(&mut self, sides: [HalfEdge; 2]) {
         self.stats.counters.made.flips += 2;
-        for t in sides.map(Side::triangle) {
+        for t in sides.map(HalfEdge::triangle) {
             self.set(t, Cause::Flip);
         }
     }

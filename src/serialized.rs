@@ -14,9 +14,9 @@
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::chains::Chains;
+use crate::edge_chains::EdgeChains;
 use crate::ids::{TriangleId, VertexId};
-use crate::mesh::{Mesh, Side, Triangle};
+use crate::mesh::{HalfEdge, Mesh, Triangle};
 use crate::triangulation::Triangulation;
 
 /// What is written.
@@ -91,7 +91,7 @@ impl Parts {
                 "an edge ends where it begins",
             )?;
             for pair in list.windows(2) {
-                sides.fix([pair[0], pair[1]], &mut triangles)?;
+                sides.constrain([pair[0], pair[1]], &mut triangles)?;
             }
             lists.push(list);
         }
@@ -100,7 +100,8 @@ impl Parts {
             vertices,
             hull,
             duplicates: duplicates.into_iter().map(|[v, of]| (v, of)).collect(),
-            chains: Chains::of(&lists).ok_or("there are too many edges, or vertices on them")?,
+            chains: EdgeChains::of(&lists)
+                .ok_or("there are too many edges, or vertices on them")?,
         })
     }
 }
@@ -113,7 +114,7 @@ fn all<T, U>(list: &[T], of: impl Fn(&T) -> Result<U, Fault>) -> Result<Vec<U>, 
 /// The number of a vertex in 32 bits, as far as there may be points.
 fn number(v: usize) -> Result<u32, Fault> {
     let number = u32::try_from(v).ok();
-    let number = number.filter(|_| v < Side::LIMIT / 2);
+    let number = number.filter(|_| v < HalfEdge::LIMIT / 2);
     number.ok_or("a vertex has too large a number")
 }
 
@@ -126,16 +127,19 @@ fn numbers<const N: usize>(list: [usize; N]) -> Result<[u32; N], Fault> {
 }
 
 /// All sides by their ends, counter-clockwise, in order.
-struct Sides(Vec<([u32; 2], Side)>);
+struct Sides(Vec<([u32; 2], HalfEdge)>);
 
 impl Sides {
     fn of(corners: &[[u32; 3]]) -> Result<Sides, Fault> {
-        require(corners.len() < Side::LIMIT, "there are too many triangles")?;
+        require(
+            corners.len() < HalfEdge::LIMIT,
+            "there are too many triangles",
+        )?;
         let mut sides = Vec::with_capacity(3 * corners.len());
         for (t, &[a, b, c]) in corners.iter().enumerate() {
             require(a != b && b != c && c != a, "a triangle has a corner twice")?;
             let ends = [(0, [b, c]), (1, [c, a]), (2, [a, b])];
-            sides.extend(ends.map(|(i, ends)| (ends, Side::new(TriangleId::at(t), i))));
+            sides.extend(ends.map(|(i, ends)| (ends, HalfEdge::new(TriangleId::at(t), i))));
         }
         sides.sort_unstable();
         let is_once = sides.windows(2).all(|pair| pair[0].0 != pair[1].0);
@@ -143,7 +147,7 @@ impl Sides {
         Ok(Sides(sides))
     }
 
-    fn find(&self, ends: [u32; 2]) -> Option<Side> {
+    fn find(&self, ends: [u32; 2]) -> Option<HalfEdge> {
         let place = self.0.binary_search_by_key(&ends, |&(ends, _)| ends);
         place.ok().map(|place| self.0[place].1)
     }
@@ -166,12 +170,12 @@ impl Sides {
         let place = |v: u32| VertexId::at(vertices.partition_point(|&other| other < v));
         let mut mesh = Mesh::default();
         for &corners in corners {
-            mesh.add(corners.map(place), [Side::NOTHING; 3]);
+            mesh.add(corners.map(place), [HalfEdge::NOTHING; 3]);
         }
         let mut triangles = mesh.take_triangles();
         for &([a, b], side) in &self.0 {
-            let across = self.find([b, a]).unwrap_or(Side::HULL);
-            triangles[side.triangle().index()].set_across(side.corner(), across);
+            let twin = self.find([b, a]).unwrap_or(HalfEdge::HULL);
+            triangles[side.triangle().index()].set_twin(side.corner(), twin);
         }
         triangles
     }
@@ -193,10 +197,10 @@ impl Sides {
         let (mut reached, mut next) = (vec![0], 0);
         while let Some(&t) = reached.get(next) {
             next += 1;
-            for across in [0, 1, 2].map(|i| triangles[t].across(i)) {
-                if !across.is_open() && !is_reached[across.triangle().index()] {
-                    is_reached[across.triangle().index()] = true;
-                    reached.push(across.triangle().index());
+            for twin in [0, 1, 2].map(|i| triangles[t].twin(i)) {
+                if !twin.is_border() && !is_reached[twin.triangle().index()] {
+                    is_reached[twin.triangle().index()] = true;
+                    reached.push(twin.triangle().index());
                 }
             }
         }
@@ -210,13 +214,13 @@ impl Sides {
     }
 
     /// Marks a side as a piece of an edge. Without triangles there are none.
-    fn fix(&self, [a, b]: [u32; 2], triangles: &mut [Triangle]) -> Result<(), Fault> {
+    fn constrain(&self, [a, b]: [u32; 2], triangles: &mut [Triangle]) -> Result<(), Fault> {
         let found = [self.find([a, b]), self.find([b, a])];
         let is_side = found.iter().any(Option::is_some) || triangles.is_empty();
         require(is_side && a != b, "an edge passes where no side is")?;
         for side in found.into_iter().flatten() {
             let triangle = &mut triangles[side.triangle().index()];
-            triangle.set_across(side.corner(), triangle.across(side.corner()).fix());
+            triangle.set_twin(side.corner(), triangle.twin(side.corner()).constrain());
         }
         Ok(())
     }

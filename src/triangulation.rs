@@ -5,9 +5,9 @@
 use rayon::prelude::*;
 
 use crate::canonical::{CanonicalGroups, canonical};
-use crate::chains::Chains;
+use crate::edge_chains::EdgeChains;
 use crate::ids::{VertexId, narrow};
-use crate::mesh::{self, Side, Triangle};
+use crate::mesh::{self, HalfEdge, Triangle};
 use crate::scalar::Measure;
 use crate::verify::{Report, Violations, verify};
 
@@ -16,7 +16,7 @@ use crate::verify::{Report, Violations, verify};
 /// Triangles are numbered `0..len()`, in the order in which the sweep left them; as a *set* they are
 /// the same for every order of the input, front, scalar and heuristic setting, and
 /// [`canonical_triangles`](Triangulation::canonical_triangles) lists them in an order that is the same
-/// too. The vertices of a triangle run counter-clockwise. Side `i` of a triangle lies opposite its
+/// too. The vertices of a triangle run counter-clockwise. HalfEdge `i` of a triangle lies opposite its
 /// vertex `i`. Of equal input points only the one with the lowest index, their
 /// [`representative`](Triangulation::representative), occurs in triangles, hull and chains.
 ///
@@ -39,7 +39,7 @@ pub struct Triangulation {
     pub(crate) hull: Vec<u32>,
     /// `(vertex, representative)` of each duplicate, by vertex.
     pub(crate) duplicates: Vec<(u32, u32)>,
-    pub(crate) chains: Chains,
+    pub(crate) chains: EdgeChains,
 }
 
 impl Triangulation {
@@ -83,8 +83,8 @@ impl Triangulation {
     /// # Panics
     /// If there is no triangle `t` or `side` is above 2.
     pub fn neighbor(&self, t: usize, side: usize) -> Option<usize> {
-        let across = self.across(t, side);
-        (!across.is_open()).then(|| across.triangle().index())
+        let twin = self.twin(t, side);
+        (!twin.is_border()).then(|| twin.triangle().index())
     }
 
     /// The triangles across the three sides of triangle `t`.
@@ -100,7 +100,7 @@ impl Triangulation {
     /// # Panics
     /// If there is no triangle `t` or `side` is above 2.
     pub fn is_constrained(&self, t: usize, side: usize) -> bool {
-        self.across(t, side).is_fixed()
+        self.twin(t, side).is_constrained()
     }
 
     /// The sides that are input edges or pieces of them, each once, as pairs of vertices (the triangle
@@ -113,9 +113,9 @@ impl Triangulation {
     fn constrained_edges_of(&self, t: usize) -> impl Iterator<Item = [usize; 2]> + '_ {
         let triangle = &self.triangles[t];
         (0..3).filter_map(move |side| {
-            let across = triangle.across(side);
-            let is_listed = across.is_open() || across.triangle().index() > t;
-            (across.is_fixed() && is_listed).then(|| {
+            let twin = triangle.twin(side);
+            let is_listed = twin.is_border() || twin.triangle().index() > t;
+            (twin.is_constrained() && is_listed).then(|| {
                 [mesh::next(side), mesh::prev(side)].map(|i| self.input_index(triangle.vertex(i)))
             })
         })
@@ -194,9 +194,9 @@ impl Triangulation {
     }
 
     /// What lies across a side.
-    fn across(&self, t: usize, side: usize) -> Side {
+    fn twin(&self, t: usize, side: usize) -> HalfEdge {
         assert!(side < 3, "a triangle has sides 0, 1 and 2");
-        self.triangles[t].across(narrow(side))
+        self.triangles[t].twin(narrow(side))
     }
 }
 

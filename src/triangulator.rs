@@ -6,11 +6,11 @@ use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
 use crate::probe::{Observer, Probe};
 use crate::recorder::Recorder;
-use crate::repeater::Repeater;
 use crate::scalar::Scalar;
+use crate::session::Session;
 use crate::settings::{Algorithm, Heuristics, Settings};
 use crate::stats::Stats;
-use crate::sweep::{self, Memory};
+use crate::sweep::{self, Scratch};
 #[cfg(feature = "parallel")]
 use crate::threads::has_threads;
 use crate::trace::Event;
@@ -195,8 +195,8 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
     }
 
     /// The same for many inputs, one after the other, in the same memory.
-    pub fn repeater(self) -> Repeater<'p, F> {
-        Repeater::new(self.settings, self.front)
+    pub fn session(self) -> Session<'p, F> {
+        Session::new(self.settings, self.front)
     }
 
     /// The same, with statistics; counting costs a few per cent of the time.
@@ -259,7 +259,7 @@ impl<F> Triangulator<'_, F> {
             // Only the sweep has steps.
             settings.algorithm = Algorithm::Sweep;
         }
-        let memory = &mut Memory::default();
-        sweep::run(points, edges, settings, front, probe, memory)
+        let scratch = &mut Scratch::default();
+        sweep::run(points, edges, settings, front, probe, scratch)
     }
 }

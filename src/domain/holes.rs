@@ -2,7 +2,7 @@
 //!
 //! The edges cut the hull into faces. Those with the seed of a hole are not inside, nor are those that reach the
 //! border of the hull where no edge runs along it, since the outside comes in there. All others are.
-//! Chains need not be closed: an edge that dangles separates nothing.
+//! EdgeChains need not be closed: an edge that dangles separates nothing.
 //!
 //! A seed must tell in which face it lies. So it must not lie on an edge, nor on a vertex. Where it lies is found by
 //! exact signs. The seeds are sorted by x. Each triangle is compared with those between its leftmost and its

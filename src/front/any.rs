@@ -88,8 +88,8 @@ impl FrontSearch for AnyFront {
         self.structure().locate(x, front)
     }
 
-    fn strayed(&mut self, steps: usize) -> bool {
-        self.structure().strayed(steps)
+    fn wants_ranks(&mut self, steps: usize) -> bool {
+        self.structure().wants_ranks(steps)
     }
 
     fn inserted(&mut self, node: FrontNode, x: f64) {

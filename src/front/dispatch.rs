@@ -49,11 +49,11 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::strayed`].
-    pub(crate) fn strayed(&mut self, steps: usize) -> bool {
+    /// Calls [`FrontSearch::wants_ranks`].
+    pub(crate) fn wants_ranks(&mut self, steps: usize) -> bool {
         match self {
-            Search::HashTable(table) => table.strayed(steps),
-            Search::Other(structure) => structure.strayed(steps),
+            Search::HashTable(table) => table.wants_ranks(steps),
+            Search::Other(structure) => structure.wants_ranks(steps),
         }
     }
 

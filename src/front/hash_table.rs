@@ -16,20 +16,20 @@
 //! vertices again have joined the front, which takes O(n) in all.
 //!
 //! Where walks are long nevertheless, they are told to the table. When they add up to more than a few steps a
-//! vertex, it asks for the places of all vertices from left to right and searches among these ([`Places`]). So a
+//! vertex, it asks for the x-ranks of all vertices from left to right and searches among these ([`XRankSet`]). So a
 //! search costs O(log n) at worst, averaged over a run.
 //!
 //! Differs from the paper: an entry stays when its node leaves the front; the search notices it. Intervals may be
-//! cut, quantiles or places.
+//! cut, quantiles or x-ranks.
 
 use std::any::Any;
 use std::iter::successors;
 
 use super::intervals::Intervals;
 use super::list::{Front, FrontNode};
-use super::places::Places;
-use super::search::{Domain, FrontSearch, Patience};
+use super::search::{Domain, FrontSearch, WalkBudget};
 use super::work::{Tally, Work};
+use super::x_rank_set::XRankSet;
 use crate::bucket::sampled;
 
 /// Intervals of x that remember their last insertion: O(1) expected, O(log n) at worst. The default.
@@ -45,7 +45,7 @@ pub struct HashTable<T = ()> {
     look: usize,
     /// The x that was searched last, and its interval.
     searched: (f64, usize),
-    patience: Patience,
+    walk_budget: WalkBudget,
     tally: T,
 }
 
@@ -88,12 +88,12 @@ impl<T: Tally> HashTable<T> {
             last: FrontNode::from_rank(0),
             look: 0,
             searched: (f64::NAN, 0),
-            patience: Patience::default(),
+            walk_budget: WalkBudget::default(),
             tally,
         }
     }
 
-    /// Counts the nodes of the front, and cuts the intervals until there are enough for them. Quantiles and places
+    /// Counts the nodes of the front, and cuts the intervals until there are enough for them. Quantiles and x-ranks
     /// stay as they are.
     #[cold]
     #[inline(never)]
@@ -122,8 +122,8 @@ impl<T: Tally> HashTable<T> {
 impl<T: Tally> FrontSearch for HashTable<T> {
     fn begin(&mut self, domain: Domain<'_>) {
         let n = domain.len();
-        let count = if self.patience.has_ended() {
-            self.intervals = Intervals::Places(Places::new(n));
+        let count = if self.walk_budget.has_ended() {
+            self.intervals = Intervals::Ranks(XRankSet::new(n));
             n
         } else {
             let count = if n < FEW { 1 } else { n.isqrt() + 1 };
@@ -145,12 +145,12 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         self.last = FrontNode::from_rank(0);
         self.look = LOAD * count;
         self.searched = (f64::NAN, 0);
-        self.patience = Patience::with(n);
+        self.walk_budget = WalkBudget::with(n);
         self.hold();
     }
 
-    fn strayed(&mut self, steps: usize) -> bool {
-        self.patience.ends(steps)
+    fn wants_ranks(&mut self, steps: usize) -> bool {
+        self.walk_budget.ends(steps)
     }
 
     #[inline]
@@ -168,7 +168,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         if let Some(node) = live(self.table[at], tally) {
             return node;
         }
-        if let Intervals::Places(places) = &mut self.intervals {
+        if let Intervals::Ranks(places) = &mut self.intervals {
             // What has left the front is forgotten on the way.
             while let Some(place) = places.last_up_to(at, tally) {
                 if let Some(node) = live(self.table[place], tally) {
@@ -195,7 +195,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
             (searched, at) if searched.total_cmp(&x).is_eq() => at,
             _ => self.intervals.number(x, self.table.len(), tally),
         };
-        if let Intervals::Places(places) = &mut self.intervals {
+        if let Intervals::Ranks(places) = &mut self.intervals {
             places.insert(at, tally);
         }
         self.table[at] = node;
@@ -211,15 +211,15 @@ impl<T: Tally> FrontSearch for HashTable<T> {
 mod tests {
     use super::{Domain, Front, FrontNode, FrontSearch, HashTable, Work};
 
-    /// Places that were asked for lead to the very node, and an entry of a node that has left is passed.
+    /// XRankSet that were asked for lead to the very node, and an entry of a node that has left is passed.
     #[test]
     fn with_places_no_step_is_left() {
         const COUNT: usize = 200;
         let equal = [[7.0, 0.0]; COUNT];
         let mut table = HashTable::default();
         table.begin(Domain::new(&equal));
-        assert!(!table.strayed(4 * COUNT), "as many steps are borne");
-        assert!(table.strayed(1));
+        assert!(!table.wants_ranks(4 * COUNT), "as many steps are borne");
+        assert!(table.wants_ranks(1));
 
         // Every other vertex is on the front, at the place of its rank.
         let places: Vec<[f64; 2]> = (0..COUNT).map(|place| [place as f64, 0.0]).collect();
@@ -283,8 +283,8 @@ mod tests {
         expected.visited += 2;
         assert_eq!(table.work(), expected);
 
-        // With places the words of the set count, one for up to 64 places, and so does what was counted before.
-        assert!(table.strayed(1000));
+        // With x-ranks the words of the set count, one for up to 64 x-ranks, and so does what was counted before.
+        assert!(table.wants_ranks(1000));
         table.begin(Domain::new(&points));
         table.inserted(nodes[2], 2.0);
         assert_eq!(table.locate(3.0, &front), nodes[2]);

@@ -4,15 +4,15 @@
 //! instructions. Otherwise they end at quantiles of the sample, so that each holds as many points as the
 //! others, and finding one takes O(log n). The equal ones span all but the outermost of the sample: points
 //! far away, or at infinity, fall in the first or last one and make none of the others wider. Where neither
-//! helps, the table asks for places, and each of them is an interval.
+//! helps, the table asks for x-ranks, and each of them is an interval.
 //!
 //! The whole sample may spread evenly where the front does not: clusters side by side and one above the other crowd
 //! it here at one height and there at another. So the sample is also looked at slab by slab, and the equal intervals
 //! are narrower by as much as it is crowded in them. (A million points in clusters: 1.1 steps along the front in
 //! place of 4.1.) More of them than that would be empty, or hold a node that has left the front.
 
-use super::places::Places;
 use super::work::Tally;
+use super::x_rank_set::XRankSet;
 use crate::bucket::bucket;
 
 #[derive(Clone, Debug)]
@@ -22,7 +22,7 @@ pub(super) enum Intervals {
     /// They end at these x, ascending; the last one has no end.
     Quantiles(Vec<f64>),
     /// `x` is a place, with an interval of its own; the set of those that have had a node.
-    Places(Places),
+    Ranks(XRankSet),
 }
 
 impl Default for Intervals {
@@ -126,7 +126,7 @@ impl Intervals {
                 tally.count(|work| work.comparisons += 1);
                 end <= x
             }),
-            Intervals::Places(_) => bucket(x, count),
+            Intervals::Ranks(_) => bucket(x, count),
         }
     }
 
@@ -135,7 +135,7 @@ impl Intervals {
         match self {
             Intervals::Equal { .. } => 0,
             Intervals::Quantiles(ends) => size_of_val(&ends[..]),
-            Intervals::Places(places) => places.bytes(),
+            Intervals::Ranks(places) => places.bytes(),
         }
     }
 }

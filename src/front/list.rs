@@ -34,9 +34,9 @@ impl FrontNode {
 }
 
 /// A direction along the front. What happens to the left of a vertex is the mirror image of what
-/// happens to its right; functions that take a `Way` are written once for both.
+/// happens to its right; functions that take a `Direction` are written once for both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Way {
+pub(crate) enum Direction {
     Left,
     Right,
 }
@@ -178,10 +178,10 @@ impl Front {
 
     /// The neighbour of a vertex on the front; a number above all others beyond an end.
     #[inline(always)]
-    pub(crate) fn beside(&self, v: VertexId, way: Way) -> VertexId {
-        match way {
-            Way::Left => self.prev(v),
-            Way::Right => self.next(v),
+    pub(crate) fn neighbor(&self, v: VertexId, direction: Direction) -> VertexId {
+        match direction {
+            Direction::Left => self.prev(v),
+            Direction::Right => self.next(v),
         }
     }
 
@@ -217,7 +217,7 @@ impl Front {
     }
 
     /// Bytes held.
-    pub(crate) fn memory(&self) -> usize {
+    pub(crate) fn heap_bytes(&self) -> usize {
         self.nodes.capacity() * size_of::<Neighbors>()
     }
 }

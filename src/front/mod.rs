@@ -12,8 +12,8 @@
 //! | [`Linear`] | O(n) | showing what a structure must do |
 //!
 //! Structures know x as a double, which may tell too little: crowded, equal or infinite. One whose answers
-//! lead to long walks may ask for *places* instead: the numbers of the vertices from left to right, by exact
-//! comparison ([`FrontSearch::strayed`]). The first two do; the costs above are averages over a run.
+//! lead to long walks may ask for *x-ranks* instead: the numbers of the vertices from left to right, by exact
+//! comparison ([`FrontSearch::wants_ranks`]). The first two do; the costs above are averages over a run.
 //!
 //! [`AnyFront`] is one of the three, chosen by name when the program runs.
 //!
@@ -30,16 +30,16 @@ mod hash_table;
 mod intervals;
 mod linear;
 mod list;
-mod places;
 mod search;
 mod skip_list;
 mod work;
+mod x_rank_set;
 
 pub use any::AnyFront;
 pub(crate) use dispatch::Search;
 pub use hash_table::HashTable;
 pub use linear::Linear;
-pub(crate) use list::Way;
+pub(crate) use list::Direction;
 pub use list::{Front, FrontNode};
 pub use search::{Domain, FrontSearch, LONG_WALK};
 pub use skip_list::SkipList;

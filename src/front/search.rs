@@ -1,4 +1,4 @@
-//! What a search structure for the advancing front must do (section 3.4.1), and when it asks for places.
+//! What a search structure for the advancing front must do (section 3.4.1), and when it asks for x-ranks.
 
 use std::any::Any;
 
@@ -42,7 +42,7 @@ pub const LONG_WALK: usize = 32;
 /// A structure that finds a place on the advancing front near a given x.
 ///
 /// [`locate`](FrontSearch::locate) does the work. The other functions report what happens to the front,
-/// and may be left out; so may [`strayed`](FrontSearch::strayed), by which a structure can ask for better
+/// and may be left out; so may [`wants_ranks`](FrontSearch::wants_ranks), by which a structure can ask for better
 /// keys than x. A structure is a value: it may carry parameters, a seed and counters of its own.
 /// Each run of a [`Triangulator`](crate::Triangulator) works on a clone of the value it was given and
 /// returns that clone in [`Run::front`](crate::Run::front). The sweep calls it through `dyn`.
@@ -91,7 +91,7 @@ pub trait FrontSearch {
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode;
 
     /// The walk from the node that [`locate`](FrontSearch::locate) named took this many steps, more than
-    /// [`LONG_WALK`]. Returns whether the structure wants *places* for x from now on.
+    /// [`LONG_WALK`]. Returns whether the structure wants *x-ranks* for x from now on.
     ///
     /// If so, the sweep numbers all vertices from left to right by exact comparison, 0 for the first. It calls
     /// [`begin`](FrontSearch::begin) with these numbers as x, and `inserted` for each node that is on the
@@ -103,17 +103,17 @@ pub trait FrontSearch {
     /// use sweep_cdt::Triangulator;
     /// use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, LONG_WALK};
     ///
-    /// /// The nodes by place. Until places are given, walks start at the left end.
+    /// /// The nodes by place. Until x-ranks are given, walks start at the left end.
     /// #[derive(Clone, Default)]
     /// struct ByPlace {
     ///     nodes: std::collections::BTreeMap<usize, FrontNode>,
-    ///     has_places: bool,
+    ///     has_ranks: bool,
     /// }
     ///
     /// impl FrontSearch for ByPlace {
-    ///     fn strayed(&mut self, steps: usize) -> bool {
+    ///     fn wants_ranks(&mut self, steps: usize) -> bool {
     ///         assert!(steps > LONG_WALK);
-    ///         self.has_places = true;
+    ///         self.has_ranks = true;
     ///         true
     ///     }
     ///
@@ -123,13 +123,13 @@ pub trait FrontSearch {
     ///     }
     ///
     ///     fn inserted(&mut self, node: FrontNode, x: f64) {
-    ///         if self.has_places {
+    ///         if self.has_ranks {
     ///             self.nodes.insert(x as usize, node);
     ///         }
     ///     }
     ///
     ///     fn removed(&mut self, _: FrontNode, x: f64) {
-    ///         if self.has_places {
+    ///         if self.has_ranks {
     ///             self.nodes.remove(&(x as usize));
     ///         }
     ///     }
@@ -141,10 +141,10 @@ pub trait FrontSearch {
     /// let points: Vec<_> = row.chain(above).collect();
     /// let triangulator = Triangulator::new().front(ByPlace::default());
     /// let run = triangulator.triangulate_with_stats(&points, &[])?;
-    /// assert!(run.front.has_places);
+    /// assert!(run.front.has_ranks);
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
-    fn strayed(&mut self, steps: usize) -> bool {
+    fn wants_ranks(&mut self, steps: usize) -> bool {
         let _ = steps;
         false
     }
@@ -166,31 +166,31 @@ pub trait FrontSearch {
     }
 }
 
-/// How many steps of long walks are borne, for each vertex: they take about as long as finding the places.
+/// How many steps of long walks are borne, for each vertex: they take about as long as finding the x-ranks.
 const STEPS: usize = 4;
 
 /// The steps that are still borne.
 ///
-/// A structure asks for places instead of x after long walks of more than a few steps a vertex in all.
+/// A structure asks for x-ranks instead of x after long walks of more than a few steps a vertex in all.
 ///
-/// So all long walks together take O(n) steps before it asks, as many as finding the places costs, and
+/// So all long walks together take O(n) steps before it asks, as many as finding the x-ranks costs, and
 /// inputs on which the structure finds its way never pay for them.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Patience {
+pub(super) struct WalkBudget {
     left: usize,
     has_ended: bool,
 }
 
-impl Patience {
+impl WalkBudget {
     /// That with a front of so many vertices in all.
-    pub(super) fn with(vertices: usize) -> Patience {
-        Patience {
+    pub(super) fn with(vertices: usize) -> WalkBudget {
+        WalkBudget {
             left: STEPS * vertices,
             has_ended: false,
         }
     }
 
-    /// Whether it has ended: the structure begins again, with places.
+    /// Whether it has ended: the structure begins again, with x-ranks.
     pub(super) fn has_ended(self) -> bool {
         self.has_ended
     }

@@ -3,13 +3,13 @@
 //! All nodes are linked in order of x at level 0. About one in four nodes of a level is linked at the
 //! next level too, so that a search from the top passes O(log n) nodes. A fixed hash of the rank
 //! decides which ones, so the list is the same in every run. Where x are equal it names any of their nodes;
-//! if the walks among them are long, it asks for places instead of x.
+//! if the walks among them are long, it asks for x-ranks instead of x.
 //!
 //! Cost: O(log n) expected for search, insertion and removal, whatever the shape of the front; 64 bytes
 //! for each vertex on the front at one time.
 
 use super::list::{Front, FrontNode};
-use super::search::{Domain, FrontSearch, Patience};
+use super::search::{Domain, FrontSearch, WalkBudget};
 use super::work::{Tally, Work};
 use crate::ids::narrow;
 
@@ -18,10 +18,10 @@ use crate::ids::narrow;
 /// `SkipList<Work>` counts its work, and is made by [`SkipList::counting`].
 #[derive(Clone, Debug)]
 pub struct SkipList<T = ()> {
-    /// Place 0 is the head; the places in `free` are not in use.
+    /// Place 0 is the head; the x-ranks in `free` are not in use.
     towers: Vec<Tower>,
     free: Vec<u32>,
-    patience: Patience,
+    walk_budget: WalkBudget,
     tally: T,
 }
 
@@ -71,14 +71,14 @@ impl<T: Tally> FrontSearch for SkipList<T> {
         self.towers.clear();
         self.towers.push(Tower::HEAD);
         self.free.clear();
-        if !self.patience.has_ended() {
+        if !self.walk_budget.has_ended() {
             self.tally = T::default();
         }
-        self.patience = Patience::with(domain.len());
+        self.walk_budget = WalkBudget::with(domain.len());
     }
 
-    fn strayed(&mut self, steps: usize) -> bool {
-        self.patience.ends(steps)
+    fn wants_ranks(&mut self, steps: usize) -> bool {
+        self.walk_budget.ends(steps)
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
@@ -125,7 +125,7 @@ impl<T: Tally> SkipList<T> {
         SkipList {
             towers: vec![Tower::HEAD],
             free: Vec::new(),
-            patience: Patience::default(),
+            walk_budget: WalkBudget::default(),
             tally,
         }
     }
@@ -243,8 +243,8 @@ mod tests {
         assert!(height(high) > 4);
         assert_eq!(list.work().rearranged, expected.rearranged);
 
-        // Places are asked for in the middle of a run.
-        assert!(list.strayed(1000));
+        // XRankSet are asked for in the middle of a run.
+        assert!(list.wants_ranks(1000));
         list.begin(Domain::new(&points));
         assert_eq!(list.work().rearranged, expected.rearranged);
         list.begin(Domain::new(&points));

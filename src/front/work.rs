@@ -25,7 +25,7 @@ use std::fmt;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
-    /// Comparisons of numbers: x, ranks or places.
+    /// Comparisons of numbers: x, ranks or x-ranks.
     pub comparisons: u64,
     /// Nodes, entries or words looked at.
     pub visited: u64,

@@ -1,43 +1,43 @@
 //! The triangles made so far and their neighbours: topology only, without any coordinates.
 //!
 //! A triangle is three vertices in counter-clockwise order; across its side `i`, opposite vertex `i`, it
-//! names the neighbour's side. That [`Side`] is a half-edge: a triangle and the corner opposite. So two
+//! names the neighbour's side. That [`HalfEdge`] is a half-edge: a triangle and the corner opposite. So two
 //! reads give the quadrilateral around a side.
 //!
 //! Invariants: neighbours name each other. If the side of `u` lies across a side of `t`, then the side of
-//! `t` lies across that of `u`, and both carry the same fixed bit. Likewise the side that [`Mesh::below`]
-//! names has the open side across it. [`Mesh::flip`] and [`Mesh::flip_in_fan`] keep these invariants.
+//! `t` lies across that of `u`, and both carry the same constrained bit. Likewise the side that [`Mesh::border_twin`]
+//! names has the border half-edge across it. [`Mesh::flip`] and [`Mesh::flip_in_fan`] keep these invariants.
 //!
 //! Cost: 24 bytes a triangle.
 //!
 //! No differences: the paper leaves the structure open.
 
-mod side;
+mod half_edge;
 mod triangle;
 
-pub(crate) use side::{Side, next, prev};
+pub(crate) use half_edge::{HalfEdge, next, prev};
 pub(crate) use triangle::Triangle;
 
 #[cfg(feature = "parallel")]
 use crate::ids::narrow;
-use crate::ids::{OpenId, TriangleId, VertexId};
+use crate::ids::{BorderId, TriangleId, VertexId};
 
-/// The triangles and the open sides.
+/// The triangles and the border half-edges.
 #[derive(Debug, Default)]
 pub(crate) struct Mesh {
     triangles: Vec<Triangle>,
-    /// For each open side the triangle's side below it, or [`Side::NO_TRIANGLE`].
-    open: Vec<Side>,
+    /// For each border half-edge the triangle's side below it, or [`HalfEdge::NO_TRIANGLE`].
+    borders: Vec<HalfEdge>,
     /// Removed triangles, whose places are used again.
     removed: Vec<TriangleId>,
 }
 
 impl Mesh {
-    /// Becomes an empty mesh with room for `triangles` and with `open` open sides that border on no triangle.
-    pub(crate) fn begin(&mut self, triangles: usize, open: usize) {
+    /// Becomes an empty mesh with room for `triangles` and with `open` border half-edges that border on no triangle.
+    pub(crate) fn begin(&mut self, triangles: usize, border: usize) {
         self.clear();
         self.triangles.reserve_exact(triangles);
-        self.renew_open(open);
+        self.reset_borders(border);
     }
 
     /// Makes room for so many more triangles.
@@ -64,80 +64,80 @@ impl Mesh {
 
     /// What lies across a side of a triangle.
     #[inline(always)]
-    pub(crate) fn across(&self, side: Side) -> Side {
-        self.get(side.triangle()).across(side.corner())
+    pub(crate) fn twin(&self, side: HalfEdge) -> HalfEdge {
+        self.get(side.triangle()).twin(side.corner())
     }
 
     /// The vertex opposite a side of a triangle.
     #[inline(always)]
-    pub(crate) fn opposite(&self, side: Side) -> VertexId {
+    pub(crate) fn opposite(&self, side: HalfEdge) -> VertexId {
         self.get(side.triangle()).vertex(side.corner())
     }
 
     /// The vertex opposite a side, and the two ends of the side: the triangle, counter-clockwise.
     #[inline(always)]
-    pub(crate) fn around(&self, side: Side) -> [VertexId; 3] {
+    pub(crate) fn around(&self, side: HalfEdge) -> [VertexId; 3] {
         self.get(side.triangle()).vertices_from(side.corner())
     }
 
     /// Replaces the vertex opposite a side.
-    pub(crate) fn set_opposite(&mut self, side: Side, v: VertexId) {
+    pub(crate) fn set_opposite(&mut self, side: HalfEdge, v: VertexId) {
         self.triangles[side.triangle().index()].set_vertex(side.corner(), v);
     }
 
     /// Puts nothing across a side of a triangle.
-    pub(crate) fn detach(&mut self, side: Side) {
-        self.triangles[side.triangle().index()].set_across(side.corner(), Side::NOTHING);
+    pub(crate) fn detach(&mut self, side: HalfEdge) {
+        self.triangles[side.triangle().index()].set_twin(side.corner(), HalfEdge::NOTHING);
     }
 
-    /// The side of the triangle below an open side.
+    /// The side of the triangle below an border half-edge.
     #[inline(always)]
-    pub(crate) fn below(&self, open: OpenId) -> Side {
-        self.open[open.index()]
+    pub(crate) fn border_twin(&self, border: BorderId) -> HalfEdge {
+        self.borders[border.index()]
     }
 
-    /// Whether a triangle borders on an open side.
+    /// Whether a triangle borders on an border half-edge.
     #[inline(always)]
-    pub(crate) fn has_below(&self, open: OpenId) -> bool {
-        self.below(open) != Side::NO_TRIANGLE
+    pub(crate) fn has_border_twin(&self, border: BorderId) -> bool {
+        self.border_twin(border) != HalfEdge::NO_TRIANGLE
     }
 
-    /// Sets what lies across `side`, fixed if `side` is.
+    /// Sets what lies across `side`, constrained if `side` is.
     #[inline(always)]
-    fn relink(&mut self, side: Side, across: Side) {
-        let across = across.unfixed().fixed_as(side);
-        if side.is_open() {
-            if side != Side::NOTHING {
-                self.open[side.open_id().index()] = across;
+    fn relink(&mut self, side: HalfEdge, twin: HalfEdge) {
+        let twin = twin.unconstrained().constrained_as(side);
+        if side.is_border() {
+            if side != HalfEdge::NOTHING {
+                self.borders[side.border_id().index()] = twin;
             }
         } else {
-            self.triangles[side.triangle().index()].set_across(side.corner(), across);
+            self.triangles[side.triangle().index()].set_twin(side.corner(), twin);
         }
     }
 
-    /// Makes two sides neighbours, fixed if one of them is.
+    /// Makes two sides neighbours, constrained if one of them is.
     #[inline(always)]
-    pub(crate) fn connect(&mut self, a: Side, b: Side) {
-        self.relink(a.fixed_as(b), b);
-        self.relink(b.fixed_as(a), a);
+    pub(crate) fn connect(&mut self, a: HalfEdge, b: HalfEdge) {
+        self.relink(a.constrained_as(b), b);
+        self.relink(b.constrained_as(a), a);
     }
 
-    /// Puts the hull of a result across the side below an open side.
-    pub(crate) fn close(&mut self, open: OpenId) {
-        let side = self.below(open);
-        self.relink(side, Side::HULL);
+    /// Puts the hull of a result across the side below an border half-edge.
+    pub(crate) fn close(&mut self, border: BorderId) {
+        let side = self.border_twin(border);
+        self.relink(side, HalfEdge::HULL);
     }
 
     /// Marks a side of a triangle as a constrained edge, from both sides of it.
     #[inline(always)]
-    pub(crate) fn fix(&mut self, side: Side) {
-        self.connect(side.fix(), self.across(side));
+    pub(crate) fn constrain(&mut self, side: HalfEdge) {
+        self.connect(side.constrain(), self.twin(side));
     }
 
     /// Adds the triangle `v`; across its side opposite corner `i` lies `across[i]`.
     #[inline(always)]
-    pub(crate) fn add(&mut self, v: [VertexId; 3], across: [Side; 3]) -> TriangleId {
-        let record = Triangle::new(v, across);
+    pub(crate) fn add(&mut self, v: [VertexId; 3], twins: [HalfEdge; 3]) -> TriangleId {
+        let record = Triangle::new(v, twins);
         let t = if let Some(t) = self.removed.pop() {
             self.triangles[t.index()] = record;
             t
@@ -145,9 +145,9 @@ impl Mesh {
             self.triangles.push(record);
             TriangleId::at(self.triangles.len() - 1)
         };
-        self.relink(across[0], Side::new(t, 0));
-        self.relink(across[1], Side::new(t, 1));
-        self.relink(across[2], Side::new(t, 2));
+        self.relink(twins[0], HalfEdge::new(t, 0));
+        self.relink(twins[1], HalfEdge::new(t, 1));
+        self.relink(twins[2], HalfEdge::new(t, 2));
         t
     }
 
@@ -179,24 +179,24 @@ impl Mesh {
     ///
     /// Returns the side across which `t` lay: side `j` of `u`.
     #[inline(always)]
-    pub(crate) fn flip(&mut self, side: Side) -> Side {
+    pub(crate) fn flip(&mut self, side: HalfEdge) -> HalfEdge {
         let (t, i) = (side.triangle(), side.corner());
         let upper = self.get(t);
-        let (p, across, bp) = (upper.vertex(i), upper.across(i), upper.across(next(i)));
-        let (u, j) = (across.triangle(), across.corner());
+        let (p, twin, bp) = (upper.vertex(i), upper.twin(i), upper.twin(next(i)));
+        let (u, j) = (twin.triangle(), twin.corner());
         let lower = self.get(u);
-        let (q, aq) = (lower.vertex(j), lower.across(next(j)));
+        let (q, aq) = (lower.vertex(j), lower.twin(next(j)));
         let record = &mut self.triangles[t.index()];
         record.set_vertex(prev(i), q);
-        record.set_across(i, aq);
-        record.set_across(next(i), Side::new(u, next(j)));
+        record.set_twin(i, aq);
+        record.set_twin(next(i), HalfEdge::new(u, next(j)));
         let record = &mut self.triangles[u.index()];
         record.set_vertex(prev(j), p);
-        record.set_across(j, bp);
-        record.set_across(next(j), Side::new(t, next(i)));
-        self.relink(aq, Side::new(t, i));
-        self.relink(bp, Side::new(u, j));
-        across
+        record.set_twin(j, bp);
+        record.set_twin(next(j), HalfEdge::new(t, next(i)));
+        self.relink(aq, HalfEdge::new(t, i));
+        self.relink(bp, HalfEdge::new(u, j));
+        twin
     }
 
     /// Swaps side 0 of `t`, whose corner 0 is the vertex of a fan. Both triangles have it for corner 0 afterwards.
@@ -211,51 +211,47 @@ impl Mesh {
     ///
     /// Returns the side across which `t` lay, and the ends of the new side.
     #[inline(always)]
-    pub(crate) fn flip_in_fan(&mut self, t: TriangleId) -> (Side, [VertexId; 2]) {
+    pub(crate) fn flip_in_fan(&mut self, t: TriangleId) -> (HalfEdge, [VertexId; 2]) {
         let upper = self.get(t);
-        let across = upper.across(0);
-        let (p, b, bp) = (upper.vertex(0), upper.vertex(2), upper.across(1));
-        let (u, j) = (across.triangle(), across.corner());
+        let twin = upper.twin(0);
+        let (p, b, bp) = (upper.vertex(0), upper.vertex(2), upper.twin(1));
+        let (u, j) = (twin.triangle(), twin.corner());
         let record = &mut self.triangles[u.index()];
-        let (q, aq, qb) = (
-            record.vertex(j),
-            record.across(next(j)),
-            record.across(prev(j)),
-        );
-        *record = Triangle::new([p, q, b], [qb, bp, Side::new(t, 1)]);
+        let (q, aq, qb) = (record.vertex(j), record.twin(next(j)), record.twin(prev(j)));
+        *record = Triangle::new([p, q, b], [qb, bp, HalfEdge::new(t, 1)]);
         let record = &mut self.triangles[t.index()];
         record.set_vertex(2, q);
-        record.set_across(0, aq);
-        record.set_across(1, Side::new(u, 2));
-        self.relink(aq, Side::new(t, 0));
-        self.relink(qb, Side::new(u, 0));
-        self.relink(bp, Side::new(u, 1));
-        (across, [p, q])
+        record.set_twin(0, aq);
+        record.set_twin(1, HalfEdge::new(u, 2));
+        self.relink(aq, HalfEdge::new(t, 0));
+        self.relink(qb, HalfEdge::new(u, 0));
+        self.relink(bp, HalfEdge::new(u, 1));
+        (twin, [p, q])
     }
 
-    /// Makes a new open side, on which no triangle borders yet; [`Mesh::forget_open`] removes it.
-    pub(crate) fn add_open(&mut self) -> OpenId {
-        let open = OpenId::at(self.open.len());
-        self.open.push(Side::NO_TRIANGLE);
-        open
+    /// Makes a new border half-edge, on which no triangle borders yet; [`Mesh::truncate_borders`] removes it.
+    pub(crate) fn add_border(&mut self) -> BorderId {
+        let border = BorderId::at(self.borders.len());
+        self.borders.push(HalfEdge::NO_TRIANGLE);
+        border
     }
 
-    /// Makes room for so many new open sides.
-    pub(crate) fn reserve_open(&mut self, more: usize) {
-        self.open.reserve(more);
+    /// Makes room for so many new border half-edges.
+    pub(crate) fn reserve_borders(&mut self, more: usize) {
+        self.borders.reserve(more);
     }
 
-    /// How many open sides there are.
-    pub(crate) fn count_open(&self) -> usize {
-        self.open.len()
+    /// How many border half-edges there are.
+    pub(crate) fn border_count(&self) -> usize {
+        self.borders.len()
     }
 
-    /// Forgets all open sides but the first `kept`; nothing may border on the others any more.
-    pub(crate) fn forget_open(&mut self, kept: usize) {
-        self.open.truncate(kept);
+    /// Forgets all border half-edges but the first `kept`; nothing may border on the others any more.
+    pub(crate) fn truncate_borders(&mut self, kept: usize) {
+        self.borders.truncate(kept);
     }
 
-    /// Adds the triangles of another mesh, none of which borders on an open side other than nothing. Its
+    /// Adds the triangles of another mesh, none of which borders on an border half-edge other than nothing. Its
     /// vertices are numbered higher by so much; its triangles follow those here. Runs on all threads.
     #[cfg(feature = "parallel")]
     pub(crate) fn append(&mut self, other: &Mesh, vertices: u32) {
@@ -269,10 +265,10 @@ impl Mesh {
             .par_extend(others.map(|record| record.moved(vertices, before)));
     }
 
-    /// Forgets the open sides, on which nothing may border, and makes so many new ones.
-    pub(crate) fn renew_open(&mut self, open: usize) {
-        self.open.clear();
-        self.open.resize(open, Side::NO_TRIANGLE);
+    /// Forgets the border half-edges, on which nothing may border, and makes so many new ones.
+    pub(crate) fn reset_borders(&mut self, border: usize) {
+        self.borders.clear();
+        self.borders.resize(border, HalfEdge::NO_TRIANGLE);
     }
 
     /// Hands out the triangles, and is empty afterwards.
@@ -287,7 +283,8 @@ impl Mesh {
     }
 
     /// Bytes held.
-    pub(crate) fn memory(&self) -> usize {
-        self.triangles.capacity() * size_of::<Triangle>() + self.open.capacity() * size_of::<Side>()
+    pub(crate) fn heap_bytes(&self) -> usize {
+        self.triangles.capacity() * size_of::<Triangle>()
+            + self.borders.capacity() * size_of::<HalfEdge>()
     }
 }

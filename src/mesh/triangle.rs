@@ -3,25 +3,25 @@
 //! A fourth element in both arrays would take the bounds check from an index that is masked to 0..=3, and 3 % of
 //! the instructions. But the pages for it, which a first run must get from the system, take longer.
 
-use super::side::Side;
+use super::half_edge::HalfEdge;
 use crate::ids::VertexId;
 
 /// Three vertices, counter-clockwise, and across side `i`, opposite vertex `i`, the neighbour's side.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Triangle {
     vertices: [VertexId; 3],
-    across: [Side; 3],
+    twins: [HalfEdge; 3],
 }
 
 impl Triangle {
     /// A triangle that stands for none: its vertices have a number above all others.
     pub(super) const RETIRED: Triangle = Triangle {
         vertices: [VertexId::new(u32::MAX); 3],
-        across: [Side::NOTHING; 3],
+        twins: [HalfEdge::NOTHING; 3],
     };
 
-    pub(super) fn new(vertices: [VertexId; 3], across: [Side; 3]) -> Triangle {
-        Triangle { vertices, across }
+    pub(super) fn new(vertices: [VertexId; 3], twins: [HalfEdge; 3]) -> Triangle {
+        Triangle { vertices, twins }
     }
 
     /// The same triangle with its vertices and all triangles numbered higher by so much; a retired one stays
@@ -31,7 +31,7 @@ impl Triangle {
         let vertex = |v: VertexId| VertexId::new(v.number().saturating_add(vertices));
         Triangle {
             vertices: self.vertices.map(vertex),
-            across: self.across.map(|side| side.moved(triangles)),
+            twins: self.twins.map(|side| side.moved(triangles)),
         }
     }
 
@@ -57,8 +57,8 @@ impl Triangle {
 
     /// What lies across the side opposite `corner`.
     #[inline(always)]
-    pub(crate) fn across(&self, corner: u32) -> Side {
-        self.across[corner as usize]
+    pub(crate) fn twin(&self, corner: u32) -> HalfEdge {
+        self.twins[corner as usize]
     }
 
     #[inline(always)]
@@ -67,7 +67,7 @@ impl Triangle {
     }
 
     #[inline(always)]
-    pub(crate) fn set_across(&mut self, corner: u32, side: Side) {
-        self.across[corner as usize] = side;
+    pub(crate) fn set_twin(&mut self, corner: u32, side: HalfEdge) {
+        self.twins[corner as usize] = side;
     }
 }

@@ -208,9 +208,13 @@ mod tests {
         };
         let mut ties = 0;
         for _ in 0..20_000 {
-            let near = random(3);
+            let approx = random(3);
             let mut coordinate = || {
-                let far = if random(2) == 0 { near } else { widest - near };
+                let far = if random(2) == 0 {
+                    approx
+                } else {
+                    widest - approx
+                };
                 (far + random(8) / 7).min(widest)
             };
             let points = [(); 4].map(|()| [coordinate(), coordinate()]);

@@ -73,7 +73,7 @@ impl IntegerPoints {
     }
 
     /// Bytes held.
-    pub(super) fn memory(&self) -> usize {
+    pub(super) fn heap_bytes(&self) -> usize {
         self.0.capacity() * size_of::<[i64; 2]>()
     }
 }

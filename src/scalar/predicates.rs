@@ -132,8 +132,8 @@ impl NearTies {
     }
 
     /// Bytes held.
-    pub(crate) fn memory(&self) -> usize {
-        self.integers.get().map_or(0, IntegerPoints::memory)
+    pub(crate) fn heap_bytes(&self) -> usize {
+        self.integers.get().map_or(0, IntegerPoints::heap_bytes)
     }
 }
 

@@ -16,7 +16,7 @@ use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::determinants::{determinant, minus, turn};
-use super::unbounded::near_quotient;
+use super::unbounded::approx_quotient;
 use super::{Measure, Scalar, Stage, all_doubles, integer};
 
 impl Scalar for BigRational {
@@ -26,7 +26,10 @@ impl Scalar for BigRational {
     }
 
     fn approx(&self) -> f64 {
-        double(self).unwrap_or_else(|| self.to_f64().expect("a finite number has a double near it"))
+        double(self).unwrap_or_else(|| {
+            self.to_f64()
+                .expect("a finite number has a double approx it")
+        })
     }
 
     fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
@@ -42,9 +45,9 @@ impl Scalar for BigRational {
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {
         let ([a, b], [c, d]) = ([self.numer(), self.denom()], [other.numer(), other.denom()]);
         Some(if b == d {
-            near_quotient(&(a - c), b)
+            approx_quotient(&(a - c), b)
         } else {
-            near_quotient(&(a * d - c * b), &(b * d))
+            approx_quotient(&(a * d - c * b), &(b * d))
         })
     }
 

@@ -28,19 +28,19 @@ type Axis = Vec<(f64, i64)>;
 
 /// Makes the approximations in `near` of these points the doubles that the filter gets, and returns their scale. What
 /// stands for points that are not finite means nothing.
-pub(crate) fn recenter<S: Scalar>(points: &[[S; 2]], near: &mut [[f64; 2]]) -> Scale {
+pub(crate) fn recenter<S: Scalar>(points: &[[S; 2]], approx: &mut [[f64; 2]]) -> Scale {
     if S::APPROX_IS_EXACT {
-        return Scale::of_coordinates(near);
+        return Scale::of_coordinates(approx);
     }
-    match [0, 1].map(|i| moved(points, near, i)) {
-        [None, None] => Scale::unify(near, false),
-        axes => place(near, axes),
+    match [0, 1].map(|i| moved(points, approx, i)) {
+        [None, None] => Scale::unify(approx, false),
+        axes => place(approx, axes),
     }
 }
 
 /// The differences to an origin along axis `i`, if they tell more than the approximations.
-fn moved<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> Option<Axis> {
-    if !is_blurred(points, near, i) {
+fn moved<S: Scalar>(points: &[[S; 2]], approx: &[[f64; 2]], i: usize) -> Option<Axis> {
+    if !is_blurred(points, approx, i) {
         return None;
     }
     let mut order: Vec<usize> = (0..points.len())
@@ -51,7 +51,7 @@ fn moved<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> Option<Ax
         return None;
     }
     let (_, &mut middle, _) =
-        order.select_nth_unstable_by(middle, |&a, &b| near[a][i].total_cmp(&near[b][i]));
+        order.select_nth_unstable_by(middle, |&a, &b| approx[a][i].total_cmp(&approx[b][i]));
     let origin = &points[middle][i];
     let difference = |point: &[S; 2]| {
         if point[i].is_finite() {
@@ -64,13 +64,13 @@ fn moved<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> Option<Ax
         .iter()
         .map(|point| difference(point).map(normal))
         .collect::<Option<_>>()?;
-    let before = distinct(plain(near, i));
+    let before = distinct(plain(approx, i));
     (distinct(axis.iter().copied()) >= before).then_some(axis)
 }
 
 /// Whether two different coordinates of axis `i`, of a sample, have the same double.
-fn is_blurred<S: Scalar>(points: &[[S; 2]], near: &[[f64; 2]], i: usize) -> bool {
-    let double = |v: usize| near[v][i].clamp(f64::MIN, f64::MAX);
+fn is_blurred<S: Scalar>(points: &[[S; 2]], approx: &[[f64; 2]], i: usize) -> bool {
+    let double = |v: usize| approx[v][i].clamp(f64::MIN, f64::MAX);
     let step = points.len().div_ceil(SAMPLE).max(1);
     let mut order: Vec<usize> = (0..points.len())
         .step_by(step)
@@ -92,9 +92,9 @@ fn distinct(numbers: impl Iterator<Item = (f64, i64)>) -> usize {
 }
 
 /// The approximations of axis `i`, infinite where nothing is known.
-fn plain(near: &[[f64; 2]], i: usize) -> impl Iterator<Item = (f64, i64)> {
+fn plain(approx: &[[f64; 2]], i: usize) -> impl Iterator<Item = (f64, i64)> {
     let known = |x: f64| if x.abs() < f64::MAX { x } else { x * 2.0 };
-    near.iter().map(move |x| normal((known(x[i]), 0)))
+    approx.iter().map(move |x| normal((known(x[i]), 0)))
 }
 
 /// A number with a double from 1 to 2 in size, if it is neither zero nor infinite.
@@ -111,11 +111,11 @@ fn normal((x, by): (f64, i64)) -> (f64, i64) {
 }
 
 /// Brings the axes to one scale. One that is not moved keeps its approximations.
-fn place(near: &mut [[f64; 2]], axes: [Option<Axis>; 2]) -> Scale {
+fn place(approx: &mut [[f64; 2]], axes: [Option<Axis>; 2]) -> Scale {
     let is_plain = axes.iter().any(Option::is_none);
     let [x, y] = axes;
-    let x = x.unwrap_or_else(|| plain(near, 0).collect());
-    let y = y.unwrap_or_else(|| plain(near, 1).collect());
+    let x = x.unwrap_or_else(|| plain(approx, 0).collect());
+    let y = y.unwrap_or_else(|| plain(approx, 1).collect());
     let known = x.iter().chain(&y).filter(|(x, _)| x.is_normal());
     let mut shift = doubles::shift(known.map(|&(_, by)| by));
     let mut unit = 1.0;
@@ -124,8 +124,8 @@ fn place(near: &mut [[f64; 2]], axes: [Option<Axis>; 2]) -> Scale {
         shift = shift.clamp(-1022, 1000);
         unit = power(shift);
     }
-    for (near, (x, y)) in near.iter_mut().zip(x.into_iter().zip(y)) {
-        *near = [scaled(x, shift), scaled(y, shift)];
+    for (approx, (x, y)) in approx.iter_mut().zip(x.into_iter().zip(y)) {
+        *approx = [scaled(x, shift), scaled(y, shift)];
     }
     Scale::rounded(unit)
 }
@@ -161,12 +161,12 @@ mod tests {
             }
         };
         let points: Vec<_> = (0..100).map(|i| [x(i), &unit * BigInt::from(i)]).collect();
-        let mut near: Vec<_> = points
+        let mut approx: Vec<_> = points
             .iter()
             .map(|p| p.each_ref().map(Scalar::approx))
             .collect();
-        recenter(&points, &mut near);
-        let others: Vec<[f64; 2]> = near.into_iter().step_by(5).collect();
+        recenter(&points, &mut approx);
+        let others: Vec<[f64; 2]> = approx.into_iter().step_by(5).collect();
         assert!(others.windows(2).all(|pair| pair[0][0] < pair[1][0]));
     }
 }

@@ -78,33 +78,33 @@ impl Scale {
     }
 
     /// Brings many coordinates to one scale, and looks for their lattice where that moves none of them.
-    pub(super) fn of_coordinates(near: &mut [[f64; 2]]) -> Scale {
-        if near.iter().all(|&point| is_in_range(point)) {
-            return Scale::exact(near.len(), |i| near[i]);
+    pub(super) fn of_coordinates(approx: &mut [[f64; 2]]) -> Scale {
+        if approx.iter().all(|&point| is_in_range(point)) {
+            return Scale::exact(approx.len(), |i| approx[i]);
         }
-        Scale::move_into_range(near, true)
+        Scale::move_into_range(approx, true)
     }
 
     /// Brings approximations, which are the coordinates themselves if `exact`, to one scale.
-    pub(super) fn unify(near: &mut [[f64; 2]], exact: bool) -> Scale {
-        if near.iter().all(|&point| is_in_range(point)) {
+    pub(super) fn unify(approx: &mut [[f64; 2]], exact: bool) -> Scale {
+        if approx.iter().all(|&point| is_in_range(point)) {
             return if exact {
                 Scale::EXACT
             } else {
                 Scale::rounded(1.0)
             };
         }
-        Scale::move_into_range(near, exact)
+        Scale::move_into_range(approx, exact)
     }
 
     #[cold]
-    fn move_into_range(near: &mut [[f64; 2]], exact: bool) -> Scale {
-        let sizes = near.iter().flatten().map(|x| x.abs());
+    fn move_into_range(approx: &mut [[f64; 2]], exact: bool) -> Scale {
+        let sizes = approx.iter().flatten().map(|x| x.abs());
         let known = sizes.filter(|&size| size > 0.0 && size < f64::MAX);
         // As far as one factor can.
         let factor = power(doubles::shift(known.map(exponent)).clamp(-1022, 1000));
         let mut keeps_digits = true;
-        for x in near.iter_mut().flatten() {
+        for x in approx.iter_mut().flatten() {
             let scaled = *x * factor;
             // Products above 2^-960 keep all digits, and so do those by a factor above 1.
             keeps_digits &= factor >= 1.0 || *x == 0.0 || scaled.abs() > power(-960);
@@ -116,7 +116,7 @@ impl Scale {
         }
         let (rounded, is_injective) = (
             Scale::rounded(factor),
-            near.iter().flatten().all(|x| x.is_finite()),
+            approx.iter().flatten().all(|x| x.is_finite()),
         );
         match (exact, keeps_digits) {
             (true, true) => Scale {

@@ -48,9 +48,9 @@ pub trait Unbounded:
     /// [`Scalar::difference`] says. Numbers far larger or smaller than doubles should have their own;
     /// this one takes what `to_f64` returns, unless that is near an end of the range of doubles.
     fn near(&self) -> Option<(f64, i64)> {
-        let near = self.to_f64()?;
-        let is_certain = (power(-1000)..f64::MAX).contains(&near.abs()) || self.is_zero();
-        is_certain.then_some((near, 0))
+        let approx = self.to_f64()?;
+        let is_certain = (power(-1000)..f64::MAX).contains(&approx.abs()) || self.is_zero();
+        is_certain.then_some((approx, 0))
     }
 
     /// The double that equals the number, if there is one and the type can tell at little cost.
@@ -67,13 +67,13 @@ impl Unbounded for BigInt {
     }
 
     fn near(&self) -> Option<(f64, i64)> {
-        Some(near_integer(self))
+        Some(approx_integer(self))
     }
 }
 
 impl<T: Unbounded> Scalar for T {
     fn approx(&self) -> f64 {
-        self.to_f64().expect("a number has a double near it")
+        self.to_f64().expect("a number has a double approx it")
     }
 
     fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
@@ -113,7 +113,7 @@ impl<T: Unbounded> Arithmetic for T {
 }
 
 /// `(x, power)`, where x * 2^power is near the number, whatever its size.
-fn near_integer(number: &BigInt) -> (f64, i64) {
+fn approx_integer(number: &BigInt) -> (f64, i64) {
     let size = number.magnitude();
     let surplus = size.bits().saturating_sub(65);
     let is_rest = size.trailing_zeros().is_some_and(|zeros| zeros < surplus);
@@ -126,7 +126,7 @@ fn near_integer(number: &BigInt) -> (f64, i64) {
 }
 
 /// `(x, power)`, where x * 2^power is near the quotient; the denominator is not zero.
-pub(super) fn near_quotient(numerator: &BigInt, denominator: &BigInt) -> (f64, i64) {
+pub(super) fn approx_quotient(numerator: &BigInt, denominator: &BigInt) -> (f64, i64) {
     let (n, d) = (numerator.magnitude(), denominator.magnitude());
     let shift = 65 - n.bits().cast_signed() + d.bits().cast_signed();
     let size = shift.unsigned_abs();

@@ -19,7 +19,7 @@
 //! stretch up to the height of the rim.
 
 use super::state::Sweep;
-use crate::front::Way;
+use crate::front::Direction;
 use crate::ids::VertexId;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
@@ -32,9 +32,9 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Fills the basins that begin right and left of `p`.
     #[inline(always)]
     pub(super) fn fill_basins(&mut self, p: VertexId) {
-        for way in [Way::Right, Way::Left] {
-            if self.falls_away(p, way) {
-                self.fill_basin(p, way);
+        for direction in [Direction::Right, Direction::Left] {
+            if self.falls_away(p, direction) {
+                self.fill_basin(p, direction);
             }
         }
     }
@@ -42,25 +42,25 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Whether the front falls from `p` over the next two nodes by more than 45 degrees. False if one
     /// of them is artificial.
     #[inline(always)]
-    fn falls_away(&self, p: VertexId, way: Way) -> bool {
-        let first = self.front.beside(p, way);
-        if self.fabric.signs.is_artificial(first) {
+    fn falls_away(&self, p: VertexId, direction: Direction) -> bool {
+        let first = self.front.neighbor(p, direction);
+        if self.delaunay.predicates.is_artificial(first) {
             return false;
         }
-        let second = self.front.beside(first, way);
-        let [[px, py], [x, y]] = [p, second].map(|v| self.fabric.signs.approx(v));
+        let second = self.front.neighbor(first, direction);
+        let [[px, py], [x, y]] = [p, second].map(|v| self.delaunay.predicates.approx(v));
         py - y > (px - x).abs()
     }
 
     /// Fills the basin that begins beside `p`.
-    fn fill_basin(&mut self, p: VertexId, way: Way) {
-        let rim = self.front.beside(p, way);
+    fn fill_basin(&mut self, p: VertexId, direction: Direction) {
+        let rim = self.front.neighbor(p, direction);
         let top = self.height(rim);
         // Down to the bottom, then up again.
         let (mut at, mut y) = (rim, top);
         for is_falling in [true, false] {
             for _ in 0..BASIN_REACH {
-                let beyond = self.front.beside(at, way);
+                let beyond = self.front.neighbor(at, direction);
                 let next_y = self.height(beyond);
                 let goes_on = if is_falling {
                     next_y < y
@@ -74,14 +74,14 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
                 (at, y) = (beyond, next_y);
             }
         }
-        let [from, to] = match way {
-            Way::Right => [rim, at],
-            Way::Left => [at, rim],
+        let [from, to] = match direction {
+            Direction::Right => [rim, at],
+            Direction::Left => [at, rim],
         };
         self.fill_front(from, to, Why::Basin);
     }
 
     fn height(&self, v: VertexId) -> f64 {
-        self.fabric.signs.approx(v)[1]
+        self.delaunay.predicates.approx(v)[1]
     }
 }

@@ -1,7 +1,7 @@
-//! Fills a chain of open sides up to its hull: pockets and basins of the front, the upper hull
+//! Fills a chain of border half-edges up to its hull: pockets and basins of the front, the upper hull
 //! (figure 15a), and pseudo-polygons (figures 12 and 13).
 //!
-//! A chain is a polyline of open sides with the empty region to its left. Where it turns left, a triangle
+//! A chain is a polyline of border half-edges with the empty region to its left. Where it turns left, a triangle
 //! can close the corner. Graham's scan closes corners until no left turn remains. What is left of the
 //! front, or of a stretch of it, is its upper hull; what is left of a pseudo-polygon is the constrained
 //! edge.
@@ -9,7 +9,7 @@
 //! ```text
 //!    0 . . .       empty region             6    The chain runs from 0 to 6. At 1 to 4 it turns left,
 //!     \      . . . . . .                 _-'     and with the chord 0-5 (dotted) these corners make
-//!      \           chord . . . . .    _-'        a convex polygon: a *stretch*, which is closed as a
+//!      \           chord . . . . .    _-'        a convex polygon: a *convex run*, which is closed as a
 //!       1                        . 5-'           whole. At 5 the chain turns right, so the stretch
 //!        `-_                    _-'              ends there. Now the chain runs 0-5-6 and turns left
 //!           2-_              _-4                 at 5, so that corner is closed next.
@@ -23,13 +23,13 @@
 //! 180 degrees. That is no left turn, so triangles come to both sides of the edge. A vertex that the chain
 //! visits twice is two corners.
 //!
-//! Corners of a long convex stretch must not be closed one after the other: along a parabola that makes
-//! a fan, which each new corner flips anew, a quadratic number of flips. So a maximal convex stretch is
+//! Corners of a long convex run must not be closed one after the other: along a parabola that makes
+//! a fan, which each new corner flips anew, a quadratic number of flips. So a maximal convex run is
 //! closed as a whole. Its vertices are inserted in random order, each into the polygon of those before it
-//! (Chew 1990). Chains of a few corners, as most pockets and pseudo-polygons are, cannot flip much, and drawing an order
+//! (Chew 1990). EdgeChains of a few corners, as most pockets and pseudo-polygons are, cannot flip much, and drawing an order
 //! costs more: their corners are closed one by one.
 //!
-//! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex stretches.
+//! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex runs.
 //!
 //! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right.
 //! In a pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada
@@ -37,10 +37,10 @@
 
 use std::cmp::Ordering::Greater;
 
-use super::corner::Corner;
-use super::fabric::Fabric;
-use crate::ids::OpenId;
-use crate::mesh::Side;
+use super::corner::ChainVertex;
+use super::delaunay::Delaunay;
+use crate::ids::BorderId;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
@@ -51,12 +51,12 @@ const FEW: usize = 6;
 /// More suspects than these do not wait for the end of the chain.
 const MANY: usize = 4096;
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// Fills the region to the left of `chain` and leaves its hull in `chain`. Sides between a new triangle and
-    /// an old one become suspects.
-    pub(super) fn fill(&mut self, chain: &mut Vec<Corner>, why: Why) {
+    /// an old one go on the flip stack.
+    pub(super) fn fill(&mut self, chain: &mut Vec<ChainVertex>, why: Why) {
         let before = chain.len();
-        self.flip_limit.corners(before);
+        self.flip_limit.grant_for_chain(before);
         // `chain[..done]` nowhere turns left; `chain[ahead..]` is still to be scanned.
         let (mut done, mut ahead) = (1, 1);
         while ahead < before {
@@ -66,7 +66,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 ahead += 1;
                 continue;
             }
-            // A left turn: a convex stretch begins here, `chain[start..=ahead]`. Extend it as far as it goes.
+            // A left turn: a convex run begins here, `chain[start..=ahead]`. Extend it as far as it goes.
             let start = ahead - 2;
             [chain[start], chain[start + 1]] = [chain[done - 2], chain[done - 1]];
             while before > FEW
@@ -77,20 +77,20 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             }
             // The stretch becomes one side, from its first to its last corner; the last is scanned again.
             done -= 1;
-            chain[done - 1].open = match chain[start..=ahead] {
+            chain[done - 1].border = match chain[start..=ahead] {
                 [a, b, c] => self.fill_ear([a, b, c], why),
-                ref corners => self.fill_stretch(corners, why),
+                ref corners => self.fill_convex_run(corners, why),
             };
         }
         chain.truncate(done);
     }
 
-    fn turns_left(&mut self, a: Corner, b: Corner, c: Corner) -> bool {
+    fn turns_left(&mut self, a: ChainVertex, b: ChainVertex, c: ChainVertex) -> bool {
         self.orient2d([a.vertex, b.vertex, c.vertex]) == Greater
     }
 
     /// Whether the stretch with its chord, a strictly convex polygon, stays one with one more corner.
-    fn stays_convex(&mut self, corners: &[Corner], corner: Corner) -> bool {
+    fn stays_convex(&mut self, corners: &[ChainVertex], corner: ChainVertex) -> bool {
         // In a stretch of three, `second` and `a` are the same corner.
         let [first, second] = [corners[0], corners[1]];
         let [a, b] = [corners[corners.len() - 2], corners[corners.len() - 1]];
@@ -99,81 +99,86 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             && self.turns_left(corner, first, second)
     }
 
-    /// Closes one corner; returns the open side that replaces its two.
-    pub(super) fn fill_ear(&mut self, [a, b, c]: [Corner; 3], why: Why) -> OpenId {
-        let joined = [a, b].map(|corner| self.mesh.has_below(corner.open));
+    /// Closes one corner; returns the border half-edge that replaces its two.
+    pub(super) fn fill_ear(&mut self, [a, b, c]: [ChainVertex; 3], why: Why) -> BorderId {
+        let joined = [a, b].map(|corner| self.mesh.has_border_twin(corner.border));
         // If a triangle is joined at the first side, the chord takes over the number of that side.
         let chord = if joined[0] {
-            a.open
+            a.border
         } else {
-            self.mesh.add_open()
+            self.mesh.add_border()
         };
-        let [below_a, below_b] = [a, b].map(|corner| self.below_or_open(corner));
+        let [below_a, below_b] = [a, b].map(|corner| self.outer_side(corner));
         let vertices = [b.vertex, c.vertex, a.vertex];
-        let t = self.make(vertices, [Side::open(chord), below_a, below_b], why);
+        let t = self.add_triangle(vertices, [HalfEdge::border(chord), below_a, below_b], why);
         for (corner, is_joined) in [1, 2].into_iter().zip(joined) {
             if is_joined {
-                self.suspects.push(Side::new(t, corner));
+                self.flip_stack.push(HalfEdge::new(t, corner));
             }
         }
-        if self.suspects.len() > MANY {
+        if self.flip_stack.len() > MANY {
             self.legalize();
         }
         chord
     }
 
     /// What lies across the side from `corner` for a triangle above it.
-    fn below_or_open(&self, corner: Corner) -> Side {
-        if self.mesh.has_below(corner.open) {
-            self.mesh.below(corner.open)
+    fn outer_side(&self, corner: ChainVertex) -> HalfEdge {
+        if self.mesh.has_border_twin(corner.border) {
+            self.mesh.border_twin(corner.border)
         } else {
-            Side::open(corner.open)
+            HalfEdge::border(corner.border)
         }
     }
 
-    /// Triangulates the convex polygon of the stretch; returns the open side that closes it.
-    fn fill_stretch(&mut self, corners: &[Corner], why: Why) -> OpenId {
-        self.stretch.draw(corners.len());
-        self.mesh.reserve_open(2 * corners.len());
-        let chord = self.mesh.add_open();
+    /// Triangulates the convex polygon of the stretch; returns the border half-edge that closes it.
+    fn fill_convex_run(&mut self, corners: &[ChainVertex], why: Why) -> BorderId {
+        self.convex_run.draw(corners.len());
+        self.mesh.reserve_borders(2 * corners.len());
+        let chord = self.mesh.add_border();
 
         // Each corner `u` makes a triangle with its neighbours `v` and `w`, below the side between them.
-        let mut top = Side::open(chord);
-        for k in 0..self.stretch.order.len() {
-            let u = self.stretch.order[k];
-            let [v, w] = self.stretch.neighbors(u);
+        let mut top = HalfEdge::border(chord);
+        for k in 0..self.convex_run.order.len() {
+            let u = self.convex_run.order[k];
+            let [v, w] = self.convex_run.neighbors(u);
             if k > 0 {
-                top = self.mesh.below(self.stretch.open[v as usize]);
+                top = self.mesh.border_twin(self.convex_run.borders[v as usize]);
             }
             for (from, to) in [(v, u), (u, w)] {
-                let open = corners[from as usize].open;
+                let border = corners[from as usize].border;
                 // A side of the chain on which nothing borders keeps its number.
-                let is_last = to == from + 1 && !self.mesh.has_below(open);
-                self.stretch.open[from as usize] =
-                    if is_last { open } else { self.mesh.add_open() };
+                let is_last = to == from + 1 && !self.mesh.has_border_twin(border);
+                self.convex_run.borders[from as usize] = if is_last {
+                    border
+                } else {
+                    self.mesh.add_border()
+                };
             }
             let vertices = [u, w, v].map(|at| corners[at as usize].vertex);
-            let [left, right] = [v, u].map(|at| Side::open(self.stretch.open[at as usize]));
-            let t = self.make(vertices, [top, left, right], why);
-            self.suspects.push(Side::new(t, 0));
+            let [left, right] =
+                [v, u].map(|at| HalfEdge::border(self.convex_run.borders[at as usize]));
+            let t = self.add_triangle(vertices, [top, left, right], why);
+            self.flip_stack.push(HalfEdge::new(t, 0));
             self.legalize();
         }
 
         // The triangles on the sides of the chain are joined to those outside.
         for (k, corner) in corners[..corners.len() - 1].iter().enumerate() {
-            let (open, outer) = (self.stretch.open[k], corner.open);
-            if open != outer {
-                let above = self.mesh.below(open);
-                self.mesh.connect(above, self.mesh.below(outer));
-                self.suspects.push(above);
+            let (border, outer) = (self.convex_run.borders[k], corner.border);
+            if border != outer {
+                let above = self.mesh.border_twin(border);
+                self.mesh.connect(above, self.mesh.border_twin(outer));
+                self.flip_stack.push(above);
             }
         }
         // A front segment bears the number of its left end, whatever triangle is below it.
-        let (first, outer) = (self.stretch.open[0], corners[0].open);
+        let (first, outer) = (self.convex_run.borders[0], corners[0].border);
         if first == outer {
             return chord;
         }
-        self.mesh.connect(self.mesh.below(chord), Side::open(outer));
+        self.mesh
+            .connect(self.mesh.border_twin(chord), HalfEdge::border(outer));
         outer
     }
 }

@@ -1,7 +1,7 @@
 //! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted.
 //!
 //! A vertex on an edge ends one *part* of it and starts the next. The edge event inserts the first part;
-//! the rest of the edge waits until the hull is complete ([`super::rests`]). Where the part runs above
+//! the rest of the edge waits until the hull is complete ([`super::pending_edges`]). Where the part runs above
 //! the front, the *pocket* between them is filled (figures 13 and 14). Then the part lies inside the
 //! triangulation. If it is a side already, that is marked as fixed. Otherwise the pierced triangles are
 //! replaced by two pseudo-polygons (figure 12). Overlapping edges share their parts. Where the edges at the
@@ -31,12 +31,12 @@
 
 use std::cmp::Ordering::Equal;
 
-use super::edges::Rest;
+use super::edges::PendingEdge;
 use super::obstacles::{Crossed, Part};
 use super::state::Sweep;
 use crate::error::Error;
 use crate::ids::VertexId;
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{EdgePosition, Event, Why};
@@ -54,7 +54,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         }
         for k in 0..self.obstacles.present.len() {
             let (lower, edge) = self.edges.at(upper)[k];
-            self.fix_edge(upper, lower, edge, self.obstacles.present[k]);
+            self.constrain_edge(upper, lower, edge, self.obstacles.present[k]);
         }
         Ok(())
     }
@@ -62,7 +62,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Whether the edges whose upper end is `upper` are sides already, and these are listed. `leftmost` is the side
     /// opposite `upper` of the leftmost triangle there.
     #[inline(always)]
-    fn find_sides(&mut self, upper: VertexId, leftmost: Side) -> bool {
+    fn find_sides(&mut self, upper: VertexId, leftmost: HalfEdge) -> bool {
         self.obstacles.present.clear();
         let edges = self.edges.at(upper);
         if edges.len() > FEW {
@@ -79,46 +79,46 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
 
     /// The side between `v` and the vertex opposite `leftmost`, which is on the front, if there is one.
     #[inline(always)]
-    fn spoke(&self, leftmost: Side, v: VertexId) -> Option<Side> {
-        let mesh = &self.fabric.mesh;
+    fn spoke(&self, leftmost: HalfEdge, v: VertexId) -> Option<HalfEdge> {
+        let mesh = &self.delaunay.mesh;
         let [_, a, mut b] = mesh.around(leftmost);
         if a == v {
             return Some(leftmost.prev());
         }
         let mut at = leftmost;
         while b != v {
-            let across = mesh.across(at.next());
-            if across.is_open() {
+            let twin = mesh.twin(at.next());
+            if twin.is_border() {
                 return None;
             }
-            at = across.next();
+            at = twin.next();
             [_, _, b] = mesh.around(at);
         }
         Some(at.next())
     }
 
-    /// Makes a side that is a whole edge a fixed one.
+    /// Makes a side that is a whole edge a constrained one.
     #[inline(always)]
-    fn fix_edge(&mut self, upper: VertexId, lower: VertexId, edge: u32, side: Side) {
-        self.fabric.report(|name| Event::Edge {
+    fn constrain_edge(&mut self, upper: VertexId, lower: VertexId, edge: u32, side: HalfEdge) {
+        self.delaunay.report(|name| Event::Edge {
             edge,
             upper: name(upper),
             lower: name(lower),
         });
-        self.fabric.report(|name| Event::Part {
+        self.delaunay.report(|name| Event::Part {
             from: name(upper),
             to: name(lower),
             position: EdgePosition::Present,
         });
-        self.fix_side([upper, lower], side);
+        self.constrain_side([upper, lower], side);
     }
 
-    /// Makes a side between these vertices a fixed one.
+    /// Makes a side between these vertices a constrained one.
     #[inline(always)]
-    fn fix_side(&mut self, ends: [VertexId; 2], side: Side) {
-        self.fabric.mesh.fix(side);
-        self.fabric.probe.count(|c| c.edges_present += 1);
-        self.fabric.report(|name| Event::Fixed {
+    fn constrain_side(&mut self, ends: [VertexId; 2], side: HalfEdge) {
+        self.delaunay.mesh.constrain(side);
+        self.delaunay.probe.count(|c| c.edges_present += 1);
+        self.delaunay.report(|name| Event::Fixed {
             side: ends.map(name),
         });
     }
@@ -131,13 +131,17 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
 
     /// Inserts the edges listed, which run down from `upper`, each to the first vertex on it. `around` is a
     /// side opposite `upper`.
-    pub(super) fn insert_edges(&mut self, upper: VertexId, mut around: Side) -> Result<(), Error> {
+    pub(super) fn insert_edges(
+        &mut self,
+        upper: VertexId,
+        mut around: HalfEdge,
+    ) -> Result<(), Error> {
         let mut list = std::mem::take(&mut self.list);
         // An edge of no length needs nothing.
         list.retain(|&(lower, _)| lower != upper);
         if list.len() > 1 {
             list.sort_by(|&(a, _), &(b, _)| {
-                let turn = self.fabric.orient2d([upper, a, b]);
+                let turn = self.delaunay.orient2d([upper, a, b]);
                 // On one line: the nearer end first, which is the higher one.
                 turn.reverse().then_with(|| b.cmp(&a))
             });
@@ -151,7 +155,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         }
         let mut before = None;
         for &(lower, edge) in &list {
-            self.fabric.report(|name| Event::Edge {
+            self.delaunay.report(|name| Event::Edge {
                 edge,
                 upper: name(upper),
                 lower: name(lower),
@@ -165,9 +169,9 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
                 _ => {
                     before = Some(edge);
                     if end != lower {
-                        let vertex = self.fabric.signs.vertices.input_index(end);
+                        let vertex = self.delaunay.predicates.vertices.input_index(end);
                         self.chains.pass(edge, vertex)?;
-                        self.rests.push(Rest::new(end, lower, edge));
+                        self.pending.push(PendingEdge::new(end, lower, edge));
                     }
                 }
             }
@@ -182,14 +186,14 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         &mut self,
         upper: VertexId,
         lower: VertexId,
-        around: &mut Side,
+        around: &mut HalfEdge,
     ) -> Result<VertexId, Crossed> {
         self.obstacles.pockets.clear();
         let mut part = self.traverse(upper, lower, *around)?;
         self.report_part(upper, part);
         if self.fill_pockets() {
             // Filling may have flipped the triangle that `around` was a side of.
-            if self.fabric.mesh.opposite(*around) != upper {
+            if self.delaunay.mesh.opposite(*around) != upper {
                 *around = self.leftmost(upper);
             }
             part = self.traverse(upper, lower, *around)?;
@@ -215,30 +219,32 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             None if self.obstacles.pierced.is_empty() => EdgePosition::FrontOnly,
             None => EdgePosition::Mixed,
         };
-        self.fabric.report(|name| Event::Part {
+        self.delaunay.report(|name| Event::Part {
             from: name(from),
             to: name(part.end),
             position,
         });
     }
 
-    /// Makes a part of an edge a fixed side. [`Sweep::traverse`] has just found what is in its way.
+    /// Makes a part of an edge a constrained side. [`Sweep::traverse`] has just found what is in its way.
     /// Returns a side opposite its upper end.
-    fn insert_part(&mut self, from: VertexId, part: Part) -> Side {
+    fn insert_part(&mut self, from: VertexId, part: Part) -> HalfEdge {
         if let Some(side) = part.present {
-            self.fix_side([from, part.end], side);
+            self.constrain_side([from, part.end], side);
             part.start
         } else {
-            self.fabric.probe.count(|c| c.edges_inserted += 1);
-            let start = self.fabric.replace_pierced(from, part.end, &self.obstacles);
+            self.delaunay.probe.count(|c| c.edges_inserted += 1);
+            let start = self
+                .delaunay
+                .replace_pierced(from, part.end, &self.obstacles);
             self.incidence
-                .renew(&self.fabric.mesh, &self.obstacles.pierced);
+                .renew(&self.delaunay.mesh, &self.obstacles.pierced);
             start
         }
     }
 
     /// Names the two input edges that cross: the one being inserted, and the first one of those that
-    /// contain the fixed side.
+    /// contain the constrained side.
     fn crossing(&mut self, edge: u32, [r, s]: Crossed) -> Error {
         let mut crossed = u32::MAX;
         let (low, high) = (r.min(s), r.max(s));
@@ -249,7 +255,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
                 && lower != upper
                 && [r, s]
                     .iter()
-                    .all(|&v| self.fabric.orient2d([upper, lower, v]) == Equal)
+                    .all(|&v| self.delaunay.orient2d([upper, lower, v]) == Equal)
             {
                 crossed = other;
             }

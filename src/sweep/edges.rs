@@ -1,5 +1,5 @@
 //! The input edges at their upper ends (section 3.3, figure 5), and what is left of those that are inserted in
-//! part ([`super::rests`]).
+//! part ([`super::pending_edges`]).
 //!
 //! An edge is listed at its end of higher rank, where the sweep line has passed all of it.
 //!
@@ -134,7 +134,7 @@ impl Edges {
     }
 
     /// Bytes held.
-    pub(super) fn memory(&self) -> usize {
+    pub(super) fn heap_bytes(&self) -> usize {
         self.first.capacity() * size_of::<u32>()
             + self.list.capacity() * size_of::<(VertexId, u32)>()
     }
@@ -142,18 +142,18 @@ impl Edges {
 
 /// What is left of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Rest {
+pub(super) struct PendingEdge {
     /// The vertex on the edge where the rest begins.
     pub(super) from: VertexId,
     pub(super) edge: u32,
     pub(super) lower: VertexId,
 }
 
-impl Rest {
-    pub(super) fn new(from: VertexId, lower: VertexId, edge: u32) -> Rest {
-        Rest { from, edge, lower }
+impl PendingEdge {
+    pub(super) fn new(from: VertexId, lower: VertexId, edge: u32) -> PendingEdge {
+        PendingEdge { from, edge, lower }
     }
 }
 
-/// The rests still to be inserted; the one that begins last in sweep order comes first.
-pub(super) type Rests = BinaryHeap<Rest>;
+/// The pending edges still to be inserted; the one that begins last in sweep order comes first.
+pub(super) type PendingEdges = BinaryHeap<PendingEdge>;

@@ -27,11 +27,11 @@
 
 use std::mem::take;
 
-use super::flip_limit::contradiction;
-use super::memory::Memory;
+use super::flip_limit::inexact_scalar;
+use super::scratch::Scratch;
 use super::state::Sweep;
-use crate::ids::{OpenId, TriangleId, narrow};
-use crate::mesh::{Side, Triangle};
+use crate::ids::{BorderId, TriangleId, narrow};
+use crate::mesh::{HalfEdge, Triangle};
 use crate::probe::Probe;
 use crate::recorder::Phase;
 use crate::scalar::Scalar;
@@ -44,9 +44,9 @@ const FEW: usize = 100;
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Fills the front up to the upper hull.
     pub(super) fn complete_hull(&mut self) {
-        self.fabric.probe.begin(Phase::Finalization);
-        self.fabric.report(|_| Event::Finalization);
-        let artificial = self.fabric.signs.artificial;
+        self.delaunay.probe.begin(Phase::Finalization);
+        self.delaunay.report(|_| Event::Finalization);
+        let artificial = self.delaunay.predicates.artificial;
         let first = self.front.next(artificial.left);
         if first != artificial.right {
             let last = self.front.prev(artificial.right);
@@ -55,22 +55,22 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     /// Returns the triangulation, whose hull is complete, with the probe.
-    pub(super) fn finalize(mut self, memory: &mut Memory) -> (Triangulation, P) {
-        let bytes = self.memory();
-        self.fabric.probe.record(|r| r.stats.memory = bytes);
-        let mut hull = take(&mut memory.hull);
+    pub(super) fn finalize(mut self, scratch: &mut Scratch) -> (Triangulation, P) {
+        let bytes = self.heap_bytes();
+        self.delaunay.probe.record(|r| r.stats.memory = bytes);
+        let mut hull = take(&mut scratch.hull);
         hull.clear();
-        let mut artificial = take(&mut memory.artificial);
+        let mut artificial = take(&mut scratch.artificial);
         artificial.clear();
-        artificial.extend_from_slice(self.fabric.mesh.unused());
+        artificial.extend_from_slice(self.delaunay.mesh.unused());
         self.list_hull(&mut hull, &mut artificial);
-        put_in_order(&mut artificial, self.fabric.mesh.len());
-        let mut triangles = self.fabric.mesh.take_triangles();
-        self.fabric
+        put_in_order(&mut artificial, self.delaunay.mesh.len());
+        let mut triangles = self.delaunay.mesh.take_triangles();
+        self.delaunay
             .probe
             .record(|r| r.survived(triangles.len(), &artificial));
         self.remove_artificial(&mut triangles, &artificial);
-        self.fabric.report(|_| Event::Finished {
+        self.delaunay.report(|_| Event::Finished {
             triangles: narrow(triangles.len()),
         });
         if triangles.is_empty() {
@@ -79,63 +79,63 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         let result = Triangulation {
             hull,
             triangles,
-            vertices: take(&mut self.fabric.signs.vertices.input),
-            duplicates: take(&mut self.fabric.signs.vertices.duplicates),
+            vertices: take(&mut self.delaunay.predicates.vertices.input),
+            duplicates: take(&mut self.delaunay.predicates.vertices.duplicates),
             chains: take(&mut self.chains).finish(),
         };
-        self.fabric.probe.begin(Phase::Finished);
-        if memory.is_kept {
-            memory.artificial = artificial;
-            memory.mesh = self.fabric.mesh;
-            memory.order.approx = self.fabric.signs.vertices.approx;
-            memory.suspects = self.fabric.suspects;
-            memory.stretch = self.fabric.stretch;
-            memory.polygons = self.fabric.polygons;
-            memory.edges = self.edges;
-            memory.front = Some(self.front);
-            memory.list = self.list;
-            memory.obstacles = self.obstacles;
-            memory.chain = self.chain;
-            memory.incidence = self.incidence;
+        self.delaunay.probe.begin(Phase::Finished);
+        if scratch.is_kept {
+            scratch.artificial = artificial;
+            scratch.mesh = self.delaunay.mesh;
+            scratch.order.approx = self.delaunay.predicates.vertices.approx;
+            scratch.flip_stack = self.delaunay.flip_stack;
+            scratch.convex_run = self.delaunay.convex_run;
+            scratch.polygons = self.delaunay.polygons;
+            scratch.edges = self.edges;
+            scratch.front = Some(self.front);
+            scratch.list = self.list;
+            scratch.obstacles = self.obstacles;
+            scratch.chain = self.chain;
+            scratch.incidence = self.incidence;
         }
-        (result, self.fabric.probe)
+        (result, self.delaunay.probe)
     }
 
     /// Lists all vertices on the hull, counter-clockwise from the leftmost, as input indices, and the artificial
     /// triangles; puts the hull across the sides of the upper one.
     fn list_hull(&mut self, hull: &mut Vec<u32>, triangles: &mut Vec<TriangleId>) {
-        let artificial = self.fabric.signs.artificial;
+        let artificial = self.delaunay.predicates.artificial;
         let (left, right) = (artificial.left, artificial.right);
         let (first, last) = (self.front.next(left), self.front.prev(right));
         if first == right {
             return;
         }
-        let (mesh, vertices) = (&mut self.fabric.mesh, &self.fabric.signs.vertices);
+        let (mesh, vertices) = (&mut self.delaunay.mesh, &self.delaunay.predicates.vertices);
         hull.push(vertices.input_index(first));
         // The lower hull: around P-1 from the front down to P-2, then around P-2 up to the front.
-        let mut side = mesh.below(OpenId::segment(left));
+        let mut side = mesh.border_twin(BorderId::segment(left));
         let mut pivot = left;
-        while !side.is_open() {
+        while !side.is_border() {
             // The hull has no more sides than there are triangles.
             if hull.len() > mesh.len() {
-                contradiction();
+                inexact_scalar();
             }
             triangles.push(side.triangle());
             let v = mesh.opposite(side);
             side = if v == right {
                 pivot = right;
-                mesh.across(side.prev())
+                mesh.twin(side.prev())
             } else {
                 hull.push(vertices.input_index(v));
-                mesh.across(side.next())
+                mesh.twin(side.next())
             };
         }
-        debug_assert!(pivot == right && side == Side::open(OpenId::segment(last)));
+        debug_assert!(pivot == right && side == HalfEdge::border(BorderId::segment(last)));
         // The upper hull: what is left of the front, from right to left.
         let mut at = last;
         while at != first {
             at = self.front.prev(at);
-            mesh.close(OpenId::segment(at));
+            mesh.close(BorderId::segment(at));
             if at != first {
                 hull.push(vertices.input_index(at));
             }
@@ -148,17 +148,17 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             artificial = others;
             loop {
                 let record = triangles[t.index()];
-                self.fabric.report(|name| Event::Removed {
+                self.delaunay.report(|name| Event::Removed {
                     vertices: record.vertices().map(name),
                 });
                 // Its neighbours have the hull in its place.
                 for i in 0..3 {
-                    relink(triangles, record.across(i), Side::HULL);
+                    relink(triangles, record.twin(i), HalfEdge::HULL);
                 }
                 triangles.swap_remove(t.index());
                 if let Some(&moved) = triangles.get(t.index()) {
                     for i in 0..3 {
-                        relink(triangles, moved.across(i), Side::new(t, i));
+                        relink(triangles, moved.twin(i), HalfEdge::new(t, i));
                     }
                 }
                 // What has come here may be artificial, too.
@@ -192,8 +192,8 @@ fn put_in_order(list: &mut Vec<TriangleId>, count: usize) {
 }
 
 /// Sets what lies across `side`, if that is the side of a triangle.
-fn relink(triangles: &mut [Triangle], side: Side, across: Side) {
-    if !side.is_open() {
-        triangles[side.triangle().index()].set_across(side.corner(), across.fixed_as(side));
+fn relink(triangles: &mut [Triangle], side: HalfEdge, twin: HalfEdge) {
+    if !side.is_border() {
+        triangles[side.triangle().index()].set_twin(side.corner(), twin.constrained_as(side));
     }
 }

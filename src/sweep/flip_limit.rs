@@ -82,7 +82,7 @@ impl FlipLimit {
 
     /// So many vertices have been swept: the budget grows up to the reserve.
     #[inline(always)]
-    pub(super) fn vertices(&mut self, swept: u32) {
+    pub(super) fn grant_for_vertices(&mut self, swept: u32) {
         if self.stage == Stage::Budget {
             let swept = u64::from(swept);
             let flips = self.counted - self.left;
@@ -100,12 +100,12 @@ impl FlipLimit {
     }
 
     /// The hull of so many vertices will be completed.
-    pub(super) fn hull(&mut self, vertices: usize) {
+    pub(super) fn grant_for_hull(&mut self, vertices: usize) {
         self.grant(FOR_HULL * vertices as u64);
     }
 
     /// A chain of so many corners will be filled.
-    pub(super) fn corners(&mut self, corners: usize) {
+    pub(super) fn grant_for_chain(&mut self, corners: usize) {
         self.grant(FOR_CORNER * corners as u64);
     }
 
@@ -124,7 +124,7 @@ impl FlipLimit {
 
     /// Counts a flip.
     #[inline(always)]
-    pub(super) fn count(&mut self) {
+    pub(super) fn spend(&mut self) {
         self.left -= 1;
         if self.left == 0 {
             self.reached();
@@ -132,7 +132,7 @@ impl FlipLimit {
     }
 
     /// An edge has been inserted: sides may come back once more.
-    pub(super) fn renew(&mut self) {
+    pub(super) fn reset(&mut self) {
         if self.stage != Stage::Budget {
             self.left = self.most;
         }
@@ -142,7 +142,7 @@ impl FlipLimit {
     #[inline(never)]
     fn reached(&mut self) {
         if self.stage != Stage::Budget {
-            contradiction();
+            inexact_scalar();
         }
         (self.stage, self.left) = (Stage::Spent, self.most);
     }
@@ -151,6 +151,6 @@ impl FlipLimit {
 /// What only signs that contradict each other can lead to.
 #[cold]
 #[inline(never)]
-pub(super) fn contradiction() -> ! {
-    panic!("the scalar is not exact: its signs contradict each other");
+pub(super) fn inexact_scalar() -> ! {
+    panic!("the scalar is not exact: its predicates contradict each other");
 }

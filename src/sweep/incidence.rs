@@ -12,14 +12,14 @@
 use std::ops::Range;
 
 use crate::ids::{TriangleId, VertexId};
-use crate::mesh::{Mesh, Side};
+use crate::mesh::{HalfEdge, Mesh};
 
 /// For each vertex from number `first` on the side opposite it in one of its triangles, or nothing. Empty until it
 /// is made.
 #[derive(Debug, Default)]
 pub(super) struct Incidence {
     first: usize,
-    opposite: Vec<Side>,
+    opposite: Vec<HalfEdge>,
 }
 
 impl Incidence {
@@ -27,7 +27,7 @@ impl Incidence {
     pub(super) fn make(&mut self, mesh: &Mesh, vertices: Range<usize>, triangles: Range<usize>) {
         self.clear();
         self.first = vertices.start;
-        self.opposite.resize(vertices.len(), Side::NOTHING);
+        self.opposite.resize(vertices.len(), HalfEdge::NOTHING);
         for t in triangles.map(TriangleId::at) {
             self.note(mesh, t);
         }
@@ -44,10 +44,10 @@ impl Incidence {
     }
 
     /// The side opposite `v` in one of its triangles, if the table knows one.
-    pub(super) fn at(&self, v: VertexId) -> Option<Side> {
+    pub(super) fn at(&self, v: VertexId) -> Option<HalfEdge> {
         let place = v.index().checked_sub(self.first)?;
         let side = *self.opposite.get(place)?;
-        (side != Side::NOTHING).then_some(side)
+        (side != HalfEdge::NOTHING).then_some(side)
     }
 
     /// Notes new triangles in these places, if the table has been made.
@@ -63,13 +63,13 @@ impl Incidence {
         for (corner, v) in (0..).zip(mesh.get(t).vertices()) {
             let place = v.index().checked_sub(self.first);
             if let Some(entry) = place.and_then(|place| self.opposite.get_mut(place)) {
-                *entry = Side::new(t, corner);
+                *entry = HalfEdge::new(t, corner);
             }
         }
     }
 
     /// Bytes held.
-    pub(super) fn memory(&self) -> usize {
-        self.opposite.capacity() * size_of::<Side>()
+    pub(super) fn heap_bytes(&self) -> usize {
+        self.opposite.capacity() * size_of::<HalfEdge>()
     }
 }

@@ -8,17 +8,17 @@
 use std::mem::take;
 use std::sync::Arc;
 
-use super::fabric::Fabric;
+use super::delaunay::Delaunay;
 use super::located::Located;
-use super::memory::Memory;
-use super::signs::SweepPredicates;
+use super::predicates::SweepPredicates;
+use super::scratch::Scratch;
 use super::state::Sweep;
 use super::vertices::Vertices;
-use crate::chains::ChainNotes;
+use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
 use crate::front::{Domain, Search};
-use crate::ids::{OpenId, VertexId, narrow};
-use crate::mesh::Side;
+use crate::ids::{BorderId, VertexId, narrow};
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::recorder::Phase;
 use crate::scalar::Scalar;
@@ -32,7 +32,7 @@ pub(super) fn initialize<'a, S: Scalar, P: Probe>(
     settings: Settings<'_>,
     search: Search<'a>,
     mut probe: P,
-    memory: &mut Memory,
+    scratch: &mut Scratch,
 ) -> Result<Sweep<'a, S, P>, Error> {
     probe.begin(Phase::Initialization);
     // Vertices and edges; too many or wrong ones are refused.
@@ -43,9 +43,9 @@ pub(super) fn initialize<'a, S: Scalar, P: Probe>(
         });
     }
     let located = Located::new(points)?;
-    let order = take(&mut memory.order);
+    let order = take(&mut scratch.order);
     let inputs = 0..narrow(points.len());
-    let vertices = Vertices::new(&located, inputs, order, &mut memory.sort);
+    let vertices = Vertices::new(&located, inputs, order, &mut scratch.sort);
     drop(located);
     if edges.len() > LIMIT {
         return Err(Error::TooManyEdges {
@@ -53,13 +53,13 @@ pub(super) fn initialize<'a, S: Scalar, P: Probe>(
             limit: LIMIT,
         });
     }
-    let mut ends = take(&mut memory.ends);
-    memory
+    let mut ends = take(&mut scratch.ends);
+    scratch
         .edges
         .set(&vertices, points.len(), edges, &mut ends)?;
-    memory.initialized();
-    let chains = ChainNotes::new(Arc::new(ends));
-    let sweep = begin(points, vertices, chains, settings, search, probe, memory);
+    scratch.initialized();
+    let chains = EdgeChainBuilder::new(Arc::new(ends));
+    let sweep = begin(points, vertices, chains, settings, search, probe, scratch);
     Ok(sweep)
 }
 
@@ -67,21 +67,28 @@ pub(super) fn initialize<'a, S: Scalar, P: Probe>(
 pub(super) fn begin<'a, S: Scalar, P: Probe>(
     points: &'a [[S; 2]],
     vertices: Vertices,
-    chains: ChainNotes,
+    chains: EdgeChainBuilder,
     settings: Settings<'_>,
     mut search: Search<'a>,
     probe: P,
-    memory: &mut Memory,
+    scratch: &mut Scratch,
 ) -> Sweep<'a, S, P> {
     search.begin(Domain::new(&vertices.approx));
-    // There is an open side for each vertex, the segment of the front that starts there.
+    // There is an border half-edge for each vertex, the segment of the front that starts there.
     let n = vertices.len();
-    memory.mesh.begin(2 * n + 2, n + 2);
-    let signs = SweepPredicates::new(points, vertices);
+    scratch.mesh.begin(2 * n + 2, n + 2);
+    let predicates = SweepPredicates::new(points, vertices);
     let has_budget = settings.algorithm == Algorithm::Auto;
-    let fabric = Fabric::new(signs, has_budget, probe, memory);
-    let front = memory.take_front(n);
-    let mut sweep = Sweep::new(fabric, front, chains, settings.heuristics, search, memory);
+    let delaunay = Delaunay::new(predicates, has_budget, probe, scratch);
+    let front = scratch.take_front(n);
+    let mut sweep = Sweep::new(
+        delaunay,
+        front,
+        chains,
+        settings.heuristics,
+        search,
+        scratch,
+    );
     sweep.report_order(n);
     if n > 0 {
         sweep.first_triangle();
@@ -91,14 +98,15 @@ pub(super) fn begin<'a, S: Scalar, P: Probe>(
 
 /// How many points and how many edges can be numbered: there are twice as many triangles as points, and a few
 /// artificial ones.
-pub(super) const LIMIT: usize = Side::LIMIT / 2 - 4;
+pub(super) const LIMIT: usize = HalfEdge::LIMIT / 2 - 4;
 
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Reports the sweep order to the observer.
     fn report_order(&mut self, vertices: usize) {
-        if self.fabric.is_observed() {
+        if self.delaunay.is_observed() {
             for v in (0..vertices).map(VertexId::at) {
-                self.fabric.report(|name| Event::Sorted { vertex: name(v) });
+                self.delaunay
+                    .report(|name| Event::Sorted { vertex: name(v) });
             }
         }
     }
@@ -106,14 +114,15 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// The triangle of the first vertex and the artificial points (figure 6).
     pub(super) fn first_triangle(&mut self) {
         let first = VertexId::new(0);
-        let artificial = self.fabric.signs.artificial;
+        let artificial = self.delaunay.predicates.artificial;
         let (left, right) = (artificial.left, artificial.right);
-        let across = [
-            Side::NOTHING,
-            Side::open(OpenId::segment(first)),
-            Side::open(OpenId::segment(left)),
+        let twin = [
+            HalfEdge::NOTHING,
+            HalfEdge::border(BorderId::segment(first)),
+            HalfEdge::border(BorderId::segment(left)),
         ];
-        self.fabric.make([first, left, right], across, Why::First);
+        self.delaunay
+            .add_triangle([first, left, right], twin, Why::First);
         self.put_on_front(self.new_vertex(first), left);
     }
 }

@@ -1,8 +1,8 @@
 //! Legalization (section 2, figures 2 and 3): sides that violate the empty circle property are swapped,
 //! and their neighbours tested in turn, until none violates it.
 //!
-//! Why it is right: a side stays if it is open or fixed, or if it passes the exact test of
-//! [`SweepPredicates::must_flip`](super::signs::SweepPredicates::must_flip). A flip makes suspects of the four sides
+//! Why it is right: a side stays if it is a border or constrained, or if it passes the exact test of
+//! [`SweepPredicates::must_flip`](super::predicates::SweepPredicates::must_flip). A flip makes suspects of the four sides
 //! around the flipped one. When no suspect is left, every free side is locally Delaunay, and then the whole
 //! triangulation is constrained Delaunay (Lee and Lin 1986; Chew 1989). The flips end, because each one
 //! lowers the lifted surface, ties included (canonical rule).
@@ -22,7 +22,7 @@
 //!         q                              q
 //! ```
 //!
-//! Everywhere else a stack of suspects is tested until it is empty. (When the sweep is about to be abandoned,
+//! Everywhere else a flip stack is tested until it is empty. (When the sweep is about to be abandoned,
 //! the suspects are forgotten, and what is kept of it is legalized as a whole; see [`super::flip_limit`].)
 //!
 //! Cost: a test for each triangle of the fan and two for each flip; up to four for a flip elsewhere. A
@@ -30,27 +30,27 @@
 //!
 //! Differs from the paper: loops, where the paper recurses.
 
-use super::fabric::Fabric;
-use super::flip_limit::contradiction;
+use super::delaunay::Delaunay;
+use super::flip_limit::inexact_scalar;
 use crate::ids::{TriangleId, VertexId};
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{Event, Outcome};
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// Legalizes the outer sides of the fan around a vertex, from triangle `t` to the one whose right end is `last`,
     /// which is returned. The vertex is corner 0 of all of them, and stays it; `near` are its doubles.
     #[inline(always)]
     pub(super) fn legalize_fan(
         &mut self,
         t: TriangleId,
-        near: [f64; 2],
+        approx: [f64; 2],
         last: VertexId,
     ) -> TriangleId {
         let mut at = t;
         loop {
-            while self.is_illegal_from(near, Side::new(at, 0)) {
+            while self.is_illegal_from(approx, HalfEdge::new(at, 0)) {
                 self.flip_in_fan(at);
             }
             let record = self.mesh.get(at);
@@ -58,32 +58,32 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 return at;
             }
             // Cross the spoke on the right.
-            at = record.across(1).triangle();
+            at = record.twin(1).triangle();
             if at == t {
                 // The walk has come round: the fan is closed, and `last` is not in it.
-                contradiction();
+                inexact_scalar();
             }
         }
     }
 
     /// Legalizes one side, and then the sides that its flip makes suspect.
     #[inline(always)]
-    pub(super) fn legalize_side(&mut self, side: Side) {
+    pub(super) fn legalize_side(&mut self, side: HalfEdge) {
         if self.is_illegal(side) {
-            self.flip_and_suspect(side);
+            self.flip_and_stack(side);
             self.legalize();
         }
     }
 
     /// Tests the suspects until none is left, or until the budget of flips is spent.
     pub(super) fn legalize(&mut self) {
-        while let Some(suspect) = self.suspects.pop() {
+        while let Some(suspect) = self.flip_stack.pop() {
             if self.flip_limit.is_spent() {
-                self.suspects.clear();
+                self.flip_stack.clear();
                 break;
             }
             if self.is_illegal(suspect) {
-                self.flip_and_suspect(suspect);
+                self.flip_and_stack(suspect);
             }
         }
     }
@@ -92,47 +92,47 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     pub(super) fn legalize_all(&mut self) {
         for t in (0..self.mesh.len()).map(TriangleId::at) {
             // Each side from the lower of its two triangles.
-            let sides = [0, 1, 2].map(|i| Side::new(t, i)).into_iter();
+            let sides = [0, 1, 2].map(|i| HalfEdge::new(t, i)).into_iter();
             let mesh = &self.mesh;
-            let is_first = |&side: &Side| {
-                let across = mesh.across(side);
-                !across.is_open() && across.triangle() > t
+            let is_first = |&side: &HalfEdge| {
+                let twin = mesh.twin(side);
+                !twin.is_border() && twin.triangle() > t
             };
-            self.suspects.extend(sides.filter(is_first));
+            self.flip_stack.extend(sides.filter(is_first));
             self.legalize();
         }
     }
 
     /// Swaps a side and makes the four sides around it suspects.
     #[inline(always)]
-    fn flip_and_suspect(&mut self, side: Side) {
-        let across = self.flip(side);
-        let around = [side, side.prev(), across, across.prev()];
-        self.suspects.extend(around);
+    fn flip_and_stack(&mut self, side: HalfEdge) {
+        let twin = self.flip(side);
+        let around = [side, side.prev(), twin, twin.prev()];
+        self.flip_stack.extend(around);
     }
 
     /// Swaps a side; returns the one that lay across it.
     #[inline(always)]
-    fn flip(&mut self, side: Side) -> Side {
+    fn flip(&mut self, side: HalfEdge) -> HalfEdge {
         self.report_flip(side);
-        let across = self.mesh.flip(side);
+        let twin = self.mesh.flip(side);
         let [p, _, q] = self.mesh.around(side);
-        self.count_flip([side, across], [p, q]);
-        across
+        self.count_flip([side, twin], [p, q]);
+        twin
     }
 
     /// Swaps side 0 of a triangle in a fan around its corner 0.
     #[inline(always)]
     fn flip_in_fan(&mut self, t: TriangleId) {
-        let side = Side::new(t, 0);
+        let side = HalfEdge::new(t, 0);
         self.report_flip(side);
-        let (across, ends) = self.mesh.flip_in_fan(t);
-        self.count_flip([side, across], ends);
+        let (twin, ends) = self.mesh.flip_in_fan(t);
+        self.count_flip([side, twin], ends);
     }
 
     /// Reports a flip that is about to be made.
     #[inline(always)]
-    fn report_flip(&mut self, side: Side) {
+    fn report_flip(&mut self, side: HalfEdge) {
         if self.is_observed() {
             let ([p, a, b], q) = self.quadrilateral(side);
             self.report(|name| Event::Flip {
@@ -144,37 +144,39 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 
     /// Counts a flip of these sides, which made a side with these ends.
     #[inline(always)]
-    fn count_flip(&mut self, sides: [Side; 2], [p, q]: [VertexId; 2]) {
+    fn count_flip(&mut self, sides: [HalfEdge; 2], [p, q]: [VertexId; 2]) {
         self.probe.count(|c| c.flips += 1);
         self.probe.record(|r| r.flipped(sides));
-        self.flip_limit.count();
+        self.flip_limit.spend();
         if p == q {
             // In a plane the two triangles of a side have different vertices opposite.
-            contradiction();
+            inexact_scalar();
         }
     }
 
     /// Whether a side may and must be flipped.
     #[inline(always)]
-    fn is_illegal(&mut self, side: Side) -> bool {
-        let near = self.signs.approx(self.mesh.opposite(side));
-        self.is_illegal_from(near, side)
+    fn is_illegal(&mut self, side: HalfEdge) -> bool {
+        let approx = self.predicates.approx(self.mesh.opposite(side));
+        self.is_illegal_from(approx, side)
     }
 
     /// The same, where the vertex opposite the side has these doubles.
     #[inline(always)]
-    fn is_illegal_from(&mut self, near: [f64; 2], side: Side) -> bool {
+    fn is_illegal_from(&mut self, approx: [f64; 2], side: HalfEdge) -> bool {
         let (record, i) = (self.mesh.get(side.triangle()), side.corner());
-        let across = record.across(i);
-        if across.is_blocked() {
-            if !across.is_open() {
+        let twin = record.twin(i);
+        if twin.cannot_flip() {
+            if !twin.is_border() {
                 self.report_test(side, Outcome::Fixed);
             }
             return false;
         }
         let vertices = record.vertices_from(i);
-        let q = self.mesh.opposite(across);
-        let is_illegal = self.signs.must_flip(vertices, near, q, &mut self.probe);
+        let q = self.mesh.opposite(twin);
+        let is_illegal = self
+            .predicates
+            .must_flip(vertices, approx, q, &mut self.probe);
         let outcome = if is_illegal {
             Outcome::Illegal
         } else {
@@ -185,7 +187,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     #[inline(always)]
-    fn report_test(&mut self, side: Side, outcome: Outcome) {
+    fn report_test(&mut self, side: HalfEdge, outcome: Outcome) {
         // Asked first: the empty call alone would cost each run 0.6 to 1.5 % of its instructions.
         if P::RECORDS {
             self.probe.count(|c| c.legalization_tests += 1);
@@ -202,8 +204,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 
     /// The triangle of a side, from the vertex opposite on, and the vertex across the side.
     #[inline(always)]
-    fn quadrilateral(&self, side: Side) -> ([VertexId; 3], VertexId) {
-        let across = self.mesh.across(side);
-        (self.mesh.around(side), self.mesh.opposite(across))
+    fn quadrilateral(&self, side: HalfEdge) -> ([VertexId; 3], VertexId) {
+        let twin = self.mesh.twin(side);
+        (self.mesh.around(side), self.mesh.opposite(twin))
     }
 }

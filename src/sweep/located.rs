@@ -76,9 +76,9 @@ impl<'a, S: Scalar> Located<'a, S> {
     /// The doubles of a point, by its input index.
     #[cfg(feature = "parallel")]
     #[inline(always)]
-    pub(super) fn near(&self, input: u32) -> [f64; 2] {
+    pub(super) fn approx(&self, input: u32) -> [f64; 2] {
         match self.stored.get(input as usize) {
-            Some(near) => *near,
+            Some(approx) => *approx,
             None => doubles(&self.points[input as usize]),
         }
     }

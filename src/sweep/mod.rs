@@ -9,27 +9,27 @@
 //! | 3.3 | | distinct points in sweep order | [`located`], [`vertices`], [`order`], [`sorted`] |
 //! | 3.3 | 5 | edges at their upper ends | [`edges`] |
 //! | 3.3 | 6 | P-1 and P-2, first triangle | [`artificial`], [`initialization`] |
-//! | 3.4 | | the state between two events | [`state`] (front, edges), [`fabric`] (triangles, signs) |
+//! | 3.4 | | the state between two events | [`state`] (front, edges), [`delaunay`] (triangles, signs) |
 //! | 3.4.1 | 7, 8 | point event: projection, middle and left case | [`point_event`] |
 //! | 3.4.1 (i) | 9 | heuristic: narrow corners, angles below pi/2 | [`narrow_corners`] |
 //! | 3.4.1 (ii) | 10 | heuristic: basins | [`basins`] |
-//! | 3.4.2 | | edge event: pockets under the edge, parts of it, fixed sides | [`edge_event`] |
+//! | 3.4.2 | | edge event: pockets under the edge, parts of it, constrained sides | [`edge_event`] |
 //! | 3.4.2 (i), (ii) | 11, 13, 14 | triangle and front traversal | [`traversal`], [`obstacles`] |
 //! | 3.4.2 (ii), (iii) | 12 | removed triangles, pseudo-polygons | [`pseudo_polygons`], [`polygons`] |
 //! | 3.4.2, 3.5 | 12, 13, 15a | filling a chain up to its hull | [`chain`], [`corner`], [`stretch`] |
-//! | 2 | 2, 3 | empty circle test and its ties, legalization | [`signs`], [`legalization`] |
+//! | 2 | 2, 3 | empty circle test and its ties, legalization | [`predicates`], [`legalization`] |
 //! | 3.5 | 15 | finalization | [`finalization`] |
 //!
 //! What the paper does not have:
 //!
 //! | what | file |
 //! |---|---|
-//! | edges through vertices | [`rests`], [`incidence`] |
+//! | edges through vertices | [`pending_edges`], [`incidence`] |
 //! | when the sweep is abandoned | [`flip_limit`] |
 //! | the net under it: divide and conquer | [`divide_and_conquer`] |
 //! | the sweep on all cores | `bands` (feature `parallel`) |
 //! | other algorithms of section 4, and the sweep of 2005 | `comparison` (feature `comparison`) |
-//! | memory for many runs | [`memory`] |
+//! | memory for many runs | [`scratch`] |
 //!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
 //! settings of the heuristics [`crate::Heuristics`].
@@ -48,25 +48,25 @@ mod chain;
 #[cfg(feature = "comparison")]
 mod comparison;
 mod corner;
+mod delaunay;
 mod divide_and_conquer;
 mod edge_event;
 mod edges;
-mod fabric;
 mod finalization;
 mod flip_limit;
 mod incidence;
 mod initialization;
 mod legalization;
 mod located;
-mod memory;
 mod narrow_corners;
 mod obstacles;
 mod order;
+mod pending_edges;
 mod point_event;
 mod polygons;
+mod predicates;
 mod pseudo_polygons;
-mod rests;
-mod signs;
+mod scratch;
 mod sorted;
 mod state;
 mod stretch;
@@ -84,7 +84,7 @@ use crate::triangulation::Triangulation;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
 use flip_limit::FlipLimit;
-pub(crate) use memory::Memory;
+pub(crate) use scratch::Scratch;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
 const CHECK: u32 = 16;
@@ -98,12 +98,12 @@ pub(crate) fn run<S: Scalar, P: Probe>(
     settings: Settings<'_>,
     search: &mut dyn FrontSearch,
     probe: P,
-    memory: &mut Memory,
+    scratch: &mut Scratch,
 ) -> Result<(Triangulation, P), Error> {
     let search = Search::with(search);
-    let mut sweep = initialization::initialize(points, edges, settings, search, probe, memory)?;
+    let mut sweep = initialization::initialize(points, edges, settings, search, probe, scratch)?;
     sweep.triangulate(settings)?;
-    Ok(sweep.finalize(memory))
+    Ok(sweep.finalize(scratch))
 }
 
 impl<S: Scalar, P: Probe> state::Sweep<'_, S, P> {
@@ -119,37 +119,37 @@ impl<S: Scalar, P: Probe> state::Sweep<'_, S, P> {
             #[cfg(feature = "comparison")]
             Algorithm::Sweep2005 => self.sweep_without_artificial()?,
         };
-        if swept < self.fabric.signs.vertices.len() {
+        if swept < self.delaunay.predicates.vertices.len() {
             self.divide_and_conquer(swept)?;
         }
-        self.fabric.probe.begin(Phase::Finalization);
-        self.insert_rests()
+        self.delaunay.probe.begin(Phase::Finalization);
+        self.insert_pending()
     }
 
     /// Sweeps, and completes the hull. Returns how many vertices lie within it: fewer than there are if the
     /// budget of flips is spent, and none if divide and conquer must begin anew.
     fn sweep_to_hull(&mut self, progress: Progress<'_>) -> Result<usize, Error> {
-        let n = self.fabric.signs.vertices.len();
+        let n = self.delaunay.predicates.vertices.len();
         let swept = self.sweep(progress)?;
         if swept < n {
             // Parts are merged only where no edges are, and one vertex is no part.
             if !self.edges.is_empty() || swept + 1 == n {
                 return Ok(0);
             }
-            self.fabric.flip_limit = FlipLimit::new(n, true);
-            self.fabric.legalize_all();
+            self.delaunay.flip_limit = FlipLimit::new(n, true);
+            self.delaunay.legalize_all();
         }
-        self.fabric.flip_limit.hull(swept);
+        self.delaunay.flip_limit.grant_for_hull(swept);
         self.complete_hull();
-        let is_spent = self.fabric.flip_limit.is_spent();
+        let is_spent = self.delaunay.flip_limit.is_spent();
         Ok(if is_spent { 0 } else { swept })
     }
 
     /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Ends
     /// early when the budget of flips is spent. Returns how many vertices have been swept.
     fn sweep(&mut self, progress: Progress<'_>) -> Result<usize, Error> {
-        self.fabric.probe.begin(Phase::Sweeping);
-        let n = self.fabric.signs.vertices.len();
+        self.delaunay.probe.begin(Phase::Sweeping);
+        let n = self.delaunay.predicates.vertices.len();
         for v in (0..n).map(VertexId::at) {
             // The first vertex is in the first triangle.
             if v != VertexId::new(0) {
@@ -159,8 +159,8 @@ impl<S: Scalar, P: Probe> state::Sweep<'_, S, P> {
                 self.edge_event(v)?;
             }
             if v.number() % CHECK == 0 {
-                self.fabric.flip_limit.vertices(CHECK);
-                if self.fabric.flip_limit.is_spent() {
+                self.delaunay.flip_limit.grant_for_vertices(CHECK);
+                if self.delaunay.flip_limit.is_spent() {
                     return Ok(v.index() + 1);
                 }
                 if v.number() % REPORT == 0

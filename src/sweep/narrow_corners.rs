@@ -22,9 +22,9 @@
 use std::cmp::Ordering::{self, Greater, Less};
 
 use super::state::{NewVertex, Sweep};
-use crate::front::Way;
-use crate::ids::{OpenId, VertexId};
-use crate::mesh::Side;
+use crate::front::Direction;
+use crate::ids::{BorderId, VertexId};
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::settings::Corners;
@@ -102,8 +102,8 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Closes the corners right and left of `p` while they are narrow.
     #[inline(always)]
     pub(super) fn close_narrow_corners(&mut self, p: NewVertex, obtuse: Obtuse) {
-        self.close_narrow(p, Way::Right, obtuse);
-        self.close_narrow(p, Way::Left, obtuse);
+        self.close_narrow(p, Direction::Right, obtuse);
+        self.close_narrow(p, Direction::Left, obtuse);
     }
 
     /// The same for angles that are compared with the others. It is compiled apart, so that these are constants.
@@ -115,19 +115,19 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     #[inline(always)]
-    fn close_narrow(&mut self, p: NewVertex, way: Way, mut obtuse: Obtuse) {
-        let mut corner = self.front.beside(p.id, way);
-        let mut near_corner = self.fabric.signs.approx(corner);
+    fn close_narrow(&mut self, p: NewVertex, direction: Direction, mut obtuse: Obtuse) {
+        let mut corner = self.front.neighbor(p.id, direction);
+        let mut approx_corner = self.delaunay.predicates.approx(corner);
         // One obtuse corner on either side. Otherwise each new vertex beside a long straight stretch
         // would close many corners that the next one opens again.
         loop {
-            let far = self.front.beside(corner, way);
+            let far = self.front.neighbor(corner, direction);
             // An artificial end has no corner; the number beyond an end counts as artificial too.
-            if self.fabric.signs.is_artificial(far) {
+            if self.delaunay.predicates.is_artificial(far) {
                 break;
             }
-            let near_far = self.fabric.signs.approx(far);
-            let angle = Angle::at(near_corner, [p.near, near_far]);
+            let approx_far = self.delaunay.predicates.approx(far);
+            let angle = Angle::at(approx_corner, [p.approx, approx_far]);
             if !angle.is_acute() {
                 if !obtuse.may_be || !angle.is_below(obtuse.squared_cosine) {
                     break;
@@ -135,12 +135,12 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
                 obtuse.may_be = obtuse.may_all_be;
             }
             // Seen from the corner, as the angle is.
-            let (turn, doubles) = ([far, p.id, corner], [near_far, p.near, near_corner]);
-            if self.fabric.orient2d_near(turn, doubles) != inward(way) {
+            let (turn, doubles) = ([far, p.id, corner], [approx_far, p.approx, approx_corner]);
+            if self.delaunay.orient2d_approx(turn, doubles) != inward(direction) {
                 break;
             }
-            self.close_corner(p, way, [corner, far], Why::NarrowCorner);
-            (corner, near_corner) = (far, near_far);
+            self.close_corner(p, direction, [corner, far], Why::NarrowCorner);
+            (corner, approx_corner) = (far, approx_far);
         }
     }
 
@@ -149,37 +149,40 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     pub(super) fn close_corner(
         &mut self,
         p: NewVertex,
-        way: Way,
+        direction: Direction,
         [corner, far]: [VertexId; 2],
         why: Why,
     ) {
         // Segments bear the number of their left end. The outer one runs from `corner` to `far`, the
         // spoke from `p` to `corner`; the new segment runs from `p` to `far`.
-        let below = |v| self.fabric.mesh.below(OpenId::segment(v));
-        let open = |v| Side::open(OpenId::segment(v));
-        let (vertices, across) = match way {
-            Way::Right => (
+        let below = |v| self.delaunay.mesh.border_twin(BorderId::segment(v));
+        let border = |v| HalfEdge::border(BorderId::segment(v));
+        let (vertices, twin) = match direction {
+            Direction::Right => (
                 [p.id, corner, far],
-                [below(corner), open(p.id), below(p.id)],
+                [below(corner), border(p.id), below(p.id)],
             ),
-            Way::Left => ([p.id, far, corner], [below(far), below(corner), open(far)]),
+            Direction::Left => (
+                [p.id, far, corner],
+                [below(far), below(corner), border(far)],
+            ),
         };
-        let t = self.fabric.make(vertices, across, why);
+        let t = self.delaunay.add_triangle(vertices, twin, why);
         self.take_off_front(corner);
-        let rightmost = self.fabric.legalize_fan(t, p.near, vertices[2]);
-        let spoke = match way {
-            Way::Right => Side::new(t, 2),
-            Way::Left => Side::new(rightmost, 1),
+        let rightmost = self.delaunay.legalize_fan(t, p.approx, vertices[2]);
+        let spoke = match direction {
+            Direction::Right => HalfEdge::new(t, 2),
+            Direction::Left => HalfEdge::new(rightmost, 1),
         };
-        self.fabric.legalize_side(spoke);
+        self.delaunay.legalize_side(spoke);
     }
 }
 
 /// The turn at a corner that leaves room for a triangle above it.
 #[inline(always)]
-fn inward(way: Way) -> Ordering {
-    match way {
-        Way::Right => Greater,
-        Way::Left => Less,
+fn inward(direction: Direction) -> Ordering {
+    match direction {
+        Direction::Right => Greater,
+        Direction::Left => Less,
     }
 }

@@ -99,7 +99,7 @@ pub(super) fn sort<S: Scalar>(
     for &end in &*ends {
         let to = end as usize;
         let sites = order.approx[from..to].iter().zip(&order.input[from..to]);
-        bucket.set(sites.map(|(&near, &input)| (near, input)), 1);
+        bucket.set(sites.map(|(&approx, &input)| (approx, input)), 1);
         bucket.sort_runs(|sites| {
             if is_row(sites) {
                 sort_row(sites);
@@ -194,7 +194,7 @@ fn spread(
     let (low, high) = range(&inputs, |input| approx(input)[1]);
     // Neither differences nor products nor the bucket decrease where y grows.
     let factor = buckets as f64 / (high - low);
-    let bucket_of = |near: [f64; 2]| bucket((near[1] - low) * factor, buckets);
+    let bucket_of = |approx: [f64; 2]| bucket((approx[1] - low) * factor, buckets);
     ends.clear();
     ends.resize(buckets, 0);
     for input in inputs.clone() {
@@ -204,9 +204,9 @@ fn spread(
     resize(&mut order.approx, n, 2);
     resize(&mut order.input, n, 0);
     for input in inputs {
-        let near = approx(input);
-        let place = &mut ends[bucket_of(near)];
-        (order.approx[*place as usize], order.input[*place as usize]) = (near, input);
+        let approx = approx(input);
+        let place = &mut ends[bucket_of(approx)];
+        (order.approx[*place as usize], order.input[*place as usize]) = (approx, input);
         *place += 1;
     }
 }
@@ -251,18 +251,18 @@ mod tests {
 
     /// Sorts these points and compares the outcome with that of a sort by comparison.
     fn sorted(points: &[[f64; 2]]) -> Workspace {
-        let near = |i: u32| points[i as usize];
+        let approx = |i: u32| points[i as usize];
         let count = u32::try_from(points.len()).expect("few");
         let (scale, order) = (Scale::exact(points.len(), |i| points[i]), Order::default());
         let mut workspace = Workspace::default();
-        let found = sort(points, 0..count, near, scale, order, &mut workspace);
+        let found = sort(points, 0..count, approx, scale, order, &mut workspace);
 
         let mut expected: Vec<u32> = (0..count).collect();
         expected.sort_by(|&i, &j| {
-            let [[x, y], [z, w]] = [i, j].map(near);
+            let [[x, y], [z, w]] = [i, j].map(approx);
             y.total_cmp(&w).then(x.total_cmp(&z)).then(i.cmp(&j))
         });
-        let bits = |i: u32| near(i).map(f64::to_bits);
+        let bits = |i: u32| approx(i).map(f64::to_bits);
         let (mut distinct, mut duplicates) = (Vec::<u32>::new(), Vec::new());
         for i in expected {
             match distinct.last() {
@@ -273,7 +273,7 @@ mod tests {
         duplicates.sort_unstable();
         assert_eq!(found.input, distinct);
         assert_eq!(found.duplicates, duplicates);
-        let places: Vec<[f64; 2]> = distinct.into_iter().map(near).collect();
+        let places: Vec<[f64; 2]> = distinct.into_iter().map(approx).collect();
         assert_eq!(found.approx, places);
         workspace
     }

@@ -26,9 +26,9 @@ use std::hint::select_unpredictable;
 
 use super::narrow_corners::Obtuse;
 use super::state::{NewVertex, Sweep};
-use crate::front::{Domain, FrontNode, LONG_WALK, Way};
-use crate::ids::{OpenId, VertexId};
-use crate::mesh::Side;
+use crate::front::{Direction, Domain, FrontNode, LONG_WALK};
+use crate::ids::{BorderId, VertexId};
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::settings::Corners;
@@ -48,7 +48,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     pub(super) fn add_above(&mut self, p: NewVertex, left: VertexId, is_above: bool) {
         let right = self.front.next(left);
 
-        self.fabric.report(|name| Event::Point {
+        self.delaunay.report(|name| Event::Point {
             vertex: name(p.id),
             case: if is_above {
                 PointCase::Left
@@ -58,21 +58,23 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             segment: [left, right].map(name),
         });
         // The triangle on the segment: its other two sides are the new segments of the front.
-        let segment = OpenId::segment(left);
-        let across = [
-            self.fabric.mesh.below(segment),
-            Side::open(OpenId::segment(p.id)),
-            Side::open(segment),
+        let segment = BorderId::segment(left);
+        let twin = [
+            self.delaunay.mesh.border_twin(segment),
+            HalfEdge::border(BorderId::segment(p.id)),
+            HalfEdge::border(segment),
         ];
-        let t = self.fabric.make([p.id, left, right], across, Why::Point);
+        let t = self
+            .delaunay
+            .add_triangle([p.id, left, right], twin, Why::Point);
         self.put_on_front(p, left);
-        self.fabric.legalize_fan(t, p.near, right);
+        self.delaunay.legalize_fan(t, p.approx, right);
 
         // The second triangle of the left case.
         if is_above {
-            self.fabric.probe.count(|c| c.left_cases += 1);
+            self.delaunay.probe.count(|c| c.left_cases += 1);
             let far = self.front.prev(left);
-            self.close_corner(p, Way::Left, [left, far], Why::Point);
+            self.close_corner(p, Direction::Left, [left, far], Why::Point);
         }
     }
 
@@ -99,8 +101,8 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// that of `p`, and whether it is equal. The search structure says where to start.
     #[inline(always)]
     pub(super) fn segment_under(&mut self, p: NewVertex) -> (VertexId, bool) {
-        let signs = &self.fabric.signs;
-        let x = signs.search_x_near(p.id, p.near);
+        let predicates = &self.delaunay.predicates;
+        let x = predicates.search_x_approx(p.id, p.approx);
         let start = self.search.locate(x, &self.front);
         assert!(
             self.front.contains(start),
@@ -108,25 +110,25 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         );
         // Whether the first step goes left is as good as random: it is taken without a branch.
         let start = start.vertex();
-        let is_beyond = signs.approx(start)[0] > p.near[0];
+        let is_beyond = predicates.approx(start)[0] > p.approx[0];
         let mut at = select_unpredictable(is_beyond, self.front.prev(start), start);
         let mut steps = usize::from(is_beyond);
-        let mut order = signs.compare_x_near(at, p.id, p.near);
+        let mut order = predicates.compare_x_approx(at, p.id, p.approx);
         while order == Greater {
             at = self.front.prev(at);
-            order = signs.compare_x_near(at, p.id, p.near);
+            order = predicates.compare_x_approx(at, p.id, p.approx);
             steps += 1;
         }
         loop {
             let right = self.front.next(at);
-            let beyond = signs.compare_x_near(right, p.id, p.near);
+            let beyond = predicates.compare_x_approx(right, p.id, p.approx);
             if beyond == Greater {
                 break;
             }
             (at, order) = (right, beyond);
             steps += 1;
         }
-        self.fabric.probe.count(|c| {
+        self.delaunay.probe.count(|c| {
             c.front_steps += steps as u64;
             c.point_events += 1;
         });
@@ -139,19 +141,20 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Tells the search structure of a long walk, and gives it ranks instead of x if it asks for them.
     #[cold]
     fn report_walk(&mut self, steps: usize) {
-        let signs = &mut self.fabric.signs;
-        if signs.has_x_ranks() || !self.search.strayed(steps) {
+        let predicates = &mut self.delaunay.predicates;
+        if predicates.has_x_ranks() || !self.search.wants_ranks(steps) {
             return;
         }
-        signs.rank_by_x();
-        let n = signs.vertices.len();
+        predicates.rank_by_x();
+        let n = predicates.vertices.len();
         let by_rank: Vec<[f64; 2]> = (0..n)
-            .map(|v| [signs.search_x(VertexId::at(v)), 0.0])
+            .map(|v| [predicates.search_x(VertexId::at(v)), 0.0])
             .collect();
         self.search.begin(Domain::new(&by_rank));
-        let mut at = self.front.next(signs.artificial.left);
-        while at != signs.artificial.right {
-            self.search.inserted(FrontNode::new(at), signs.search_x(at));
+        let mut at = self.front.next(predicates.artificial.left);
+        while at != predicates.artificial.right {
+            self.search
+                .inserted(FrontNode::new(at), predicates.search_x(at));
             at = self.front.next(at);
         }
     }

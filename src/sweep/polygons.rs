@@ -1,27 +1,27 @@
 //! The two pseudo-polygons of an edge (section 3.4.2, figure 12) while they are filled ([`super::pseudo_polygons`]):
 //! working memory, kept from one edge to the next.
 
-use super::corner::Corner;
-use crate::ids::{OpenId, TriangleId};
-use crate::mesh::Side;
+use super::corner::ChainVertex;
+use crate::ids::{BorderId, TriangleId};
+use crate::mesh::HalfEdge;
 
 /// Both pseudo-polygons of an edge.
 #[derive(Debug, Default)]
 pub(super) struct Polygons {
-    pub(super) right: Vec<Corner>,
-    pub(super) left: Vec<Corner>,
+    pub(super) right: Vec<ChainVertex>,
+    pub(super) left: Vec<ChainVertex>,
     pub(super) seams: Seams,
 }
 
-/// The open sides on the border of both pseudo-polygons.
+/// The border half-edges on the border of both pseudo-polygons.
 #[derive(Debug, Default)]
 pub(super) struct Seams {
     /// The pierced triangles, ascending.
     pub(super) pierced: Vec<TriangleId>,
     /// Each with what lies across it.
-    pub(super) outer: Vec<(OpenId, Side)>,
-    /// Hanging edges: the pierced triangle's side, what lies across, and the open side in its place.
-    pub(super) hanging: Vec<(Side, Side, OpenId)>,
+    pub(super) outer: Vec<(BorderId, HalfEdge)>,
+    /// Hanging edges: the pierced triangle's side, what lies across, and the border half-edge in its place.
+    pub(super) hanging: Vec<(HalfEdge, HalfEdge, BorderId)>,
 }
 
 impl Seams {

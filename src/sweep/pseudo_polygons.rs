@@ -11,7 +11,7 @@
 //!         |   :  \ |
 //!        r2   :   l1              l1-h is a *hanging edge*: the triangles on both sides of it were
 //!          \  :  /                pierced. The left chain passes it twice, once on each side, and the
-//!            to                   two open sides are joined to each other.
+//!            to                   two border half-edges are joined to each other.
 //! ```
 //!
 //! Where the edge pierces two triangles only, both pseudo-polygons are triangles, and nothing is to be filled: the side
@@ -27,28 +27,28 @@
 use std::cmp::Ordering;
 use std::mem::take;
 
-use super::corner::Corner;
-use super::fabric::Fabric;
+use super::corner::ChainVertex;
+use super::delaunay::Delaunay;
 use super::obstacles::Obstacles;
 use super::polygons::{Polygons, Seams};
-use crate::ids::{OpenId, TriangleId, VertexId};
-use crate::mesh::Side;
+use crate::ids::{BorderId, TriangleId, VertexId};
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::{Event, PseudoPolygon, Why};
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
-    /// Makes the part from `from` to `to` a fixed side; the traversal has just found its `obstacles`.
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+    /// Makes the part from `from` to `to` a constrained side; the traversal has just found its `obstacles`.
     /// Returns the side opposite `from` of the triangle to the right of the part.
     pub(super) fn replace_pierced(
         &mut self,
         from: VertexId,
         to: VertexId,
         obstacles: &Obstacles,
-    ) -> Side {
+    ) -> HalfEdge {
         self.note_pierced(&obstacles.pierced);
         // An edge that runs down to the left has the upper pseudo-polygon on its right.
-        let polygons = match self.signs.compare_x(from, to) {
+        let polygons = match self.predicates.compare_x(from, to) {
             Ordering::Greater => [PseudoPolygon::Lower, PseudoPolygon::Upper],
             _ => [PseudoPolygon::Upper, PseudoPolygon::Lower],
         };
@@ -58,11 +58,11 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             self.replace_many([from, to], polygons, obstacles)
         };
         // The two triangles at the edge are joined across it.
-        self.mesh.connect(right.fix(), left);
+        self.mesh.connect(right.constrain(), left);
         self.report(|name| Event::Fixed {
             side: [from, to].map(name),
         });
-        self.flip_limit.renew();
+        self.flip_limit.reset();
         right.prev()
     }
 
@@ -83,23 +83,23 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         [from, to]: [VertexId; 2],
         polygons: [PseudoPolygon; 2],
         obstacles: &Obstacles,
-    ) -> [Side; 2] {
+    ) -> [HalfEdge; 2] {
         // As in the chains: from one end over the vertex beside the edge to the other.
         let left = [obstacles.left[1], obstacles.left[0]];
         let right = [obstacles.right[0], obstacles.right[1]];
         let new = [(to, left, from), (from, right, to)].map(|(first, sides, last)| {
             let [_, beside, _] = self.mesh.around(sides[1]);
-            let [before, after] = sides.map(|side| self.mesh.across(side));
-            ([first, beside, last], [Side::NOTHING, before, after])
+            let [before, after] = sides.map(|side| self.mesh.twin(side));
+            ([first, beside, last], [HalfEdge::NOTHING, before, after])
         });
         self.mesh.remove(&obstacles.pierced);
         let [left, right] = new;
-        [(left, polygons[0]), (right, polygons[1])].map(|((corners, across), polygon)| {
+        [(left, polygons[0]), (right, polygons[1])].map(|((corners, twin), polygon)| {
             self.report_border(polygon, corners);
-            self.flip_limit.corners(corners.len());
+            self.flip_limit.grant_for_chain(corners.len());
             let [first, beside, last] = corners;
-            let t = self.make([beside, last, first], across, Why::PseudoPolygon);
-            Side::new(t, 0)
+            let t = self.add_triangle([beside, last, first], twin, Why::PseudoPolygon);
+            HalfEdge::new(t, 0)
         })
     }
 
@@ -109,9 +109,9 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         [from, to]: [VertexId; 2],
         [left_polygon, right_polygon]: [PseudoPolygon; 2],
         obstacles: &Obstacles,
-    ) -> [Side; 2] {
-        // The pierced triangles go, and leave two chains of open sides.
-        let kept = self.mesh.count_open();
+    ) -> [HalfEdge; 2] {
+        // The pierced triangles go, and leave two chains of border half-edges.
+        let kept = self.mesh.border_count();
         let mut polygons = take(&mut self.polygons);
         let Polygons { right, left, seams } = &mut polygons;
         seams.begin(&obstacles.pierced);
@@ -123,34 +123,34 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         self.fill_polygon(left, left_polygon);
         self.fill_polygon(right, right_polygon);
         self.close_seams(seams);
-        let sides = [left, right].map(|chain| self.mesh.below(chain[0].open));
+        let sides = [left, right].map(|chain| self.mesh.border_twin(chain[0].border));
         self.polygons = polygons;
-        self.mesh.forget_open(kept);
+        self.mesh.truncate_borders(kept);
         sides
     }
 
-    /// Replaces these sides of pierced triangles by `chain`, of open sides, which ends at `last`.
+    /// Replaces these sides of pierced triangles by `chain`, of border half-edges, which ends at `last`.
     fn border<'s>(
         &mut self,
-        chain: &mut Vec<Corner>,
-        sides: impl Iterator<Item = &'s Side>,
+        chain: &mut Vec<ChainVertex>,
+        sides: impl Iterator<Item = &'s HalfEdge>,
         last: VertexId,
         seams: &mut Seams,
     ) {
         chain.clear();
         for &side in sides {
             let [_, vertex, _] = self.mesh.around(side);
-            let open = self.open_seam(side, seams);
-            chain.push(Corner { vertex, open });
+            let border = self.add_border_of(side, seams);
+            chain.push(ChainVertex { vertex, border });
         }
-        chain.push(Corner {
+        chain.push(ChainVertex {
             vertex: last,
-            open: OpenId::new(0),
+            border: BorderId::new(0),
         });
     }
 
     /// Fills a pseudo-polygon. Of its chain only the part of the edge is left.
-    fn fill_polygon(&mut self, chain: &mut Vec<Corner>, polygon: PseudoPolygon) {
+    fn fill_polygon(&mut self, chain: &mut Vec<ChainVertex>, polygon: PseudoPolygon) {
         self.report_border(polygon, chain.iter().map(|corner| corner.vertex));
         self.fill(chain, Why::PseudoPolygon);
         self.legalize();
@@ -176,33 +176,33 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         }
     }
 
-    /// Makes an open side for a side of a pierced triangle that borders on a pseudo-polygon.
-    fn open_seam(&mut self, inner: Side, seams: &mut Seams) -> OpenId {
-        let open = self.mesh.add_open();
-        let outer = self.mesh.across(inner);
-        if !outer.is_open() && seams.pierced.binary_search(&outer.triangle()).is_ok() {
-            seams.hanging.push((inner, outer, open));
+    /// Makes an border half-edge for a side of a pierced triangle that borders on a pseudo-polygon.
+    fn add_border_of(&mut self, inner: HalfEdge, seams: &mut Seams) -> BorderId {
+        let border = self.mesh.add_border();
+        let outer = self.mesh.twin(inner);
+        if !outer.is_border() && seams.pierced.binary_search(&outer.triangle()).is_ok() {
+            seams.hanging.push((inner, outer, border));
         } else {
-            seams.outer.push((open, outer));
+            seams.outer.push((border, outer));
         }
-        open
+        border
     }
 
     /// Joins the new triangles to what lies outside, or to each other across hanging edges.
     fn close_seams(&mut self, seams: &mut Seams) {
-        for &(open, outer) in &seams.outer {
-            self.mesh.connect(self.mesh.below(open), outer);
+        for &(border, outer) in &seams.outer {
+            self.mesh.connect(self.mesh.border_twin(border), outer);
         }
         seams.hanging.sort_unstable_by_key(|&(inner, ..)| inner);
-        for &(inner, outer, open) in &seams.hanging {
+        for &(inner, outer, border) in &seams.hanging {
             // Each pair once, from its lower side.
-            if inner < outer.unfixed() {
+            if inner < outer.unconstrained() {
                 let twin = seams
                     .hanging
-                    .binary_search_by_key(&outer.unfixed(), |&(side, ..)| side);
+                    .binary_search_by_key(&outer.unconstrained(), |&(side, ..)| side);
                 let (_, _, twin) = seams.hanging[twin.expect("a hanging edge has two sides")];
-                let side = self.mesh.below(open).fixed_as(outer);
-                self.mesh.connect(side, self.mesh.below(twin));
+                let side = self.mesh.border_twin(border).constrained_as(outer);
+                self.mesh.connect(side, self.mesh.border_twin(twin));
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The state of the sweep between two events: the [`Fabric`], the advancing front with its search
+//! The state of the sweep between two events: the [`Delaunay`], the advancing front with its search
 //! structure, and the edges still to come.
 //!
 //! Invariants between two events, for the vertices swept so far:
@@ -9,15 +9,15 @@
 
 use std::mem::take;
 
-use super::corner::Corner;
-use super::edges::{Edges, Rests};
-use super::fabric::Fabric;
+use super::corner::ChainVertex;
+use super::delaunay::Delaunay;
+use super::edges::{Edges, PendingEdges};
 use super::incidence::Incidence;
-use super::memory::Memory;
 use super::obstacles::Obstacles;
-use crate::chains::ChainNotes;
+use super::scratch::Scratch;
+use crate::edge_chains::EdgeChainBuilder;
 use crate::front::{Front, FrontNode, Search};
-use crate::ids::{OpenId, VertexId};
+use crate::ids::{BorderId, VertexId};
 use crate::probe::Probe;
 use crate::recorder::Recorder;
 use crate::scalar::Scalar;
@@ -28,21 +28,21 @@ use crate::trace::{Event, Why};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NewVertex {
     pub(super) id: VertexId,
-    pub(super) near: [f64; 2],
+    pub(super) approx: [f64; 2],
 }
 
 /// The state between two events.
 #[derive(Debug)]
 pub(super) struct Sweep<'a, S, P> {
-    pub(super) fabric: Fabric<'a, S, P>,
+    pub(super) delaunay: Delaunay<'a, S, P>,
     pub(super) front: Front,
     pub(super) search: Search<'a>,
     pub(super) heuristics: Heuristics,
     pub(super) edges: Edges,
     /// For the result: the vertices along each edge inserted so far.
-    pub(super) chains: ChainNotes,
+    pub(super) chains: EdgeChainBuilder,
     /// What is left of edges that pass through vertices.
-    pub(super) rests: Rests,
+    pub(super) pending: PendingEdges,
     /// A triangle of each vertex, once the hull is complete.
     pub(super) incidence: Incidence,
     /// Working memory: lower ends and input indices of the edges being inserted.
@@ -50,40 +50,40 @@ pub(super) struct Sweep<'a, S, P> {
     /// What the edge being inserted runs into.
     pub(super) obstacles: Obstacles,
     /// Working memory: the stretch of the front being filled.
-    pub(super) chain: Vec<Corner>,
+    pub(super) chain: Vec<ChainVertex>,
 }
 
 impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
     /// These triangles, this front without a vertex on it, and the edges that `memory` lists.
     pub(super) fn new(
-        fabric: Fabric<'a, S, P>,
+        delaunay: Delaunay<'a, S, P>,
         front: Front,
-        chains: ChainNotes,
+        chains: EdgeChainBuilder,
         heuristics: Heuristics,
         search: Search<'a>,
-        memory: &mut Memory,
+        scratch: &mut Scratch,
     ) -> Self {
-        let mut incidence = take(&mut memory.incidence);
+        let mut incidence = take(&mut scratch.incidence);
         incidence.clear();
         Sweep {
-            fabric,
+            delaunay,
             front,
             search,
             heuristics,
-            edges: take(&mut memory.edges),
+            edges: take(&mut scratch.edges),
             chains,
-            rests: Rests::new(),
+            pending: PendingEdges::new(),
             incidence,
-            list: take(&mut memory.list),
-            obstacles: take(&mut memory.obstacles),
-            chain: take(&mut memory.chain),
+            list: take(&mut scratch.list),
+            obstacles: take(&mut scratch.obstacles),
+            chain: take(&mut scratch.chain),
         }
     }
 
     /// The heuristics of the next point event: those asked for, or the paper's where these flip too much.
     #[inline(always)]
     pub(super) fn heuristics(&self) -> Heuristics {
-        if self.fabric.flip_limit.is_excessive() {
+        if self.delaunay.flip_limit.is_excessive() {
             Heuristics::PAPER
         } else {
             self.heuristics
@@ -93,20 +93,20 @@ impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
     /// A vertex to be added.
     #[inline(always)]
     pub(super) fn new_vertex(&self, id: VertexId) -> NewVertex {
-        let near = self.fabric.signs.approx(id);
-        NewVertex { id, near }
+        let approx = self.delaunay.predicates.approx(id);
+        NewVertex { id, approx }
     }
 
     /// Puts `p` on the front between `left` and the node after it.
     #[inline(always)]
     pub(super) fn put_on_front(&mut self, p: NewVertex, left: VertexId) {
         self.front.link(p.id, left);
-        self.fabric.probe.record(Recorder::front_grows);
-        self.fabric.report(|name| Event::FrontInsert {
+        self.delaunay.probe.record(Recorder::front_grows);
+        self.delaunay.report(|name| Event::FrontInsert {
             vertex: name(p.id),
             after: name(left),
         });
-        let x = self.fabric.signs.search_x_near(p.id, p.near);
+        let x = self.delaunay.predicates.search_x_approx(p.id, p.approx);
         self.search.inserted(FrontNode::new(p.id), x);
     }
 
@@ -114,10 +114,10 @@ impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
     #[inline(always)]
     pub(super) fn take_off_front(&mut self, v: VertexId) {
         self.front.unlink(v);
-        self.fabric.probe.record(Recorder::front_shrinks);
-        self.fabric
+        self.delaunay.probe.record(Recorder::front_shrinks);
+        self.delaunay
             .report(|name| Event::FrontRemove { vertex: name(v) });
-        let x = self.fabric.signs.search_x(v);
+        let x = self.delaunay.predicates.search_x(v);
         self.search.removed(FrontNode::new(v), x);
     }
 
@@ -131,18 +131,18 @@ impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
         self.chain.reserve(corners);
         at = from;
         loop {
-            let open = OpenId::segment(at);
-            self.chain.push(Corner { vertex: at, open });
+            let border = BorderId::segment(at);
+            self.chain.push(ChainVertex { vertex: at, border });
             if at == to {
                 break;
             }
             at = self.front.next(at);
         }
 
-        let kept = self.fabric.mesh.count_open();
-        self.fabric.fill(&mut self.chain, why);
-        self.fabric.legalize();
-        self.fabric.mesh.forget_open(kept);
+        let kept = self.delaunay.mesh.border_count();
+        self.delaunay.fill(&mut self.chain, why);
+        self.delaunay.legalize();
+        self.delaunay.mesh.truncate_borders(kept);
 
         // The nodes between two neighbours on the hull are covered now.
         for k in 1..self.chain.len() {
@@ -154,12 +154,12 @@ impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
     }
 
     /// Bytes of the arrays that grow with the input.
-    pub(super) fn memory(&self) -> usize {
-        self.fabric.mesh.memory()
-            + self.fabric.signs.memory()
-            + self.front.memory()
-            + self.edges.memory()
-            + self.chains.memory()
-            + self.incidence.memory()
+    pub(super) fn heap_bytes(&self) -> usize {
+        self.delaunay.mesh.heap_bytes()
+            + self.delaunay.predicates.heap_bytes()
+            + self.front.heap_bytes()
+            + self.edges.heap_bytes()
+            + self.chains.heap_bytes()
+            + self.incidence.heap_bytes()
     }
 }

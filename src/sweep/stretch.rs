@@ -1,4 +1,4 @@
-//! A convex stretch of a chain while it is closed: the random order in which its corners are inserted (Chew
+//! A convex run of a chain while it is closed: the random order in which its corners are inserted (Chew
 //! 1990).
 //!
 //! Which triangle does a corner make when it is inserted? To find out, the corners are first taken out of
@@ -11,7 +11,7 @@
 //!
 //! Cost: O(k) for k corners; the sorts of long rounds are a small part of the time.
 
-use crate::ids::{OpenId, narrow};
+use crate::ids::{BorderId, narrow};
 
 /// So few corners are near each other in any order.
 const FEW: usize = 4096;
@@ -43,17 +43,17 @@ impl Random {
 
 /// Positions are those in the stretch.
 #[derive(Debug, Default)]
-pub(super) struct Stretch {
+pub(super) struct ConvexRun {
     /// The inner positions in order of insertion.
     pub(super) order: Vec<u32>,
     /// For each position its neighbours among those inserted before it.
     prev: Vec<u32>,
     next: Vec<u32>,
-    /// The open side from each position inserted to its next one.
-    pub(super) open: Vec<OpenId>,
+    /// The border half-edge from each position inserted to its next one.
+    pub(super) borders: Vec<BorderId>,
 }
 
-impl Stretch {
+impl ConvexRun {
     /// Draws a random order of insertion for the inner ones of so many positions; it depends on their number
     /// alone.
     pub(super) fn draw(&mut self, corners: usize) {
@@ -77,8 +77,8 @@ impl Stretch {
             self.next[v as usize] = w;
             self.prev[w as usize] = v;
         }
-        self.open.clear();
-        self.open.resize(len as usize, OpenId::new(0));
+        self.borders.clear();
+        self.borders.resize(len as usize, BorderId::new(0));
     }
 
     /// The neighbours of position `u` when it is inserted.

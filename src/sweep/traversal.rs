@@ -20,7 +20,7 @@
 //!
 //! Why it is right: every step is decided by the exact side of one vertex. The front is x-monotone and
 //! the lower end lies on it or under it, so a walk below the edge comes to a vertex on or above the edge.
-//! Artificial triangles lie outside the convex hull and are never pierced. If a fixed side is in the way,
+//! Artificial triangles lie outside the convex hull and are never pierced. If a constrained side is in the way,
 //! two input edges cross.
 //!
 //! Cost: the degree of the first vertex, and one test for each triangle pierced or node passed.
@@ -30,12 +30,12 @@
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
-use super::flip_limit::contradiction;
+use super::flip_limit::inexact_scalar;
 use super::obstacles::{Crossed, Part};
 use super::state::Sweep;
-use crate::front::Way;
-use crate::ids::{OpenId, VertexId};
-use crate::mesh::Side;
+use crate::front::Direction;
+use crate::ids::{BorderId, VertexId};
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Event;
@@ -45,7 +45,7 @@ enum Departure {
     /// Along a side of the triangulation.
     Along(Part),
     /// Into a triangle, across this side of it, opposite the vertex.
-    Into(Side),
+    Into(HalfEdge),
     /// Above the front.
     Above,
 }
@@ -53,7 +53,7 @@ enum Departure {
 /// How far a part has come.
 enum Place {
     /// Entering a triangle across this side of it.
-    Side(Side),
+    HalfEdge(HalfEdge),
     /// Above the front. It left the triangles across the segment between these nodes; both are the start
     /// of the part if that begins above the front.
     Front([VertexId; 2]),
@@ -68,7 +68,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         &mut self,
         from: VertexId,
         to: VertexId,
-        around: Side,
+        around: HalfEdge,
     ) -> Result<Part, Crossed> {
         self.obstacles.begin_part();
         let (start, mut place) = match self.depart(from, to, around) {
@@ -78,7 +78,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         };
         loop {
             place = match place {
-                Place::Side(side) => self.pass_triangle([from, to], side)?,
+                Place::HalfEdge(side) => self.pass_triangle([from, to], side)?,
                 Place::Front(ends) => self.pass_front([from, to], ends)?,
                 Place::End(end) => {
                     return Ok(Part {
@@ -92,26 +92,26 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     /// The side opposite `v`, which is on the front, of the leftmost triangle there.
-    pub(super) fn leftmost(&self, v: VertexId) -> Side {
-        let segment = OpenId::segment(self.front.prev(v));
-        self.fabric.mesh.below(segment).next()
+    pub(super) fn leftmost(&self, v: VertexId) -> HalfEdge {
+        let segment = BorderId::segment(self.front.prev(v));
+        self.delaunay.mesh.border_twin(segment).next()
     }
 
     /// Turns counter-clockwise around `from` to where the edge leaves (figure 11).
-    fn depart(&mut self, from: VertexId, to: VertexId, around: Side) -> Departure {
+    fn depart(&mut self, from: VertexId, to: VertexId, around: HalfEdge) -> Departure {
         let mut at = around;
         // The side of the edge that `a` is on, where the triangle before has already tested it.
         let mut known = None;
         // No vertex has more triangles around it than there are.
-        for _ in 0..self.fabric.mesh.len() {
-            let [_, a, b] = self.fabric.mesh.around(at);
+        for _ in 0..self.delaunay.mesh.len() {
+            let [_, a, b] = self.delaunay.mesh.around(at);
             let mut sides = [Equal; 2];
             // For `a` and for `b`: the side between `from` and it.
             let spokes = [(a, at.prev()), (b, at.next())];
             for (i, (v, spoke)) in spokes.into_iter().enumerate() {
                 sides[i] = match known.take() {
                     Some(side) => side,
-                    None => self.fabric.side([from, to], v),
+                    None => self.delaunay.side([from, to], v),
                 };
                 // A vertex on the line lies on the edge if it is lower than `from`, and behind otherwise.
                 if sides[i] == Equal && v < from {
@@ -126,21 +126,21 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
                 return Departure::Into(at);
             }
             // On to the next triangle; at the right end of the front, on from the left.
-            let across = self.fabric.mesh.across(at.next());
-            (at, known) = if across.is_open() {
+            let twin = self.delaunay.mesh.twin(at.next());
+            (at, known) = if twin.is_border() {
                 (self.leftmost(from), None)
             } else {
-                (across.next(), Some(sides[1]))
+                (twin.next(), Some(sides[1]))
             };
             if at == around {
                 return Departure::Above;
             }
         }
-        contradiction()
+        inexact_scalar()
     }
 
     /// Pierces the first triangle; `side` is the one opposite the vertex where the part starts.
-    fn enter(&mut self, side: Side) -> Result<Place, Crossed> {
+    fn enter(&mut self, side: HalfEdge) -> Result<Place, Crossed> {
         self.obstacles.pierced.push(side.triangle());
         self.obstacles.right.push(side.prev());
         self.obstacles.left.push(side.next());
@@ -148,25 +148,25 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     /// Leaves a triangle across one of its sides.
-    fn leave(&mut self, side: Side) -> Result<Place, Crossed> {
-        let across = self.fabric.mesh.across(side);
-        if across.is_fixed() {
-            let [_, a, b] = self.fabric.mesh.around(side);
+    fn leave(&mut self, side: HalfEdge) -> Result<Place, Crossed> {
+        let twin = self.delaunay.mesh.twin(side);
+        if twin.is_constrained() {
+            let [_, a, b] = self.delaunay.mesh.around(side);
             Err([a, b])
-        } else if across.is_open() {
-            let left = across.open_id().left_end();
+        } else if twin.is_border() {
+            let left = twin.border_id().left_end();
             Ok(Place::Front([left, self.front.next(left)]))
         } else {
-            Ok(Place::Side(across))
+            Ok(Place::HalfEdge(twin))
         }
     }
 
     /// Passes one triangle, entered across its side `entry`.
-    fn pass_triangle(&mut self, part: [VertexId; 2], entry: Side) -> Result<Place, Crossed> {
-        let v = self.fabric.mesh.opposite(entry);
-        let side = self.fabric.side(part, v);
-        if self.obstacles.pierced.len() > self.fabric.mesh.len() {
-            contradiction();
+    fn pass_triangle(&mut self, part: [VertexId; 2], entry: HalfEdge) -> Result<Place, Crossed> {
+        let v = self.delaunay.mesh.opposite(entry);
+        let side = self.delaunay.side(part, v);
+        if self.obstacles.pierced.len() > self.delaunay.mesh.len() {
+            inexact_scalar();
         }
         // The edge leaves across one of the other two sides; the remaining one borders on the left or the
         // right pseudo-polygon. At the end of the part both do.
@@ -190,30 +190,30 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         part: [VertexId; 2],
         segment: [VertexId; 2],
     ) -> Result<Place, Crossed> {
-        self.fabric.report(|name| Event::Switch {
+        self.delaunay.report(|name| Event::Switch {
             to_front: true,
             segment: segment.map(name),
         });
         // Of the ends of a crossed segment the first one on the way is above the edge, the other below.
         let [left, right] = segment;
-        let (way, node, below) = match self.fabric.signs.compare_x(part[0], part[1]) {
-            Less => (Way::Right, left, Less),
-            _ => (Way::Left, right, Greater),
+        let (direction, node, below) = match self.delaunay.predicates.compare_x(part[0], part[1]) {
+            Less => (Direction::Right, left, Less),
+            _ => (Direction::Left, right, Greater),
         };
-        let in_order = |first, second| match way {
-            Way::Right => [first, second],
-            Way::Left => [second, first],
+        let in_order = |first, second| match direction {
+            Direction::Right => [first, second],
+            Direction::Left => [second, first],
         };
         let mut last;
-        let mut at = self.front.beside(node, way);
+        let mut at = self.front.neighbor(node, direction);
         let side = loop {
             last = at;
-            at = self.front.beside(at, way);
+            at = self.front.neighbor(at, direction);
             assert!(
-                !self.fabric.signs.is_artificial(at),
+                !self.delaunay.predicates.is_artificial(at),
                 "the front passes over the lower end"
             );
-            let side = self.fabric.side(part, at);
+            let side = self.delaunay.side(part, at);
             if side != below {
                 break side;
             }
@@ -225,15 +225,18 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
 
         // The front rises above the edge: the edge enters the triangles across this segment.
         let crossed = in_order(last, at);
-        self.fabric.report(|name| Event::Switch {
+        self.delaunay.report(|name| Event::Switch {
             to_front: false,
             segment: crossed.map(name),
         });
-        let entry = self.fabric.mesh.below(OpenId::segment(crossed[0]));
-        if entry.is_fixed() {
+        let entry = self
+            .delaunay
+            .mesh
+            .border_twin(BorderId::segment(crossed[0]));
+        if entry.is_constrained() {
             Err([last, at])
         } else {
-            Ok(Place::Side(entry))
+            Ok(Place::HalfEdge(entry))
         }
     }
 }

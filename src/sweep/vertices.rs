@@ -97,7 +97,7 @@ impl Vertices {
     }
 
     /// Bytes held.
-    pub(super) fn memory(&self) -> usize {
+    pub(super) fn heap_bytes(&self) -> usize {
         self.approx.capacity() * size_of::<[f64; 2]>() + self.input.capacity() * size_of::<u32>()
     }
 }

@@ -52,7 +52,11 @@ pub(super) fn check<S: Measure>(
 fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
     // Those of the input come first.
     let is_off = |&v: &u32| {
-        !soup.signs.is_added(v) && soup.signs.orient2d([0, 1, v], &mut record.tally).is_ne()
+        !soup.predicates.is_added(v)
+            && soup
+                .predicates
+                .orient2d([0, 1, v], &mut record.tally)
+                .is_ne()
     };
     if let Some(v) = (2..soup.vertices()).find(is_off) {
         let vertices = soup.names([0, 1, v]);
@@ -72,7 +76,7 @@ fn check_hull<S: Measure>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Rec
     for same_start in sides.chunk_by(|a, b| a[0] == b[0]) {
         if same_start.len() > 1 {
             pinched = true;
-            let vertex = soup.signs.name(same_start[0][0]);
+            let vertex = soup.predicates.name(same_start[0][0]);
             record.findings.add(Violation::PinchedBoundary { vertex });
         }
     }
@@ -84,7 +88,7 @@ fn check_hull<S: Measure>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Rec
     let mut chains = chains(&sides);
     let vertices = chains.iter().enumerate();
     let vertices = vertices.flat_map(|(i, chain)| chain.iter().map(move |&v| (i, v)));
-    let first = vertices.min_by(|&(_, v), &(_, w)| soup.signs.order(v, w));
+    let first = vertices.min_by(|&(_, v), &(_, w)| soup.predicates.order(v, w));
     let (outer, _) = first.expect("triangles that turn left have a boundary");
     let outer = chains.swap_remove(outer);
     for chain in &chains {
@@ -123,8 +127,9 @@ fn check_convex<S: Measure>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Reco
     let (mut times, mut wrong) = (0, Vec::new());
     for i in 0..chain.len() {
         let vertices @ [a, b, c] = [at(i), at(i + 1), at(i + 2)];
-        let ascends = [soup.signs.order(a, b), soup.signs.order(b, c)].map(Ordering::is_lt);
-        let turn = soup.signs.orient2d(vertices, &mut record.tally);
+        let ascends =
+            [soup.predicates.order(a, b), soup.predicates.order(b, c)].map(Ordering::is_lt);
+        let turn = soup.predicates.orient2d(vertices, &mut record.tally);
         let goes_on = match turn {
             Ordering::Greater => true,
             // Straight on, or back.
@@ -133,8 +138,8 @@ fn check_convex<S: Measure>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Reco
         };
         if !goes_on {
             wrong.push(vertices);
-        } else if turn.is_gt() && soup.signs.is_added(b) {
-            let vertex = soup.signs.name(b);
+        } else if turn.is_gt() && soup.predicates.is_added(b) {
+            let vertex = soup.predicates.name(b);
             record.findings.add(Violation::AddedOutside { vertex });
         }
         times += usize::from(ascends == [false, true]);
@@ -154,7 +159,7 @@ fn report_concave<S: Measure>(
     record: &mut Record,
 ) {
     let measure = |turn: [u32; 3], record: &Record| {
-        let height = || soup.signs.height(turn).map(|height| -height);
+        let height = || soup.predicates.height(turn).map(|height| -height);
         record.findings.measure(Level::Tiling, height)
     };
     let few = wrong.len() <= record.findings.measured;
@@ -163,7 +168,7 @@ fn report_concave<S: Measure>(
     let is_simple = || {
         let ends = chain.iter().zip(chain.iter().cycle().skip(1));
         let sides: Vec<[u32; 2]> = ends.map(|(&a, &b)| [a, b]).collect();
-        scanline::inside(&soup.signs, &sides, std::iter::empty()).is_ok()
+        scanline::inside(&soup.predicates, &sides, std::iter::empty()).is_ok()
     };
     if !wrong.is_empty() && (depths.contains(&None) || !is_simple()) {
         depths.fill(None);
@@ -184,9 +189,9 @@ pub(super) fn check_points<S: Scalar>(
     domain: Option<&Domain>,
     record: &mut Record,
 ) {
-    let unused = (used..soup.vertices()).filter(|&point| !soup.signs.is_added(point));
+    let unused = (used..soup.vertices()).filter(|&point| !soup.predicates.is_added(point));
     let needed = match domain {
-        Some(domain) => match scanline::inside(&soup.signs, &domain.sides, unused) {
+        Some(domain) => match scanline::inside(&soup.predicates, &domain.sides, unused) {
             Ok(inside) => inside,
             Err(side) => {
                 // Where something is wrong already, nobody knows what the domain is.
@@ -201,7 +206,7 @@ pub(super) fn check_points<S: Scalar>(
         None => unused.collect(),
     };
     for v in needed {
-        let vertex = soup.signs.name(v);
+        let vertex = soup.predicates.name(v);
         record.findings.add(Violation::UnusedPoint { vertex });
     }
 }

@@ -75,18 +75,21 @@ fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<([u32; 2], u32
     found.sort_unstable();
     if !boundary
         .iter()
-        .any(|&side| soup.signs.is_added(soup.side(side)[0]))
+        .any(|&side| soup.predicates.is_added(soup.side(side)[0]))
     {
         return found;
     }
     // Where a side goes straight on. Through an added point go one or two declared sides, on one line. Where more leave
     // it, only two are looked at: nobody has declared these.
     let straight_on = |[a, b]: [u32; 2]| {
-        let forward = |side: [u32; 2]| soup.signs.order(side[0], side[1]);
+        let forward = |side: [u32; 2]| soup.predicates.order(side[0], side[1]);
         let first = found.partition_point(|&([start, _], _)| start < b);
         (first..found.len().min(first + 2)).find(|&at| {
             let side = found[at].0;
-            let turn = || soup.signs.orient2d([a, b, side[1]], &mut Tally::default());
+            let turn = || {
+                soup.predicates
+                    .orient2d([a, b, side[1]], &mut Tally::default())
+            };
             side[0] == b && forward(side) == forward([a, b]) && turn().is_eq()
         })
     };
@@ -94,11 +97,11 @@ fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<([u32; 2], u32
     let mut is_walked = vec![false; found.len()];
     let mut whole = Vec::new();
     for (first, &(ends, side)) in found.iter().enumerate() {
-        if soup.signs.is_added(ends[0]) {
+        if soup.predicates.is_added(ends[0]) {
             continue;
         }
         let (mut path, mut last) = (vec![first], ends);
-        while soup.signs.is_added(last[1])
+        while soup.predicates.is_added(last[1])
             && let Some(on) = straight_on(last).filter(|&on| !is_walked[on])
         {
             is_walked[on] = true;
@@ -106,7 +109,7 @@ fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<([u32; 2], u32
             last = found[on].0;
         }
         is_walked[first] = true;
-        if soup.signs.is_added(last[1]) {
+        if soup.predicates.is_added(last[1]) {
             whole.extend(path.into_iter().map(|at| found[at]));
         } else {
             whole.push(([ends[0], last[1]], side));

@@ -63,13 +63,13 @@ impl Part {
         let [a, b, c] = [0, 1, 2].map(|i| corner(side, i));
         let d = corner(twin, 2);
         self.free += 1;
-        match soup.signs.in_circle([a, b, c, d], &mut self.tally) {
+        match soup.predicates.in_circle([a, b, c, d], &mut self.tally) {
             Ordering::Less => {}
             Ordering::Equal => {
                 self.cocircular += 1;
                 // Canonical: the leftmost of the four is an end of the side.
                 let leftmost = |v, w| {
-                    if soup.signs.is_left_or_above(v, w) {
+                    if soup.predicates.is_left_or_above(v, w) {
                         v
                     } else {
                         w
@@ -82,7 +82,8 @@ impl Part {
             }
             Ordering::Greater => {
                 let depths = || {
-                    let [one, other] = [[a, b, c, d], [b, a, d, c]].map(|v| soup.signs.depth(v));
+                    let [one, other] =
+                        [[a, b, c, d], [b, a, d, c]].map(|v| soup.predicates.depth(v));
                     Some(one?.max(other?))
                 };
                 let depth = self.findings.measure(Level::Delaunay, depths);

@@ -55,24 +55,24 @@ pub(super) fn check<S: Scalar>(
     }
 
     // The edges that reach farthest in their direction come first, as the chains ask.
-    let forward = |[a, b]: [u32; 2]| soup.signs.order(a, b);
+    let forward = |[a, b]: [u32; 2]| soup.predicates.order(a, b);
     split.sort_unstable_by(|&(_, one), &(_, other)| {
         let direction = forward(one);
-        let farther = soup.signs.order(other[1], one[1]);
+        let farther = soup.predicates.order(other[1], one[1]);
         direction.cmp(&forward(other)).then(if direction.is_lt() {
             farther
         } else {
             farther.reverse()
         })
     });
-    let mut chains = Chains::new(sides);
+    let mut chains = EdgeChains::new(sides);
     let mut missing = Vec::new();
     for (edge, ends) in split {
         let (reached, passes_added) = chains.follow(soup, ends, |a, b| {
             fix(sides, a, b);
         });
         if reached != ends[1] {
-            missing.push((edge, soup.signs.name(reached)));
+            missing.push((edge, soup.predicates.name(reached)));
         } else if passes_added {
             record.report.split_edges += 1;
         }
@@ -88,7 +88,7 @@ const NEW: u32 = u32::MAX;
 
 /// The sides that leave each vertex, and those that were walked.
 #[derive(Debug)]
-struct Chains {
+struct EdgeChains {
     /// The neighbours of the vertex of rank `v` are `neighbors[starts[v]..starts[v + 1]]`. Once sorted, first
     /// come those after it in the order (x, y), then those before it, each counter-clockwise and in one
     /// direction the nearest first.
@@ -115,10 +115,10 @@ struct Step {
     added: u32,
 }
 
-impl Chains {
-    pub(super) fn new(sides: &Sides) -> Chains {
+impl EdgeChains {
+    pub(super) fn new(sides: &Sides) -> EdgeChains {
         let (starts, neighbors) = sides.neighbors();
-        Chains {
+        EdgeChains {
             sorted: vec![false; starts.len() - 1],
             step: vec![NEW; neighbors.len()],
             steps: Vec::new(),
@@ -135,8 +135,8 @@ impl Chains {
         [a, b]: [u32; 2],
         mut walk: impl FnMut(u32, u32),
     ) -> (u32, bool) {
-        let forward = soup.signs.order(a, b);
-        let is_past = |v| soup.signs.order(b, v) == forward;
+        let forward = soup.predicates.order(a, b);
+        let is_past = |v| soup.predicates.order(b, v) == forward;
         let first_new = self.steps.len();
         let mut known = None;
         let mut at = a;
@@ -155,7 +155,7 @@ impl Chains {
                     next: 0,
                     jump: 0,
                     depth: 0,
-                    added: u32::from(soup.signs.is_added(end)),
+                    added: u32::from(soup.predicates.is_added(end)),
                 });
                 walk(at, end);
                 at = end;
@@ -178,18 +178,18 @@ impl Chains {
 
     /// Where the side stands that leaves a vertex in the direction of another.
     fn straight_on<S: Scalar>(&mut self, soup: &Soup<'_, S>, at: u32, to: u32) -> Option<usize> {
-        let signs = &soup.signs;
+        let predicates = &soup.predicates;
         let around = range(&self.starts, at);
         let neighbors = &mut self.neighbors[around.clone()];
         // How many signs a sort or a search takes is up to the standard library, so they are not counted.
-        let turn = |v, w| signs.orient2d([at, v, w], &mut Tally::default());
-        let half = |v| signs.order(at, v);
+        let turn = |v, w| predicates.orient2d([at, v, w], &mut Tally::default());
+        let half = |v| predicates.order(at, v);
         let compare = |v, w| half(v).cmp(&half(w)).then_with(|| turn(w, v));
         if !std::mem::replace(&mut self.sorted[at as usize], true) {
             neighbors.sort_unstable_by(|&v, &w| {
                 let nearer = || match half(v) {
-                    Ordering::Less => signs.order(v, w),
-                    _ => signs.order(w, v),
+                    Ordering::Less => predicates.order(v, w),
+                    _ => predicates.order(w, v),
                 };
                 compare(v, w).then_with(nearer)
             });

@@ -53,13 +53,13 @@ pub(super) fn read<'a, S: Scalar>(
     }
     let edges = ranks.read_edges(edges, record);
     let domain = chains.map(|chains| ranks.read_chains(chains, record));
-    let signs = &ranks.signs;
-    let added = |up_to: u32| (0..up_to).filter(|&v| signs.is_added(v)).count();
+    let predicates = &ranks.predicates;
+    let added = |up_to: u32| (0..up_to).filter(|&v| predicates.is_added(v)).count();
     record.report.added_points = added(used);
-    record.report.distinct_points = signs.vertex.len() - added(ranks.given_out());
+    record.report.distinct_points = predicates.vertex.len() - added(ranks.given_out());
     Some(Ranked {
         soup: Soup {
-            signs: ranks.signs,
+            predicates: ranks.predicates,
             triangles,
         },
         edges,
@@ -70,7 +70,7 @@ pub(super) fn read<'a, S: Scalar>(
 
 /// Ranks as they are given out.
 struct Ranks<'a, S> {
-    signs: SoupPredicates<'a, S>,
+    predicates: SoupPredicates<'a, S>,
     /// For each point its rank, [`NEW`] or [`NOT_FINITE`].
     rank: Vec<u32>,
     /// For each point the lowest index of a point equal to it, unless all differ.
@@ -102,16 +102,16 @@ impl<'a, S: Scalar> Ranks<'a, S> {
         let is_finite = |v: u32| rank[v as usize] == NEW;
         let scale = recenter(points, &mut approximations);
         let representative = representatives(points, &approximations, is_finite);
-        let signs = SoupPredicates {
+        let predicates = SoupPredicates {
             points,
             added_from,
             scale,
             vertex: Vec::with_capacity(points.len()),
-            near: Vec::with_capacity(points.len()),
+            approx: Vec::with_capacity(points.len()),
             near_ties: NearTies::default(),
         };
         Ranks {
-            signs,
+            predicates,
             rank,
             representative,
             approximations,
@@ -172,7 +172,7 @@ impl<'a, S: Scalar> Ranks<'a, S> {
     }
 
     fn given_out(&self) -> u32 {
-        u32::try_from(self.signs.vertex.len()).expect("the size was checked")
+        u32::try_from(self.predicates.vertex.len()).expect("the size was checked")
     }
 
     /// The ranks of vertices, given out now if need be; `None` if one is out of range or not finite.
@@ -192,8 +192,8 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             let v = *to as usize;
             if self.rank[v] == NEW {
                 self.rank[v] = self.given_out();
-                self.signs.vertex.push(*to);
-                self.signs.near.push(self.approximations[v]);
+                self.predicates.vertex.push(*to);
+                self.predicates.approx.push(self.approximations[v]);
             }
             *to = self.rank[v];
         }

@@ -63,13 +63,13 @@ enum Place {
 /// A place as a key, ordered from below.
 #[derive(Debug)]
 struct Key<'a, S> {
-    signs: &'a SoupPredicates<'a, S>,
+    predicates: &'a SoupPredicates<'a, S>,
     place: Place,
 }
 
 /// The line.
 struct Line<'a, S> {
-    signs: &'a SoupPredicates<'a, S>,
+    predicates: &'a SoupPredicates<'a, S>,
     /// The sides that it crosses, each with how often the chains go round what is above it.
     sides: BTreeMap<Key<'a, S>, (Side, i32)>,
 }
@@ -77,13 +77,13 @@ struct Line<'a, S> {
 /// Which of `points` lie in the domain that the sides bound, or on its boundary, in ascending order. The
 /// sides form closed chains. An error is a side where they do not bound a domain.
 pub(super) fn inside<'a, S: Scalar>(
-    signs: &'a SoupPredicates<'a, S>,
+    predicates: &'a SoupPredicates<'a, S>,
     sides: &[[u32; 2]],
     points: impl Iterator<Item = u32>,
 ) -> Result<Vec<u32>, [u32; 2]> {
     let mut events: Vec<(u32, Event)> = points.map(|v| (v, Event::Query)).collect();
     for &[a, b] in sides {
-        let runs_right = signs.order(a, b).is_lt();
+        let runs_right = predicates.order(a, b).is_lt();
         let (from, to) = if runs_right { (a, b) } else { (b, a) };
         let side = Side {
             from,
@@ -97,12 +97,12 @@ pub(super) fn inside<'a, S: Scalar>(
         }
     }
     let order = |(v, one): &(u32, Event), (w, other): &(u32, Event)| {
-        signs.order(*v, *w).then(one.turn().cmp(&other.turn()))
+        predicates.order(*v, *w).then(one.turn().cmp(&other.turn()))
     };
     events.sort_by(order);
 
     let sides = BTreeMap::new();
-    let mut line = Line { signs, sides };
+    let mut line = Line { predicates, sides };
     let mut inside = Vec::new();
     for at_vertex in events.chunk_by(|a, b| a.0 == b.0) {
         let is_inside = line.pass(at_vertex)?;
@@ -168,25 +168,25 @@ impl<'a, S: Scalar> Line<'a, S> {
 
     fn key(&self, place: Place) -> Key<'a, S> {
         Key {
-            signs: self.signs,
+            predicates: self.predicates,
             place,
         }
     }
 
     /// Whether two sides cross, the first of which is below the other.
     fn cross(&self, low: Side, high: Side) -> bool {
-        if self.signs.order(low.to, high.to).is_gt() {
-            turn(self.signs, low, high.to).is_lt()
+        if self.predicates.order(low.to, high.to).is_gt() {
+            turn(self.predicates, low, high.to).is_lt()
         } else {
-            turn(self.signs, high, low.to).is_gt()
+            turn(self.predicates, high, low.to).is_gt()
         }
     }
 }
 
 /// On which side of a side a vertex is: greater is above. How many signs a search takes is up to the
 /// standard library, so they are not counted.
-fn turn<S: Scalar>(signs: &SoupPredicates<'_, S>, side: Side, v: u32) -> Ordering {
-    signs.orient2d([side.from, side.to, v], &mut Tally::default())
+fn turn<S: Scalar>(predicates: &SoupPredicates<'_, S>, side: Side, v: u32) -> Ordering {
+    predicates.orient2d([side.from, side.to, v], &mut Tally::default())
 }
 
 impl Side {
@@ -214,11 +214,11 @@ impl<S: Scalar> Key<'_, S> {
     /// A side against another: by the left end that comes later, or where they go on from there. Of two
     /// that overlap, the one with the domain below it comes first.
     fn compare_sides(&self, one: Side, other: Side) -> Ordering {
-        if self.signs.order(one.from, other.from).is_gt() {
+        if self.predicates.order(one.from, other.from).is_gt() {
             return self.compare_sides(other, one).reverse();
         }
-        turn(self.signs, one, other.from)
-            .then_with(|| turn(self.signs, one, other.to))
+        turn(self.predicates, one, other.from)
+            .then_with(|| turn(self.predicates, one, other.to))
             .reverse()
             .then_with(|| one.runs_right.cmp(&other.runs_right))
     }
@@ -229,8 +229,8 @@ impl<S: Scalar> Ord for Key<'_, S> {
         use Place::{Above, Below, On};
         match (self.place, other.place) {
             (On(one), On(other)) => self.compare_sides(one, other),
-            (Below(v), On(side)) => turn(self.signs, side, v).then(Ordering::Less),
-            (Above(v), On(side)) => turn(self.signs, side, v).then(Ordering::Greater),
+            (Below(v), On(side)) => turn(self.predicates, side, v).then(Ordering::Less),
+            (Above(v), On(side)) => turn(self.predicates, side, v).then(Ordering::Greater),
             (On(_), _) => other.cmp(self).reverse(),
             // Of one vertex.
             (Below(_), Above(_)) => Ordering::Less,

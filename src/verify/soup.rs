@@ -20,7 +20,7 @@ pub(super) const REJECTED: [u32; 3] = [u32::MAX; 3];
 /// Points and triangles by rank.
 #[derive(Debug)]
 pub(super) struct Soup<'a, S> {
-    pub(super) signs: SoupPredicates<'a, S>,
+    pub(super) predicates: SoupPredicates<'a, S>,
     /// In the caller's order; [`REJECTED`] ones stay in their places.
     pub(super) triangles: Vec<[u32; 3]>,
 }
@@ -28,7 +28,7 @@ pub(super) struct Soup<'a, S> {
 impl<S: Scalar> Soup<'_, S> {
     /// How many vertices there are.
     pub(super) fn vertices(&self) -> u32 {
-        u32::try_from(self.signs.vertex.len()).expect("the size was checked")
+        u32::try_from(self.predicates.vertex.len()).expect("the size was checked")
     }
 
     /// The triangles that no check has rejected, with their numbers.
@@ -45,7 +45,7 @@ impl<S: Scalar> Soup<'_, S> {
 
     /// The caller's indices of vertices.
     pub(super) fn names<const N: usize>(&self, vertices: [u32; N]) -> [usize; N] {
-        vertices.map(|v| self.signs.name(v))
+        vertices.map(|v| self.predicates.name(v))
     }
 }
 
@@ -58,7 +58,7 @@ pub(super) struct SoupPredicates<'a, S> {
     /// For each rank an index into `points`.
     pub(super) vertex: Vec<u32>,
     /// For each rank the approximated coordinates, scaled.
-    pub(super) near: Vec<[f64; 2]>,
+    pub(super) approx: Vec<[f64; 2]>,
     pub(super) scale: Scale,
     pub(super) near_ties: NearTies,
 }
@@ -107,7 +107,7 @@ impl<S: Scalar> SoupPredicates<'_, S> {
         Predicates {
             points: self.points,
             index: &self.vertex,
-            approx: &self.near,
+            approx: &self.approx,
             scale: &self.scale,
             near_ties: &self.near_ties,
         }

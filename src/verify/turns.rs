@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 pub(super) fn reverse_if_clockwise<S: Scalar>(soup: &mut Soup<'_, S>, record: &mut Record) {
     let first_turn = soup
         .accepted()
-        .map(|(_, corners)| soup.signs.orient2d(corners, &mut record.tally))
+        .map(|(_, corners)| soup.predicates.orient2d(corners, &mut record.tally))
         .find(|turn| turn.is_ne());
     if first_turn == Some(Ordering::Less) {
         record.report.clockwise = true;
@@ -37,7 +37,7 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
             if corners == REJECTED {
                 continue;
             }
-            let turn = soup.signs.orient2d(corners, &mut tally);
+            let turn = soup.predicates.orient2d(corners, &mut tally);
             if turn != Ordering::Greater {
                 wrong.push((t, turn));
             }

@@ -176,7 +176,7 @@ impl fmt::Display for Violation {
                 write!(f, "triangle {triangle} has its corners on one line")
             }
             Violation::ReversedTriangle { triangle } => {
-                write!(f, "triangle {triangle} runs the wrong way round")
+                write!(f, "triangle {triangle} runs the wrong direction round")
             }
             Violation::RepeatedSide { side, triangles } => write!(
                 f,

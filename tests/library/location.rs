@@ -148,15 +148,18 @@ fn many_points_are_found_among_many() {
 }
 
 #[test]
-fn fans_have_all_triangles_in_order() {
+fn stars_have_all_triangles_in_order() {
     let mut random = Random::new(4);
     for round in 0..40 {
         let (count, width) = [(3, 2), (8, 3), (30, 5), (60, 30)][round % 4];
         let (points, edges) = input(&mut random, count, width);
         let result = triangulate(&points, &edges).expect("edges that do not cross");
-        let fans = result.fans();
+        let stars = result.vertex_stars();
         for v in 0..count + 2 {
-            let around: Vec<_> = fans.around(v).collect();
+            let around: Vec<_> = stars
+                .star(v)
+                .map(|corner| (corner.triangle, corner.index))
+                .collect();
             let vertex = result.representative(v);
             let corner = |t: usize| result.triangle(t).iter().position(|&w| w == vertex);
             let has = |t| corner(t).map(|corner| (t, corner));

@@ -11,11 +11,11 @@ use crate::location::input;
 /// All that a triangulation of so many points tells of itself.
 fn answers(result: &Triangulation, points: usize, edges: usize) -> Vec<String> {
     let each = 0..result.len();
-    let fans = result.fans();
+    let stars = result.vertex_stars();
     let around = |v| {
         format!(
             "{:?} {}",
-            fans.around(v).collect::<Vec<_>>(),
+            stars.star(v).collect::<Vec<_>>(),
             result.representative(v)
         )
     };

@@ -22,7 +22,7 @@ use i_triangle::i_overlay::i_float::int::point::IntPoint;
 use i_triangle::int::unchecked::IntUncheckedTriangulatable;
 use poly2tri_rs::{Point, SweeperBuilder};
 use spade::{ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, Triangulation as _};
-use sweep_cdt::{Repeater, Triangulator};
+use sweep_cdt::{Session, Triangulator};
 use sweep_cdt_testing::Input;
 
 /// Triangles, or why there are none.
@@ -37,15 +37,15 @@ pub(crate) fn ours(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
 
 /// This crate, in memory that is kept from one input to the next.
 pub(crate) fn ours_kept(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
-    REPEATER.with_borrow_mut(|repeater| {
-        let result = stopwatch.time(|| repeater.triangulate(&input.points, &input.edges));
+    SESSION.with_borrow_mut(|session| {
+        let result = stopwatch.time(|| session.triangulate(&input.points, &input.edges));
         let result = result.map_err(|error| error.to_string())?;
         Ok(result.triangles().collect())
     })
 }
 
 thread_local! {
-    static REPEATER: RefCell<Repeater<'static>> = RefCell::new(Triangulator::new().repeater());
+    static SESSION: RefCell<Session<'static>> = RefCell::new(Triangulator::new().session());
     static EARCUT: RefCell<Earcut<f64>> = RefCell::new(Earcut::new());
 }
 

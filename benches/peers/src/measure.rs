@@ -47,7 +47,7 @@ pub(crate) struct Cell {
 pub(crate) enum Calls {
     /// The first ones, which get their memory from the system.
     First,
-    /// The last ones, which may have memory that earlier ones had; this crate keeps it in a `Repeater`.
+    /// The last ones, which may have memory that earlier ones had; this crate keeps it in a `Session`.
     Last,
 }
 

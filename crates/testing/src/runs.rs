@@ -12,7 +12,7 @@ use num_rational::{BigRational, Ratio};
 use num_traits::{FromPrimitive, ToPrimitive};
 use sweep_cdt::front::AnyFront;
 use sweep_cdt::scalar::{Measure, Scalar, Stage};
-use sweep_cdt::{Algorithm, Error, Heuristics, Repeater, Triangulator};
+use sweep_cdt::{Algorithm, Error, Heuristics, Session, Triangulator};
 
 use crate::Input;
 use crate::fronts::{Choice, triangulate};
@@ -135,13 +135,13 @@ fn call<S: Sample>(input: &Input, choice: &Choice) -> Option<Outcome> {
 
 thread_local! {
     /// The memory that runs of this thread keep, whatever their scalar.
-    static REPEATER: RefCell<Repeater<'static>> = RefCell::new(Triangulator::new().repeater());
+    static SESSION: RefCell<Session<'static>> = RefCell::new(Triangulator::new().session());
 }
 
 fn call_in_kept_memory<S: Sample>(input: &Input, _: &Choice) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
-    Some(REPEATER.with_borrow_mut(|repeater| {
-        let result = repeater.triangulate(&points, &input.edges)?;
+    Some(SESSION.with_borrow_mut(|session| {
+        let result = session.triangulate(&points, &input.edges)?;
         Ok(found(result, points.len(), input.edges.len()))
     }))
 }

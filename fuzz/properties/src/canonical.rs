@@ -93,7 +93,7 @@ fn judge_algorithms(input: &Input, here: Option<&Answer>) {
 
 /// In memory that another input has used the answer is the same.
 fn judge_kept_memory(Input { points, edges }: &Input, here: Option<&Answer>) {
-    let mut repeater = Triangulator::new().repeater();
+    let mut session = Triangulator::new().session();
     // All points but the last, each of them twice, with the edges between them.
     let most = points.len().saturating_sub(1);
     let others = [&points[..most], &points[..most]].concat();
@@ -104,8 +104,8 @@ fn judge_kept_memory(Input { points, edges }: &Input, here: Option<&Answer>) {
         .collect();
     for _ in 0..2 {
         // What it says of crossing edges is judged elsewhere.
-        let _ = repeater.triangulate(&others, &between);
-        let there = repeater.triangulate(points, edges);
+        let _ = session.triangulate(&others, &between);
+        let there = session.triangulate(points, edges);
         let there = there.map(|result| found(result, points.len(), edges.len()));
         assert_eq!(there.ok().as_ref(), here, "in memory that was kept");
     }

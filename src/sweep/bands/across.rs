@@ -27,9 +27,9 @@ impl<S: Scalar> Sweep<'_, S, ()> {
         mut across: Vec<Edge>,
         starts: &[(usize, usize)],
     ) -> Result<(), Error> {
-        let vertices = self.fabric.signs.vertices.len();
+        let vertices = self.delaunay.predicates.vertices.len();
         across.sort_by_key(|&(_, [upper, _])| upper);
-        let (mut edges, mut end) = (&across[..], self.fabric.mesh.len());
+        let (mut edges, mut end) = (&across[..], self.delaunay.mesh.len());
         for &(vertex, triangle) in starts.iter().rev() {
             let below = edges.partition_point(|(_, [upper, _])| upper.index() < vertex);
             let (others, here) = edges.split_at(below);
@@ -39,7 +39,7 @@ impl<S: Scalar> Sweep<'_, S, ()> {
                 let listed = vertex..highest.index() + 1;
                 let end = end.min(triangle + 2 * listed.len() + MORE);
                 self.incidence
-                    .make(&self.fabric.mesh, listed, triangle..end);
+                    .make(&self.delaunay.mesh, listed, triangle..end);
             }
             for edges in here.chunk_by(|(_, [a, _]), (_, [b, _])| a == b) {
                 let (_, [upper, _]) = edges[0];

@@ -4,12 +4,12 @@
 
 use std::sync::Arc;
 
-use super::super::divide_and_conquer::Part;
+use super::super::divide_and_conquer::SubTriangulation;
 use super::super::initialization::begin;
-use super::super::memory::Memory;
+use super::super::scratch::Scratch;
 use super::super::vertices::Vertices;
 use super::strata::Edge;
-use crate::chains::ChainNotes;
+use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
 use crate::front::{FrontSearch, Search};
 use crate::ids::VertexId;
@@ -35,8 +35,8 @@ pub(super) struct Band<'f> {
 pub(super) struct Swept {
     pub(super) vertices: Vertices,
     pub(super) mesh: Mesh,
-    pub(super) part: Part,
-    pub(super) chains: ChainNotes,
+    pub(super) part: SubTriangulation,
+    pub(super) chains: EdgeChainBuilder,
 }
 
 /// The input: what all bands share.
@@ -62,14 +62,14 @@ impl<S: Scalar> Shared<'_, S> {
         settings: Settings<'_>,
     ) -> Result<Swept, Error> {
         let n = vertices.len();
-        let mut memory = Memory::default();
+        let mut scratch = Scratch::default();
         if first == 0 {
             // The triangles of the others will follow.
-            memory.mesh.reserve(2 * self.outside.index());
+            scratch.mesh.reserve(2 * self.outside.index());
         }
-        memory.edges.list(n, edges.iter().flatten().copied());
+        scratch.edges.list(n, edges.iter().flatten().copied());
         drop(edges);
-        let chains = ChainNotes::new(Arc::clone(&self.inputs));
+        let chains = EdgeChainBuilder::new(Arc::clone(&self.inputs));
         let mut sweep = begin(
             self.points,
             vertices,
@@ -77,15 +77,15 @@ impl<S: Scalar> Shared<'_, S> {
             settings,
             Search::with(&mut *search),
             (),
-            &mut memory,
+            &mut scratch,
         );
         sweep.triangulate(settings)?;
         let part = sweep.enclose(n, VertexId::at(self.outside.index() - first));
-        let mut vertices = sweep.fabric.signs.vertices;
+        let mut vertices = sweep.delaunay.predicates.vertices;
         vertices.approx.truncate(n);
         Ok(Swept {
             vertices,
-            mesh: sweep.fabric.mesh,
+            mesh: sweep.delaunay.mesh,
             part,
             chains: sweep.chains,
         })

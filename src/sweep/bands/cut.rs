@@ -32,10 +32,10 @@ pub(super) fn cut<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> V
     // The part of each band that each chunk fills.
     let size = |band: usize| counts.iter().map(|counts| counts[band]).sum();
     let mut inputs: Vec<Vec<u32>> = (0..bands).map(|band| vec![0; size(band)]).collect();
-    let mut rests: Vec<&mut [u32]> = inputs.iter_mut().map(Vec::as_mut_slice).collect();
+    let mut pending: Vec<&mut [u32]> = inputs.iter_mut().map(Vec::as_mut_slice).collect();
     let mut parts: Vec<Vec<slice::IterMut<'_, u32>>> = Vec::new();
     for counts in &counts {
-        let parts_of = rests.iter_mut().zip(counts).map(|(rest, &count)| {
+        let parts_of = pending.iter_mut().zip(counts).map(|(rest, &count)| {
             let part = rest.split_off_mut(..count).expect("it is counted");
             part.iter_mut()
         });
@@ -74,7 +74,7 @@ impl<S: Scalar> Cutter<'_, S> {
         let end = self.located.points.len().min((chunk + 1) * CHUNK);
         (chunk * CHUNK..end).map(|input| {
             let input = narrow(input);
-            let y = self.located.near(input)[1];
+            let y = self.located.approx(input)[1];
             (input, self.pivots.partition_point(|&pivot| pivot <= y))
         })
     }
@@ -86,7 +86,7 @@ fn pivots<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Vec<f64> 
     let place = |i: usize| narrow(i.wrapping_mul(STRIDE) % points);
     let mut sample: Vec<f64> = (0..SAMPLE.min(points))
         .into_par_iter()
-        .map(|i| located.near(place(i))[1])
+        .map(|i| located.approx(place(i))[1])
         .collect();
     sample.par_sort_unstable_by(f64::total_cmp);
     (1..bands)

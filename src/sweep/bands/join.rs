@@ -8,11 +8,11 @@
 //! Cost: O(n) to move n triangles and vertices, O(h) for each gap between hulls of h vertices, and the flips. The
 //! flips may be many, so they have a budget ([`super::super::flip_limit`]).
 
-use super::super::divide_and_conquer::Seam;
-use super::super::fabric::Fabric;
+use super::super::delaunay::Delaunay;
+use super::super::divide_and_conquer::MergeMode;
 use super::super::flip_limit::FlipLimit;
-use super::super::memory::Memory;
-use super::super::signs::SweepPredicates;
+use super::super::predicates::SweepPredicates;
+use super::super::scratch::Scratch;
 use super::super::state::Sweep;
 use super::band::Swept;
 use super::strata::Edge;
@@ -47,7 +47,7 @@ pub(super) fn join<'a, S: Scalar>(
     }
     let (_, front) = rayon::join(
         || {
-            mesh.renew_open(n + 2);
+            mesh.reset_borders(n + 2);
             for (other, &(before, _)) in meshes.into_iter().zip(&starts) {
                 mesh.append(&other, narrow(before));
             }
@@ -59,40 +59,40 @@ pub(super) fn join<'a, S: Scalar>(
             Front::new(n)
         },
     );
-    let mut memory = Memory {
+    let mut scratch = Scratch {
         mesh,
-        ..Memory::default()
+        ..Scratch::default()
     };
-    let mut fabric = Fabric::new(
+    let mut delaunay = Delaunay::new(
         SweepPredicates::new(points, vertices),
         true,
         (),
-        &mut memory,
+        &mut scratch,
     );
-    let seam = if chains.is_empty() {
-        Seam::Carved
+    let mode = if chains.is_empty() {
+        MergeMode::Delete
     } else {
-        Seam::Zipped
+        MergeMode::Stitch
     };
     let mut part = parts[0];
     for &upper in &parts[1..] {
-        part = fabric.merge(part, upper, seam);
+        part = delaunay.merge(part, upper, mode);
     }
-    fabric.legalize();
-    if fabric.flip_limit.is_spent() {
+    delaunay.legalize();
+    if delaunay.flip_limit.is_spent() {
         return None;
     }
-    fabric.flip_limit = FlipLimit::new(n, false);
+    delaunay.flip_limit = FlipLimit::new(n, false);
     let mut sweep = Sweep::new(
-        fabric,
+        delaunay,
         front,
         chains,
         settings.heuristics,
         search,
-        &mut memory,
+        &mut scratch,
     );
     sweep.hand_over(part.first);
     sweep.insert_across(across, &starts).ok()?;
-    sweep.insert_rests().ok()?;
+    sweep.insert_pending().ok()?;
     Some(sweep)
 }

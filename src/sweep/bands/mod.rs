@@ -24,7 +24,7 @@ use rayon::prelude::*;
 
 use super::initialization::LIMIT;
 use super::located::Located;
-use super::memory::Memory;
+use super::scratch::Scratch;
 use crate::front::Search;
 use crate::ids::VertexId;
 use crate::scalar::Scalar;
@@ -107,6 +107,6 @@ fn triangulate<'f, S: Scalar + Sync>(
     let mut search = structure();
     let search = Search::with(&mut *search);
     let sweep = join::join(points, swept, edges.across, settings(), search)?;
-    let (triangulation, ..) = sweep.finalize(&mut Memory::default());
+    let (triangulation, ..) = sweep.finalize(&mut Scratch::default());
     Some(triangulation)
 }

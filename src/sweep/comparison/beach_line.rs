@@ -14,7 +14,7 @@
 //! No differences: Fortune's program has such a table, too.
 
 use crate::bucket::bucket;
-use crate::ids::{OpenId, VertexId, narrow};
+use crate::ids::{BorderId, VertexId, narrow};
 
 /// In place of a neighbour or an arc: there is none.
 const NONE: u32 = u32::MAX;
@@ -24,7 +24,7 @@ const NONE: u32 = u32::MAX;
 struct Arc {
     site: VertexId,
     /// The side from this site to that of the next arc, free above.
-    open: OpenId,
+    border: BorderId,
     prev: u32,
     next: u32,
     /// How often its neighbours have changed.
@@ -53,7 +53,7 @@ impl BeachLine {
         let mut arcs = Vec::with_capacity(2 * sites.len());
         arcs.push(Arc {
             site: VertexId::new(0),
-            open: OpenId::new(0),
+            border: BorderId::new(0),
             prev: NONE,
             next: NONE,
             changes: 0,
@@ -97,12 +97,12 @@ impl BeachLine {
 
     /// Cuts an arc in two, with an arc of `p` between; `open` is both sides of the side to `p`. Returns the arc
     /// on the right.
-    pub(super) fn cut(&mut self, arc: u32, p: VertexId, open: OpenId) -> u32 {
+    pub(super) fn cut(&mut self, arc: u32, p: VertexId, border: BorderId) -> u32 {
         let whole = *self.arc(arc);
         let [middle, right] = [0, 1].map(|i| narrow(self.arcs.len() + i));
         self.arcs.push(Arc {
             site: p,
-            open,
+            border,
             prev: arc,
             next: right,
             changes: 0,
@@ -113,7 +113,7 @@ impl BeachLine {
             ..whole
         });
         let left = &mut self.arcs[arc as usize];
-        (left.open, left.next) = (open, middle);
+        (left.border, left.next) = (border, middle);
         if whole.next != NONE {
             self.arcs[whole.next as usize].prev = right;
         }
@@ -122,11 +122,11 @@ impl BeachLine {
 
     /// Removes an arc that is neither the first nor the last; `open` is the side between its neighbours, which
     /// are returned.
-    pub(super) fn remove(&mut self, arc: u32, open: OpenId) -> [u32; 2] {
+    pub(super) fn remove(&mut self, arc: u32, border: BorderId) -> [u32; 2] {
         let Arc { prev, next, .. } = *self.arc(arc);
         self.arcs[arc as usize].is_gone = true;
         let left = &mut self.arcs[prev as usize];
-        (left.open, left.next) = (open, next);
+        (left.border, left.next) = (border, next);
         self.arcs[next as usize].prev = prev;
         [prev, next]
     }
@@ -144,16 +144,16 @@ impl BeachLine {
     }
 
     /// The sites of an arc and its neighbours, each with the side to the next one; `None` at either end.
-    pub(super) fn corner(&self, arc: u32) -> Option<[(VertexId, OpenId); 3]> {
+    pub(super) fn corner(&self, arc: u32) -> Option<[(VertexId, BorderId); 3]> {
         let Arc { prev, next, .. } = *self.arc(arc);
         let is_inner = prev != NONE && next != NONE;
-        is_inner.then(|| [prev, arc, next].map(|i| (self.arc(i).site, self.arc(i).open)))
+        is_inner.then(|| [prev, arc, next].map(|i| (self.arc(i).site, self.arc(i).border)))
     }
 
     /// All sites from left to right, each with the side to the next one.
-    pub(super) fn sites(&self) -> impl Iterator<Item = (VertexId, OpenId)> {
+    pub(super) fn sites(&self) -> impl Iterator<Item = (VertexId, BorderId)> {
         let next = |&at: &u32| Some(self.arc(at).next).filter(|&next| next != NONE);
-        std::iter::successors(Some(0), next).map(|at| (self.arc(at).site, self.arc(at).open))
+        std::iter::successors(Some(0), next).map(|at| (self.arc(at).site, self.arc(at).border))
     }
 
     fn arc(&self, number: u32) -> &Arc {

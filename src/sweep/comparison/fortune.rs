@@ -31,13 +31,13 @@ use std::cmp::Ordering::{Greater, Less};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::super::corner::Corner;
-use super::super::fabric::Fabric;
+use super::super::corner::ChainVertex;
+use super::super::delaunay::Delaunay;
 use super::super::state::Sweep;
 use super::beach_line::{BeachLine, top};
 use crate::error::Error;
 use crate::ids::VertexId;
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
@@ -56,40 +56,40 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Sweeps with a beach line, and then inserts the edges; afterwards the hull is complete. Returns how many
     /// vertices lie within it: all, or none if they all lie on one line or no triangulation has come of it.
     pub(in crate::sweep) fn sweep_beach_line(&mut self) -> Result<usize, Error> {
-        let n = self.fabric.signs.vertices.len();
+        let n = self.delaunay.predicates.vertices.len();
         if self.begin_off_line().is_none() {
             return Ok(0);
         }
         self.clear();
-        let line = self.fabric.beach_line();
-        if !self.fabric.is_convex(&line) {
+        let line = self.delaunay.beach_line();
+        if !self.delaunay.is_convex(&line) {
             return Ok(0);
         }
-        self.fabric.legalize_all();
-        let start = self.fabric.ghosts_around(&line);
-        self.fabric.mesh.forget_open(n + 2);
+        self.delaunay.legalize_all();
+        let start = self.delaunay.ghosts_around(&line);
+        self.delaunay.mesh.truncate_borders(n + 2);
         self.finish_from_ghosts(start)
     }
 }
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// The beach line after all points, and all circles, have been swept; the triangles are in the mesh.
     fn beach_line(&mut self) -> BeachLine {
-        let n = self.signs.vertices.len();
-        let mut line = BeachLine::new(&self.signs.vertices.approx[..n]);
+        let n = self.predicates.vertices.len();
+        let mut line = BeachLine::new(&self.predicates.vertices.approx[..n]);
         let mut events: BinaryHeap<Vanishing> = BinaryHeap::new();
         for p in (1..n).map(VertexId::at) {
-            let site = self.signs.approx(p);
+            let site = self.predicates.approx(p);
             while let Some(&Reverse(event)) = events.peek()
                 && event.0 <= key(site[1])
             {
                 events.pop();
                 self.vanish(event, &mut line, &mut events);
             }
-            let (left, steps) = line.below(site, &self.signs.vertices.approx);
+            let (left, steps) = line.below(site, &self.predicates.vertices.approx);
             self.probe.count(|c| c.front_steps += steps);
-            // Both sides of the side to p are one open side.
-            let right = line.cut(left, p, self.mesh.add_open());
+            // Both sides of the side to p are one border half-edge.
+            let right = line.cut(left, p, self.mesh.add_border());
             for arc in [left, right] {
                 self.foresee(arc, &mut line, &mut events);
             }
@@ -106,7 +106,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         if let Some(corner) = line.corner(arc) {
             let sites = corner.map(|(site, _)| site);
             if sites[0] != sites[2] && self.orient2d(sites) == Greater {
-                let height = top(sites.map(|v| self.signs.approx(v)));
+                let height = top(sites.map(|v| self.predicates.approx(v)));
                 events.push(Reverse((key(height), arc, changes)));
             }
         }
@@ -123,11 +123,11 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             return;
         }
         if let Some(corner) = line.corner(arc) {
-            let corner = corner.map(|(vertex, open)| Corner { vertex, open });
-            let open = self.fill_ear(corner, Why::Point);
+            let corner = corner.map(|(vertex, border)| ChainVertex { vertex, border });
+            let border = self.fill_ear(corner, Why::Point);
             // All sides are tested at the end.
-            self.suspects.clear();
-            for neighbor in line.remove(arc, open) {
+            self.flip_stack.clear();
+            for neighbor in line.remove(arc, border) {
                 self.foresee(neighbor, line, events);
             }
         }
@@ -138,7 +138,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     fn is_convex(&mut self, line: &BeachLine) -> bool {
         let chain: Vec<VertexId> = line.sites().map(|(site, _)| site).collect();
         let sides = chain.len() - 1;
-        let highest = VertexId::at(self.signs.vertices.len() - 1);
+        let highest = VertexId::at(self.predicates.vertices.len() - 1);
         let rising = chain.iter().take_while(|&&v| v != highest).count();
         if chain[sides] != chain[0] || rising == chain.len() {
             return false;
@@ -148,7 +148,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         let has_triangles = || {
             line.sites()
                 .take(sides)
-                .all(|(_, open)| self.mesh.has_below(open))
+                .all(|(_, border)| self.mesh.has_border_twin(border))
         };
         if !is_monotone || !has_triangles() {
             return false;
@@ -161,14 +161,14 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// Ghosts around the chain of all sites. Returns that of the hull side that starts at the lowest.
-    fn ghosts_around(&mut self, line: &BeachLine) -> Side {
+    fn ghosts_around(&mut self, line: &BeachLine) -> HalfEdge {
         let chain: Vec<_> = line.sites().collect();
         let mut ghosts = Vec::with_capacity(chain.len());
         // The chain is clockwise around the hull.
         for pair in chain.windows(2) {
-            let [(b, open), (a, _)] = [pair[0], pair[1]];
+            let [(b, border), (a, _)] = [pair[0], pair[1]];
             let ghost = self.add_ghost(a, b);
-            self.mesh.connect(ghost, self.mesh.below(open));
+            self.mesh.connect(ghost, self.mesh.border_twin(border));
             ghosts.push(ghost);
         }
         let mut after = ghosts[ghosts.len() - 1];

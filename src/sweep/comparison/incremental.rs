@@ -12,12 +12,12 @@
 //!    or until a ghost is reached.                              b----------c       b----------c
 //! ```
 //!
-//! Why the walk ends: lifted to the paraboloid, and lowered where four lie on one circle ([`super::super::signs`]),
+//! Why the walk ends: lifted to the paraboloid, and lowered where four lie on one circle ([`super::super::predicates`]),
 //! the triangulation is a convex surface. Where the walk crosses a side, the plane of the triangle beyond it lies
 //! higher above the new vertex than that of the one before. So no triangle is visited twice.
 //!
 //! Why the insertion is right: the triangle found becomes three. All other sides were legal, so only those
-//! opposite the new vertex can be illegal, and [`Fabric::legalize_fan`] flips them. A vertex on a side makes a
+//! opposite the new vertex can be illegal, and [`Delaunay::legalize_fan`] flips them. A vertex on a side makes a
 //! triangle without area there. It lies inside the circle beyond that side, so the side is flipped. On the hull
 //! the triangle found is the ghost, and the triangle without area lies on the inner side. A ghost is flipped
 //! where its hull side has the vertex strictly outside: by the rule for a side with an artificial end.
@@ -30,13 +30,13 @@
 
 use std::cmp::Ordering::{Equal, Less};
 
-use super::super::fabric::Fabric;
-use super::super::flip_limit::contradiction;
+use super::super::delaunay::Delaunay;
+use super::super::flip_limit::inexact_scalar;
 use super::super::state::Sweep;
 use super::super::stretch::Random;
 use crate::error::Error;
 use crate::ids::{TriangleId, VertexId};
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
@@ -45,12 +45,12 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Triangulates by insertion, and then inserts the edges; afterwards the hull is complete. Returns how many
     /// vertices lie within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn insert_at_random(&mut self) -> Result<usize, Error> {
-        let n = self.fabric.signs.vertices.len();
+        let n = self.delaunay.predicates.vertices.len();
         let Some(off_line) = self.begin_off_line() else {
             return Ok(0);
         };
         self.clear();
-        self.fabric.triangle_of_first(off_line);
+        self.delaunay.triangle_of_first(off_line);
         let random = &mut Random::new();
         let mut order: Vec<VertexId> = (2..n)
             .map(VertexId::at)
@@ -62,16 +62,16 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             while (draws + 1_usize).pow(3) <= inserted {
                 draws += 1;
             }
-            let start = self.fabric.nearest_of(draws, p, random);
-            let found = self.fabric.walk(start, p);
-            self.fabric.insert(p, found);
+            let start = self.delaunay.nearest_of(draws, p, random);
+            let found = self.delaunay.walk(start, p);
+            self.delaunay.insert(p, found);
         }
-        let start = self.fabric.lowest_ghost();
+        let start = self.delaunay.lowest_ghost();
         self.finish_from_ghosts(start)
     }
 }
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// The first two vertices and the first one off their line, with ghosts around them.
     fn triangle_of_first(&mut self, off_line: VertexId) {
         let [a, b] = [0, 1].map(VertexId::at);
@@ -85,11 +85,11 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 
     /// Of so many triangles drawn at random, the one nearest to `p` by its first vertex, in plain floating point.
     fn nearest_of(&self, draws: usize, p: VertexId, random: &mut Random) -> TriangleId {
-        let [px, py] = self.signs.approx(p);
+        let [px, py] = self.predicates.approx(p);
         let mut nearest = (f64::INFINITY, TriangleId::new(0));
         for _ in 0..draws {
             let t = TriangleId::at(random.below(self.mesh.len()));
-            let [x, y] = self.signs.approx(self.mesh.get(t).vertex(0));
+            let [x, y] = self.predicates.approx(self.mesh.get(t).vertex(0));
             // No number for the vertex of the ghosts.
             let square = (x - px) * (x - px) + (y - py) * (y - py);
             if square < nearest.0 {
@@ -103,14 +103,14 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     /// on it.
     fn walk(&mut self, start: TriangleId, p: VertexId) -> TriangleId {
         // The side crossed last, as one of the triangle entered. At first none is.
-        let inner = self.hull_side(start).map(|side| self.mesh.across(side));
-        let mut entered = inner.unwrap_or(Side::new(start, 0));
+        let inner = self.hull_side(start).map(|side| self.mesh.twin(side));
+        let mut entered = inner.unwrap_or(HalfEdge::new(start, 0));
         let mut tested = 0;
         // No triangle is visited twice.
         for steps in 0..=self.mesh.len() {
             let mut on = None;
             let mut crossed = None;
-            if !self.signs.is_artificial(self.mesh.opposite(entered)) {
+            if !self.predicates.is_artificial(self.mesh.opposite(entered)) {
                 let sides = [entered, entered.next(), entered.prev()];
                 crossed = sides.into_iter().skip(tested).find(|&side| {
                     let [_, a, b] = self.mesh.around(side);
@@ -123,40 +123,40 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             }
             let Some(crossed) = crossed else {
                 self.probe.count(|c| c.front_steps += steps as u64);
-                return on.map_or(entered, |side| self.mesh.across(side)).triangle();
+                return on.map_or(entered, |side| self.mesh.twin(side)).triangle();
             };
-            (entered, tested) = (self.mesh.across(crossed), 1);
+            (entered, tested) = (self.mesh.twin(crossed), 1);
         }
-        contradiction()
+        inexact_scalar()
     }
 
     /// The hull side of a ghost; `None` for any other triangle.
-    fn hull_side(&self, t: TriangleId) -> Option<Side> {
-        let mut sides = [0, 1, 2].map(|i| Side::new(t, i)).into_iter();
-        sides.find(|&side| self.signs.is_artificial(self.mesh.opposite(side)))
+    fn hull_side(&self, t: TriangleId) -> Option<HalfEdge> {
+        let mut sides = [0, 1, 2].map(|i| HalfEdge::new(t, i)).into_iter();
+        sides.find(|&side| self.predicates.is_artificial(self.mesh.opposite(side)))
     }
 
     /// Makes three of triangle `t`, around `p`, and legalizes them.
     fn insert(&mut self, p: VertexId, t: TriangleId) {
         let [a, b, c] = self.mesh.get(t).vertices();
-        let [_, ca, ab] = [0, 1, 2].map(|i| Side::new(t, i));
-        let [across_ca, across_ab] = [ca, ab].map(|side| self.mesh.across(side));
+        let [_, ca, ab] = [0, 1, 2].map(|i| HalfEdge::new(t, i));
+        let [across_ca, across_ab] = [ca, ab].map(|side| self.mesh.twin(side));
         // Triangle t becomes p b c.
-        self.mesh.set_opposite(Side::new(t, 0), p);
-        let u = self.mesh.add([p, c, a], [across_ca, Side::NOTHING, ca]);
-        let pa = Side::new(u, 1);
+        self.mesh.set_opposite(HalfEdge::new(t, 0), p);
+        let u = self.mesh.add([p, c, a], [across_ca, HalfEdge::NOTHING, ca]);
+        let pa = HalfEdge::new(u, 1);
         let w = self.mesh.add([p, a, b], [across_ab, ab, pa]);
         for made in [t, u, w] {
             self.probe.record(|r| r.made(made, Why::Point));
         }
-        let near = self.signs.approx(p);
-        self.legalize_fan(w, near, a);
+        let approx = self.predicates.approx(p);
+        self.legalize_fan(w, approx, a);
     }
 
     /// The ghost of the hull side that starts at the lowest vertex.
-    fn lowest_ghost(&self) -> Side {
+    fn lowest_ghost(&self) -> HalfEdge {
         let ghosts = (0..self.mesh.len()).filter_map(|t| self.hull_side(TriangleId::at(t)));
         let mut at_lowest = ghosts.filter(|&ghost| self.ends(ghost)[0] == VertexId::new(0));
-        at_lowest.next().unwrap_or_else(|| contradiction())
+        at_lowest.next().unwrap_or_else(|| inexact_scalar())
     }
 }

@@ -20,11 +20,11 @@ mod sweep_2005;
 
 use std::cmp::Ordering::Equal;
 
-use super::fabric::Fabric;
+use super::delaunay::Delaunay;
 use super::state::Sweep;
 use crate::error::Error;
 use crate::ids::VertexId;
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::recorder::Phase;
 use crate::scalar::Scalar;
@@ -32,33 +32,33 @@ use crate::scalar::Scalar;
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Begins to triangulate, if not all vertices lie on one line: returns the first one off it.
     fn begin_off_line(&mut self) -> Option<VertexId> {
-        let off_line = self.fabric.first_off_line()?;
-        self.fabric.probe.begin(Phase::Sweeping);
+        let off_line = self.delaunay.first_off_line()?;
+        self.delaunay.probe.begin(Phase::Sweeping);
         Some(off_line)
     }
 
     /// Removes the first triangle and its vertex on the front, for an algorithm that needs neither.
     fn clear(&mut self) {
-        let n = self.fabric.signs.vertices.len();
+        let n = self.delaunay.predicates.vertices.len();
         self.front.begin(n);
-        self.fabric.mesh.clear();
-        self.fabric.mesh.renew_open(n + 2);
+        self.delaunay.mesh.clear();
+        self.delaunay.mesh.reset_borders(n + 2);
     }
 
     /// Inserts the edges where ghosts surround all vertices, whose number is returned; the hull side of `start`
     /// starts at the lowest vertex.
-    fn finish_from_ghosts(&mut self, start: Side) -> Result<usize, Error> {
+    fn finish_from_ghosts(&mut self, start: HalfEdge) -> Result<usize, Error> {
         self.hand_over(start);
         self.insert_all()?;
-        Ok(self.fabric.signs.vertices.len())
+        Ok(self.delaunay.predicates.vertices.len())
     }
 }
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// The first vertex in sweep order that does not lie on the line of the first two, if there is one.
     fn first_off_line(&mut self) -> Option<VertexId> {
         let [a, b] = [0, 1].map(VertexId::new);
-        let mut others = (2..self.signs.vertices.len()).map(VertexId::at);
+        let mut others = (2..self.predicates.vertices.len()).map(VertexId::at);
         others.find(|&v| self.orient2d([a, b, v]) != Equal)
     }
 }

@@ -29,9 +29,9 @@ use std::cmp::Ordering::Less;
 
 use super::super::state::{NewVertex, Sweep};
 use crate::error::Error;
-use crate::front::Way;
-use crate::ids::{OpenId, VertexId};
-use crate::mesh::Side;
+use crate::front::Direction;
+use crate::ids::{BorderId, VertexId};
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
@@ -42,7 +42,7 @@ struct HullSide {
     lower: VertexId,
     upper: VertexId,
     /// What its triangle borders on.
-    open: OpenId,
+    border: BorderId,
 }
 
 /// The lower hull left and right of the lowest vertex; the last sides end at the ends of the front.
@@ -53,10 +53,10 @@ struct LowerHull {
 }
 
 impl LowerHull {
-    fn beside(&mut self, way: Way) -> &mut Vec<HullSide> {
-        match way {
-            Way::Left => &mut self.left,
-            Way::Right => &mut self.right,
+    fn beside(&mut self, direction: Direction) -> &mut Vec<HullSide> {
+        match direction {
+            Direction::Left => &mut self.left,
+            Direction::Right => &mut self.right,
         }
     }
 }
@@ -65,7 +65,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Sweeps the points, and then inserts the edges; afterwards the hull is complete. Returns how many vertices
     /// lie within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn sweep_without_artificial(&mut self) -> Result<usize, Error> {
-        let n = self.fabric.signs.vertices.len();
+        let n = self.delaunay.predicates.vertices.len();
         let Some(off_line) = self.begin_off_line() else {
             return Ok(0);
         };
@@ -73,16 +73,20 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         for v in (1..first).map(VertexId::at) {
             self.point_event(v);
         }
-        self.fill_front(self.end(Way::Left), self.end(Way::Right), Why::Hull);
-        let artificial = self.fabric.signs.artificial;
+        self.fill_front(
+            self.end(Direction::Left),
+            self.end(Direction::Right),
+            Why::Hull,
+        );
+        let artificial = self.delaunay.predicates.artificial;
         let mut hull = self.take_lower_hull();
         for v in (first..n).map(VertexId::at) {
             let p = self.new_vertex(v);
             let (left, is_above) = self.segment_under(p);
-            if left == artificial.left || is_above && left == self.end(Way::Left) {
-                self.beside_front(p, Way::Left, &mut hull);
+            if left == artificial.left || is_above && left == self.end(Direction::Left) {
+                self.beside_front(p, Direction::Left, &mut hull);
             } else if self.front.next(left) == artificial.right {
-                self.beside_front(p, Way::Right, &mut hull);
+                self.beside_front(p, Direction::Right, &mut hull);
             } else {
                 self.add_above(p, left, is_above);
             }
@@ -95,11 +99,11 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     /// The last real node of the front.
-    fn end(&self, way: Way) -> VertexId {
-        let artificial = self.fabric.signs.artificial;
-        match way {
-            Way::Left => self.front.next(artificial.left),
-            Way::Right => self.front.prev(artificial.right),
+    fn end(&self, direction: Direction) -> VertexId {
+        let artificial = self.delaunay.predicates.artificial;
+        match direction {
+            Direction::Left => self.front.next(artificial.left),
+            Direction::Right => self.front.prev(artificial.right),
         }
     }
 
@@ -107,14 +111,22 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     fn take_lower_hull(&mut self) -> LowerHull {
         let mut hull = LowerHull::default();
         for ghost in self.lower_ghosts() {
-            let [a, b] = self.fabric.ends(ghost);
-            let mesh = &mut self.fabric.mesh;
-            let open = mesh.add_open();
-            mesh.connect(mesh.across(ghost), Side::open(open));
+            let [a, b] = self.delaunay.ends(ghost);
+            let mesh = &mut self.delaunay.mesh;
+            let border = mesh.add_border();
+            mesh.connect(mesh.twin(ghost), HalfEdge::border(border));
             mesh.retire(ghost.triangle());
-            let way = if b < a { Way::Left } else { Way::Right };
+            let direction = if b < a {
+                Direction::Left
+            } else {
+                Direction::Right
+            };
             let [lower, upper] = [a.min(b), a.max(b)];
-            hull.beside(way).push(HullSide { lower, upper, open });
+            hull.beside(direction).push(HullSide {
+                lower,
+                upper,
+                border,
+            });
         }
         // The ghosts run down on the left.
         hull.left.reverse();
@@ -122,73 +134,76 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     /// Adds `p`, which lies beyond the end of the front or above it.
-    fn beside_front(&mut self, p: NewVertex, way: Way, hull: &mut LowerHull) {
-        let sides = hull.beside(way);
-        let end = self.end(way);
-        let open = self.fabric.mesh.add_open();
+    fn beside_front(&mut self, p: NewVertex, direction: Direction, hull: &mut LowerHull) {
+        let sides = hull.beside(direction);
+        let end = self.end(direction);
+        let border = self.delaunay.mesh.add_border();
         // Segments of the front bear the number of their left end.
-        let (before, segment) = match way {
-            Way::Left => (self.fabric.signs.artificial.left, p.id),
-            Way::Right => (end, end),
+        let (before, segment) = match direction {
+            Direction::Left => (self.delaunay.predicates.artificial.left, p.id),
+            Direction::Right => (end, end),
         };
         self.put_on_front(p, before);
-        let mut spoke = Side::open(OpenId::segment(segment));
+        let mut spoke = HalfEdge::border(BorderId::segment(segment));
         let mut lower = end;
         while let Some(&side) = sides.last()
-            && self.sees(p.id, way, side)
+            && self.sees(p.id, direction, side)
         {
             sides.pop();
             lower = side.lower;
-            let [behind, new] = [self.fabric.mesh.below(side.open), Side::open(open)];
-            let (vertices, across) = match way {
-                Way::Left => ([p.id, lower, side.upper], [behind, spoke, new]),
-                Way::Right => ([p.id, side.upper, lower], [behind, new, spoke]),
+            let [behind, new] = [
+                self.delaunay.mesh.border_twin(side.border),
+                HalfEdge::border(border),
+            ];
+            let (vertices, twin) = match direction {
+                Direction::Left => ([p.id, lower, side.upper], [behind, spoke, new]),
+                Direction::Right => ([p.id, side.upper, lower], [behind, new, spoke]),
             };
-            let t = self.fabric.make(vertices, across, Why::Point);
-            self.fabric.legalize_fan(t, p.near, vertices[2]);
-            spoke = self.fabric.mesh.below(open);
+            let t = self.delaunay.add_triangle(vertices, twin, Why::Point);
+            self.delaunay.legalize_fan(t, p.approx, vertices[2]);
+            spoke = self.delaunay.mesh.border_twin(border);
         }
         if lower == end {
-            self.close_end(p, way, end, open);
+            self.close_end(p, direction, end, border);
         }
         sides.push(HullSide {
             lower,
             upper: p.id,
-            open,
+            border,
         });
     }
 
     /// Whether `p` has a side of the hull strictly outside.
-    fn sees(&mut self, p: VertexId, way: Way, side: HullSide) -> bool {
-        let [from, to] = match way {
-            Way::Left => [side.upper, side.lower],
-            Way::Right => [side.lower, side.upper],
+    fn sees(&mut self, p: VertexId, direction: Direction, side: HullSide) -> bool {
+        let [from, to] = match direction {
+            Direction::Left => [side.upper, side.lower],
+            Direction::Right => [side.lower, side.upper],
         };
-        self.fabric.orient2d([from, to, p]) == Less
+        self.delaunay.orient2d([from, to, p]) == Less
     }
 
     /// Closes the corner at `end`, which was the end of the front and is now below it; the triangle borders on
     /// `open`.
-    fn close_end(&mut self, p: NewVertex, way: Way, end: VertexId, open: OpenId) {
-        let inner = match way {
-            Way::Left => self.front.next(end),
-            Way::Right => self.front.prev(end),
+    fn close_end(&mut self, p: NewVertex, direction: Direction, end: VertexId, border: BorderId) {
+        let inner = match direction {
+            Direction::Left => self.front.next(end),
+            Direction::Right => self.front.prev(end),
         };
-        let below = |v| self.fabric.mesh.below(OpenId::segment(v));
-        let segment = |v| Side::open(OpenId::segment(v));
-        let (vertices, across) = match way {
-            Way::Left => (
+        let below = |v| self.delaunay.mesh.border_twin(BorderId::segment(v));
+        let segment = |v| HalfEdge::border(BorderId::segment(v));
+        let (vertices, twin) = match direction {
+            Direction::Left => (
                 [p.id, end, inner],
-                [below(end), segment(p.id), Side::open(open)],
+                [below(end), segment(p.id), HalfEdge::border(border)],
             ),
-            Way::Right => (
+            Direction::Right => (
                 [p.id, inner, end],
-                [below(inner), Side::open(open), segment(inner)],
+                [below(inner), HalfEdge::border(border), segment(inner)],
             ),
         };
-        let t = self.fabric.make(vertices, across, Why::Point);
+        let t = self.delaunay.add_triangle(vertices, twin, Why::Point);
         self.take_off_front(end);
-        self.fabric.legalize_fan(t, p.near, vertices[2]);
+        self.delaunay.legalize_fan(t, p.approx, vertices[2]);
     }
 
     /// Artificial triangles below the lower hull.
@@ -198,26 +213,28 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             .left
             .iter()
             .rev()
-            .map(|side| (side.upper, side.lower, side.open));
+            .map(|side| (side.upper, side.lower, side.border));
         let right = hull
             .right
             .iter()
-            .map(|side| (side.lower, side.upper, side.open));
-        let fabric = &mut self.fabric;
-        let mut ghosts = |sides: &mut dyn Iterator<Item = (VertexId, VertexId, OpenId)>| {
-            let mut ghosts: Vec<Side> = Vec::new();
-            for (a, b, open) in sides {
-                let ghost = fabric.add_ghost(a, b);
-                fabric.mesh.connect(ghost, fabric.mesh.below(open));
+            .map(|side| (side.lower, side.upper, side.border));
+        let delaunay = &mut self.delaunay;
+        let mut ghosts = |sides: &mut dyn Iterator<Item = (VertexId, VertexId, BorderId)>| {
+            let mut ghosts: Vec<HalfEdge> = Vec::new();
+            for (a, b, border) in sides {
+                let ghost = delaunay.add_ghost(a, b);
+                delaunay
+                    .mesh
+                    .connect(ghost, delaunay.mesh.border_twin(border));
                 if let Some(&before) = ghosts.last() {
-                    fabric.join_ghosts(before, ghost);
+                    delaunay.join_ghosts(before, ghost);
                 }
                 ghosts.push(ghost);
             }
             ghosts
         };
         let [left, right] = [ghosts(&mut { left }), ghosts(&mut { right })];
-        let last = self.end(Way::Right);
+        let last = self.end(Direction::Right);
         self.close_lower_hull(&left, &right, VertexId::new(0), last);
     }
 }

@@ -11,80 +11,84 @@
 //!
 //! Cost: O(h) for h vertices on the hull.
 
-use super::super::flip_limit::contradiction;
+use super::super::flip_limit::inexact_scalar;
 use super::super::state::Sweep;
-use super::Part;
-use crate::ids::{OpenId, VertexId};
-use crate::mesh::Side;
+use super::SubTriangulation;
+use crate::ids::{BorderId, VertexId};
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Encloses the first `vertices` vertices, two or more and all that have been swept, in ghosts with the
     /// vertex `outside`.
-    pub(in crate::sweep) fn enclose(&mut self, vertices: usize, outside: VertexId) -> Part {
+    pub(in crate::sweep) fn enclose(
+        &mut self,
+        vertices: usize,
+        outside: VertexId,
+    ) -> SubTriangulation {
         let mut ghosts = self.lower_ghosts();
         self.add_upper_ghosts(&mut ghosts);
         let highest = VertexId::at(vertices - 1);
-        let part = Part {
+        let part = SubTriangulation {
             first: self.starting_at(VertexId::new(0), &ghosts),
             last: self.starting_at(highest, &ghosts),
         };
         for (i, &ghost) in ghosts.iter().enumerate() {
             let next = ghosts[(i + 1) % ghosts.len()];
-            self.fabric.join_ghosts(ghost, next);
-            self.fabric.mesh.set_opposite(ghost, outside);
+            self.delaunay.join_ghosts(ghost, next);
+            self.delaunay.mesh.set_opposite(ghost, outside);
         }
         part
     }
 
     /// The artificial triangles of the lower hull as ghosts, counter-clockwise; the one between those of P-1
     /// and those of P-2 retires.
-    pub(in crate::sweep) fn lower_ghosts(&mut self) -> Vec<Side> {
-        let artificial = self.fabric.signs.artificial;
-        let mesh = &mut self.fabric.mesh;
+    pub(in crate::sweep) fn lower_ghosts(&mut self) -> Vec<HalfEdge> {
+        let artificial = self.delaunay.predicates.artificial;
+        let mesh = &mut self.delaunay.mesh;
         let mut ghosts = Vec::new();
         // What lies across, seen from the triangle before; first from the front.
-        let mut side = mesh.below(OpenId::segment(artificial.left));
-        while !side.is_open() {
+        let mut side = mesh.border_twin(BorderId::segment(artificial.left));
+        while !side.is_border() {
             // The hull has no more sides than there are triangles.
             if ghosts.len() > mesh.len() {
-                contradiction();
+                inexact_scalar();
             }
             if mesh.opposite(side) == artificial.right {
                 let lowest = side.triangle();
-                side = mesh.across(side.prev());
+                side = mesh.twin(side.prev());
                 mesh.retire(lowest);
             } else {
                 ghosts.push(side.prev());
-                side = mesh.across(side.next());
+                side = mesh.twin(side.next());
             }
         }
         ghosts
     }
 
     /// New ghosts for the upper hull, from right to left.
-    fn add_upper_ghosts(&mut self, ghosts: &mut Vec<Side>) {
-        let artificial = self.fabric.signs.artificial;
+    fn add_upper_ghosts(&mut self, ghosts: &mut Vec<HalfEdge>) {
+        let artificial = self.delaunay.predicates.artificial;
         let mut at = self.front.prev(artificial.right);
         loop {
             let left = self.front.prev(at);
             if left == artificial.left {
                 break;
             }
-            let inner = self.fabric.mesh.below(OpenId::segment(left));
-            let ghost = self.fabric.add_ghost(at, left);
-            self.fabric.mesh.connect(ghost, inner);
+            let inner = self.delaunay.mesh.border_twin(BorderId::segment(left));
+            let ghost = self.delaunay.add_ghost(at, left);
+            self.delaunay.mesh.connect(ghost, inner);
             ghosts.push(ghost);
             at = left;
         }
     }
 
     /// The ghost of the hull side that starts at `v`, which is the first or the last vertex in sweep order.
-    fn starting_at(&self, v: VertexId, ghosts: &[Side]) -> Side {
+    fn starting_at(&self, v: VertexId, ghosts: &[HalfEdge]) -> HalfEdge {
         let found = ghosts
             .iter()
-            .find(|&&ghost| self.fabric.ends(ghost)[0] == v);
-        found.copied().unwrap_or_else(|| contradiction())
+            .find(|&&ghost| self.delaunay.ends(ghost)[0] == v);
+        found.copied().unwrap_or_else(|| inexact_scalar())
     }
 }

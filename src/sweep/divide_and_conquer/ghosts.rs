@@ -16,50 +16,50 @@
 
 use std::cmp::Ordering;
 
-use super::super::fabric::Fabric;
-use super::Part;
+use super::super::delaunay::Delaunay;
+use super::SubTriangulation;
 use crate::ids::VertexId;
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// A ghost for the hull side from `a` to `b`.
-    pub(in crate::sweep) fn add_ghost(&mut self, a: VertexId, b: VertexId) -> Side {
-        let ghost = self.signs.artificial.left;
-        let t = self.mesh.add([ghost, b, a], [Side::NOTHING; 3]);
-        Side::new(t, 0)
+    pub(in crate::sweep) fn add_ghost(&mut self, a: VertexId, b: VertexId) -> HalfEdge {
+        let ghost = self.predicates.artificial.left;
+        let t = self.mesh.add([ghost, b, a], [HalfEdge::NOTHING; 3]);
+        HalfEdge::new(t, 0)
     }
 
     /// Both ends of a ghost's hull side, counter-clockwise around the hull.
-    pub(in crate::sweep) fn ends(&self, ghost: Side) -> [VertexId; 2] {
+    pub(in crate::sweep) fn ends(&self, ghost: HalfEdge) -> [VertexId; 2] {
         let [_, b, a] = self.mesh.around(ghost);
         [a, b]
     }
 
     /// The ghost whose hull side starts where that of `ghost` ends.
-    pub(super) fn after(&self, ghost: Side) -> Side {
-        self.mesh.across(ghost.prev()).prev()
+    pub(super) fn after(&self, ghost: HalfEdge) -> HalfEdge {
+        self.mesh.twin(ghost.prev()).prev()
     }
 
     /// The ghost whose hull side ends where that of `ghost` starts.
-    pub(super) fn before(&self, ghost: Side) -> Side {
-        self.mesh.across(ghost.next()).next()
+    pub(super) fn before(&self, ghost: HalfEdge) -> HalfEdge {
+        self.mesh.twin(ghost.next()).next()
     }
 
     /// Makes two ghosts neighbours: the hull side of `after` starts where that of `before` ends.
-    pub(in crate::sweep) fn join_ghosts(&mut self, before: Side, after: Side) {
+    pub(in crate::sweep) fn join_ghosts(&mut self, before: HalfEdge, after: HalfEdge) {
         self.mesh.connect(before.prev(), after.next());
     }
 
     /// Two or three vertices, number `from` to `to` (exclusive) in sweep order.
-    pub(super) fn leaf(&mut self, from: usize, to: usize) -> Part {
+    pub(super) fn leaf(&mut self, from: usize, to: usize) -> SubTriangulation {
         let v = [from, from + 1, to - 1].map(VertexId::at);
         if to - from == 2 {
             let ghosts = self.ring([v[0], v[1]]);
             self.mesh.connect(ghosts[0], ghosts[1]);
             let [first, last] = ghosts;
-            return Part { first, last };
+            return SubTriangulation { first, last };
         }
         match self.orient2d(v) {
             Ordering::Equal => {
@@ -67,18 +67,18 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 self.mesh.connect(ghosts[0], ghosts[3]);
                 self.mesh.connect(ghosts[1], ghosts[2]);
                 let [first, _, last, _] = ghosts;
-                Part { first, last }
+                SubTriangulation { first, last }
             }
             Ordering::Greater => {
                 let ghosts = self.triangle(v);
-                Part {
+                SubTriangulation {
                     first: ghosts[0],
                     last: ghosts[2],
                 }
             }
             Ordering::Less => {
                 let ghosts = self.triangle([v[0], v[2], v[1]]);
-                Part {
+                SubTriangulation {
                     first: ghosts[0],
                     last: ghosts[1],
                 }
@@ -87,7 +87,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// A triangle with its ghosts; the hull side of the first one starts at its first vertex.
-    pub(in crate::sweep) fn triangle(&mut self, [a, b, c]: [VertexId; 3]) -> [Side; 3] {
+    pub(in crate::sweep) fn triangle(&mut self, [a, b, c]: [VertexId; 3]) -> [HalfEdge; 3] {
         let ghosts = self.ring([a, b, c]);
         let t = self.mesh.add([c, a, b], ghosts);
         self.probe.record(|r| r.merged(t));
@@ -95,8 +95,9 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// Ghosts around a hull with these vertices.
-    fn ring<const N: usize>(&mut self, hull: [VertexId; N]) -> [Side; N] {
-        let ghosts: [Side; N] = std::array::from_fn(|i| self.add_ghost(hull[i], hull[(i + 1) % N]));
+    fn ring<const N: usize>(&mut self, hull: [VertexId; N]) -> [HalfEdge; N] {
+        let ghosts: [HalfEdge; N] =
+            std::array::from_fn(|i| self.add_ghost(hull[i], hull[(i + 1) % N]));
         for i in 0..N {
             self.join_ghosts(ghosts[i], ghosts[(i + 1) % N]);
         }

@@ -8,24 +8,24 @@
 
 use std::cmp::Ordering::Greater;
 
-use super::super::flip_limit::contradiction;
+use super::super::flip_limit::inexact_scalar;
 use super::super::state::Sweep;
-use crate::ids::{OpenId, VertexId};
-use crate::mesh::Side;
+use crate::ids::{BorderId, VertexId};
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Replaces the ghosts; the hull side of `start` starts at the lowest vertex.
-    pub(in crate::sweep) fn hand_over(&mut self, start: Side) {
+    pub(in crate::sweep) fn hand_over(&mut self, start: HalfEdge) {
         let ghosts = self.ring_of(start);
         // Counter-clockwise: the lower hull to the right, the upper hull back, the lower hull to the left.
-        let falls = |ghost: &Side| {
-            let [a, b] = self.fabric.ends(*ghost);
-            self.fabric.signs.compare_x(a, b) == Greater
+        let falls = |ghost: &HalfEdge| {
+            let [a, b] = self.delaunay.ends(*ghost);
+            self.delaunay.predicates.compare_x(a, b) == Greater
         };
-        let rises = |ghost: &&Side| {
-            let [a, b] = self.fabric.ends(**ghost);
+        let rises = |ghost: &&HalfEdge| {
+            let [a, b] = self.delaunay.ends(**ghost);
             a < b && !falls(ghost)
         };
         let right = ghosts.iter().take_while(rises).count();
@@ -36,41 +36,41 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         let (right, others) = ghosts.split_at(right);
         let (upper, left) = others.split_at(upper);
 
-        let [lowest, _] = self.fabric.ends(start);
+        let [lowest, _] = self.delaunay.ends(start);
         let last = right
             .last()
-            .map_or(lowest, |&ghost| self.fabric.ends(ghost)[1]);
+            .map_or(lowest, |&ghost| self.delaunay.ends(ghost)[1]);
         self.open_upper_hull(upper, last);
         self.close_lower_hull(left, right, lowest, last);
     }
 
     /// All ghosts, counter-clockwise from `start`.
-    fn ring_of(&self, start: Side) -> Vec<Side> {
-        let after = |&ghost: &Side| {
-            let next = self.fabric.after(ghost);
+    fn ring_of(&self, start: HalfEdge) -> Vec<HalfEdge> {
+        let after = |&ghost: &HalfEdge| {
+            let next = self.delaunay.after(ghost);
             (next != start).then_some(next)
         };
-        let most = self.fabric.mesh.len();
-        let ghosts: Vec<Side> = std::iter::successors(Some(start), after)
+        let most = self.delaunay.mesh.len();
+        let ghosts: Vec<HalfEdge> = std::iter::successors(Some(start), after)
             .take(most + 1)
             .collect();
         if ghosts.len() > most {
-            contradiction();
+            inexact_scalar();
         }
         ghosts
     }
 
     /// The front takes the place of these ghosts, which run from right to left, from `last` on.
-    fn open_upper_hull(&mut self, upper: &[Side], last: VertexId) {
-        let artificial = self.fabric.signs.artificial;
+    fn open_upper_hull(&mut self, upper: &[HalfEdge], last: VertexId) {
+        let artificial = self.delaunay.predicates.artificial;
         self.front.link(last, artificial.left);
         for &ghost in upper {
-            let [_, left] = self.fabric.ends(ghost);
-            let inner = self.fabric.mesh.across(ghost);
-            self.fabric
+            let [_, left] = self.delaunay.ends(ghost);
+            let inner = self.delaunay.mesh.twin(ghost);
+            self.delaunay
                 .mesh
-                .connect(inner, Side::open(OpenId::segment(left)));
-            self.fabric.mesh.retire(ghost.triangle());
+                .connect(inner, HalfEdge::border(BorderId::segment(left)));
+            self.delaunay.mesh.retire(ghost.triangle());
             self.front.link(left, artificial.left);
         }
     }
@@ -79,27 +79,27 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// to it, and those `right` of it, which run up to the last vertex of the front.
     pub(in crate::sweep) fn close_lower_hull(
         &mut self,
-        left: &[Side],
-        right: &[Side],
+        left: &[HalfEdge],
+        right: &[HalfEdge],
         lowest: VertexId,
         last: VertexId,
     ) {
-        let artificial = self.fabric.signs.artificial;
-        let mesh = &mut self.fabric.mesh;
+        let artificial = self.delaunay.predicates.artificial;
+        let mesh = &mut self.delaunay.mesh;
         for &ghost in right {
             mesh.set_opposite(ghost, artificial.right);
         }
         let [mut at_left, mut at_right] =
-            [artificial.left, lowest].map(|v| Side::open(OpenId::segment(v)));
+            [artificial.left, lowest].map(|v| HalfEdge::border(BorderId::segment(v)));
         if let (Some(first), Some(end)) = (left.first(), left.last()) {
             mesh.connect(first.next(), at_left);
             at_left = end.prev();
         }
         if let (Some(first), Some(end)) = (right.first(), right.last()) {
-            mesh.connect(end.prev(), Side::open(OpenId::segment(last)));
+            mesh.connect(end.prev(), HalfEdge::border(BorderId::segment(last)));
             at_right = first.next();
         }
         let vertices = [lowest, artificial.left, artificial.right];
-        mesh.add(vertices, [Side::NOTHING, at_right, at_left]);
+        mesh.add(vertices, [HalfEdge::NOTHING, at_right, at_left]);
     }
 }

@@ -14,7 +14,7 @@
 //! ```
 //!
 //! Why it is right: both tests ask whether a side of a quadrilateral must be flipped
-//! ([`SweepPredicates::must_flip`](super::super::signs::SweepPredicates::must_flip)): l-l2 between r and the vertex
+//! ([`SweepPredicates::must_flip`](super::super::predicates::SweepPredicates::must_flip)): l-l2 between r and the vertex
 //! behind it, and r-l2 between l and r2. So the canonical rule decides ties here as in the sweep. That is the sign for points
 //! which are lifted and lowered by symbolic amounts, where no four lie on one circle, and for these Guibas
 //! and Stolfi's proof holds.
@@ -23,10 +23,10 @@
 //! it. To make a triangle is to replace the third vertex of a ghost by the other end of the base. So a merge
 //! adds two triangles to the mesh, the ghosts of the first and the last base.
 //!
-//! Where sides may be fixed, none is removed, and the gap is *zipped* up: of the two triangles above the base
+//! Where sides may be constrained, none is removed, and the gap is *zipped* up: of the two triangles above the base
 //! one is made, as before. Both hulls are convex and a line separates them. So if r2 lies in the triangle l,
 //! r, l2, it lies in its circle, and the other triangle is made. Likewise l2. Hence the triangles fill the gap
-//! without overlap. All their sides become suspects, and legalization does the rest
+//! without overlap. All their sides go on the flip stack, and legalization does the rest
 //! ([`super::super::legalization`]).
 //!
 //! Cost: O(k) for k vertices in both parts. Each step removes a triangle of a part or moves the base, and a
@@ -34,11 +34,11 @@
 
 use std::cmp::Ordering::{Greater, Less};
 
-use super::super::fabric::Fabric;
-use super::super::flip_limit::contradiction;
-use super::{Part, Seam};
+use super::super::delaunay::Delaunay;
+use super::super::flip_limit::inexact_scalar;
+use super::{MergeMode, SubTriangulation};
 use crate::ids::VertexId;
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
@@ -48,19 +48,24 @@ struct Gap {
     l: VertexId,
     r: VertexId,
     /// The base as a side of the triangle below it.
-    base: Side,
+    base: HalfEdge,
     /// The ghosts at the gap: of the hull side that starts at `l`, and of the one that ends at `r`. Their
     /// sides at `l` and at `r` border on nothing.
-    left: Side,
-    right: Side,
-    seam: Seam,
+    left: HalfEdge,
+    right: HalfEdge,
+    mode: MergeMode,
     /// Steps that a merge may still take.
     steps: usize,
 }
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// Merges two parts; those in `upper` come after those in `lower` in sweep order.
-    pub(in crate::sweep) fn merge(&mut self, lower: Part, upper: Part, seam: Seam) -> Part {
+    pub(in crate::sweep) fn merge(
+        &mut self,
+        lower: SubTriangulation,
+        upper: SubTriangulation,
+        mode: MergeMode,
+    ) -> SubTriangulation {
         let [first, _] = self.ends(lower.first);
         let [last, _] = self.ends(upper.last);
         let [before, after] = self.tangent(lower, upper);
@@ -76,7 +81,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
             base: bottom,
             left,
             right,
-            seam,
+            mode,
             // No merge takes as many steps as there are triangles, ghosts included.
             steps: 2 * self.mesh.len(),
         };
@@ -88,7 +93,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         self.join_ghosts(top, gap.left);
         self.mesh.connect(top, gap.base);
 
-        Part {
+        SubTriangulation {
             first: if l == first { bottom } else { lower.first },
             last: if gap.r == last { top } else { upper.last },
         }
@@ -96,7 +101,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 
     /// The ghosts beside the first base: of the hull side that ends at its left end, and of the one that
     /// starts at its right end.
-    fn tangent(&mut self, lower: Part, upper: Part) -> [Side; 2] {
+    fn tangent(&mut self, lower: SubTriangulation, upper: SubTriangulation) -> [HalfEdge; 2] {
         // The last vertex on the left and the first on the right see each other. From there both ends go
         // down while the neighbour lies below the base.
         let (mut before, mut after) = (self.before(lower.last), upper.first);
@@ -110,7 +115,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 return [before, after];
             }
         }
-        contradiction()
+        inexact_scalar()
     }
 
     /// Makes the triangle above the base, which becomes its other side to the other part. Returns whether
@@ -127,8 +132,8 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         // Its ghost becomes the triangle.
         let outer = if is_right { gap.right } else { gap.left };
         self.probe.record(|r| r.merged(outer.triangle()));
-        if gap.seam == Seam::Zipped {
-            self.suspects.extend([outer, gap.base]);
+        if gap.mode == MergeMode::Stitch {
+            self.flip_stack.extend([outer, gap.base]);
         }
         if is_right {
             let next = self.before(gap.right);
@@ -157,7 +162,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         if self.orient2d([gap.l, gap.r, l2]) != Greater {
             return None;
         }
-        while gap.seam == Seam::Carved
+        while gap.mode == MergeMode::Delete
             && let Some(behind) = self.behind(gap.left)
             && self.must_flip([gap.r, l2, gap.l], behind)
         {
@@ -175,7 +180,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
         if self.orient2d([gap.l, gap.r, r2]) != Greater {
             return None;
         }
-        while gap.seam == Seam::Carved
+        while gap.mode == MergeMode::Delete
             && let Some(behind) = self.behind(gap.right)
             && self.must_flip([gap.l, gap.r, r2], behind)
         {
@@ -188,14 +193,15 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
     }
 
     /// The vertex behind a hull side, if a triangle is there and no ghost.
-    fn behind(&self, ghost: Side) -> Option<VertexId> {
-        let v = self.mesh.opposite(self.mesh.across(ghost));
-        (!self.signs.is_artificial(v)).then_some(v)
+    fn behind(&self, ghost: HalfEdge) -> Option<VertexId> {
+        let v = self.mesh.opposite(self.mesh.twin(ghost));
+        (!self.predicates.is_artificial(v)).then_some(v)
     }
 
     fn must_flip(&mut self, triangle: [VertexId; 3], q: VertexId) -> bool {
-        let near = self.signs.approx(triangle[0]);
-        self.signs.must_flip(triangle, near, q, &mut self.probe)
+        let approx = self.predicates.approx(triangle[0]);
+        self.predicates
+            .must_flip(triangle, approx, q, &mut self.probe)
     }
 }
 
@@ -203,7 +209,7 @@ impl Gap {
     /// Counts a step.
     fn step(&mut self) {
         if self.steps == 0 {
-            contradiction();
+            inexact_scalar();
         }
         self.steps -= 1;
     }

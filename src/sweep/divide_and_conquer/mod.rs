@@ -11,9 +11,9 @@
 //! the same one is found.
 //!
 //! A sweep that is abandoned leaves its lower vertices triangulated. Where no edges are, ghosts enclose them
-//! ([`enclose`]), and they are one of the parts. With edges all begins anew, since no fixed side may be removed.
+//! ([`enclose`]), and they are one of the parts. With edges all begins anew, since no constrained side may be removed.
 //!
-//! Cost: O(n log n) for n points; for the edges see [`super::edge_event`] and [`super::rests`].
+//! Cost: O(n log n) for n points; for the edges see [`super::edge_event`] and [`super::pending_edges`].
 //!
 //! Differs from Guibas and Stolfi: triangles with ghosts in place of a quad-edge structure (after Shewchuk
 //! 1996); a loop with a stack in place of the recursion; ties follow the canonical rule; halves are divided
@@ -24,30 +24,30 @@ mod ghosts;
 mod hand_over;
 mod merge;
 
-use super::fabric::Fabric;
+use super::delaunay::Delaunay;
 use super::flip_limit::FlipLimit;
 use super::state::Sweep;
 use crate::error::Error;
 use crate::ids::VertexId;
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::recorder::Phase;
 use crate::scalar::Scalar;
 
 /// A triangulated part: vertices that follow each other in sweep order, with ghosts around them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Part {
+pub(super) struct SubTriangulation {
     /// The ghost of the hull side that starts at its first vertex in sweep order.
-    pub(super) first: Side,
+    pub(super) first: HalfEdge,
     /// The ghost of the hull side that starts at its last vertex.
-    pub(super) last: Side,
+    pub(super) last: HalfEdge,
 }
 
-impl Part {
+impl SubTriangulation {
     /// The same part where all triangles are numbered higher by so much.
     #[cfg(feature = "parallel")]
-    pub(super) fn moved(self, triangles: u32) -> Part {
-        Part {
+    pub(super) fn moved(self, triangles: u32) -> SubTriangulation {
+        SubTriangulation {
             first: self.first.moved(triangles),
             last: self.last.moved(triangles),
         }
@@ -56,11 +56,11 @@ impl Part {
 
 /// How the gap between two parts is closed ([`merge`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Seam {
-    /// Sides of the parts that must go are removed. No side may be fixed.
-    Carved,
-    /// All sides stay, and those that may be illegal now become suspects.
-    Zipped,
+pub(super) enum MergeMode {
+    /// Sides of the parts that must go are removed. No side may be constrained.
+    Delete,
+    /// All sides stay, and those that may be illegal now go on the flip stack.
+    Stitch,
 }
 
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
@@ -68,24 +68,25 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// first vertex on it is inserted. The first `swept` vertices are kept as they are, with a hull that is
     /// complete; if there are any, two others or more follow, and there are no edges.
     pub(super) fn divide_and_conquer(&mut self, swept: usize) -> Result<(), Error> {
-        self.fabric.probe.begin(Phase::Sweeping);
-        let n = self.fabric.signs.vertices.len();
-        self.fabric.probe.record(|r| r.stats.is_divided = true);
-        self.fabric.flip_limit = FlipLimit::new(n, false);
+        self.delaunay.probe.begin(Phase::Sweeping);
+        let n = self.delaunay.predicates.vertices.len();
+        self.delaunay.probe.record(|r| r.stats.is_divided = true);
+        self.delaunay.flip_limit = FlipLimit::new(n, false);
         self.chains.clear();
-        self.rests.clear();
-        let lower = (swept > 0).then(|| self.enclose(swept, self.fabric.signs.artificial.left));
+        self.pending.clear();
+        let lower =
+            (swept > 0).then(|| self.enclose(swept, self.delaunay.predicates.artificial.left));
         self.front.begin(n);
         if lower.is_none() {
-            self.fabric.mesh.clear();
+            self.delaunay.mesh.clear();
         }
-        self.fabric.mesh.renew_open(n + 2);
+        self.delaunay.mesh.reset_borders(n + 2);
         if n == 1 {
             self.first_triangle();
         } else {
-            let mut whole = self.fabric.triangulate(swept);
+            let mut whole = self.delaunay.triangulate(swept);
             if let Some(lower) = lower {
-                whole = self.fabric.merge(lower, whole, Seam::Carved);
+                whole = self.delaunay.merge(lower, whole, MergeMode::Delete);
             }
             self.hand_over(whole.first);
         }
@@ -98,7 +99,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         if self.edges.is_empty() {
             return Ok(());
         }
-        let n = self.fabric.signs.vertices.len();
+        let n = self.delaunay.predicates.vertices.len();
         for v in (0..n).map(VertexId::at) {
             if !self.edges.at(v).is_empty() {
                 self.list_edges(v);
@@ -110,11 +111,11 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 }
 
-impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
+impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// Triangulates all vertices from number `first` on, of which there are at least two.
-    fn triangulate(&mut self, first: usize) -> Part {
-        let n = self.signs.vertices.len();
-        let mut parts: Vec<(u32, Part)> = Vec::new();
+    fn triangulate(&mut self, first: usize) -> SubTriangulation {
+        let n = self.predicates.vertices.len();
+        let mut parts: Vec<(u32, SubTriangulation)> = Vec::new();
         for leaf in 0..(n - first) / 2 {
             let from = first + 2 * leaf;
             // The last leaf has three vertices if their number is odd.
@@ -126,14 +127,14 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
                 && other == height
             {
                 parts.pop();
-                part = self.merge(before, part, Seam::Carved);
+                part = self.merge(before, part, MergeMode::Delete);
                 height += 1;
             }
             parts.push((height, part));
         }
         let mut whole = parts.pop().expect("there is a leaf").1;
         while let Some((_, before)) = parts.pop() {
-            whole = self.merge(before, whole, Seam::Carved);
+            whole = self.merge(before, whole, MergeMode::Delete);
         }
         whole
     }
@@ -142,7 +143,7 @@ impl<S: Scalar, P: Probe> Fabric<'_, S, P> {
 #[cfg(test)]
 mod tests {
     use super::super::initialization::initialize;
-    use super::super::memory::Memory;
+    use super::super::scratch::Scratch;
     use crate::front::{HashTable, Search};
     use crate::ids::VertexId;
     use crate::settings::{Algorithm, Heuristics, Settings};
@@ -157,10 +158,10 @@ mod tests {
 
     /// The triangulation whose sweep is abandoned after so many vertices.
     fn after(swept: usize, points: &[[f64; 2]]) -> Triangulation {
-        let mut memory = Memory::default();
+        let mut scratch = Scratch::default();
         let mut front = HashTable::default();
         let front = Search::with(&mut front);
-        let sweep = initialize(points, &[], SETTINGS, front, (), &mut memory);
+        let sweep = initialize(points, &[], SETTINGS, front, (), &mut scratch);
         let mut sweep = sweep.expect("valid points");
         for v in (1..swept).map(VertexId::at) {
             sweep.point_event(v);
@@ -169,7 +170,7 @@ mod tests {
             sweep.complete_hull();
         }
         sweep.divide_and_conquer(swept).expect("no edges");
-        let (triangulation, ()) = sweep.finalize(&mut memory);
+        let (triangulation, ()) = sweep.finalize(&mut scratch);
         triangulation
     }
 

@@ -92,8 +92,8 @@ impl FrontSearch for AnyFront {
         self.0.front().locate(x, front)
     }
 
-    fn strayed(&mut self, steps: usize) -> bool {
-        self.0.front().strayed(steps)
+    fn wants_ranks(&mut self, steps: usize) -> bool {
+        self.0.front().wants_ranks(steps)
     }
 
     fn inserted(&mut self, node: FrontNode, x: f64) {

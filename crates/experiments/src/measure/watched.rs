@@ -66,8 +66,8 @@ impl<F: FrontSearch> FrontSearch for Watched<F> {
         node
     }
 
-    fn strayed(&mut self, steps: usize) -> bool {
-        self.structure.strayed(steps)
+    fn wants_ranks(&mut self, steps: usize) -> bool {
+        self.structure.wants_ranks(steps)
     }
 
     fn inserted(&mut self, node: FrontNode, x: f64) {

@@ -1,7 +1,7 @@
-//! The rests of edges that pass through vertices, inserted when the hull is complete.
+//! The pending edges of edges that pass through vertices, inserted when the hull is complete.
 //!
 //! The edge event (section 3.4.2) inserts an edge down to the first vertex on it. The rest of the edge is an
-//! edge that begins at this vertex. All rests that begin at one vertex are inserted together, vertex by
+//! edge that begins at this vertex. All pending edges that begin at one vertex are inserted together, vertex by
 //! vertex from the last in sweep order to the first, because a rest may leave another one, further down.
 //!
 //! ```text
@@ -17,28 +17,28 @@
 //! Why it is right: the insertion of an edge in parts gives the same triangulation in whichever order the
 //! parts come, because there is only one (the canonical rule).
 //!
-//! Cost: O(d + k log k) to find the ways of k rests that begin at a vertex with d triangles.
+//! Cost: O(d + k log k) to find the ways of k pending edges that begin at a vertex with d triangles.
 //!
 //! Differs from the paper: it does not speak of vertices on edges.
 
-use super::edges::Rest;
+use super::edges::PendingEdge;
 use super::state::Sweep;
 use crate::error::Error;
 use crate::ids::VertexId;
-use crate::mesh::Side;
+use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
-    /// Inserts all rests; the hull is complete.
-    pub(super) fn insert_rests(&mut self) -> Result<(), Error> {
-        while let Some(&Rest { from, .. }) = self.rests.peek() {
+    /// Inserts all pending edges; the hull is complete.
+    pub(super) fn insert_pending(&mut self) -> Result<(), Error> {
+        while let Some(&PendingEdge { from, .. }) = self.pending.peek() {
             self.list.clear();
-            while let Some(rest) = self.rests.peek().copied()
+            while let Some(rest) = self.pending.peek().copied()
                 && rest.from == from
             {
                 self.list.push((rest.lower, rest.edge));
-                self.rests.pop();
+                self.pending.pop();
             }
             self.list.reverse();
             let around = self.side_opposite(from);
@@ -48,11 +48,11 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     /// The side opposite `v` in one of its triangles. If the table does not know one, that of all vertices is made.
-    pub(super) fn side_opposite(&mut self, v: VertexId) -> Side {
+    pub(super) fn side_opposite(&mut self, v: VertexId) -> HalfEdge {
         if let Some(side) = self.incidence.at(v) {
             return side;
         }
-        let (mesh, vertices) = (&self.fabric.mesh, self.fabric.signs.vertices.len());
+        let (mesh, vertices) = (&self.delaunay.mesh, self.delaunay.predicates.vertices.len());
         self.incidence.make(mesh, 0..vertices, 0..mesh.len());
         let side = self.incidence.at(v);
         side.expect("every vertex has triangles, if only artificial ones")

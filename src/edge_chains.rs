@@ -10,7 +10,7 @@ const LIMIT: usize = if cfg!(test) { 1 << 10 } else { 1 << 28 };
 
 /// What the insertion of the edges notes. Vertices are input indices.
 #[derive(Debug, Default)]
-pub(crate) struct ChainNotes {
+pub(crate) struct EdgeChainBuilder {
     /// The ends of each edge, upper end first.
     ends: Arc<Vec<[u32; 2]>>,
     /// `(edge, vertex)` for each vertex inside an edge; those of one edge from its upper to its lower end.
@@ -21,7 +21,7 @@ pub(crate) struct ChainNotes {
 
 /// For each input edge the vertices along it.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Chains {
+pub(crate) struct EdgeChains {
     /// The ends of each edge (representatives), upper end first.
     ends: Vec<[u32; 2]>,
     /// `(edge, from, to)`: the vertices inside the edge are `inside[from..to]`; by edge, only edges
@@ -30,12 +30,12 @@ pub(crate) struct Chains {
     inside: Vec<u32>,
 }
 
-impl ChainNotes {
+impl EdgeChainBuilder {
     /// No vertex inside any edge yet.
-    pub(crate) fn new(ends: Arc<Vec<[u32; 2]>>) -> ChainNotes {
-        ChainNotes {
+    pub(crate) fn new(ends: Arc<Vec<[u32; 2]>>) -> EdgeChainBuilder {
+        EdgeChainBuilder {
             ends,
-            ..ChainNotes::default()
+            ..EdgeChainBuilder::default()
         }
     }
 
@@ -72,7 +72,7 @@ impl ChainNotes {
 
     /// Adds the notes on other edges of the same input.
     #[cfg(feature = "parallel")]
-    pub(crate) fn append(&mut self, mut other: ChainNotes) -> Result<(), Error> {
+    pub(crate) fn append(&mut self, mut other: EdgeChainBuilder) -> Result<(), Error> {
         if self.passed.len() + other.passed.len() > LIMIT {
             return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
         }
@@ -82,7 +82,7 @@ impl ChainNotes {
     }
 
     /// The chains, when all edges are inserted.
-    pub(crate) fn finish(mut self) -> Chains {
+    pub(crate) fn finish(mut self) -> EdgeChains {
         // A stable sort: the vertices of each edge stay in order.
         self.passed.sort_by_key(|&(edge, _)| edge);
         let mut split = Vec::new();
@@ -100,7 +100,7 @@ impl ChainNotes {
             }
         }
         split.sort_unstable();
-        Chains {
+        EdgeChains {
             ends: Arc::unwrap_or_clone(self.ends),
             split,
             inside: self.passed.into_iter().map(|(_, vertex)| vertex).collect(),
@@ -108,21 +108,21 @@ impl ChainNotes {
     }
 
     /// Bytes held.
-    pub(crate) fn memory(&self) -> usize {
+    pub(crate) fn heap_bytes(&self) -> usize {
         self.ends.capacity() * size_of::<[u32; 2]>()
             + (self.passed.capacity() + self.equal.capacity()) * size_of::<(u32, u32)>()
     }
 }
 
-impl Chains {
+impl EdgeChains {
     /// Those of edges with these vertices along them, at least one each; `None` if that is too much.
     #[cfg(feature = "serde")]
-    pub(crate) fn of(lists: &[Vec<u32>]) -> Option<Chains> {
+    pub(crate) fn of(lists: &[Vec<u32>]) -> Option<EdgeChains> {
         let inside: usize = lists.iter().map(|list| list.len().saturating_sub(2)).sum();
         if inside > LIMIT || lists.len() > LIMIT {
             return None;
         }
-        let mut chains = Chains::default();
+        let mut chains = EdgeChains::default();
         for (e, list) in lists.iter().enumerate() {
             let ends = [*list.first()?, *list.last()?];
             chains.ends.push(ends);
@@ -171,13 +171,13 @@ impl Chains {
 mod tests {
     use std::sync::Arc;
 
-    use super::{ChainNotes, LIMIT, narrow};
+    use super::{EdgeChainBuilder, LIMIT, narrow};
     use crate::error::Error;
 
     #[test]
     fn more_vertices_than_can_be_held_are_an_error() {
         let limit = Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
-        let mut notes = ChainNotes::new(Arc::new(vec![[0, 1]; 2]));
+        let mut notes = EdgeChainBuilder::new(Arc::new(vec![[0, 1]; 2]));
         for vertex in 0..narrow(LIMIT) {
             assert_eq!(notes.pass(vertex % 2, vertex), Ok(()));
         }
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn those_of_all_bands_count() {
         let notes = |count| {
-            let mut notes = ChainNotes::new(Arc::new(vec![[0, 1]]));
+            let mut notes = EdgeChainBuilder::new(Arc::new(vec![[0, 1]]));
             (0..count).for_each(|vertex| notes.pass(0, vertex).expect("few"));
             notes
         };

@@ -7,58 +7,63 @@ use std::cmp::Ordering;
 use std::mem::take;
 
 use super::flip_limit::FlipLimit;
-use super::memory::Memory;
 use super::polygons::Polygons;
-use super::signs::SweepPredicates;
-use super::stretch::Stretch;
+use super::predicates::SweepPredicates;
+use super::scratch::Scratch;
+use super::stretch::ConvexRun;
 use crate::ids::{TriangleId, VertexId};
-use crate::mesh::{Mesh, Side};
+use crate::mesh::{HalfEdge, Mesh};
 use crate::probe::Probe;
 use crate::trace::{Event, Vertex, Why};
 
 /// Triangles, exact signs, and the sides that legalization still has to test.
 #[derive(Debug)]
-pub(super) struct Fabric<'a, S, P> {
+pub(super) struct Delaunay<'a, S, P> {
     pub(super) mesh: Mesh,
-    pub(super) signs: SweepPredicates<'a, S>,
+    pub(super) predicates: SweepPredicates<'a, S>,
     /// Sides that may be illegal.
-    pub(super) suspects: Vec<Side>,
+    pub(super) flip_stack: Vec<HalfEdge>,
     pub(super) flip_limit: FlipLimit,
     /// Working memory of the chains, kept from one to the next.
-    pub(super) stretch: Stretch,
+    pub(super) convex_run: ConvexRun,
     /// The same of pseudo-polygons.
     pub(super) polygons: Polygons,
     pub(super) probe: P,
 }
 
-impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
+impl<'a, S: crate::scalar::Scalar, P: Probe> Delaunay<'a, S, P> {
     /// The triangles of `memory`, with the signs of their vertices. `has_budget` if the work may be abandoned.
     pub(super) fn new(
-        signs: SweepPredicates<'a, S>,
+        predicates: SweepPredicates<'a, S>,
         has_budget: bool,
         probe: P,
-        memory: &mut Memory,
+        scratch: &mut Scratch,
     ) -> Self {
-        let flip_limit = FlipLimit::new(signs.vertices.len(), has_budget);
-        Fabric {
-            mesh: take(&mut memory.mesh),
-            signs,
-            suspects: take(&mut memory.suspects),
+        let flip_limit = FlipLimit::new(predicates.vertices.len(), has_budget);
+        Delaunay {
+            mesh: take(&mut scratch.mesh),
+            predicates,
+            flip_stack: take(&mut scratch.flip_stack),
             flip_limit,
-            stretch: take(&mut memory.stretch),
-            polygons: take(&mut memory.polygons),
+            convex_run: take(&mut scratch.convex_run),
+            polygons: take(&mut scratch.polygons),
             probe,
         }
     }
 
     /// Adds a triangle to the mesh.
     #[inline(always)]
-    pub(super) fn make(&mut self, v: [VertexId; 3], across: [Side; 3], why: Why) -> TriangleId {
+    pub(super) fn add_triangle(
+        &mut self,
+        v: [VertexId; 3],
+        twins: [HalfEdge; 3],
+        why: Why,
+    ) -> TriangleId {
         self.report(|name| Event::Triangle {
             vertices: v.map(name),
             why,
         });
-        let t = self.mesh.add(v, across);
+        let t = self.mesh.add(v, twins);
         self.probe.record(|r| r.made(t, why));
         t
     }
@@ -81,10 +86,10 @@ impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
     #[cold]
     #[inline(never)]
     fn pass_on(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
-        let signs = &self.signs;
-        let event = event(&|v| match signs.vertices.input.get(v.index()) {
+        let predicates = &self.predicates;
+        let event = event(&|v| match predicates.vertices.input.get(v.index()) {
             Some(&input) => Vertex::Input(input),
-            None if v == signs.artificial.left => Vertex::Left,
+            None if v == predicates.artificial.left => Vertex::Left,
             None => Vertex::Right,
         });
         self.probe.event(event);
@@ -93,21 +98,22 @@ impl<'a, S: crate::scalar::Scalar, P: Probe> Fabric<'a, S, P> {
     /// `Greater` if three real vertices turn left.
     #[inline(always)]
     pub(super) fn orient2d(&mut self, vertices: [VertexId; 3]) -> Ordering {
-        self.signs.orient2d(vertices, &mut self.probe)
+        self.predicates.orient2d(vertices, &mut self.probe)
     }
 
     /// The same where these are their doubles.
     #[inline(always)]
-    pub(super) fn orient2d_near(
+    pub(super) fn orient2d_approx(
         &mut self,
         vertices: [VertexId; 3],
-        near: [[f64; 2]; 3],
+        approx: [[f64; 2]; 3],
     ) -> Ordering {
-        self.signs.orient2d_near(vertices, near, &mut self.probe)
+        self.predicates
+            .orient2d_approx(vertices, approx, &mut self.probe)
     }
 
     /// Which side of the ray `from`-`to` a vertex is on; see [`SweepPredicates::side`].
     pub(super) fn side(&mut self, ray: [VertexId; 2], v: VertexId) -> Ordering {
-        self.signs.side(ray, v, &mut self.probe)
+        self.predicates.side(ray, v, &mut self.probe)
     }
 }

@@ -1,6 +1,6 @@
 //! The memory that one run leaves for the next.
 //!
-//! A run takes its arrays from a [`Memory`]. If that is kept, the run puts them back at its end, with whatever
+//! A run takes its arrays from a [`Scratch`]. If that is kept, the run puts them back at its end, with whatever
 //! they hold: the next run clears what it takes. Otherwise the memory is empty at the start, and what only the
 //! initialization works with is freed at its end.
 //!
@@ -9,21 +9,21 @@
 //!
 //! Differs from the paper: it does not speak of memory.
 
-use super::corner::Corner;
+use super::corner::ChainVertex;
 use super::edges::Edges;
 use super::incidence::Incidence;
 use super::obstacles::Obstacles;
 use super::order::{Order, Workspace};
 use super::polygons::Polygons;
-use super::stretch::Stretch;
+use super::stretch::ConvexRun;
 use crate::front::Front;
 use crate::ids::{TriangleId, VertexId};
-use crate::mesh::{Mesh, Side};
+use crate::mesh::{HalfEdge, Mesh};
 use crate::triangulation::Triangulation;
 
 /// Arrays for the next run.
 #[derive(Debug, Default)]
-pub(crate) struct Memory {
+pub(crate) struct Scratch {
     pub(super) is_kept: bool,
     /// Working memory of the sort.
     pub(super) sort: Workspace,
@@ -35,24 +35,24 @@ pub(crate) struct Memory {
     /// The state between two events, and its working memory.
     pub(super) mesh: Mesh,
     pub(super) front: Option<Front>,
-    pub(super) suspects: Vec<Side>,
-    pub(super) stretch: Stretch,
+    pub(super) flip_stack: Vec<HalfEdge>,
+    pub(super) convex_run: ConvexRun,
     pub(super) polygons: Polygons,
     pub(super) list: Vec<(VertexId, u32)>,
     pub(super) obstacles: Obstacles,
-    pub(super) chain: Vec<Corner>,
+    pub(super) chain: Vec<ChainVertex>,
     pub(super) incidence: Incidence,
     /// Finalization: the hull as input indices, and the artificial triangles.
     pub(super) hull: Vec<u32>,
     pub(super) artificial: Vec<TriangleId>,
 }
 
-impl Memory {
+impl Scratch {
     /// Memory for many runs, none of it taken yet.
-    pub(crate) fn kept() -> Memory {
-        Memory {
+    pub(crate) fn kept() -> Scratch {
+        Scratch {
             is_kept: true,
-            ..Memory::default()
+            ..Scratch::default()
         }
     }
 

@@ -53,15 +53,15 @@ impl<'a, S: Scalar> SweepPredicates<'a, S> {
     /// What a search structure gets for the x of a vertex.
     #[inline(always)]
     pub(super) fn search_x(&self, v: VertexId) -> f64 {
-        self.search_x_near(v, self.approx(v))
+        self.search_x_approx(v, self.approx(v))
     }
 
     /// What a search structure gets for the x of a vertex with these approximated coordinates.
     #[inline(always)]
-    pub(super) fn search_x_near(&self, v: VertexId, near: [f64; 2]) -> f64 {
+    pub(super) fn search_x_approx(&self, v: VertexId, approx: [f64; 2]) -> f64 {
         match self.x_ranks.get(v.index()) {
             Some(&rank) => f64::from(rank),
-            None => near[0],
+            None => approx[0],
         }
     }
 
@@ -92,16 +92,21 @@ impl<'a, S: Scalar> SweepPredicates<'a, S> {
     /// Order by x; P-1 before and P-2 after all.
     #[inline(always)]
     pub(super) fn compare_x(&self, a: VertexId, b: VertexId) -> Ordering {
-        self.compare_x_near(a, b, self.approx(b))
+        self.compare_x_approx(a, b, self.approx(b))
     }
 
     /// Order by x where `b` has these approximated coordinates.
     #[inline(always)]
-    pub(super) fn compare_x_near(&self, a: VertexId, b: VertexId, near_b: [f64; 2]) -> Ordering {
+    pub(super) fn compare_x_approx(
+        &self,
+        a: VertexId,
+        b: VertexId,
+        approx_b: [f64; 2],
+    ) -> Ordering {
         let x = self.approx(a)[0];
-        if x < near_b[0] {
+        if x < approx_b[0] {
             Less
-        } else if x > near_b[0] {
+        } else if x > approx_b[0] {
             Greater
         } else {
             self.compare_equal_x(a, b)
@@ -122,19 +127,19 @@ impl<'a, S: Scalar> SweepPredicates<'a, S> {
     /// `Greater` if the vertices `a`, `b`, `c`, all real, turn left.
     #[inline(always)]
     pub(super) fn orient2d(&self, [a, b, c]: [VertexId; 3], probe: &mut impl Probe) -> Ordering {
-        let near = [self.approx(a), self.approx(b), self.approx(c)];
-        self.orient2d_near([a, b, c], near, probe)
+        let approx = [self.approx(a), self.approx(b), self.approx(c)];
+        self.orient2d_approx([a, b, c], approx, probe)
     }
 
     /// `Greater` if the vertices, all real, with these approximated coordinates turn left.
     #[inline(always)]
-    pub(super) fn orient2d_near(
+    pub(super) fn orient2d_approx(
         &self,
         vertices: [VertexId; 3],
-        near: [[f64; 2]; 3],
+        approx: [[f64; 2]; 3],
         probe: &mut impl Probe,
     ) -> Ordering {
-        match filter::orient2d(near, self.vertices.scale) {
+        match filter::orient2d(approx, self.vertices.scale) {
             Some(sign) => {
                 probe.count(|c| c.orient2d_filtered += 1);
                 sign
@@ -183,11 +188,11 @@ impl<'a, S: Scalar> SweepPredicates<'a, S> {
     pub(super) fn must_flip(
         &self,
         [p, a, b]: [VertexId; 3],
-        near_p: [f64; 2],
+        approx_p: [f64; 2],
         q: VertexId,
         probe: &mut impl Probe,
     ) -> bool {
-        let doubles = [near_p, self.approx(a), self.approx(b), self.approx(q)];
+        let doubles = [approx_p, self.approx(a), self.approx(b), self.approx(q)];
         match filter::in_circle(doubles, self.vertices.scale) {
             Some(sign) => {
                 probe.count(|c| c.in_circle_filtered += 1);
@@ -254,8 +259,8 @@ impl<'a, S: Scalar> SweepPredicates<'a, S> {
     }
 
     /// Bytes of the arrays that grow with the input.
-    pub(super) fn memory(&self) -> usize {
-        self.vertices.memory() + self.near_ties.memory()
+    pub(super) fn heap_bytes(&self) -> usize {
+        self.vertices.heap_bytes() + self.near_ties.heap_bytes()
     }
 
     /// The leftmost of two vertices, the upper one where x is equal.

@@ -1,32 +1,32 @@
-//! A set of places: whole numbers below n, which number all vertices from left to right. The
+//! A set of x-ranks: whole numbers below n, which number all vertices from left to right. The
 //! [hash table](super::hash_table) asks for them where x tells too little.
 //!
-//! It is a tree of bits: a word has a bit for each of 64 places, and each word of the next level a bit for
+//! It is a tree of bits: a word has a bit for each of 64 x-ranks, and each word of the next level a bit for
 //! each of 64 words that are not zero. The last member up to a place is the highest bit of a word on the
 //! way up from there, and then the highest bits on the way down.
 //!
-//! Cost: O(log n) at worst for each operation, four levels for 16 million places; n bits and some. The words
+//! Cost: O(log n) at worst for each operation, four levels for 16 million x-ranks; n bits and some. The words
 //! looked at are counted.
 
 use super::work::Tally;
 
-/// A set of places.
+/// A set of x-ranks.
 #[derive(Clone, Debug)]
-pub(super) struct Places {
-    /// From the bits of the places up to a single word.
+pub(super) struct XRankSet {
+    /// From the bits of the x-ranks up to a single word.
     levels: Vec<Vec<u64>>,
 }
 
-impl Places {
-    /// None of `count` places.
-    pub(super) fn new(count: usize) -> Places {
+impl XRankSet {
+    /// None of `count` x-ranks.
+    pub(super) fn new(count: usize) -> XRankSet {
         let mut levels = Vec::new();
         let mut words = count;
         while words > 1 || levels.is_empty() {
             words = words.div_ceil(64);
             levels.push(vec![0; words]);
         }
-        Places { levels }
+        XRankSet { levels }
     }
 
     /// Bytes held.
@@ -88,13 +88,13 @@ fn highest(word: u64) -> usize {
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::Places;
+    use super::XRankSet;
 
     /// Insertions, removals and searches in a scattered order, against a sorted set.
     #[test]
     fn the_last_one_up_to_each_place() {
         for count in [1, 2, 63, 64, 65, 130, 4096, 4097, 5000] {
-            let (mut places, mut expected) = (Places::new(count), BTreeSet::new());
+            let (mut places, mut expected) = (XRankSet::new(count), BTreeSet::new());
             for i in 0..4000 {
                 let place = i * 7919 % count;
                 if i % 3 == 0 {
