@@ -47,6 +47,13 @@ pub(crate) struct Scale {
     absolute: f64,
 }
 
+impl Default for Scale {
+    /// The scale of no points.
+    fn default() -> Scale {
+        Scale::EXACT
+    }
+}
+
 impl Scale {
     /// The scale of doubles which are the coordinates.
     pub(super) const EXACT: Scale = Scale {

@@ -30,10 +30,11 @@
 //! inserted in an order that lets one turn around the vertex find them all. (The paper takes any order.)
 
 use std::cmp::Ordering::Equal;
+use std::mem::take;
 
-use super::edges::PendingEdge;
-use super::obstacles::{Crossed, Part};
-use super::state::Sweep;
+use super::Sweep;
+use super::pending_edges::PendingEdge;
+use super::traversal::{CrossedSide, Part};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
@@ -49,12 +50,16 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
         let leftmost = self.leftmost(upper);
         if !self.find_sides(upper, leftmost) {
-            self.list_edges(upper);
-            return self.insert_edges(upper, leftmost);
+            let mut list = take(&mut self.list);
+            list.clear();
+            list.extend_from_slice(self.edges.at(upper));
+            let inserted = self.insert_edges(upper, &mut list, leftmost);
+            self.list = list;
+            return inserted;
         }
-        for k in 0..self.obstacles.present.len() {
+        for k in 0..self.traversed.present.len() {
             let (lower, edge) = self.edges.at(upper)[k];
-            self.constrain_edge(upper, lower, edge, self.obstacles.present[k]);
+            self.constrain_edge(upper, lower, edge, self.traversed.present[k]);
         }
         Ok(())
     }
@@ -63,7 +68,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// opposite `upper` of the leftmost triangle there.
     #[inline(always)]
     fn find_sides(&mut self, upper: VertexId, leftmost: HalfEdge) -> bool {
-        self.obstacles.present.clear();
+        self.traversed.present.clear();
         let edges = self.edges.at(upper);
         if edges.len() > FEW {
             return false;
@@ -72,7 +77,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             let Some(side) = self.spoke(leftmost, lower) else {
                 return false;
             };
-            self.obstacles.present.push(side);
+            self.traversed.present.push(side);
         }
         true
     }
@@ -123,20 +128,14 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         });
     }
 
-    /// Lists the edges whose upper end is `upper`, to be inserted.
-    pub(super) fn list_edges(&mut self, upper: VertexId) {
-        self.list.clear();
-        self.list.extend_from_slice(self.edges.at(upper));
-    }
-
-    /// Inserts the edges listed, which run down from `upper`, each to the first vertex on it. `around` is a
-    /// side opposite `upper`.
+    /// Inserts the edges of `list` (lower ends and input indices), which run down from `upper`, each to the first vertex
+    /// on it. `around` is a half-edge opposite `upper`. The list is sorted on the way.
     pub(super) fn insert_edges(
         &mut self,
         upper: VertexId,
+        list: &mut Vec<(VertexId, u32)>,
         mut around: HalfEdge,
     ) -> Result<(), Error> {
-        let mut list = std::mem::take(&mut self.list);
         // An edge of no length needs nothing.
         list.retain(|&(lower, _)| lower != upper);
         if list.len() > 1 {
@@ -154,7 +153,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             list.rotate_right(equal);
         }
         let mut before = None;
-        for &(lower, edge) in &list {
+        for &(lower, edge) in &*list {
             self.delaunay.report(|name| Event::Edge {
                 edge,
                 upper: name(upper),
@@ -176,7 +175,6 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
                 }
             }
         }
-        self.list = list;
         Ok(())
     }
 
@@ -187,8 +185,8 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         upper: VertexId,
         lower: VertexId,
         around: &mut HalfEdge,
-    ) -> Result<VertexId, Crossed> {
-        self.obstacles.pockets.clear();
+    ) -> Result<VertexId, CrossedSide> {
+        self.traversed.pockets.clear();
         let mut part = self.traverse(upper, lower, *around)?;
         self.report_part(upper, part);
         if self.fill_pockets() {
@@ -204,8 +202,8 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
 
     /// Fills the pockets under the part; returns whether there were any.
     fn fill_pockets(&mut self) -> bool {
-        let has_pockets = !self.obstacles.pockets.is_empty();
-        while let Some([from, to]) = self.obstacles.pockets.pop() {
+        let has_pockets = !self.traversed.pockets.is_empty();
+        while let Some([from, to]) = self.traversed.pockets.pop() {
             self.fill_front(from, to, Why::Pocket);
         }
         has_pockets
@@ -215,8 +213,8 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     fn report_part(&mut self, from: VertexId, part: Part) {
         let position = match part.present {
             Some(_) => EdgePosition::Present,
-            None if self.obstacles.pockets.is_empty() => EdgePosition::BelowFront,
-            None if self.obstacles.pierced.is_empty() => EdgePosition::FrontOnly,
+            None if self.traversed.pockets.is_empty() => EdgePosition::BelowFront,
+            None if self.traversed.pierced.is_empty() => EdgePosition::FrontOnly,
             None => EdgePosition::Mixed,
         };
         self.delaunay.report(|name| Event::Part {
@@ -236,16 +234,16 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             self.delaunay.probe.count(|c| c.edges_inserted += 1);
             let start = self
                 .delaunay
-                .replace_pierced(from, part.end, &self.obstacles);
-            self.incidence
-                .renew(&self.delaunay.mesh, &self.obstacles.pierced);
+                .replace_pierced(from, part.end, &self.traversed);
+            self.vertex_triangles
+                .renew(&self.delaunay.mesh, &self.traversed.pierced);
             start
         }
     }
 
     /// Names the two input edges that cross: the one being inserted, and the first one of those that
     /// contain the constrained side.
-    fn crossing(&mut self, edge: u32, [r, s]: Crossed) -> Error {
+    fn crossing(&mut self, edge: u32, [r, s]: CrossedSide) -> Error {
         let mut crossed = u32::MAX;
         let (low, high) = (r.min(s), r.max(s));
         for (upper, lower, other) in self.edges.iter() {

@@ -8,8 +8,6 @@
 //! Differs from the paper: the upper end of a horizontal edge is the one with larger x, since it is
 //! swept last. (The paper says the one with smaller x, against its own sort.)
 
-use std::collections::BinaryHeap;
-
 use super::vertices::Vertices;
 use crate::error::Error;
 use crate::ids::{VertexId, narrow};
@@ -139,21 +137,3 @@ impl Edges {
             + self.list.capacity() * size_of::<(VertexId, u32)>()
     }
 }
-
-/// What is left of an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct PendingEdge {
-    /// The vertex on the edge where the rest begins.
-    pub(super) from: VertexId,
-    pub(super) edge: u32,
-    pub(super) lower: VertexId,
-}
-
-impl PendingEdge {
-    pub(super) fn new(from: VertexId, lower: VertexId, edge: u32) -> PendingEdge {
-        PendingEdge { from, edge, lower }
-    }
-}
-
-/// The pending edges still to be inserted; the one that begins last in sweep order comes first.
-pub(super) type PendingEdges = BinaryHeap<PendingEdge>;

@@ -1,7 +1,7 @@
 //! Finalization (section 3.5, figure 15): the hull is completed and the artificial triangles are removed.
 //!
 //! The upper hull: one Graham scan fills the front from its first to its last real node
-//! ([`super::chain`]). These two are the leftmost and the rightmost vertex, the upper ones of several.
+//! ([`super::delaunay::fill`]). These two are the leftmost and the rightmost vertex, the upper ones of several.
 //!
 //! The lower hull needs no filling: its sides are those between real and artificial triangles. Following
 //! the artificial triangles around P-1 and then around P-2 lists its vertices. Then these
@@ -17,7 +17,7 @@
 //!    P-1 <-----------------------> P-2
 //! ```
 //!
-//! Why it is right: for the upper hull see [`super::chain`], for the lower one [`super::artificial`].
+//! Why it is right: for the upper hull see [`super::delaunay::fill`], for the lower one [`super::artificial`].
 //!
 //! Cost: O(h) orientation tests for h nodes of the front. O(h log h) to remove the artificial triangles of a small hull
 //! of h vertices, O(h) and a bit for each triangle of a large one. No other triangle is looked at.
@@ -27,9 +27,9 @@
 
 use std::mem::take;
 
+use super::Sweep;
 use super::flip_limit::inexact_scalar;
 use super::scratch::Scratch;
-use super::state::Sweep;
 use crate::ids::{BorderId, TriangleId, narrow};
 use crate::mesh::{HalfEdge, Triangle};
 use crate::probe::Probe;
@@ -87,16 +87,16 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         if scratch.is_kept {
             scratch.artificial = artificial;
             scratch.mesh = self.delaunay.mesh;
-            scratch.order.approx = self.delaunay.predicates.vertices.approx;
+            scratch.vertices.approx = self.delaunay.predicates.vertices.approx;
             scratch.flip_stack = self.delaunay.flip_stack;
             scratch.convex_run = self.delaunay.convex_run;
             scratch.polygons = self.delaunay.polygons;
             scratch.edges = self.edges;
             scratch.front = Some(self.front);
             scratch.list = self.list;
-            scratch.obstacles = self.obstacles;
+            scratch.traversed = self.traversed;
             scratch.chain = self.chain;
-            scratch.incidence = self.incidence;
+            scratch.vertex_triangles = self.vertex_triangles;
         }
         (result, self.delaunay.probe)
     }

@@ -1,18 +1,18 @@
 //! Initialization (section 3.3): the vertices in sweep order, the edges at their upper ends, the
 //! artificial points and the first triangle.
 //!
-//! Cost: that of the sort ([`super::order`]), and O(n) for n points and edges.
+//! Cost: that of the sort ([`super::vertices::sort`]), and O(n) for n points and edges.
 //!
 //! Differs from the paper: see [`super::vertices`], [`super::edges`] and [`super::artificial`].
 
 use std::mem::take;
 use std::sync::Arc;
 
+use super::Sweep;
 use super::delaunay::Delaunay;
-use super::located::Located;
 use super::predicates::SweepPredicates;
 use super::scratch::Scratch;
-use super::state::Sweep;
+use super::vertices::ApproxPoints;
 use super::vertices::Vertices;
 use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
@@ -42,11 +42,11 @@ pub(super) fn initialize<'a, S: Scalar, P: Probe>(
             limit: LIMIT,
         });
     }
-    let located = Located::new(points)?;
-    let order = take(&mut scratch.order);
+    let approx = ApproxPoints::new(points)?;
+    let memory = take(&mut scratch.vertices);
     let inputs = 0..narrow(points.len());
-    let vertices = Vertices::new(&located, inputs, order, &mut scratch.sort);
-    drop(located);
+    let vertices = Vertices::new(&approx, inputs, memory, &mut scratch.sort);
+    drop(approx);
     if edges.len() > LIMIT {
         return Err(Error::TooManyEdges {
             given: edges.len(),

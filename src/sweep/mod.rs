@@ -24,7 +24,7 @@
 //!
 //! | what | file |
 //! |---|---|
-//! | edges through vertices | [`pending_edges`], [`incidence`] |
+//! | edges through vertices | [`pending_edges`], [`vertex_triangles`] |
 //! | when the sweep is abandoned | [`flip_limit`] |
 //! | the net under it: divide and conquer | [`divide_and_conquer`] |
 //! | the sweep on all cores | `bands` (feature `parallel`) |
@@ -43,48 +43,43 @@
 mod artificial;
 #[cfg(feature = "parallel")]
 mod bands;
-mod basins;
-mod chain;
 #[cfg(feature = "comparison")]
 mod comparison;
-mod corner;
 mod delaunay;
 mod divide_and_conquer;
 mod edge_event;
 mod edges;
 mod finalization;
 mod flip_limit;
-mod incidence;
+mod heuristics;
 mod initialization;
-mod legalization;
-mod located;
-mod narrow_corners;
-mod obstacles;
-mod order;
 mod pending_edges;
 mod point_event;
-mod polygons;
 mod predicates;
-mod pseudo_polygons;
 mod scratch;
-mod sorted;
-mod state;
-mod stretch;
 mod traversal;
 mod vertices;
 
+use std::mem::take;
+
+use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
-use crate::front::{FrontSearch, Search};
-use crate::ids::VertexId;
+use crate::front::{Front, FrontNode, FrontSearch, Search};
+use crate::ids::{BorderId, VertexId};
 use crate::probe::Probe;
-use crate::recorder::Phase;
+use crate::recorder::{Phase, Recorder};
 use crate::scalar::Scalar;
-use crate::settings::{Algorithm, Progress, Settings};
+use crate::settings::{Algorithm, Heuristics, Progress, Settings};
+use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
+use delaunay::{ChainVertex, Delaunay};
+use edges::Edges;
 use flip_limit::FlipLimit;
+use pending_edges::{PendingEdges, VertexTriangles};
 pub(crate) use scratch::Scratch;
+use traversal::Traversed;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
 const CHECK: u32 = 16;
@@ -106,7 +101,147 @@ pub(crate) fn run<S: Scalar, P: Probe>(
     Ok(sweep.finalize(scratch))
 }
 
-impl<S: Scalar, P: Probe> state::Sweep<'_, S, P> {
+/// A vertex that is being added, with its approximated coordinates, which are looked up once.
+#[derive(Clone, Copy, Debug)]
+struct NewVertex {
+    id: VertexId,
+    approx: [f64; 2],
+}
+
+/// The state between two events.
+#[derive(Debug)]
+struct Sweep<'a, S, P> {
+    delaunay: Delaunay<'a, S, P>,
+    front: Front,
+    search: Search<'a>,
+    heuristics: Heuristics,
+    edges: Edges,
+    /// For the result: the vertices along each edge inserted so far.
+    chains: EdgeChainBuilder,
+    /// What is left of edges that pass through vertices.
+    pending: PendingEdges,
+    /// A triangle of each vertex, once the hull is complete.
+    vertex_triangles: VertexTriangles,
+    /// Working memory: lower ends and input indices of the edges being inserted.
+    list: Vec<(VertexId, u32)>,
+    /// What the edge being inserted runs into.
+    traversed: Traversed,
+    /// Working memory: the stretch of the front being filled.
+    chain: Vec<ChainVertex>,
+}
+
+impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
+    /// These triangles, this front without a vertex on it, and the edges that `memory` lists.
+    fn new(
+        delaunay: Delaunay<'a, S, P>,
+        front: Front,
+        chains: EdgeChainBuilder,
+        heuristics: Heuristics,
+        search: Search<'a>,
+        scratch: &mut Scratch,
+    ) -> Self {
+        let mut vertex_triangles = take(&mut scratch.vertex_triangles);
+        vertex_triangles.clear();
+        Sweep {
+            delaunay,
+            front,
+            search,
+            heuristics,
+            edges: take(&mut scratch.edges),
+            chains,
+            pending: PendingEdges::new(),
+            vertex_triangles,
+            list: take(&mut scratch.list),
+            traversed: take(&mut scratch.traversed),
+            chain: take(&mut scratch.chain),
+        }
+    }
+
+    /// The heuristics of the next point event: those asked for, or the paper's where these flip too much.
+    #[inline(always)]
+    fn heuristics(&self) -> Heuristics {
+        if self.delaunay.flip_limit.is_excessive() {
+            Heuristics::PAPER
+        } else {
+            self.heuristics
+        }
+    }
+
+    /// A vertex to be added.
+    #[inline(always)]
+    fn new_vertex(&self, id: VertexId) -> NewVertex {
+        let approx = self.delaunay.predicates.approx(id);
+        NewVertex { id, approx }
+    }
+
+    /// Puts `p` on the front between `left` and the node after it.
+    #[inline(always)]
+    fn put_on_front(&mut self, p: NewVertex, left: VertexId) {
+        self.front.link(p.id, left);
+        self.delaunay.probe.record(Recorder::front_grows);
+        self.delaunay.report(|name| Event::FrontInsert {
+            vertex: name(p.id),
+            after: name(left),
+        });
+        let x = self.delaunay.predicates.search_x_approx(p.id, p.approx);
+        self.search.inserted(FrontNode::new(p.id), x);
+    }
+
+    /// Takes `v`, which triangles now cover, off the front.
+    #[inline(always)]
+    fn take_off_front(&mut self, v: VertexId) {
+        self.front.unlink(v);
+        self.delaunay.probe.record(Recorder::front_shrinks);
+        self.delaunay
+            .report(|name| Event::FrontRemove { vertex: name(v) });
+        let x = self.delaunay.predicates.search_x(v);
+        self.search.removed(FrontNode::new(v), x);
+    }
+
+    /// Fills the front from node `from` to node `to`, both real, up to its upper hull.
+    fn fill_front(&mut self, from: VertexId, to: VertexId, why: Why) {
+        self.chain.clear();
+        let (mut at, mut corners) = (from, 1);
+        while at != to {
+            (at, corners) = (self.front.next(at), corners + 1);
+        }
+        self.chain.reserve(corners);
+        at = from;
+        loop {
+            let border = BorderId::segment(at);
+            self.chain.push(ChainVertex { vertex: at, border });
+            if at == to {
+                break;
+            }
+            at = self.front.next(at);
+        }
+
+        let kept = self.delaunay.mesh.border_count();
+        self.delaunay.fill(&mut self.chain, why);
+        self.delaunay.legalize();
+        self.delaunay.mesh.truncate_borders(kept);
+
+        // The nodes between two neighbours on the hull are covered now.
+        for k in 1..self.chain.len() {
+            let [left, right] = [self.chain[k - 1].vertex, self.chain[k].vertex];
+            while self.front.next(left) != right {
+                self.take_off_front(self.front.next(left));
+            }
+        }
+    }
+
+    /// Bytes of the arrays that grow with the input.
+    fn heap_bytes(&self) -> usize {
+        self.delaunay.mesh.heap_bytes()
+            + self.delaunay.predicates.heap_bytes()
+            + self.front.heap_bytes()
+            + self.edges.heap_bytes()
+            + self.chains.heap_bytes()
+            + self.vertex_triangles.heap_bytes()
+    }
+}
+
+impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Triangulates up to the hull, with all edges, artificial triangles around it.
     fn triangulate(&mut self, settings: Settings<'_>) -> Result<(), Error> {
         let swept = match settings.algorithm {

@@ -20,41 +20,130 @@
 //! Cost: O(d + k log k) to find the ways of k pending edges that begin at a vertex with d triangles.
 //!
 //! Differs from the paper: it does not speak of vertices on edges.
+//!
+//! While vertices are swept, the front leads to the triangles of the vertex swept last. Once the hull is complete, an
+//! edge may begin at any vertex, and the table [`VertexTriangles`] says where: it has a triangle of each vertex, or of
+//! some that follow each other ([`super::bands`]). It stays right, because the insertion of a part changes only the
+//! triangles that it pierces. The new ones take their places, and each of their vertices is a vertex of a new one
+//! ([`super::delaunay::cavity`]).
+//!
+//! Cost of the table: O(k + t) to make for k vertices and t triangles, O(k) to renew for k pierced triangles; 4 bytes a
+//! vertex.
+use std::collections::BinaryHeap;
+use std::ops::Range;
 
-use super::edges::PendingEdge;
-use super::state::Sweep;
+use super::Sweep;
 use crate::error::Error;
-use crate::ids::VertexId;
-use crate::mesh::HalfEdge;
+use crate::ids::{TriangleId, VertexId};
+use crate::mesh::{HalfEdge, Mesh};
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+
+/// What is left of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct PendingEdge {
+    /// The vertex on the edge where the rest begins.
+    pub(super) from: VertexId,
+    pub(super) edge: u32,
+    pub(super) lower: VertexId,
+}
+
+impl PendingEdge {
+    pub(super) fn new(from: VertexId, lower: VertexId, edge: u32) -> PendingEdge {
+        PendingEdge { from, edge, lower }
+    }
+}
+
+/// The pending edges still to be inserted; the one that begins last in sweep order comes first.
+pub(super) type PendingEdges = BinaryHeap<PendingEdge>;
 
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Inserts all pending edges; the hull is complete.
     pub(super) fn insert_pending(&mut self) -> Result<(), Error> {
+        let mut list = Vec::new();
         while let Some(&PendingEdge { from, .. }) = self.pending.peek() {
-            self.list.clear();
+            list.clear();
             while let Some(rest) = self.pending.peek().copied()
                 && rest.from == from
             {
-                self.list.push((rest.lower, rest.edge));
+                list.push((rest.lower, rest.edge));
                 self.pending.pop();
             }
-            self.list.reverse();
+            list.reverse();
             let around = self.side_opposite(from);
-            self.insert_edges(from, around)?;
+            self.insert_edges(from, &mut list, around)?;
         }
         Ok(())
     }
 
     /// The side opposite `v` in one of its triangles. If the table does not know one, that of all vertices is made.
     pub(super) fn side_opposite(&mut self, v: VertexId) -> HalfEdge {
-        if let Some(side) = self.incidence.at(v) {
+        if let Some(side) = self.vertex_triangles.at(v) {
             return side;
         }
         let (mesh, vertices) = (&self.delaunay.mesh, self.delaunay.predicates.vertices.len());
-        self.incidence.make(mesh, 0..vertices, 0..mesh.len());
-        let side = self.incidence.at(v);
+        self.vertex_triangles.make(mesh, 0..vertices, 0..mesh.len());
+        let side = self.vertex_triangles.at(v);
         side.expect("every vertex has triangles, if only artificial ones")
+    }
+}
+
+/// For each vertex from number `first` on the side opposite it in one of its triangles, or nothing. Empty until it
+/// is made.
+#[derive(Debug, Default)]
+pub(super) struct VertexTriangles {
+    first: usize,
+    opposite: Vec<HalfEdge>,
+}
+
+impl VertexTriangles {
+    /// Makes the table of these vertices, and finds them in these triangles.
+    pub(super) fn make(&mut self, mesh: &Mesh, vertices: Range<usize>, triangles: Range<usize>) {
+        self.clear();
+        self.first = vertices.start;
+        self.opposite.resize(vertices.len(), HalfEdge::NOTHING);
+        for t in triangles.map(TriangleId::at) {
+            self.note(mesh, t);
+        }
+    }
+
+    /// Forgets the table.
+    pub(super) fn clear(&mut self) {
+        self.opposite.clear();
+    }
+
+    /// How many vertices are listed.
+    pub(super) fn len(&self) -> usize {
+        self.opposite.len()
+    }
+
+    /// The side opposite `v` in one of its triangles, if the table knows one.
+    pub(super) fn at(&self, v: VertexId) -> Option<HalfEdge> {
+        let place = v.index().checked_sub(self.first)?;
+        let side = *self.opposite.get(place)?;
+        (side != HalfEdge::NOTHING).then_some(side)
+    }
+
+    /// Notes new triangles in these places, if the table has been made.
+    pub(super) fn renew(&mut self, mesh: &Mesh, places: &[TriangleId]) {
+        if self.len() > 0 {
+            for &t in places {
+                self.note(mesh, t);
+            }
+        }
+    }
+
+    fn note(&mut self, mesh: &Mesh, t: TriangleId) {
+        for (corner, v) in (0..).zip(mesh.get(t).vertices()) {
+            let place = v.index().checked_sub(self.first);
+            if let Some(entry) = place.and_then(|place| self.opposite.get_mut(place)) {
+                *entry = HalfEdge::new(t, corner);
+            }
+        }
+    }
+
+    /// Bytes held.
+    pub(super) fn heap_bytes(&self) -> usize {
+        self.opposite.capacity() * size_of::<HalfEdge>()
     }
 }

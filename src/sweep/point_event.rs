@@ -3,7 +3,7 @@
 //! Its vertical projection `P_Q` falls on a segment of the front: strictly inside (middle case, figure 7)
 //! or on the left end (left case, figure 8). The segment and the vertex make a triangle. The left case
 //! makes a second one, since two vertices one above the other cannot both stay on the front. Then the
-//! heuristics add triangles: [`super::narrow_corners`] (figure 9) and [`super::basins`] (figure 10).
+//! heuristics add triangles: [`super::heuristics`] (figure 9) and [`super::heuristics`] (figure 10).
 //!
 //! ```text
 //!   middle case:     p                left case:     p           In both cases: triangle p, left, right.
@@ -24,8 +24,8 @@
 use std::cmp::Ordering::{Equal, Greater};
 use std::hint::select_unpredictable;
 
-use super::narrow_corners::Obtuse;
-use super::state::{NewVertex, Sweep};
+use super::heuristics::Obtuse;
+use super::{NewVertex, Sweep};
 use crate::front::{Direction, Domain, FrontNode, LONG_WALK};
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;

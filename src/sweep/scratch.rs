@@ -9,13 +9,11 @@
 //!
 //! Differs from the paper: it does not speak of memory.
 
-use super::corner::ChainVertex;
+use super::delaunay::{ChainVertex, ConvexRun, Polygons};
 use super::edges::Edges;
-use super::incidence::Incidence;
-use super::obstacles::Obstacles;
-use super::order::{Order, Workspace};
-use super::polygons::Polygons;
-use super::stretch::ConvexRun;
+use super::pending_edges::VertexTriangles;
+use super::traversal::Traversed;
+use super::vertices::{SortBuffers, Vertices};
 use crate::front::Front;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
@@ -26,9 +24,9 @@ use crate::triangulation::Triangulation;
 pub(crate) struct Scratch {
     pub(super) is_kept: bool,
     /// Working memory of the sort.
-    pub(super) sort: Workspace,
+    pub(super) sort: SortBuffers,
     /// The vertices.
-    pub(super) order: Order,
+    pub(super) vertices: Vertices,
     /// The edges: their list, and their ends as input indices.
     pub(super) edges: Edges,
     pub(super) ends: Vec<[u32; 2]>,
@@ -39,9 +37,9 @@ pub(crate) struct Scratch {
     pub(super) convex_run: ConvexRun,
     pub(super) polygons: Polygons,
     pub(super) list: Vec<(VertexId, u32)>,
-    pub(super) obstacles: Obstacles,
+    pub(super) traversed: Traversed,
     pub(super) chain: Vec<ChainVertex>,
-    pub(super) incidence: Incidence,
+    pub(super) vertex_triangles: VertexTriangles,
     /// Finalization: the hull as input indices, and the artificial triangles.
     pub(super) hull: Vec<u32>,
     pub(super) artificial: Vec<TriangleId>,
@@ -59,7 +57,7 @@ impl Scratch {
     /// The initialization is over.
     pub(super) fn initialized(&mut self) {
         if !self.is_kept {
-            self.sort = Workspace::default();
+            self.sort = SortBuffers::default();
         }
     }
 
@@ -78,8 +76,8 @@ impl Scratch {
     pub(crate) fn recycle(&mut self, result: Triangulation) {
         self.mesh.reuse(result.triangles);
         self.hull = result.hull;
-        self.order.input = result.vertices;
-        self.order.duplicates = result.duplicates;
+        self.vertices.input = result.vertices;
+        self.vertices.duplicates = result.duplicates;
         self.ends = result.chains.into_ends();
     }
 }

@@ -27,18 +27,55 @@
 //!
 //! Differs from the paper: the traversal changes nothing. The edge event fills the pockets that it finds
 //! and traverses the edge again, now through triangles alone.
-
 use std::cmp::Ordering::{Equal, Greater, Less};
 
+use super::Sweep;
 use super::flip_limit::inexact_scalar;
-use super::obstacles::{Crossed, Part};
-use super::state::Sweep;
 use crate::front::Direction;
-use crate::ids::{BorderId, VertexId};
+use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Event;
+
+/// One part of an edge: down to the first vertex on it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    /// The vertex where it ends.
+    pub(super) end: VertexId,
+    /// A side opposite the vertex where it starts.
+    pub(super) start: HalfEdge,
+    /// The side that the part is, if it is a side already; otherwise it pierces triangles or pockets.
+    pub(super) present: Option<HalfEdge>,
+}
+
+/// Both vertices of a constrained side that the edge would cross.
+pub(super) type CrossedSide = [VertexId; 2];
+
+/// What is in the way of a part.
+#[derive(Debug, Default)]
+pub(super) struct Traversed {
+    /// The pierced triangles, from the upper end down.
+    pub(super) pierced: Vec<TriangleId>,
+    /// The sides of pierced triangles on the border of the pseudo-polygon left of the part, from the
+    /// upper end down.
+    pub(super) left: Vec<HalfEdge>,
+    /// Those on the border of the one right of it.
+    pub(super) right: Vec<HalfEdge>,
+    /// For each pocket under the part the two nodes where it begins and ends, left one first.
+    pub(super) pockets: Vec<[VertexId; 2]>,
+    /// The sides that edges with one upper end are already, so that nothing is in their way.
+    pub(super) present: Vec<HalfEdge>,
+}
+
+impl Traversed {
+    /// Forgets what was in the way of the part before.
+    pub(super) fn begin_part(&mut self) {
+        self.pierced.clear();
+        self.left.clear();
+        self.right.clear();
+    }
+}
 
 /// How an edge leaves a vertex.
 enum Departure {
@@ -69,8 +106,8 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         from: VertexId,
         to: VertexId,
         around: HalfEdge,
-    ) -> Result<Part, Crossed> {
-        self.obstacles.begin_part();
+    ) -> Result<Part, CrossedSide> {
+        self.traversed.begin_part();
         let (start, mut place) = match self.depart(from, to, around) {
             Departure::Along(part) => return Ok(part),
             Departure::Into(side) => (side, self.enter(side)?),
@@ -140,15 +177,15 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     /// Pierces the first triangle; `side` is the one opposite the vertex where the part starts.
-    fn enter(&mut self, side: HalfEdge) -> Result<Place, Crossed> {
-        self.obstacles.pierced.push(side.triangle());
-        self.obstacles.right.push(side.prev());
-        self.obstacles.left.push(side.next());
+    fn enter(&mut self, side: HalfEdge) -> Result<Place, CrossedSide> {
+        self.traversed.pierced.push(side.triangle());
+        self.traversed.right.push(side.prev());
+        self.traversed.left.push(side.next());
         self.leave(side)
     }
 
     /// Leaves a triangle across one of its sides.
-    fn leave(&mut self, side: HalfEdge) -> Result<Place, Crossed> {
+    fn leave(&mut self, side: HalfEdge) -> Result<Place, CrossedSide> {
         let twin = self.delaunay.mesh.twin(side);
         if twin.is_constrained() {
             let [_, a, b] = self.delaunay.mesh.around(side);
@@ -162,20 +199,24 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 
     /// Passes one triangle, entered across its side `entry`.
-    fn pass_triangle(&mut self, part: [VertexId; 2], entry: HalfEdge) -> Result<Place, Crossed> {
+    fn pass_triangle(
+        &mut self,
+        part: [VertexId; 2],
+        entry: HalfEdge,
+    ) -> Result<Place, CrossedSide> {
         let v = self.delaunay.mesh.opposite(entry);
         let side = self.delaunay.side(part, v);
-        if self.obstacles.pierced.len() > self.delaunay.mesh.len() {
+        if self.traversed.pierced.len() > self.delaunay.mesh.len() {
             inexact_scalar();
         }
         // The edge leaves across one of the other two sides; the remaining one borders on the left or the
         // right pseudo-polygon. At the end of the part both do.
-        self.obstacles.pierced.push(entry.triangle());
+        self.traversed.pierced.push(entry.triangle());
         if side != Less {
-            self.obstacles.left.push(entry.prev());
+            self.traversed.left.push(entry.prev());
         }
         if side != Greater {
-            self.obstacles.right.push(entry.next());
+            self.traversed.right.push(entry.next());
         }
         match side {
             Equal => Ok(Place::End(v)),
@@ -189,7 +230,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         &mut self,
         part: [VertexId; 2],
         segment: [VertexId; 2],
-    ) -> Result<Place, Crossed> {
+    ) -> Result<Place, CrossedSide> {
         self.delaunay.report(|name| Event::Switch {
             to_front: true,
             segment: segment.map(name),
@@ -218,7 +259,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
                 break side;
             }
         };
-        self.obstacles.pockets.push(in_order(node, at));
+        self.traversed.pockets.push(in_order(node, at));
         if side == Equal {
             return Ok(Place::End(at));
         }

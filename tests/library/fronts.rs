@@ -153,7 +153,7 @@ fn a_run_of_the_table_reaches_the_ranks() {
         let expected = match &front {
             AnyFront::HashTable(structure) => counters(structure.clone(), &points),
             AnyFront::SkipList(structure) => counters(structure.clone(), &points),
-            AnyFront::Linear(structure) => counters(structure.clone(), &points),
+            AnyFront::Linear(structure) => counters(*structure, &points),
             other => panic!("{other:?} is not compared"),
         };
         let name = front.name();

@@ -8,7 +8,7 @@ use super::super::divide_and_conquer::SubTriangulation;
 use super::super::initialization::begin;
 use super::super::scratch::Scratch;
 use super::super::vertices::Vertices;
-use super::strata::Edge;
+use super::partition::Edge;
 use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
 use crate::front::{FrontSearch, Search};

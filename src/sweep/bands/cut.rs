@@ -10,7 +10,7 @@ use std::slice;
 
 use rayon::prelude::*;
 
-use super::super::located::Located;
+use super::super::vertices::ApproxPoints;
 use crate::ids::narrow;
 use crate::scalar::Scalar;
 
@@ -22,7 +22,7 @@ const STRIDE: usize = 1_000_000_007;
 pub(super) const CHUNK: usize = 1 << 15;
 
 /// The input indices of the points in each band, from the lowest band to the highest; some may be empty.
-pub(super) fn cut<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Vec<Vec<u32>> {
+pub(super) fn cut<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize) -> Vec<Vec<u32>> {
     let pivots = pivots(located, bands);
     let cutter = Cutter { located, pivots };
     let chunks = located.points.len().div_ceil(CHUNK);
@@ -48,7 +48,7 @@ pub(super) fn cut<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> V
 
 /// The points, and the heights between the bands.
 struct Cutter<'a, S> {
-    located: &'a Located<'a, S>,
+    located: &'a ApproxPoints<'a, S>,
     pivots: Vec<f64>,
 }
 
@@ -81,7 +81,7 @@ impl<S: Scalar> Cutter<'_, S> {
 }
 
 /// The heights between the bands.
-fn pivots<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Vec<f64> {
+fn pivots<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize) -> Vec<f64> {
     let points = located.points.len();
     let place = |i: usize| narrow(i.wrapping_mul(STRIDE) % points);
     let mut sample: Vec<f64> = (0..SAMPLE.min(points))

@@ -8,14 +8,14 @@
 //! Cost: O(n) to move n triangles and vertices, O(h) for each gap between hulls of h vertices, and the flips. The
 //! flips may be many, so they have a budget ([`super::super::flip_limit`]).
 
+use super::super::Sweep;
 use super::super::delaunay::Delaunay;
 use super::super::divide_and_conquer::MergeMode;
 use super::super::flip_limit::FlipLimit;
 use super::super::predicates::SweepPredicates;
 use super::super::scratch::Scratch;
-use super::super::state::Sweep;
 use super::band::Swept;
-use super::strata::Edge;
+use super::partition::Edge;
 use crate::front::{Front, Search};
 use crate::ids::narrow;
 use crate::scalar::Scalar;
@@ -26,7 +26,7 @@ use crate::settings::Settings;
 pub(super) fn join<'a, S: Scalar>(
     points: &'a [[S; 2]],
     bands: Vec<Swept>,
-    across: Vec<Edge>,
+    crossing: Vec<Edge>,
     settings: Settings<'_>,
     search: Search<'a>,
 ) -> Option<Sweep<'a, S, ()>> {
@@ -92,7 +92,7 @@ pub(super) fn join<'a, S: Scalar>(
         &mut scratch,
     );
     sweep.hand_over(part.first);
-    sweep.insert_across(across, &starts).ok()?;
+    sweep.insert_across(crossing, &starts).ok()?;
     sweep.insert_pending().ok()?;
     Some(sweep)
 }

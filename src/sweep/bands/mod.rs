@@ -1,6 +1,6 @@
 //! Bands: the sweep on all cores.
 //!
-//! The points are cut into bands by their heights ([`cut`], [`strata`]). Each band is swept by a thread of its own,
+//! The points are cut into bands by their heights ([`cut`], [`partition`]). Each band is swept by a thread of its own,
 //! with the edges that run within it ([`band`]). Then ghosts enclose it, neighbouring bands are merged
 //! as in divide and conquer, and the edges from band to band are inserted ([`join`], [`across`]).
 //!
@@ -16,22 +16,22 @@ mod across;
 mod band;
 mod cut;
 mod join;
-mod strata;
+mod partition;
 
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::initialization::LIMIT;
-use super::located::Located;
 use super::scratch::Scratch;
+use super::vertices::ApproxPoints;
 use crate::front::Search;
 use crate::ids::VertexId;
 use crate::scalar::Scalar;
 use crate::settings::Settings;
 use crate::triangulation::Triangulation;
 use band::{Band, Shared, Structure, Swept};
-use strata::Strata;
+use partition::Partition;
 
 /// More bands are of no use: each takes some memory for each chunk of points.
 const MOST: usize = 256;
@@ -71,15 +71,15 @@ fn triangulate<'f, S: Scalar + Sync>(
     if points.len() + bands > LIMIT || edges.len() > LIMIT {
         return None;
     }
-    let located = Located::new_parallel(points).ok()?;
-    let strata = Strata::new(&located, bands.min(MOST));
+    let located = ApproxPoints::new_parallel(points).ok()?;
+    let partition = Partition::new(&located, bands.min(MOST));
     drop(located);
-    let (first, last) = (&strata.first, strata.bands.len());
+    let (first, last) = (&partition.first, partition.bands.len());
     if last < 2 {
         return None;
     }
-    let edges = strata.sort_out(points.len(), edges)?;
-    if edges.across.len() > MANY_ACROSS + points.len() / 8 {
+    let edges = partition.split_edges(points.len(), edges)?;
+    if edges.crossing.len() > MANY_ACROSS + points.len() / 8 {
         return None;
     }
     let shared = Shared {
@@ -87,7 +87,7 @@ fn triangulate<'f, S: Scalar + Sync>(
         inputs: Arc::new(edges.inputs),
         outside: VertexId::at(first[last]),
     };
-    let parts = strata.bands.into_iter().zip(edges.within);
+    let parts = partition.bands.into_iter().zip(edges.local);
     let sorted: Vec<Band<'_>> = parts
         .zip(first)
         .map(|((vertices, edges), &first)| Band {
@@ -106,7 +106,7 @@ fn triangulate<'f, S: Scalar + Sync>(
     drop(shared);
     let mut search = structure();
     let search = Search::with(&mut *search);
-    let sweep = join::join(points, swept, edges.across, settings(), search)?;
+    let sweep = join::join(points, swept, edges.crossing, settings(), search)?;
     let (triangulation, ..) = sweep.finalize(&mut Scratch::default());
     Some(triangulation)
 }

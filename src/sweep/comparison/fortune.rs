@@ -31,9 +31,9 @@ use std::cmp::Ordering::{Greater, Less};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::super::corner::ChainVertex;
+use super::super::Sweep;
+use super::super::delaunay::ChainVertex;
 use super::super::delaunay::Delaunay;
-use super::super::state::Sweep;
 use super::beach_line::{BeachLine, top};
 use crate::error::Error;
 use crate::ids::VertexId;

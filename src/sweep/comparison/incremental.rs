@@ -30,10 +30,10 @@
 
 use std::cmp::Ordering::{Equal, Less};
 
+use super::super::Sweep;
 use super::super::delaunay::Delaunay;
+use super::super::delaunay::Random;
 use super::super::flip_limit::inexact_scalar;
-use super::super::state::Sweep;
-use super::super::stretch::Random;
 use crate::error::Error;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;

@@ -20,8 +20,8 @@ mod sweep_2005;
 
 use std::cmp::Ordering::Equal;
 
+use super::Sweep;
 use super::delaunay::Delaunay;
-use super::state::Sweep;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;

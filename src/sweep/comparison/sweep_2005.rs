@@ -27,7 +27,7 @@
 
 use std::cmp::Ordering::Less;
 
-use super::super::state::{NewVertex, Sweep};
+use super::super::{NewVertex, Sweep};
 use crate::error::Error;
 use crate::front::Direction;
 use crate::ids::{BorderId, VertexId};

@@ -11,8 +11,8 @@
 //!
 //! Cost: O(h) for h vertices on the hull.
 
+use super::super::Sweep;
 use super::super::flip_limit::inexact_scalar;
-use super::super::state::Sweep;
 use super::SubTriangulation;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;

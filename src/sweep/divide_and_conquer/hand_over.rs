@@ -8,8 +8,8 @@
 
 use std::cmp::Ordering::Greater;
 
+use super::super::Sweep;
 use super::super::flip_limit::inexact_scalar;
-use super::super::state::Sweep;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;

@@ -27,7 +27,7 @@
 //! one is made, as before. Both hulls are convex and a line separates them. So if r2 lies in the triangle l,
 //! r, l2, it lies in its circle, and the other triangle is made. Likewise l2. Hence the triangles fill the gap
 //! without overlap. All their sides go on the flip stack, and legalization does the rest
-//! ([`super::super::legalization`]).
+//! ([`super::super::delaunay::legalization`]).
 //!
 //! Cost: O(k) for k vertices in both parts. Each step removes a triangle of a part or moves the base, and a
 //! base that climbs never comes back.

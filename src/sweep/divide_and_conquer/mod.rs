@@ -24,9 +24,9 @@ mod ghosts;
 mod hand_over;
 mod merge;
 
+use super::Sweep;
 use super::delaunay::Delaunay;
 use super::flip_limit::FlipLimit;
-use super::state::Sweep;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
@@ -100,11 +100,13 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             return Ok(());
         }
         let n = self.delaunay.predicates.vertices.len();
+        let mut list = Vec::new();
         for v in (0..n).map(VertexId::at) {
             if !self.edges.at(v).is_empty() {
-                self.list_edges(v);
+                list.clear();
+                list.extend_from_slice(self.edges.at(v));
                 let around = self.side_opposite(v);
-                self.insert_edges(v, around)?;
+                self.insert_edges(v, &mut list, around)?;
             }
         }
         Ok(())

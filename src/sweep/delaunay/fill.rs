@@ -26,27 +26,42 @@
 //! Corners of a long convex run must not be closed one after the other: along a parabola that makes
 //! a fan, which each new corner flips anew, a quadratic number of flips. So a maximal convex run is
 //! closed as a whole. Its vertices are inserted in random order, each into the polygon of those before it
-//! (Chew 1990). EdgeChains of a few corners, as most pockets and pseudo-polygons are, cannot flip much, and drawing an order
+//! (Chew 1990). Chains of a few corners, as most pockets and pseudo-polygons are, cannot flip much, and drawing an order
 //! costs more: their corners are closed one by one.
+//!
+//! Which triangle does a corner make when it is inserted? To find out, the corners are first taken out of the polygon
+//! in reverse order, and each one keeps its two neighbours among those left. Inserted in order, each corner makes a
+//! triangle with these two. A long run is inserted in rounds, each as large as all before it and from left to right
+//! (Amenta, Choi and Rote 2003): the corners of a round are chosen at random, and corners near each other in memory
+//! follow each other.
 //!
 //! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex runs.
 //!
 //! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right.
 //! In a pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada
 //! 1997), which costs O(k^2).
-
 use std::cmp::Ordering::Greater;
 
-use super::corner::ChainVertex;
-use super::delaunay::Delaunay;
-use crate::ids::BorderId;
+use super::Delaunay;
+use crate::ids::{BorderId, VertexId, narrow};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
 use crate::trace::Why;
 
-/// A chain of so few corners has no stretches.
-const FEW: usize = 6;
+/// A vertex of a chain and the border half-edge from it to the next one (meaningless for the last one).
+///
+/// If a triangle borders on the border half-edge from outside, closing the corner joins it to the new triangle,
+/// and their common side goes on the flip stack. If none does, the border half-edge stays, and the new triangle
+/// borders on it.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::sweep) struct ChainVertex {
+    pub(in crate::sweep) vertex: VertexId,
+    pub(in crate::sweep) border: BorderId,
+}
+
+/// The corners of a chain of at most so many vertices are closed one by one.
+const CLOSED_ONE_BY_ONE: usize = 6;
 
 /// More suspects than these do not wait for the end of the chain.
 const MANY: usize = 4096;
@@ -54,7 +69,7 @@ const MANY: usize = 4096;
 impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// Fills the region to the left of `chain` and leaves its hull in `chain`. Sides between a new triangle and
     /// an old one go on the flip stack.
-    pub(super) fn fill(&mut self, chain: &mut Vec<ChainVertex>, why: Why) {
+    pub(in crate::sweep) fn fill(&mut self, chain: &mut Vec<ChainVertex>, why: Why) {
         let before = chain.len();
         self.flip_limit.grant_for_chain(before);
         // `chain[..done]` nowhere turns left; `chain[ahead..]` is still to be scanned.
@@ -69,7 +84,7 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
             // A left turn: a convex run begins here, `chain[start..=ahead]`. Extend it as far as it goes.
             let start = ahead - 2;
             [chain[start], chain[start + 1]] = [chain[done - 2], chain[done - 1]];
-            while before > FEW
+            while before > CLOSED_ONE_BY_ONE
                 && ahead + 1 < before
                 && self.stays_convex(&chain[start..=ahead], chain[ahead + 1])
             {
@@ -100,7 +115,7 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     }
 
     /// Closes one corner; returns the border half-edge that replaces its two.
-    pub(super) fn fill_ear(&mut self, [a, b, c]: [ChainVertex; 3], why: Why) -> BorderId {
+    pub(in crate::sweep) fn fill_ear(&mut self, [a, b, c]: [ChainVertex; 3], why: Why) -> BorderId {
         let joined = [a, b].map(|corner| self.mesh.has_border_twin(corner.border));
         // If a triangle is joined at the first side, the chord takes over the number of that side.
         let chord = if joined[0] {
@@ -180,5 +195,79 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
         self.mesh
             .connect(self.mesh.border_twin(chord), HalfEdge::border(outer));
         outer
+    }
+}
+
+/// A run of at most so many corners is inserted in one round: they are near each other in any order.
+const IN_ONE_ROUND: usize = 4096;
+
+/// Marsaglia's xorshift: the same numbers in every run and on every machine.
+#[derive(Debug)]
+pub(in crate::sweep) struct Random(u32);
+
+impl Random {
+    pub(in crate::sweep) fn new() -> Random {
+        Random(0x2545_F491)
+    }
+
+    /// A number below `n`.
+    pub(in crate::sweep) fn below(&mut self, n: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 17;
+        self.0 ^= self.0 << 5;
+        self.0 as usize % n
+    }
+
+    /// Puts a list into random order.
+    pub(in crate::sweep) fn shuffle<T>(&mut self, list: &mut [T]) {
+        for i in (1..list.len()).rev() {
+            list.swap(i, self.below(i + 1));
+        }
+    }
+}
+
+/// Positions are those in the stretch.
+#[derive(Debug, Default)]
+pub(in crate::sweep) struct ConvexRun {
+    /// The inner positions in order of insertion.
+    pub(in crate::sweep) order: Vec<u32>,
+    /// For each position its neighbours among those inserted before it.
+    prev: Vec<u32>,
+    next: Vec<u32>,
+    /// The border half-edge from each position inserted to its next one.
+    pub(in crate::sweep) borders: Vec<BorderId>,
+}
+
+impl ConvexRun {
+    /// Draws a random order of insertion for the inner ones of so many positions; it depends on their number
+    /// alone.
+    pub(in crate::sweep) fn draw(&mut self, corners: usize) {
+        let len = narrow(corners);
+        self.order.clear();
+        self.order.extend(1..len - 1);
+        Random::new().shuffle(&mut self.order);
+        // The last half of them from left to right, then the half before, and so on.
+        let mut end = self.order.len();
+        while end > IN_ONE_ROUND {
+            self.order[end / 2..end].sort_unstable();
+            end /= 2;
+        }
+        self.prev.clear();
+        self.prev.extend((0..len).map(|i| i.saturating_sub(1)));
+        self.next.clear();
+        self.next.extend(1..=len);
+        // Taken out in reverse order, each corner keeps the neighbours that it had last.
+        for &u in self.order.iter().rev() {
+            let [v, w] = [self.prev[u as usize], self.next[u as usize]];
+            self.next[v as usize] = w;
+            self.prev[w as usize] = v;
+        }
+        self.borders.clear();
+        self.borders.resize(len as usize, BorderId::new(0));
+    }
+
+    /// The neighbours of position `u` when it is inserted.
+    pub(in crate::sweep) fn neighbors(&self, u: u32) -> [u32; 2] {
+        [self.prev[u as usize], self.next[u as usize]]
     }
 }

@@ -1,4 +1,4 @@
-//! Points sorted by a key of one coordinate, by counting: a step of the sort of section 3.3 ([`super::order`]).
+//! Points sorted by a key of one coordinate, by counting: a step of the sort of section 3.3 ([`super::vertices::sort`]).
 //!
 //! Why it is right: no key decreases where the coordinate grows. So points of different keys are in order, and what is
 //! left to sort are runs of one key.
@@ -14,12 +14,12 @@ use crate::ids::narrow;
 pub(super) const FEW: usize = 20;
 
 /// A point: its approximated coordinates and its input index.
-pub(super) type Site = ([f64; 2], u32);
+pub(super) type Key = ([f64; 2], u32);
 
 /// Sites sorted by a key of one coordinate.
 #[derive(Debug, Default)]
-pub(super) struct Sorted {
-    pub(super) sites: Vec<Site>,
+pub(super) struct CountingSort {
+    pub(super) sites: Vec<Key>,
     axis: usize,
     /// Where the sites of each key end.
     ends: Vec<u32>,
@@ -30,9 +30,9 @@ pub(super) struct Sorted {
     keys: Vec<u32>,
 }
 
-impl Sorted {
+impl CountingSort {
     /// Takes these sites, sorted by a key of one coordinate: two to four keys for each site.
-    pub(super) fn set(&mut self, sites: impl ExactSizeIterator<Item = Site> + Clone, axis: usize) {
+    pub(super) fn set(&mut self, sites: impl ExactSizeIterator<Item = Key> + Clone, axis: usize) {
         let n = sites.len();
         self.axis = axis;
         self.ends.clear();
@@ -47,7 +47,7 @@ impl Sorted {
         let (low, high) = extremes(sites.clone().map(|site| site.0[axis]));
         (self.low, self.factor) = (low, keys as f64 / (high - low));
         self.ends.resize(keys, 0);
-        let key = |site: Site| narrow(key(&site, axis, (self.low, self.factor), keys));
+        let key = |site: Key| narrow(key(&site, axis, (self.low, self.factor), keys));
         self.keys.clear();
         self.keys.extend(sites.clone().map(key));
         for &key in &self.keys {
@@ -63,7 +63,7 @@ impl Sorted {
     }
 
     /// Sorts each run of one key in which the coordinate does not ascend all the way.
-    pub(super) fn sort_runs(&mut self, mut sort: impl FnMut(&mut [Site])) {
+    pub(super) fn sort_runs(&mut self, mut sort: impl FnMut(&mut [Key])) {
         let axis = self.axis;
         let mut at = 1;
         while let Some([a, b]) = self.sites.get(at - 1..=at) {
@@ -81,7 +81,7 @@ impl Sorted {
 }
 
 /// The key of a site by one coordinate.
-fn key(site: &Site, axis: usize, (low, factor): (f64, f64), keys: usize) -> usize {
+fn key(site: &Key, axis: usize, (low, factor): (f64, f64), keys: usize) -> usize {
     bucket((site.0[axis] - low) * factor, keys)
 }
 

@@ -2,7 +2,7 @@
 //! and their neighbours tested in turn, until none violates it.
 //!
 //! Why it is right: a side stays if it is a border or constrained, or if it passes the exact test of
-//! [`SweepPredicates::must_flip`](super::predicates::SweepPredicates::must_flip). A flip makes suspects of the four sides
+//! [`SweepPredicates::must_flip`](super::super::predicates::SweepPredicates::must_flip). A flip makes suspects of the four sides
 //! around the flipped one. When no suspect is left, every free side is locally Delaunay, and then the whole
 //! triangulation is constrained Delaunay (Lee and Lin 1986; Chew 1989). The flips end, because each one
 //! lowers the lifted surface, ties included (canonical rule).
@@ -23,26 +23,25 @@
 //! ```
 //!
 //! Everywhere else a flip stack is tested until it is empty. (When the sweep is about to be abandoned,
-//! the suspects are forgotten, and what is kept of it is legalized as a whole; see [`super::flip_limit`].)
+//! the suspects are forgotten, and what is kept of it is legalized as a whole; see [`super::super::flip_limit`].)
 //!
 //! Cost: a test for each triangle of the fan and two for each flip; up to four for a flip elsewhere. A
 //! new vertex needs a constant number of flips on average (section 2).
 //!
 //! Differs from the paper: loops, where the paper recurses.
-
-use super::delaunay::Delaunay;
-use super::flip_limit::inexact_scalar;
+use super::Delaunay;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+use crate::sweep::flip_limit::inexact_scalar;
 use crate::trace::{Event, Outcome};
 
 impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// Legalizes the outer sides of the fan around a vertex, from triangle `t` to the one whose right end is `last`,
     /// which is returned. The vertex is corner 0 of all of them, and stays it; `near` are its doubles.
     #[inline(always)]
-    pub(super) fn legalize_fan(
+    pub(in crate::sweep) fn legalize_fan(
         &mut self,
         t: TriangleId,
         approx: [f64; 2],
@@ -68,7 +67,7 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
 
     /// Legalizes one side, and then the sides that its flip makes suspect.
     #[inline(always)]
-    pub(super) fn legalize_side(&mut self, side: HalfEdge) {
+    pub(in crate::sweep) fn legalize_side(&mut self, side: HalfEdge) {
         if self.is_illegal(side) {
             self.flip_and_stack(side);
             self.legalize();
@@ -76,7 +75,7 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     }
 
     /// Tests the suspects until none is left, or until the budget of flips is spent.
-    pub(super) fn legalize(&mut self) {
+    pub(in crate::sweep) fn legalize(&mut self) {
         while let Some(suspect) = self.flip_stack.pop() {
             if self.flip_limit.is_spent() {
                 self.flip_stack.clear();
@@ -89,7 +88,7 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     }
 
     /// Legalizes all sides, or stops when the budget of flips is spent.
-    pub(super) fn legalize_all(&mut self) {
+    pub(in crate::sweep) fn legalize_all(&mut self) {
         for t in (0..self.mesh.len()).map(TriangleId::at) {
             // Each side from the lower of its two triangles.
             let sides = [0, 1, 2].map(|i| HalfEdge::new(t, i)).into_iter();

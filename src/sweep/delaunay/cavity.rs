@@ -6,7 +6,7 @@
 //!          /  :  \                chain of r1 and r2 is on the right, that of l1, l2 and h on the left.
 //!        r1   :   l2              A chain has its inside to its left: the right one runs down, from,
 //!         |   :    |              r1, r2, to; the left one runs up, to, l1, h, l1, l2, from.
-//!         | R : L  |              [`super::chain`] fills R and L up to the edge. Then the new triangles
+//!         | R : L  |              [`super::fill`] fills R and L up to the edge. Then the new triangles
 //!         |   : h  |              are joined to those outside.
 //!         |   :  \ |
 //!        r2   :   l1              l1-h is a *hanging edge*: the triangles on both sides of it were
@@ -22,40 +22,69 @@
 //!
 //! Cost: O(k log k) for k pierced triangles, beyond the legalization.
 //!
-//! Differs from the paper: see [`super::chain`].
-
+//! Differs from the paper: see [`super::fill`].
 use std::cmp::Ordering;
 use std::mem::take;
 
-use super::corner::ChainVertex;
-use super::delaunay::Delaunay;
-use super::obstacles::Obstacles;
-use super::polygons::{Polygons, Seams};
+use super::Delaunay;
+use super::fill::ChainVertex;
 use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+use crate::sweep::traversal::Traversed;
 use crate::trace::{Event, PseudoPolygon, Why};
+
+/// Both pseudo-polygons of an edge.
+#[derive(Debug, Default)]
+pub(in crate::sweep) struct Polygons {
+    pub(in crate::sweep) right: Vec<ChainVertex>,
+    pub(in crate::sweep) left: Vec<ChainVertex>,
+    pub(in crate::sweep) seams: Seams,
+}
+
+/// The border half-edges on the border of both pseudo-polygons.
+#[derive(Debug, Default)]
+pub(in crate::sweep) struct Seams {
+    /// The pierced triangles, ascending.
+    pub(in crate::sweep) pierced: Vec<TriangleId>,
+    /// Each with what lies across it.
+    pub(in crate::sweep) outer: Vec<(BorderId, HalfEdge)>,
+    /// Hanging edges: the pierced triangle's side, what lies across, and the border half-edge in its place.
+    pub(in crate::sweep) hanging: Vec<(HalfEdge, HalfEdge, BorderId)>,
+}
+
+impl Seams {
+    /// Begins with these pierced triangles, which are needed until the borders are known; then their places are used
+    /// again.
+    pub(in crate::sweep) fn begin(&mut self, pierced: &[TriangleId]) {
+        self.pierced.clear();
+        self.pierced.extend_from_slice(pierced);
+        self.pierced.sort_unstable();
+        self.outer.clear();
+        self.hanging.clear();
+    }
+}
 
 impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// Makes the part from `from` to `to` a constrained side; the traversal has just found its `obstacles`.
     /// Returns the side opposite `from` of the triangle to the right of the part.
-    pub(super) fn replace_pierced(
+    pub(in crate::sweep) fn replace_pierced(
         &mut self,
         from: VertexId,
         to: VertexId,
-        obstacles: &Obstacles,
+        traversed: &Traversed,
     ) -> HalfEdge {
-        self.note_pierced(&obstacles.pierced);
+        self.note_pierced(&traversed.pierced);
         // An edge that runs down to the left has the upper pseudo-polygon on its right.
         let polygons = match self.predicates.compare_x(from, to) {
             Ordering::Greater => [PseudoPolygon::Lower, PseudoPolygon::Upper],
             _ => [PseudoPolygon::Upper, PseudoPolygon::Lower],
         };
-        let [left, right] = if obstacles.pierced.len() == 2 {
-            self.replace_two([from, to], polygons, obstacles)
+        let [left, right] = if traversed.pierced.len() == 2 {
+            self.replace_two([from, to], polygons, traversed)
         } else {
-            self.replace_many([from, to], polygons, obstacles)
+            self.replace_many([from, to], polygons, traversed)
         };
         // The two triangles at the edge are joined across it.
         self.mesh.connect(right.constrain(), left);
@@ -82,17 +111,17 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
         &mut self,
         [from, to]: [VertexId; 2],
         polygons: [PseudoPolygon; 2],
-        obstacles: &Obstacles,
+        traversed: &Traversed,
     ) -> [HalfEdge; 2] {
         // As in the chains: from one end over the vertex beside the edge to the other.
-        let left = [obstacles.left[1], obstacles.left[0]];
-        let right = [obstacles.right[0], obstacles.right[1]];
+        let left = [traversed.left[1], traversed.left[0]];
+        let right = [traversed.right[0], traversed.right[1]];
         let new = [(to, left, from), (from, right, to)].map(|(first, sides, last)| {
             let [_, beside, _] = self.mesh.around(sides[1]);
             let [before, after] = sides.map(|side| self.mesh.twin(side));
             ([first, beside, last], [HalfEdge::NOTHING, before, after])
         });
-        self.mesh.remove(&obstacles.pierced);
+        self.mesh.remove(&traversed.pierced);
         let [left, right] = new;
         [(left, polygons[0]), (right, polygons[1])].map(|((corners, twin), polygon)| {
             self.report_border(polygon, corners);
@@ -108,17 +137,17 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
         &mut self,
         [from, to]: [VertexId; 2],
         [left_polygon, right_polygon]: [PseudoPolygon; 2],
-        obstacles: &Obstacles,
+        traversed: &Traversed,
     ) -> [HalfEdge; 2] {
         // The pierced triangles go, and leave two chains of border half-edges.
         let kept = self.mesh.border_count();
         let mut polygons = take(&mut self.polygons);
         let Polygons { right, left, seams } = &mut polygons;
-        seams.begin(&obstacles.pierced);
-        self.border(right, obstacles.right.iter(), to, seams);
+        seams.begin(&traversed.pierced);
+        self.border(right, traversed.right.iter(), to, seams);
         // The left chain runs the other way, so that its inside is to its left too.
-        self.border(left, obstacles.left.iter().rev(), from, seams);
-        self.mesh.remove(&obstacles.pierced);
+        self.border(left, traversed.left.iter().rev(), from, seams);
+        self.mesh.remove(&traversed.pierced);
 
         self.fill_polygon(left, left_polygon);
         self.fill_polygon(right, right_polygon);

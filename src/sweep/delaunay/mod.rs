@@ -1,20 +1,25 @@
 //! The triangles and the exact signs: the part of the state that knows neither the front nor the edges.
 //!
-//! Legalization ([`super::legalization`]) and the filling of chains ([`super::chain`]) need no more than
-//! this. The state of the whole sweep ([`super::state`]) contains it and adds the front and the edges.
+//! Legalization ([`super::legalization`]) and the filling of chains ([`super::delaunay::fill`]) need no more than
+//! this. The state of the whole sweep ([`super`]) contains it and adds the front and the edges.
+mod cavity;
+mod fill;
+mod legalization;
 
 use std::cmp::Ordering;
 use std::mem::take;
 
 use super::flip_limit::FlipLimit;
-use super::polygons::Polygons;
 use super::predicates::SweepPredicates;
 use super::scratch::Scratch;
-use super::stretch::ConvexRun;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
 use crate::probe::Probe;
 use crate::trace::{Event, Vertex, Why};
+pub(super) use cavity::Polygons;
+#[cfg(feature = "comparison")]
+pub(super) use fill::Random;
+pub(super) use fill::{ChainVertex, ConvexRun};
 
 /// Triangles, exact signs, and the sides that legalization still has to test.
 #[derive(Debug)]

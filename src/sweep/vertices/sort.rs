@@ -1,7 +1,7 @@
 //! The sweep order of section 3.3: by y, then x, exactly.
 //!
 //! The points are spread over *buckets* of y, each of some hundred points, or some thousand where there are
-//! millions. A bucket is sorted by a finer key of y, by counting ([`super::sorted`]). A long run of one key is sorted
+//! millions. A bucket is sorted by a finer key of y, by counting ([`super::vertices::counting`]). A long run of one key is sorted
 //! again by counting, by a still finer key, and a long row of equal y by a key of x. In a short row each point goes
 //! where as many come before it. What still has one key is sorted by exact comparison. Then equal points merge into the
 //! one with the lowest input index.
@@ -15,10 +15,10 @@
 //! if all have one y, 132 if nearly all have.
 //!
 //! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
-
 use std::cmp::Ordering;
 
-use super::sorted::{FEW, Site, Sorted, begin};
+use super::Vertices;
+use super::counting::{CountingSort, FEW, Key, begin};
 use crate::bucket::{bucket, sampled};
 use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
@@ -31,61 +31,41 @@ const SAMPLE: (usize, usize) = (16, 1024);
 /// What is outside the middle half of them by more than this many times its height is far outside.
 const REACH: f64 = 8.0;
 
-/// The distinct points in sweep order.
-#[derive(Debug, Default)]
-pub(super) struct Order {
-    /// Their approximated coordinates, with room for the two artificial points.
-    pub(super) approx: Vec<[f64; 2]>,
-    /// Their input indices; the lowest of equal points stands for all.
-    pub(super) input: Vec<u32>,
-    /// The others of equal points: `(point, representative)`.
-    pub(super) duplicates: Vec<(u32, u32)>,
-}
-
-#[cfg(feature = "parallel")]
-impl Order {
-    /// Makes room for so many points.
-    pub(super) fn reserve(&mut self, points: usize) {
-        self.approx.reserve_exact(points + 2);
-        self.input.reserve_exact(points);
-    }
-}
-
 /// Working memory of the sort.
 #[derive(Debug, Default)]
-pub(super) struct Workspace {
+pub(in crate::sweep) struct SortBuffers {
     /// Where the points of each bucket end.
     ends: Vec<u32>,
     /// A bucket, a long run of one key in it, and a long row of one y in that.
-    bucket: Sorted,
-    run: Sorted,
-    row: Sorted,
+    bucket: CountingSort,
+    run: CountingSort,
+    row: CountingSort,
 }
 
-/// Sorts and merges the points with these input indices, which ascend; `approx` gives the approximated
-/// coordinates of a point by its input index. The memory of `order` is used again.
+/// Sorts and merges the points with these input indices, which ascend, into `vertices`; `approx` gives the approximated
+/// coordinates of a point by its input index. The arrays of `vertices` get room for the two artificial points.
 pub(super) fn sort<S: Scalar>(
     points: &[[S; 2]],
     inputs: impl ExactSizeIterator<Item = u32> + Clone,
     approx: impl Fn(u32) -> [f64; 2],
-    scale: Scale,
-    mut order: Order,
-    workspace: &mut Workspace,
-) -> Order {
-    spread(inputs, approx, &mut order, &mut workspace.ends);
-    order.duplicates.clear();
-    let compare = |a: &Site, b: &Site| compare(points, scale, a, b);
-    let by_index = |a: &Site, b: &Site| compare(a, b).then_with(|| a.1.cmp(&b.1));
-    let Workspace {
+    vertices: &mut Vertices,
+    buffers: &mut SortBuffers,
+) {
+    spread(inputs, approx, vertices, &mut buffers.ends);
+    let scale = vertices.scale;
+    vertices.duplicates.clear();
+    let compare = |a: &Key, b: &Key| compare(points, scale, a, b);
+    let by_index = |a: &Key, b: &Key| compare(a, b).then_with(|| a.1.cmp(&b.1));
+    let SortBuffers {
         ends,
         bucket,
         run,
         row,
-    } = workspace;
-    let is_long = |sites: &[Site]| sites.len() > FEW && scale.is_injective();
-    let is_row = |sites: &[Site]| scale.is_injective() && is_row(sites);
-    let is_sorted = |sites: &[Site]| sites.is_sorted_by(|a, b| by_index(a, b).is_lt());
-    let mut sort_row = |sites: &mut [Site]| {
+    } = buffers;
+    let is_long = |sites: &[Key]| sites.len() > FEW && scale.is_injective();
+    let is_row = |sites: &[Key]| scale.is_injective() && is_row(sites);
+    let is_sorted = |sites: &[Key]| sites.is_sorted_by(|a, b| by_index(a, b).is_lt());
+    let mut sort_row = |sites: &mut [Key]| {
         if sites.len() <= FEW {
             sort_few(sites);
         } else if !is_sorted(sites) {
@@ -98,7 +78,9 @@ pub(super) fn sort<S: Scalar>(
     let (mut from, mut kept) = (0, 0);
     for &end in &*ends {
         let to = end as usize;
-        let sites = order.approx[from..to].iter().zip(&order.input[from..to]);
+        let sites = vertices.approx[from..to]
+            .iter()
+            .zip(&vertices.input[from..to]);
         bucket.set(sites.map(|(&approx, &input)| (approx, input)), 1);
         bucket.sort_runs(|sites| {
             if is_row(sites) {
@@ -118,14 +100,14 @@ pub(super) fn sort<S: Scalar>(
             }
         });
         // What is equal has one key. The others move up to what is kept.
-        let mut last: Option<Site> = None;
+        let mut last: Option<Key> = None;
         for &site in &bucket.sites {
             match last {
                 Some(last) if compare(&last, &site).is_eq() => {
-                    order.duplicates.push((site.1, last.1));
+                    vertices.duplicates.push((site.1, last.1));
                 }
                 _ => {
-                    (order.approx[kept], order.input[kept]) = site;
+                    (vertices.approx[kept], vertices.input[kept]) = site;
                     kept += 1;
                     last = Some(site);
                 }
@@ -133,21 +115,20 @@ pub(super) fn sort<S: Scalar>(
         }
         from = to;
     }
-    order.approx.truncate(kept);
-    order.input.truncate(kept);
-    order.duplicates.sort_unstable();
-    order
+    vertices.approx.truncate(kept);
+    vertices.input.truncate(kept);
+    vertices.duplicates.sort_unstable();
 }
 
 /// Whether all have the same y, as those in a row of a lattice have.
-fn is_row(sites: &[Site]) -> bool {
+fn is_row(sites: &[Key]) -> bool {
     let first = sites.first().map(|site| site.0[1]);
     sites.iter().all(|site| Some(site.0[1]) == first)
 }
 
 /// Sorts up to [`FEW`] sites of one y by x, without a branch: each goes where as many come before it. Equal ones keep
 /// their order, which is that of the input.
-fn sort_few(sites: &mut [Site]) {
+fn sort_few(sites: &mut [Key]) {
     let n = sites.len();
     let mut xs = [0.0; FEW];
     let mut sorted = [([0.0; 2], 0); FEW];
@@ -164,7 +145,7 @@ fn sort_few(sites: &mut [Site]) {
 }
 
 /// Exact sweep order of two sites.
-fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Ordering {
+fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Key, b: &Key) -> Ordering {
     let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
         Some(order) if order.is_ne() || scale.is_injective() => order,
         _ => points[a.1 as usize][i].compare(&points[b.1 as usize][i]),
@@ -172,11 +153,11 @@ fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Site, b: &Site) -> Or
     axis(1).then_with(|| axis(0))
 }
 
-/// Puts the points into `order` by buckets of y, whose ends are noted.
+/// Puts the points into `vertices` by buckets of y, whose ends are noted.
 fn spread(
     inputs: impl ExactSizeIterator<Item = u32> + Clone,
     approx: impl Fn(u32) -> [f64; 2],
-    order: &mut Order,
+    vertices: &mut Vertices,
     ends: &mut Vec<u32>,
 ) {
     let n = inputs.len();
@@ -184,11 +165,11 @@ fn spread(
     if buckets == 1 {
         ends.clear();
         ends.push(narrow(n));
-        order.approx.clear();
-        order.approx.reserve_exact(n + 2);
-        order.approx.extend(inputs.clone().map(approx));
-        order.input.clear();
-        order.input.extend(inputs);
+        vertices.approx.clear();
+        vertices.approx.reserve_exact(n + 2);
+        vertices.approx.extend(inputs.clone().map(approx));
+        vertices.input.clear();
+        vertices.input.extend(inputs);
         return;
     }
     let (low, high) = range(&inputs, |input| approx(input)[1]);
@@ -201,12 +182,15 @@ fn spread(
         ends[bucket_of(approx(input))] += 1;
     }
     begin(ends);
-    resize(&mut order.approx, n, 2);
-    resize(&mut order.input, n, 0);
+    resize(&mut vertices.approx, n, 2);
+    resize(&mut vertices.input, n, 0);
     for input in inputs {
         let approx = approx(input);
         let place = &mut ends[bucket_of(approx)];
-        (order.approx[*place as usize], order.input[*place as usize]) = (approx, input);
+        (
+            vertices.approx[*place as usize],
+            vertices.input[*place as usize],
+        ) = (approx, input);
         *place += 1;
     }
 }
@@ -247,15 +231,18 @@ fn range(
 
 #[cfg(test)]
 mod tests {
-    use super::{Order, Scale, Workspace, sort};
+    use super::{Scale, SortBuffers, Vertices, sort};
 
     /// Sorts these points and compares the outcome with that of a sort by comparison.
-    fn sorted(points: &[[f64; 2]]) -> Workspace {
+    fn sorted(points: &[[f64; 2]]) -> SortBuffers {
         let approx = |i: u32| points[i as usize];
         let count = u32::try_from(points.len()).expect("few");
-        let (scale, order) = (Scale::exact(points.len(), |i| points[i]), Order::default());
-        let mut workspace = Workspace::default();
-        let found = sort(points, 0..count, approx, scale, order, &mut workspace);
+        let mut found = Vertices {
+            scale: Scale::exact(points.len(), |i| points[i]),
+            ..Vertices::default()
+        };
+        let mut buffers = SortBuffers::default();
+        sort(points, 0..count, approx, &mut found, &mut buffers);
 
         let mut expected: Vec<u32> = (0..count).collect();
         expected.sort_by(|&i, &j| {
@@ -275,7 +262,7 @@ mod tests {
         assert_eq!(found.duplicates, duplicates);
         let places: Vec<[f64; 2]> = distinct.into_iter().map(approx).collect();
         assert_eq!(found.approx, places);
-        workspace
+        buffers
     }
 
     /// Three rows whose y have one key, among points spread far. A row has each point twice, and then one just left

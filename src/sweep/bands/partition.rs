@@ -8,16 +8,14 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 
-use super::super::located::Located;
-use super::super::order::{Order, Workspace};
-use super::super::vertices::Vertices;
+use super::super::vertices::{ApproxPoints, SortBuffers, Vertices};
 use super::cut::{CHUNK, cut};
 use crate::ids::{VertexId, narrow};
 use crate::scalar::Scalar;
 
 /// The vertices of each band, from the lowest to the highest.
 #[derive(Debug)]
-pub(super) struct Strata {
+pub(super) struct Partition {
     pub(super) bands: Vec<Vertices>,
     /// For each band the number of its first vertex in the whole, and at last the number of all vertices.
     pub(super) first: Vec<usize>,
@@ -28,29 +26,29 @@ pub(super) type Edge = (u32, [VertexId; 2]);
 
 /// The edges, by where they run.
 #[derive(Debug)]
-pub(super) struct Sorted {
+pub(super) struct SplitEdges {
     /// The input indices that stand for the ends of each edge, upper end first.
     pub(super) inputs: Vec<[u32; 2]>,
     /// For each band lists of the edges within it, their ends numbered in the band.
-    pub(super) within: Vec<Vec<Vec<Edge>>>,
+    pub(super) local: Vec<Vec<Vec<Edge>>>,
     /// The edges from band to band, their ends numbered in the whole.
-    pub(super) across: Vec<Edge>,
+    pub(super) crossing: Vec<Edge>,
 }
 
-impl Strata {
+impl Partition {
     /// Cuts the points into bands and sorts each. A band has two vertices or more, unless it is the only one.
-    pub(super) fn new<S: Scalar + Sync>(located: &Located<'_, S>, bands: usize) -> Strata {
+    pub(super) fn new<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize) -> Partition {
         let sorted: Vec<Vertices> = cut(located, bands)
             .into_par_iter()
             .enumerate()
             .map(|(band, inputs)| {
-                let mut order = Order::default();
+                let mut vertices = Vertices::default();
                 if band == 0 {
                     // The others will follow here.
-                    order.reserve(located.points.len());
+                    vertices.reserve(located.points.len());
                 }
                 let inputs = inputs.iter().copied();
-                Vertices::new(located, inputs, order, &mut Workspace::default())
+                Vertices::new(located, inputs, vertices, &mut SortBuffers::default())
             })
             .collect();
         let mut bands: Vec<Vertices> = Vec::new();
@@ -64,15 +62,15 @@ impl Strata {
         for vertices in &bands {
             first.push(first[first.len() - 1] + vertices.len());
         }
-        Strata { bands, first }
+        Partition { bands, first }
     }
 
     /// Sorts out the edges. `None` if an end is no point.
-    pub(super) fn sort_out(&self, points: usize, edges: &[[usize; 2]]) -> Option<Sorted> {
-        let mut sorted = Sorted {
+    pub(super) fn split_edges(&self, points: usize, edges: &[[usize; 2]]) -> Option<SplitEdges> {
+        let mut sorted = SplitEdges {
             inputs: vec![[0; 2]; edges.len()],
-            within: vec![Vec::new(); self.bands.len()],
-            across: Vec::new(),
+            local: vec![Vec::new(); self.bands.len()],
+            crossing: Vec::new(),
         };
         if edges.is_empty() {
             return Some(sorted);
@@ -87,11 +85,11 @@ impl Strata {
             let edges = (narrow(chunk * CHUNK)..).zip(edges);
             self.lists(&ranks, edges, inputs)
         });
-        for (within, across) in lists.collect::<Vec<_>>() {
-            for (lists, list) in sorted.within.iter_mut().zip(within) {
+        for (local, crossing) in lists.collect::<Vec<_>>() {
+            for (lists, list) in sorted.local.iter_mut().zip(local) {
                 lists.push(list);
             }
-            sorted.across.extend(across);
+            sorted.crossing.extend(crossing);
         }
         Some(sorted)
     }
@@ -105,7 +103,7 @@ impl Strata {
         inputs: &mut [[u32; 2]],
     ) -> (Vec<Vec<Edge>>, Vec<Edge>) {
         let has_duplicates = self.bands.iter().any(|band| !band.duplicates.is_empty());
-        let (mut within, mut across) = (vec![Vec::new(); self.bands.len()], Vec::new());
+        let (mut local, mut crossing) = (vec![Vec::new(); self.bands.len()], Vec::new());
         for ((edge, &ends), inputs) in edges.zip(inputs) {
             let mut ends = ends.map(|input| (ranks[input].load(Ordering::Relaxed), input));
             ends.sort_unstable_by_key(|&(rank, _)| Reverse(rank));
@@ -118,13 +116,13 @@ impl Strata {
             let band = self.band(upper);
             let first = self.first[band];
             if lower.index() < first {
-                across.push((edge, [upper, lower]));
+                crossing.push((edge, [upper, lower]));
             } else {
                 let number = |v: VertexId| VertexId::at(v.index() - first);
-                within[band].push((edge, [upper, lower].map(number)));
+                local[band].push((edge, [upper, lower].map(number)));
             }
         }
-        (within, across)
+        (local, crossing)
     }
 
     /// For each of so many points the number of its vertex in the whole.
