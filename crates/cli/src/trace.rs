@@ -5,11 +5,11 @@ use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 
 use strum::{EnumString, IntoStaticStr, VariantArray};
-use sweep_cdt::Error;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
+use sweep_cdt::{Error, Pslg};
 use sweep_cdt_draw::{StepsPage, StepsSheet};
-use sweep_cdt_formats::{Coordinate, Graph, write_trace};
+use sweep_cdt_formats::{Coordinate, write_trace};
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
@@ -119,7 +119,7 @@ const MOST_PANELS: usize = 60;
 
 /// What is written of a run: `events`, which begin at step `first`, or at 1 where all are needed.
 struct Written<'a, S> {
-    graph: &'a Graph<S>,
+    graph: &'a Pslg<S>,
     events: Vec<Event>,
     steps: RangeInclusive<usize>,
     around: Option<usize>,
@@ -194,7 +194,8 @@ struct Run<'a> {
 
 impl Job for Run<'_> {
     fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
-        let Given { graph, points, .. } = given;
+        let Given { file, points, .. } = given;
+        let graph = &file.graph;
         let [first, last] = [self.arguments.from, self.arguments.to].map(NonZeroUsize::get);
         // Only the steps that are written are kept.
         let mut events = Vec::new();
@@ -208,7 +209,7 @@ impl Job for Run<'_> {
         let settings = &self.arguments.settings;
         let result = settings.observe(points, &graph.edges, observer);
         let refused = result.err();
-        let failure = refused.map(|error| graph.as_numbered(error).to_string());
+        let failure = refused.map(|error| file.as_numbered(error).to_string());
         if step == 0
             && let Some(failure) = failure
         {

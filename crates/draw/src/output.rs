@@ -6,24 +6,25 @@ use std::str::FromStr;
 use strum::{ParseError, VariantArray};
 use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
-use sweep_cdt_formats::{Coordinate, Graph, OutputFormat, write, write_domain};
+use sweep_cdt_formats::{Coordinate, GraphFile, OutputFormat, write, write_domain};
 
 use crate::ResultPicture;
 
 /// A format of files, or a picture. Each is named by the extension of its files.
 ///
 /// ```
+/// use sweep_cdt::Pslg;
 /// use sweep_cdt_draw::Output;
-/// use sweep_cdt_formats::{Graph, OutputFormat};
+/// use sweep_cdt_formats::OutputFormat;
 ///
 /// assert_eq!("svg".parse(), Ok(Output::Svg));
 /// assert_eq!("ele".parse(), Ok(Output::File(OutputFormat::Ele)));
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-/// let graph = Graph { points, ..Graph::default() };
+/// let graph = Pslg { points, ..Pslg::default() };
 /// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
 /// let mut picture = Vec::new();
-/// Output::Svg.write(&graph, &result, &mut picture)?;
+/// Output::Svg.write(&graph.into(), &result, &mut picture)?;
 /// assert!(picture.starts_with(b"<svg"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -71,37 +72,45 @@ impl From<Output> for &'static str {
 }
 
 impl Output {
-    /// Writes `result`, the triangulation of `graph`.
+    /// Writes `result`, the triangulation of the graph of `file`.
     ///
     /// # Errors
     /// Those of `out`.
     pub fn write<S: Coordinate>(
         self,
-        graph: &Graph<S>,
+        file: &GraphFile<S>,
         result: &Triangulation,
         out: &mut impl Write,
     ) -> io::Result<()> {
         match self {
-            Output::File(format) => write(format, graph, result, out),
-            Output::Svg => ResultPicture::new(graph, result).write(out),
+            Output::File(format) => write(format, file, result, out),
+            Output::Svg => picture(file, result).write(out),
         }
     }
 
-    /// Writes the part of a triangulation of `graph` that is inside a domain.
+    /// Writes the part of a triangulation of the graph of `file` that is inside a domain.
     ///
     /// # Errors
     /// Those of `out`.
     pub fn write_domain<S: Coordinate>(
         self,
-        graph: &Graph<S>,
+        file: &GraphFile<S>,
         domain: &Domain<'_>,
         out: &mut impl Write,
     ) -> io::Result<()> {
         match self {
-            Output::File(format) => write_domain(format, graph, domain, out),
-            Output::Svg => ResultPicture::new(graph, domain.triangulation())
+            Output::File(format) => write_domain(format, file, domain, out),
+            Output::Svg => picture(file, domain.triangulation())
                 .domain(domain)
                 .write(out),
         }
     }
+}
+
+/// The picture of `result`, with the numbers of the file.
+fn picture<'a, S: Coordinate>(
+    file: &'a GraphFile<S>,
+    result: &'a Triangulation,
+) -> ResultPicture<'a, S> {
+    ResultPicture::new(&file.graph, result).numbering(file.numbering)
 }

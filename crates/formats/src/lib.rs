@@ -11,7 +11,7 @@
 //! | `geojson`, `wkt` | points, lines, rings of polygons; or triangles | the same |
 //! | `csv` | | edges that cross; `json` holds them too |
 //!
-//! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of the graph, and are
+//! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of a [`GraphFile`], and are
 //! written where a format has room for them. `docs/formats.md` says of each format what is read, and what is ignored.
 //!
 //! Readers take bytes, never panic on any of them, and name the line that is wrong. A byte order mark is
@@ -24,7 +24,7 @@
 mod coordinate;
 #[cfg(feature = "geo-types")]
 mod geo;
-mod graph;
+mod graph_file;
 mod read;
 mod split;
 mod threads;
@@ -33,8 +33,8 @@ mod write;
 
 pub use coordinate::{Coordinate, CoordinateError};
 #[cfg(feature = "geo-types")]
-pub use geo::geo_triangles;
-pub use graph::{Column, Graph, sorted_pairs};
+pub use geo::{geo_graph, geo_triangles};
+pub use graph_file::{Column, GraphFile, Numbering, sorted_pairs};
 pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
     added_points, read, read_result,

@@ -7,8 +7,8 @@ use crate::read::matching::{find, is_finite};
 use crate::read::source::{ReadError, Source};
 use crate::read::vtu::Unpacked;
 use crate::read::{geojson, json, msh, obj, off, ply, triangle, vtk, wkt};
-use crate::{Column, Coordinate, CoordinateError, Graph};
-use sweep_cdt::Region;
+use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
+use sweep_cdt::{Pslg, Region};
 
 /// What [`read()`] understands. Each format is named by the extension of its files.
 ///
@@ -74,18 +74,18 @@ impl InputFormat {
 ///
 /// let bytes = br#"{"points": [[0.1, "1/3"]]}"#.to_vec();
 /// let source = Source { name: "example".to_owned(), bytes };
-/// let Input::Rationals(graph) = read(InputFormat::Json, &source, None)? else {
+/// let Input::Rationals(file) = read(InputFormat::Json, &source, None)? else {
 ///     unreachable!("there is a fraction in the file")
 /// };
-/// assert_eq!(graph.points[0].each_ref().map(BigRational::text), ["1/10", "1/3"]);
+/// assert_eq!(file.graph.points[0].each_ref().map(BigRational::text), ["1/10", "1/3"]);
 /// # Ok::<(), sweep_cdt_formats::ReadError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Input {
     /// All coordinates are decimals, each read as the nearest double.
-    Doubles(Graph<f64>),
+    Doubles(GraphFile<f64>),
     /// Some coordinate is a fraction; all are read exactly.
-    Rationals(Graph<BigRational>),
+    Rationals(GraphFile<BigRational>),
 }
 
 /// Reads a file. `node` is the `.node` beside a `.poly`; it is read only if the `.poly` holds no vertices.
@@ -95,11 +95,11 @@ pub enum Input {
 ///
 /// let bytes = br#"{"points": [[0, 0], [1, 0.5]], "edges": [[0, 1]]}"#.to_vec();
 /// let source = Source { name: "example".to_owned(), bytes };
-/// let Input::Doubles(graph) = read(InputFormat::Json, &source, None)? else {
+/// let Input::Doubles(file) = read(InputFormat::Json, &source, None)? else {
 ///     unreachable!("no fraction in the file")
 /// };
-/// assert_eq!(graph.points, [[0.0, 0.0], [1.0, 0.5]]);
-/// assert_eq!(graph.edges, [[0, 1]]);
+/// assert_eq!(file.graph.points, [[0.0, 0.0], [1.0, 0.5]]);
+/// assert_eq!(file.graph.edges, [[0, 1]]);
 /// # Ok::<(), sweep_cdt_formats::ReadError>(())
 /// ```
 ///
@@ -130,7 +130,7 @@ pub fn read(
 }
 
 /// The contents of a file, with their numbers.
-fn input(format: InputFormat, mut content: Edges<'_>) -> Result<Input, ReadError> {
+fn input(format: InputFormat, content: Edges<'_>) -> Result<Input, ReadError> {
     // First as doubles; if a coordinate is a fraction, all once more as rationals.
     let is_exact = |error| match error {
         CoordinateError::Fraction => true,
@@ -139,45 +139,52 @@ fn input(format: InputFormat, mut content: Edges<'_>) -> Result<Input, ReadError
         _ => false,
     };
     match graph(&content) {
-        Ok(graph) => Ok(Input::Doubles(finished(
-            format,
-            Graph {
-                columns: columns(format, &content.vertices)?,
-                edges: content.edges,
-                ..graph
-            },
-        ))),
+        Ok(doubles) => Ok(Input::Doubles(file(format, content, doubles)?)),
         Err((error, _)) if is_exact(error) => {
-            let edges = std::mem::take(&mut content.edges);
-            let graph = graph(&content).map_err(|(_, error)| error)?;
-            let columns = columns(format, &content.vertices)?;
-            Ok(Input::Rationals(finished(
-                format,
-                Graph {
-                    columns,
-                    edges,
-                    ..graph
-                },
-            )))
+            let exact = graph(&content).map_err(|(_, error)| error)?;
+            Ok(Input::Rationals(file(format, content, exact)?))
         }
         Err((_, error)) => Err(error),
     }
 }
 
-/// The graph of a file; where coordinates stand for vertices, equal points are one.
-fn finished<S: Coordinate>(format: InputFormat, graph: Graph<S>) -> Graph<S> {
-    if format.is_without_vertices() {
-        merged(graph)
+/// A file with this graph, which has no edges yet; where coordinates stand for vertices, equal points are one.
+fn file<S: Coordinate>(
+    format: InputFormat,
+    content: Edges<'_>,
+    graph: Pslg<S>,
+) -> Result<GraphFile<S>, ReadError> {
+    let file = GraphFile {
+        columns: columns(format, &content.vertices)?,
+        pieces_of: Vec::new(),
+        numbering: Numbering {
+            vertex: content.vertices.first,
+            edge: content.first,
+            hole: content.holes.first,
+            region: content.regions.first,
+        },
+        graph: Pslg {
+            edges: content.edges,
+            ..graph
+        },
+    };
+    Ok(if format.is_without_vertices() {
+        merged(file)
     } else {
-        graph
-    }
+        file
+    })
 }
 
-/// The same graph with one vertex for equal points: the first of them, which keeps its numbers in the columns. Graphs
+/// A file with one vertex for equal points: the first of them, which keeps its numbers in the columns. Graphs
 /// with points that are not finite stay as they are; nothing is made of them.
-pub(crate) fn merged<S: Coordinate>(graph: Graph<S>) -> Graph<S> {
+pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
+    let GraphFile { graph, columns, .. } = file;
     if !graph.points.iter().all(is_finite) {
-        return graph;
+        return GraphFile {
+            graph,
+            columns,
+            ..file
+        };
     }
     let firsts = find(&graph.points, &graph.points);
     let is_first = |v: &usize| firsts[*v] == Some(*v);
@@ -190,11 +197,14 @@ pub(crate) fn merged<S: Coordinate>(graph: Graph<S>) -> Graph<S> {
         values: kept.iter().map(|&v| column.of(v)).collect(),
         ..column
     };
-    Graph {
-        edges: graph.edges.iter().map(|edge| edge.map(place)).collect(),
-        columns: graph.columns.into_iter().map(column).collect(),
-        points: kept.iter().map(|&v| graph.points[v].clone()).collect(),
-        ..graph
+    GraphFile {
+        columns: columns.into_iter().map(column).collect(),
+        graph: Pslg {
+            edges: graph.edges.iter().map(|edge| edge.map(place)).collect(),
+            points: kept.iter().map(|&v| graph.points[v].clone()).collect(),
+            ..graph
+        },
+        ..file
     }
 }
 
@@ -208,23 +218,17 @@ fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, 
     Ok(columns)
 }
 
-/// All but the columns and the edges, with coordinates as values of a type.
-fn graph<S: Coordinate>(content: &Edges<'_>) -> Result<Graph<S>, (CoordinateError, ReadError)> {
+/// The graph without its edges, with coordinates as values of a type.
+fn graph<S: Coordinate>(content: &Edges<'_>) -> Result<Pslg<S>, (CoordinateError, ReadError)> {
     let attributes = content.attributes.iter();
     let regions = content.regions.points()?.into_iter().zip(attributes);
-    Ok(Graph {
+    Ok(Pslg {
         points: content.vertices.points()?,
-        columns: Vec::new(),
         edges: Vec::new(),
-        pieces_of: Vec::new(),
         holes: content.holes.points()?,
         regions: regions
             .map(|(seed, &attribute)| Region { seed, attribute })
             .collect(),
-        first_vertex: content.vertices.first,
-        first_edge: content.first,
-        first_hole: content.holes.first,
-        first_region: content.regions.first,
     })
 }
 

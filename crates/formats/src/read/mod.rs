@@ -1,4 +1,4 @@
-//! Readers: bytes in, a [`Graph`](crate::Graph) or [`Triangles`] out.
+//! Readers: bytes in, a [`GraphFile`](crate::GraphFile) or [`Triangles`] out.
 
 mod binary;
 mod content;

@@ -4,12 +4,12 @@
 use std::io::{self, Write};
 
 use super::rows::{number, numbers, write_rows};
-use crate::{Column, Coordinate, Graph};
+use crate::{Column, Coordinate, GraphFile};
 use sweep_cdt::domain::Domain;
 
 /// What is written: the vertices of a graph with triangles of a result, or with the edges.
 pub(super) struct Mesh<'a, S> {
-    pub(super) graph: &'a Graph<S>,
+    pub(super) file: &'a GraphFile<S>,
     pub(super) heights: Option<&'a Column>,
     pub(super) lines: &'a [[usize; 2]],
     pub(super) triangles: Vec<[usize; 3]>,
@@ -17,21 +17,21 @@ pub(super) struct Mesh<'a, S> {
 
 impl<'a, S: Coordinate> Mesh<'a, S> {
     /// The triangles inside.
-    pub(super) fn of(graph: &'a Graph<S>, domain: &Domain<'_>) -> Mesh<'a, S> {
+    pub(super) fn of(file: &'a GraphFile<S>, domain: &Domain<'_>) -> Mesh<'a, S> {
         Mesh {
-            graph,
-            heights: graph.heights(),
+            file,
+            heights: file.heights(),
             lines: &[],
             triangles: domain.canonical_triangles(),
         }
     }
 
     /// The edges.
-    pub(super) fn of_graph(graph: &'a Graph<S>) -> Mesh<'a, S> {
+    pub(super) fn of_graph(file: &'a GraphFile<S>) -> Mesh<'a, S> {
         Mesh {
-            graph,
-            heights: graph.heights(),
-            lines: &graph.edges,
+            file,
+            heights: file.heights(),
+            lines: &file.graph.edges,
             triangles: Vec::new(),
         }
     }
@@ -46,7 +46,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     /// Writes Geomview's format. A line is a face of two corners.
     pub(super) fn write_off(&self, out: &mut impl Write) -> io::Result<()> {
         let faces = self.lines.len() + self.triangles.len();
-        writeln!(out, "OFF\n{} {faces} 0", self.graph.points.len())?;
+        writeln!(out, "OFF\n{} {faces} 0", self.file.graph.points.len())?;
         self.write_vertices(|_, _| (), &[], out)?;
         write_faces(b"2 ", 0, self.lines, out)?;
         write_faces(b"3 ", 0, &self.triangles, out)
@@ -56,7 +56,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     pub(super) fn write_ply(&self, out: &mut impl Write) -> io::Result<()> {
         let others = self.others();
         writeln!(out, "ply\nformat ascii 1.0")?;
-        writeln!(out, "element vertex {}", self.graph.points.len())?;
+        writeln!(out, "element vertex {}", self.file.graph.points.len())?;
         for name in ["x", "y", Column::HEIGHT] {
             writeln!(out, "property double {name}")?;
         }
@@ -87,7 +87,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     pub(super) fn write_vtk(&self, out: &mut impl Write) -> io::Result<()> {
         const LINE: &[u8] = b"3\n";
         const TRIANGLE: &[u8] = b"5\n";
-        let points = self.graph.points.len();
+        let points = self.file.graph.points.len();
         let (lines, triangles) = (self.lines.len(), self.triangles.len());
         let cells = lines + triangles;
         writeln!(out, "# vtk DataFile Version 3.0\nsweep-cdt\nASCII")?;
@@ -121,7 +121,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
 
     /// Writes Gmsh's format of version 2.2, numbered from 1.
     pub(super) fn write_msh(&self, out: &mut impl Write) -> io::Result<()> {
-        let points = self.graph.points.len();
+        let points = self.file.graph.points.len();
         let (lines, triangles) = (self.lines, &self.triangles);
         writeln!(
             out,
@@ -159,7 +159,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
 
     /// The columns but the heights.
     pub(super) fn others(&self) -> Vec<&'a Column> {
-        let columns = self.graph.columns.iter();
+        let columns = self.file.columns.iter();
         columns
             .filter(|column| column.name != Column::HEIGHT)
             .collect()
@@ -172,7 +172,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         others: &[&Column],
         out: &mut impl Write,
     ) -> io::Result<()> {
-        write_rows(out, self.graph.points.len(), |vertex, text| {
+        write_rows(out, self.file.graph.points.len(), |vertex, text| {
             before(vertex, text);
             self.write_place(vertex, text);
             for column in others {
@@ -185,7 +185,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
 
     /// Appends x, y and z of a vertex.
     fn write_place(&self, vertex: usize, text: &mut Vec<u8>) {
-        for coordinate in &self.graph.points[vertex] {
+        for coordinate in &self.file.graph.points[vertex] {
             coordinate.approx().write_text(text);
             text.push(b' ');
         }
