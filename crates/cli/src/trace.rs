@@ -4,12 +4,11 @@ use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 
-use strum::{EnumString, IntoStaticStr, VariantArray};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Error, Pslg};
 use sweep_cdt_draw::{StepsPage, StepsSheet};
-use sweep_cdt_formats::{Coordinate, write_trace};
+use sweep_cdt_formats::{Coordinate, Named, write_trace};
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
@@ -82,17 +81,30 @@ Examples:
   sweep-cdt trace terrain.poly -o steps.svg --from 120 --to 131";
 
 /// What `trace` writes. Each format is named by the extension of its files.
-#[derive(Clone, Copy, EnumString, IntoStaticStr, VariantArray)]
-#[strum(ascii_case_insensitive)]
+#[derive(Clone, Copy)]
 enum TraceFormat {
-    #[strum(serialize = "txt")]
     Text,
-    #[strum(serialize = "jsonl")]
     JsonLines,
-    #[strum(serialize = "html")]
     Page,
-    #[strum(serialize = "svg")]
     Sheet,
+}
+
+impl Named for TraceFormat {
+    const ALL: &'static [TraceFormat] = &[
+        TraceFormat::Text,
+        TraceFormat::JsonLines,
+        TraceFormat::Page,
+        TraceFormat::Sheet,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            TraceFormat::Text => "txt",
+            TraceFormat::JsonLines => "jsonl",
+            TraceFormat::Page => "html",
+            TraceFormat::Sheet => "svg",
+        }
+    }
 }
 
 impl TraceFormat {

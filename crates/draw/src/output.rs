@@ -1,12 +1,10 @@
 //! What a result is written as: a format of files, or a picture.
 
 use std::io::{self, Write};
-use std::str::FromStr;
 
-use strum::{ParseError, VariantArray};
 use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
-use sweep_cdt_formats::{Coordinate, GraphFile, OutputFormat, write, write_domain};
+use sweep_cdt_formats::{Coordinate, GraphFile, Named, OutputFormat, write, write_domain};
 
 use crate::ResultPicture;
 
@@ -15,10 +13,10 @@ use crate::ResultPicture;
 /// ```
 /// use sweep_cdt::Pslg;
 /// use sweep_cdt_draw::Output;
-/// use sweep_cdt_formats::OutputFormat;
+/// use sweep_cdt_formats::{Named, OutputFormat};
 ///
-/// assert_eq!("svg".parse(), Ok(Output::Svg));
-/// assert_eq!("ele".parse(), Ok(Output::File(OutputFormat::Ele)));
+/// assert_eq!(Output::named("svg"), Some(Output::Svg));
+/// assert_eq!(Output::named("ele"), Some(Output::File(OutputFormat::Ele)));
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// let graph = Pslg { points, ..Pslg::default() };
@@ -37,35 +35,22 @@ pub enum Output {
 }
 
 /// How many formats of files there are.
-const FILES: usize = OutputFormat::VARIANTS.len();
+const FILES: usize = OutputFormat::ALL.len();
 
-impl VariantArray for Output {
-    const VARIANTS: &'static [Output] = &{
+impl Named for Output {
+    const ALL: &'static [Output] = &{
         let mut all = [Output::Svg; FILES + 1];
         let mut i = 0;
         while i < FILES {
-            all[i] = Output::File(OutputFormat::VARIANTS[i]);
+            all[i] = Output::File(OutputFormat::ALL[i]);
             i += 1;
         }
         all
     };
-}
 
-impl FromStr for Output {
-    type Err = ParseError;
-
-    fn from_str(name: &str) -> Result<Output, ParseError> {
-        if name.eq_ignore_ascii_case("svg") {
-            return Ok(Output::Svg);
-        }
-        name.parse().map(Output::File)
-    }
-}
-
-impl From<Output> for &'static str {
-    fn from(output: Output) -> &'static str {
-        match output {
-            Output::File(format) => format.into(),
+    fn name(self) -> &'static str {
+        match self {
+            Output::File(format) => format.name(),
             Output::Svg => "svg",
         }
     }

@@ -2,67 +2,62 @@
 
 use num_rational::BigRational;
 
+use crate::named::formats;
 use crate::read::content::{Edges, Vertices};
 use crate::read::matching::{find, is_finite};
 use crate::read::source::{ReadError, Source};
+#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
-use crate::read::{geojson, json, msh, obj, off, ply, triangle, vtk, wkt};
+#[cfg(feature = "mesh-formats")]
+use crate::read::{geojson, msh, ply, vtk, wkt};
+use crate::read::{json, obj, off, triangle};
 use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
 
-/// What [`read()`] understands. Each format is named by the extension of its files.
-///
-/// ```
-/// use strum::VariantArray;
-/// use sweep_cdt_formats::InputFormat;
-///
-/// assert_eq!("poly".parse(), Ok(InputFormat::Poly));
-/// let names: Vec<&str> = InputFormat::VARIANTS.iter().map(Into::into).collect();
-/// assert_eq!(names[..3], ["node", "poly", "json"]);
-/// ```
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
-)]
-#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
-#[non_exhaustive]
-pub enum InputFormat {
-    /// Triangle's vertices.
-    Node,
-    /// Triangle's vertices and edges.
-    Poly,
-    /// An object with `points` and `edges`.
-    Json,
-    /// Wavefront's vertices and lines.
-    Obj,
-    /// Geomview's vertices, and faces of two corners.
-    Off,
-    /// Stanford's vertices and edges, as text or binary.
-    Ply,
-    /// VTK's points and lines, as text or binary.
-    Vtk,
-    /// VTK's points and lines, as XML.
-    Vtu,
-    /// Gmsh's nodes and lines, as text.
-    Msh,
-    /// Points, lines and polygons of maps, as JSON.
-    Geojson,
-    /// Points, lines and polygons as text.
-    Wkt,
+formats! {
+    /// What [`read()`] understands. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    pub enum InputFormat {
+        /// Triangle's vertices.
+        Node = "node",
+        /// Triangle's vertices and edges.
+        Poly = "poly",
+        /// An object with `points` and `edges`.
+        Json = "json",
+        /// Wavefront's vertices and lines.
+        Obj = "obj",
+        /// Geomview's vertices, and faces of two corners.
+        Off = "off",
+    }
+    with mesh-formats {
+        /// Stanford's vertices and edges, as text or binary.
+        Ply = "ply",
+        /// VTK's points and lines, as text or binary.
+        Vtk = "vtk",
+        /// VTK's points and lines, as XML.
+        Vtu = "vtu",
+        /// Gmsh's nodes and lines, as text.
+        Msh = "msh",
+        /// Points, lines and polygons of maps, as JSON.
+        Geojson = "geojson",
+        /// Points, lines and polygons as text.
+        Wkt = "wkt",
+    }
 }
 
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        use InputFormat::{Geojson, Json, Msh, Node, Obj, Off, Ply, Poly, Vtk, Vtu, Wkt};
-        match self {
-            Obj | Off | Ply | Vtk | Vtu | Msh => true,
-            Node | Poly | Json | Geojson | Wkt => false,
-        }
+        use InputFormat::{Json, Node, Poly};
+        !matches!(self, Node | Poly | Json) && !self.is_without_vertices()
     }
 
     /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
     fn is_without_vertices(self) -> bool {
-        matches!(self, InputFormat::Geojson | InputFormat::Wkt)
+        #[cfg(feature = "mesh-formats")]
+        return matches!(self, InputFormat::Geojson | InputFormat::Wkt);
+        #[cfg(not(feature = "mesh-formats"))]
+        false
     }
 }
 
@@ -116,14 +111,20 @@ pub fn read(
         InputFormat::Json => json::read(source)?,
         InputFormat::Obj => obj::read(source)?.into_graph()?,
         InputFormat::Off => off::read(source)?.into_graph()?,
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => ply::read(source)?.into_graph()?,
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtk => vtk::read(source)?.into_graph()?,
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtu => {
             let unpacked = Unpacked::of(source)?;
             return input(format, unpacked.mesh()?.into_graph()?);
         }
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Msh => msh::read(source)?.into_graph()?,
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
     };
     input(format, content)

@@ -239,8 +239,7 @@ fn difference<S: Coordinate>(x: &S, y: &S) -> f64 {
 }
 
 /// How the vertices of a result were matched with those of the input.
-#[derive(Clone, Copy, Debug, PartialEq, strum::IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Matched {
     /// By coordinates: each vertex of the result is one of the input, exactly.
@@ -292,9 +291,16 @@ impl Matched {
         }
     }
 
-    /// Its name: the variant in lower case with hyphens.
+    /// The name of the variant, in lower case.
     pub fn name(self) -> &'static str {
-        self.into()
+        match self {
+            Matched::Equal => "equal",
+            Matched::Single { .. } => "single",
+            Matched::Unplaced => "unplaced",
+            Matched::Rounded { .. } => "rounded",
+            Matched::Near { .. } => "near",
+            Matched::Asked { .. } => "asked",
+        }
     }
 }
 

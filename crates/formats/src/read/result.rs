@@ -2,51 +2,48 @@
 
 use std::collections::HashSet;
 
+use crate::named::formats;
 use crate::read::content::{Corners, Labels, Vertices};
 use crate::read::matching::{self, Matched, Matching};
 use crate::read::source::{ReadError, ResultError, Source};
+#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
-use crate::read::{geojson, json, msh, obj, off, ply, stl, triangle, vtk, wkt};
+#[cfg(feature = "mesh-formats")]
+use crate::read::{geojson, msh, ply, stl, vtk, wkt};
+use crate::read::{json, obj, off, triangle};
 use crate::{Coordinate, CoordinateError, GraphFile};
 use sweep_cdt::Pslg;
 use sweep_cdt::verify::{Offenders, Violation};
 
-/// What [`read_result`] understands. Each format is named by the extension of its files.
-///
-/// ```
-/// use sweep_cdt_formats::ResultFormat;
-///
-/// assert_eq!("ele".parse(), Ok(ResultFormat::Ele));
-/// assert_eq!(<&str>::from(ResultFormat::Obj), "obj");
-/// ```
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
-)]
-#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
-#[non_exhaustive]
-pub enum ResultFormat {
-    /// Triangle's triangles.
-    Ele,
-    /// An object with `triangles`.
-    Json,
-    /// Wavefront's vertices and faces.
-    Obj,
-    /// Geomview's vertices and faces.
-    Off,
-    /// Stanford's vertices and faces, as text or binary.
-    Ply,
-    /// VTK's points, and polygons or cells, as text or binary.
-    Vtk,
-    /// VTK's points and cells, as XML.
-    Vtu,
-    /// Gmsh's nodes and triangles, as text.
-    Msh,
-    /// Triangles alone, as text or binary.
-    Stl,
-    /// Polygons of maps, as JSON.
-    Geojson,
-    /// Polygons as text.
-    Wkt,
+formats! {
+    /// What [`read_result`] understands. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    pub enum ResultFormat {
+        /// Triangle's triangles.
+        Ele = "ele",
+        /// An object with `triangles`.
+        Json = "json",
+        /// Wavefront's vertices and faces.
+        Obj = "obj",
+        /// Geomview's vertices and faces.
+        Off = "off",
+    }
+    with mesh-formats {
+        /// Stanford's vertices and faces, as text or binary.
+        Ply = "ply",
+        /// VTK's points, and polygons or cells, as text or binary.
+        Vtk = "vtk",
+        /// VTK's points and cells, as XML.
+        Vtu = "vtu",
+        /// Gmsh's nodes and triangles, as text.
+        Msh = "msh",
+        /// Triangles alone, as text or binary.
+        Stl = "stl",
+        /// Polygons of maps, as JSON.
+        Geojson = "geojson",
+        /// Polygons as text.
+        Wkt = "wkt",
+    }
 }
 
 impl ResultFormat {
@@ -62,15 +59,22 @@ impl ResultFormat {
             ResultFormat::Json => json::read_triangles(source)?,
             ResultFormat::Obj => obj::read(source)?.into_triangles()?,
             ResultFormat::Off => off::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Ply => ply::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Vtk => vtk::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Vtu => {
                 let unpacked = Unpacked::of(source)?;
                 return make(unpacked.mesh()?.into_triangles()?);
             }
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Msh => msh::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Stl => stl::read(source)?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
         };
         make(corners)

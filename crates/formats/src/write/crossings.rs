@@ -18,20 +18,18 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 
 use super::json::json_coordinate;
+use crate::named::formats;
 use crate::{Coordinate, Numbering};
 use sweep_cdt::crossings::Crossing;
 
-/// What [`write_crossings`] makes. Each format is named by the extension of its files.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
-)]
-#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
-#[non_exhaustive]
-pub enum CrossingsFormat {
-    /// A line for each pair: both edges, the point, the nearest doubles.
-    Csv,
-    /// An object with the list `crossings`.
-    Json,
+formats! {
+    /// What [`write_crossings`] makes. Each format is named by the extension of its files.
+    pub enum CrossingsFormat {
+        /// A line for each pair: both edges, the point, the nearest doubles.
+        Csv = "csv",
+        /// An object with the list `crossings`.
+        Json = "json",
+    }
 }
 
 /// An element of the list.

@@ -3,8 +3,12 @@
 mod crossings;
 mod json;
 mod mesh;
+#[cfg(feature = "mesh-formats")]
+mod mesh_formats;
 mod rows;
+#[cfg(feature = "mesh-formats")]
 mod shapes;
+#[cfg(feature = "mesh-formats")]
 mod vtu;
 
 use std::io::{self, Write};
@@ -13,48 +17,42 @@ pub use crossings::{CrossingsFormat, write_crossings};
 pub use rows::write_node;
 
 use self::mesh::Mesh;
+use crate::named::formats;
 use crate::{Coordinate, GraphFile, InputFormat};
 use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
 
-/// What [`write()`] makes. Each format is named by the extension of its files.
-///
-/// ```
-/// use sweep_cdt_formats::OutputFormat;
-///
-/// assert_eq!("obj".parse(), Ok(OutputFormat::Obj));
-/// assert_eq!(<&str>::from(OutputFormat::Ele), "ele");
-/// ```
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
-)]
-#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
-#[non_exhaustive]
-pub enum OutputFormat {
-    /// Triangle's triangles, numbered as the input.
-    Ele,
-    /// Triangle's vertices, numbered as the input.
-    Node,
-    /// Vertices, edges and the whole result.
-    Json,
-    /// Wavefront's vertices and faces.
-    Obj,
-    /// Geomview's vertices and faces.
-    Off,
-    /// Stanford's vertices and faces, as text.
-    Ply,
-    /// VTK's points and cells, as text.
-    Vtk,
-    /// VTK's points and cells, as XML.
-    Vtu,
-    /// Gmsh's nodes and triangles, as text of version 2.2.
-    Msh,
-    /// Triangles alone, as text.
-    Stl,
-    /// Polygons of maps, as JSON.
-    Geojson,
-    /// Polygons as text.
-    Wkt,
+formats! {
+    /// What [`write()`] makes. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    pub enum OutputFormat {
+        /// Triangle's triangles, numbered as the input.
+        Ele = "ele",
+        /// Triangle's vertices, numbered as the input.
+        Node = "node",
+        /// Vertices, edges and the whole result.
+        Json = "json",
+        /// Wavefront's vertices and faces.
+        Obj = "obj",
+        /// Geomview's vertices and faces.
+        Off = "off",
+    }
+    with mesh-formats {
+        /// Stanford's vertices and faces, as text.
+        Ply = "ply",
+        /// VTK's points and cells, as text.
+        Vtk = "vtk",
+        /// VTK's points and cells, as XML.
+        Vtu = "vtu",
+        /// Gmsh's nodes and triangles, as text of version 2.2.
+        Msh = "msh",
+        /// Triangles alone, as text.
+        Stl = "stl",
+        /// Polygons of maps, as JSON.
+        Geojson = "geojson",
+        /// Polygons as text.
+        Wkt = "wkt",
+    }
 }
 
 /// Writes `result`, the triangulation of the graph of `file`.
@@ -123,12 +121,19 @@ pub fn write_domain<S: Coordinate>(
         OutputFormat::Json => json::write_domain(file, domain, out),
         OutputFormat::Obj => Mesh::of(file, domain).write_obj(out),
         OutputFormat::Off => Mesh::of(file, domain).write_off(out),
+        #[cfg(feature = "mesh-formats")]
         OutputFormat::Ply => Mesh::of(file, domain).write_ply(out),
+        #[cfg(feature = "mesh-formats")]
         OutputFormat::Vtk => Mesh::of(file, domain).write_vtk(out),
+        #[cfg(feature = "mesh-formats")]
         OutputFormat::Vtu => Mesh::of(file, domain).write_vtu(out),
+        #[cfg(feature = "mesh-formats")]
         OutputFormat::Msh => Mesh::of(file, domain).write_msh(out),
+        #[cfg(feature = "mesh-formats")]
         OutputFormat::Stl => Mesh::of(file, domain).write_stl(out),
+        #[cfg(feature = "mesh-formats")]
         OutputFormat::Geojson => shapes::write_geojson(file, domain, out),
+        #[cfg(feature = "mesh-formats")]
         OutputFormat::Wkt => shapes::write_wkt(file, domain, out),
     }
 }
@@ -162,11 +167,17 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Json => json::write_graph(file, out),
         InputFormat::Obj => Mesh::of_graph(file).write_obj(out),
         InputFormat::Off => Mesh::of_graph(file).write_off(out),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => Mesh::of_graph(file).write_ply(out),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtk => Mesh::of_graph(file).write_vtk(out),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtu => Mesh::of_graph(file).write_vtu(out),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Msh => Mesh::of_graph(file).write_msh(out),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Geojson => shapes::write_geojson_graph(file, out),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => shapes::write_wkt_graph(file, out),
     }
 }

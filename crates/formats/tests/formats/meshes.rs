@@ -3,17 +3,14 @@
 //! `tests/data/meshes.jsonl` holds one small terrain, first as lists, and then as files of other programs: made by
 //! `meshio`, `shapely` and VTK, or byte by byte by their specification, as `origin` says.
 
-use std::str::FromStr;
-
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Deserialize;
-use strum::VariantArray;
 use sweep_cdt::Pslg;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_formats::{
-    Column, GraphFile, Input, InputFormat, Matched, OutputFormat, ResultFormat, Source, read,
-    read_result, write, write_graph,
+    Column, GraphFile, Input, InputFormat, Matched, Named, OutputFormat, ResultFormat, Source,
+    read, read_result, write, write_graph,
 };
 
 /// The terrain.
@@ -91,7 +88,7 @@ fn triangles_of_other_programs_are_read() {
     let input = terrain.file();
     let is_result = |sample: &&Sample| !["graph", "refused"].contains(&sample.kind.as_str());
     for sample in samples.iter().filter(is_result) {
-        let format = ResultFormat::from_str(&sample.format).expect("a format that is read");
+        let format = ResultFormat::named(&sample.format).expect("a format that is read");
         let result = read_result(format, &sample.source(), None, &input);
         let result = result.unwrap_or_else(|error| panic!("{}: {error}", sample.origin));
         assert_eq!(result.list, terrain.triangles, "{}", sample.origin);
@@ -116,7 +113,7 @@ fn graphs_of_other_programs_are_read() {
     let expected = terrain.file();
     let is_input = |sample: &&Sample| ["triangles", "all", "graph"].contains(&sample.kind.as_str());
     for sample in samples.iter().filter(is_input) {
-        let format = InputFormat::from_str(&sample.format).expect("a format that is read");
+        let format = InputFormat::named(&sample.format).expect("a format that is read");
         let found = file(format, &sample.source());
         assert_eq!(
             found.graph.points, expected.graph.points,
@@ -142,8 +139,8 @@ fn other_columns_go_with_the_vertices() {
         .iter()
         .filter(|sample| sample.kind != "refused" && !sample.origin.starts_with("struct"))
     {
-        let format = InputFormat::from_str(&sample.format);
-        if let Ok(format @ (InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)) = format {
+        let format = InputFormat::named(&sample.format);
+        if let Some(format @ (InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)) = format {
             let read_first = file(format, &sample.source());
             assert_eq!(
                 read_first.columns[1..],
@@ -178,7 +175,7 @@ fn every_format_reads_what_it_writes() {
         ..terrain.clone()
     };
     for written in [terrain, flat] {
-        for &format in InputFormat::VARIANTS {
+        for &format in InputFormat::ALL {
             let mut text = Vec::new();
             write_graph(format, &written, &mut text).expect("memory takes it");
             let again = file(format, &source(&text));
@@ -190,8 +187,8 @@ fn every_format_reads_what_it_writes() {
         }
         let result = sweep_cdt::triangulate(&written.graph.points, &written.graph.edges);
         let result = result.expect("edges do not cross");
-        for &format in ResultFormat::VARIANTS {
-            let same: OutputFormat = <&str>::from(format).parse().expect("the same name");
+        for &format in ResultFormat::ALL {
+            let same = OutputFormat::named(format.name()).expect("the same name");
             let mut text = Vec::new();
             write(same, &written, &result, &mut text).expect("memory takes it");
             let again = read_result(format, &source(&text), None, &written);
@@ -216,7 +213,7 @@ fn damaged_files_are_refused_or_read_but_nothing_else() {
         }
         for bytes in damaged {
             let source = source(&bytes);
-            if let Ok(format) = ResultFormat::from_str(&sample.format) {
+            if let Some(format) = ResultFormat::named(&sample.format) {
                 match read_result(format, &source, None, &input) {
                     Ok(triangles) => {
                         drop(Verifier::new().verify(&input.graph.points, &[], &triangles.list));
@@ -224,7 +221,7 @@ fn damaged_files_are_refused_or_read_but_nothing_else() {
                     Err(error) => assert!(error.to_string().starts_with("file:")),
                 }
             }
-            if let Ok(format) = InputFormat::from_str(&sample.format)
+            if let Some(format) = InputFormat::named(&sample.format)
                 && let Err(error) = read(format, &source, None)
             {
                 assert!(error.to_string().starts_with("file:"));
@@ -247,10 +244,10 @@ fn counts_are_not_believed() {
                 if bytes[at..].starts_with(number.as_bytes()) {
                     let after = &bytes[at + number.len()..];
                     let source = source(&[&bytes[..at], MANY.as_bytes(), after].concat());
-                    if let Ok(format) = InputFormat::from_str(&sample.format) {
+                    if let Some(format) = InputFormat::named(&sample.format) {
                         drop(read(format, &source, None));
                     }
-                    if let Ok(format) = ResultFormat::from_str(&sample.format) {
+                    if let Some(format) = ResultFormat::named(&sample.format) {
                         drop(read_result(
                             format,
                             &source,
@@ -337,7 +334,7 @@ fn triangles_are_written_by_the_book() {
         ),
     ] {
         let mut text = Vec::new();
-        let format = OutputFormat::from_str(format).expect("a format");
+        let format = OutputFormat::named(format).expect("a format");
         write(format, &file, &result, &mut text).expect("memory takes it");
         let text = String::from_utf8(text).expect("text");
         assert_eq!(text.trim_end().replace('\n', "|"), lines, "{format:?}");

@@ -2,7 +2,8 @@
 
 use sweep_cdt::Pslg;
 use sweep_cdt_formats::{
-    GraphFile, Input, InputFormat, Matched, Matching, ResultFormat, Source, read, read_result,
+    GraphFile, Input, InputFormat, Matched, Matching, Named, ResultFormat, Source, read,
+    read_result,
 };
 
 fn source(text: &str) -> Source {
@@ -22,7 +23,7 @@ fn square() -> GraphFile<f64> {
 
 #[track_caller]
 fn file(format: &str, text: &str) -> GraphFile<f64> {
-    let format: InputFormat = format.parse().expect("a format of inputs");
+    let format = InputFormat::named(format).expect("a format of inputs");
     match read(format, &source(text), None) {
         Ok(Input::Doubles(file)) => file,
         other => panic!("{format:?}: {other:?}"),
@@ -30,7 +31,7 @@ fn file(format: &str, text: &str) -> GraphFile<f64> {
 }
 
 fn triangles(format: &str, text: &str) -> Result<Vec<[usize; 3]>, String> {
-    let format: ResultFormat = format.parse().expect("a format of results");
+    let format = ResultFormat::named(format).expect("a format of results");
     let result = read_result(format, &source(text), None, &square());
     result
         .map(|result| result.list)
@@ -203,7 +204,7 @@ const WRONG: &[(&str, &str, &str)] = &[
 #[test]
 fn what_is_wrong_is_said() {
     for &(format, text, expected) in WRONG {
-        let format: InputFormat = format.parse().expect("a format of inputs");
+        let format = InputFormat::named(format).expect("a format of inputs");
         let error = read(format, &source(text), None).expect_err(text);
         assert_eq!(error.to_string(), expected, "{text}");
     }

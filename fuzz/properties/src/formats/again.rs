@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Pslg, Triangulation, triangulate};
 use sweep_cdt_formats::{
-    Column, Coordinate, GraphFile, Input, InputFormat, Numbering, OutputFormat, ResultFormat,
-    Source, read, read_result, write_graph, write_node,
+    Column, Coordinate, GraphFile, Input, InputFormat, Named, Numbering, OutputFormat,
+    ResultFormat, Source, read, read_result, write_graph, write_node,
 };
 
 use sweep_cdt_testing::oracle::canonical;
@@ -197,7 +197,7 @@ pub(super) fn result_text<S: Coordinate>(
     file: &GraphFile<S>,
     result: &Triangulation,
 ) -> Vec<u8> {
-    let format: OutputFormat = <&str>::from(format).parse().expect("the same name");
+    let format = OutputFormat::named(format.name()).expect("the same name");
     let mut text = Vec::new();
     sweep_cdt_formats::write(format, file, result, &mut text)
         .expect("memory takes all that is written");

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use sweep_cdt::triangulate;
-use sweep_cdt_formats::{GraphFile, InputFormat, ResultFormat, write_node};
+use sweep_cdt_formats::{GraphFile, InputFormat, Named, ResultFormat, write_node};
 
 use super::again::{self, INPUTS, RESULTS};
 
@@ -51,8 +51,8 @@ impl Reader {
     /// The extension by which the command knows such a file.
     pub(super) fn extension(self) -> &'static str {
         match self {
-            Reader::Input(format) => format.into(),
-            Reader::Result(format) => format.into(),
+            Reader::Input(format) => format.name(),
+            Reader::Result(format) => format.name(),
             Reader::Trace | Reader::Numbers => "txt",
         }
     }

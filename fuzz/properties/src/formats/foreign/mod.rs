@@ -15,7 +15,9 @@ mod vtu;
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::{Pslg, Triangulation, triangulate};
-use sweep_cdt_formats::{GraphFile, Input, InputFormat, Matched, ResultFormat, read, read_result};
+use sweep_cdt_formats::{
+    GraphFile, Input, InputFormat, Matched, Named, ResultFormat, read, read_result,
+};
 use sweep_cdt_testing::generators;
 
 use self::meant::Meant;
@@ -60,8 +62,8 @@ pub(super) fn judge(bytes: &mut Unstructured<'_>) -> Result<()> {
         5 | 6 => ("vtk", vtk::write(&meant, style, number)),
         _ => ("vtu", vtu::write(&meant, style, number, packing)),
     };
-    let as_input: InputFormat = name.parse().expect("a format");
-    let as_result: ResultFormat = name.parse().expect("a format");
+    let as_input = InputFormat::named(name).expect("a format");
+    let as_result = ResultFormat::named(name).expect("a format");
     judge_input(as_input, &file, &meant);
     judge_result(as_result, &file, &meant, &result);
     // A byte that is damaged may change what is read, or be refused, and nothing else.
