@@ -5,9 +5,9 @@
 //! their own. These are broken, or what they are verified against is.
 
 use sweep_cdt::domain::{Rule, locate_seeds};
-use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Regions, Report, Verifier};
-use sweep_cdt_formats::{Coordinate, Graph, Matching, added_points};
+use sweep_cdt::{Pslg, triangulate};
+use sweep_cdt_formats::{Coordinate, GraphFile, Matching, added_points};
 use sweep_cdt_testing::oracle::arrangement::fractions;
 use sweep_cdt_testing::oracle::refined::Wanted;
 
@@ -177,16 +177,17 @@ fn break_it(made: &mut Made, kind: &str, random: &mut Random) {
 fn judged(made: &Made, random: &mut Random) -> Option<Result<Report, Violations>> {
     let format = random.pick(&FORMATS);
     let (source, node) = files(format, &made.vertices, &made.triangles, |x| x.text());
-    let mut graph = Graph {
+    let mut file = GraphFile::from(Pslg {
         points: made.points.clone(),
         edges: made.edges.clone(),
-        ..Graph::default()
-    };
-    let own = graph.points.len();
-    let added = added_points(format, &source, node.as_ref(), &graph).ok()?;
-    graph.points.extend(added);
+        ..Pslg::default()
+    });
+    let own = file.graph.points.len();
+    let added = added_points(format, &source, node.as_ref(), &file).ok()?;
+    file.graph.points.extend(added);
+    let graph = &file.graph;
     let read = Matching::new()
-        .read(format, &source, node.as_ref(), &graph)
+        .read(format, &source, node.as_ref(), &file)
         .ok()?;
     let verifier = Verifier::new().added_from(own);
     let verifier = if made.chains.is_empty() {

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use sweep_cdt::triangulate;
 use sweep_cdt::verify::verify;
+use sweep_cdt::{Pslg, triangulate};
 use sweep_cdt_formats::{
-    Graph, Matched, Matching, ResultError, ResultFormat, Source, Triangles, read_result,
+    GraphFile, Matched, Matching, ResultError, ResultFormat, Source, Triangles, read_result,
 };
 use sweep_cdt_testing::Random;
 
@@ -58,11 +58,11 @@ fn read(
     input: &[[f64; 2]],
 ) -> Result<Triangles, ResultError> {
     let (source, node) = files(format, points, &[[0, 1, 2]], number);
-    let graph = Graph {
+    let graph = Pslg {
         points: input.to_vec(),
-        ..Graph::default()
+        ..Pslg::default()
     };
-    matching.read(format, &source, node.as_ref(), &graph)
+    matching.read(format, &source, node.as_ref(), &graph.into())
 }
 
 /// Points of many kinds: a lattice with duplicates, all digits, near each other and far from the origin.
@@ -114,16 +114,16 @@ fn nothing_is_correct_for_another_input() {
     let mut random = Random::new(10);
     let mut kinds = [0; 4];
     for _ in 0..3000 {
-        let input = Graph {
+        let input = GraphFile::from(Pslg {
             points: points(&mut random),
-            ..Graph::default()
-        };
-        let own = moved(&input.points, &mut random);
+            ..Pslg::default()
+        });
+        let own = moved(&input.graph.points, &mut random);
         // What is right for the moved points, or was right before they moved.
         let of = if random.below(2) == 0 {
             &own
         } else {
-            &input.points
+            &input.graph.points
         };
         let triangles: Vec<[usize; 3]> = triangulate(of, &[]).unwrap().triangles().collect();
         for format in FORMATS {
@@ -132,33 +132,40 @@ fn nothing_is_correct_for_another_input() {
                 Ok(result) => result,
                 Err(error) => {
                     kinds[0] += 1;
-                    let is_there = own.iter().all(|p| input.points.contains(p));
-                    assert!(!is_there, "{error}: {own:?} of {:?}", input.points);
+                    let is_there = own.iter().all(|p| input.graph.points.contains(p));
+                    assert!(!is_there, "{error}: {own:?} of {:?}", input.graph.points);
                     continue;
                 }
             };
             let difference = |own: &[[f64; 2]]| {
-                let pairs = own.as_flattened().iter().zip(input.points.as_flattened());
+                let pairs = own
+                    .as_flattened()
+                    .iter()
+                    .zip(input.graph.points.as_flattened());
                 pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
             };
             match result.matched {
                 // What is verified are the triangles of the file, by their very corners.
                 Matched::Equal => {
-                    let corners = result.list.as_flattened().iter().map(|&v| input.points[v]);
+                    let corners = result
+                        .list
+                        .as_flattened()
+                        .iter()
+                        .map(|&v| input.graph.points[v]);
                     assert!(corners.eq(triangles.as_flattened().iter().map(|&v| own[v])));
                 }
                 Matched::Rounded { difference: told } => {
                     assert!(
-                        is_rounded(&own, &input.points),
+                        is_rounded(&own, &input.graph.points),
                         "{own:?} of {:?}",
-                        input.points
+                        input.graph.points
                     );
                     assert!(told > 0.0);
                     assert_eq!(told.to_bits(), difference(&own).to_bits());
                 }
                 matched => panic!("{matched:?}"),
             }
-            let is_correct = verify(&input.points, &[], &result.list).is_ok();
+            let is_correct = verify(&input.graph.points, &[], &result.list).is_ok();
             let kind = match (result.matched, is_correct) {
                 (Matched::Equal, true) => 1,
                 (Matched::Equal, false) => 2,

@@ -9,7 +9,7 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 use sha2::{Digest, Sha256};
 use sweep_cdt::verify::{Depth, Depths};
-use sweep_cdt_formats::{Coordinate, Graph, Source, Triangles};
+use sweep_cdt_formats::{Coordinate, GraphFile, Source, Triangles};
 
 use crate::shared::verification::{Answer, reached, report, violations};
 
@@ -48,7 +48,7 @@ pub(crate) struct Subject<'a, S> {
     pub(crate) max_depth: Option<f64>,
     /// Whether the result is wrong by no more than that.
     pub(crate) is_within: bool,
-    pub(crate) graph: &'a Graph<S>,
+    pub(crate) file: &'a GraphFile<S>,
     pub(crate) triangles: &'a Triangles,
 }
 
@@ -149,13 +149,14 @@ pub(crate) fn write<S: Coordinate>(
     let matched = subject.triangles.matched;
     let (list, found) = violations(answer);
     // A violation names things as in the files; the places of its vertices are found by position.
+    let file = subject.file;
     let item = |&violation| {
-        let numbered = subject.triangles.as_numbered(subject.graph, violation);
+        let numbered = subject.triangles.as_numbered(file, violation);
         let offenders = numbered.offenders();
-        let vertices = subject.triangles.vertices_of(subject.graph, violation);
+        let vertices = subject.triangles.vertices_of(&file.graph, violation);
         let place = |v: usize| Place {
-            vertex: v + subject.graph.first_vertex,
-            at: subject.graph.points[v].each_ref().map(coordinate),
+            vertex: v + file.numbering.vertex,
+            at: file.graph.points[v].each_ref().map(coordinate),
         };
         Item {
             class: violation.name(),

@@ -6,7 +6,9 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use sweep_cdt::crossings::{Crossing, Exact, crossings};
 use sweep_cdt_draw::CrossingsPicture;
-use sweep_cdt_formats::{Coordinate, CrossingsFormat, Graph, Input, write_crossings};
+use sweep_cdt_formats::{
+    Coordinate, CrossingsFormat, GraphFile, Input, Numbering, write_crossings,
+};
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::failure::Failure;
@@ -67,20 +69,21 @@ impl Crossings {
         let input = self.input.read(&mut read, |_| ())?;
         refuse_read(&read, outputs())?;
         match input {
-            Input::Doubles(graph) => self.list(&graph, list, svg),
-            Input::Rationals(graph) => self.list(&graph, list, svg),
+            Input::Doubles(file) => self.list(&file, list, svg),
+            Input::Rationals(file) => self.list(&file, list, svg),
         }
     }
 
     fn list<S: Coordinate + Exact>(
         &self,
-        graph: &Graph<S>,
+        file: &GraphFile<S>,
         list: Option<(CrossingsFormat, Destination)>,
         svg: Option<Destination>,
     ) -> Result<(), Failure> {
         let name = self.input.name();
+        let (graph, numbering) = (&file.graph, file.numbering);
         let found = crossings(&graph.points, &graph.edges).map_err(|error| {
-            let error = graph.as_numbered(error);
+            let error = file.as_numbered(error);
             Failure::Error(format!("{name}: {error}"))
         })?;
         // Standard output holds either the list or a report.
@@ -89,17 +92,22 @@ impl Crossings {
         let mut outputs = Outputs::default();
         if let Some((format, list)) = list {
             let found = &found;
-            outputs.add(list, move |out| write_crossings(format, graph, found, out))?;
+            outputs.add(list, move |out| {
+                write_crossings(format, numbering, found, out)
+            })?;
         }
         if let Some(svg) = svg {
-            outputs.add(svg, |out| CrossingsPicture::new(graph, &found).write(out))?;
+            let picture = CrossingsPicture::new(graph, &found).numbering(numbering);
+            outputs.add(svg, move |out| picture.write(out))?;
         }
         if is_free {
             outputs.add(Destination::standard(), |out| {
                 let (edges, count) = (graph.edges.len(), found.len());
                 writeln!(out, "{name}: edges {edges}, crossings {count}")?;
                 if is_printed {
-                    found.iter().try_for_each(|pair| print(graph, pair, out))?;
+                    found
+                        .iter()
+                        .try_for_each(|pair| print(numbering, pair, out))?;
                 }
                 Ok(())
             })?;
@@ -114,8 +122,8 @@ impl Crossings {
 }
 
 /// Writes a pair of edges, numbered as in their file: one line.
-fn print<S>(graph: &Graph<S>, crossing: &Crossing, out: &mut impl Write) -> io::Result<()> {
-    let [edge, other] = graph.edges_as_numbered(crossing.edges);
+fn print(numbering: Numbering, crossing: &Crossing, out: &mut impl Write) -> io::Result<()> {
+    let [edge, other] = numbering.edges(crossing.edges);
     let [x, y] = crossing.point.each_ref().map(BigRational::text);
     write!(out, "edges {edge} and {other} cross at ({x}, {y})")?;
     let near = crossing.near();

@@ -78,9 +78,9 @@ impl Generate {
         if !has_room(u64::from(self.points) * POINT) {
             return Err(Failure::Error("out of memory".to_owned()));
         }
-        let graph = self.kind.graph(self.points as usize, self.seed).into();
+        let file = self.kind.graph(self.points as usize, self.seed).into();
         let mut outputs = Outputs::default();
-        outputs.add(destination, |out| write_graph::<f64>(format, &graph, out))?;
+        outputs.add(destination, |out| write_graph::<f64>(format, &file, out))?;
         outputs.finish()
     }
 }

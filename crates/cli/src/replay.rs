@@ -83,8 +83,8 @@ impl Replay {
                 trace: &trace,
                 refused: &refused,
             };
-            let graph = input.read(&mut read, |_| ())?;
-            self.scalar.apply(&input.name(), &graph, comparison)?;
+            let read = input.read(&mut read, |_| ())?;
+            self.scalar.apply(&input.name(), &read, comparison)?;
         }
         let triangles = trace.replay().map_err(refused)?;
         print(|out| {
@@ -106,7 +106,7 @@ impl Job for Comparison<'_> {
     fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
         let mut events = Vec::new();
         let observer = |event| events.push(event);
-        let (points, edges) = (given.points, &given.graph.edges);
+        let (points, edges) = (given.points, &given.file.graph.edges);
         let result = self.settings.observe(points, edges, observer);
         self.trace.compare(&events).map_err(self.refused)?;
         result.map_err(|error| given.refused(error))?;

@@ -4,12 +4,11 @@ use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 
-use strum::{EnumString, IntoStaticStr, VariantArray};
-use sweep_cdt::Error;
 use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::trace::Event;
+use sweep_cdt::{Error, Pslg};
 use sweep_cdt_draw::{StepsPage, StepsSheet};
-use sweep_cdt_formats::{Coordinate, Graph, write_trace};
+use sweep_cdt_formats::{Coordinate, Named, write_trace};
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
@@ -82,17 +81,30 @@ Examples:
   sweep-cdt trace terrain.poly -o steps.svg --from 120 --to 131";
 
 /// What `trace` writes. Each format is named by the extension of its files.
-#[derive(Clone, Copy, EnumString, IntoStaticStr, VariantArray)]
-#[strum(ascii_case_insensitive)]
+#[derive(Clone, Copy)]
 enum TraceFormat {
-    #[strum(serialize = "txt")]
     Text,
-    #[strum(serialize = "jsonl")]
     JsonLines,
-    #[strum(serialize = "html")]
     Page,
-    #[strum(serialize = "svg")]
     Sheet,
+}
+
+impl Named for TraceFormat {
+    const ALL: &'static [TraceFormat] = &[
+        TraceFormat::Text,
+        TraceFormat::JsonLines,
+        TraceFormat::Page,
+        TraceFormat::Sheet,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            TraceFormat::Text => "txt",
+            TraceFormat::JsonLines => "jsonl",
+            TraceFormat::Page => "html",
+            TraceFormat::Sheet => "svg",
+        }
+    }
 }
 
 impl TraceFormat {
@@ -119,7 +131,7 @@ const MOST_PANELS: usize = 60;
 
 /// What is written of a run: `events`, which begin at step `first`, or at 1 where all are needed.
 struct Written<'a, S> {
-    graph: &'a Graph<S>,
+    graph: &'a Pslg<S>,
     events: Vec<Event>,
     steps: RangeInclusive<usize>,
     around: Option<usize>,
@@ -194,7 +206,8 @@ struct Run<'a> {
 
 impl Job for Run<'_> {
     fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
-        let Given { graph, points, .. } = given;
+        let Given { file, points, .. } = given;
+        let graph = &file.graph;
         let [first, last] = [self.arguments.from, self.arguments.to].map(NonZeroUsize::get);
         // Only the steps that are written are kept.
         let mut events = Vec::new();
@@ -208,7 +221,7 @@ impl Job for Run<'_> {
         let settings = &self.arguments.settings;
         let result = settings.observe(points, &graph.edges, observer);
         let refused = result.err();
-        let failure = refused.map(|error| graph.as_numbered(error).to_string());
+        let failure = refused.map(|error| file.as_numbered(error).to_string());
         if step == 0
             && let Some(failure) = failure
         {

@@ -170,9 +170,10 @@ struct Run<'a> {
 
 impl Job for Run<'_> {
     fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
-        let Given { graph, points, .. } = given;
+        let Given { file, points, .. } = given;
+        let graph = &file.graph;
         let arguments = self.arguments;
-        let targets = completed(self.targets, self.read, graph)?;
+        let targets = completed(self.targets, self.read, file)?;
         refuse_read(self.read, &self.json)?;
         let written = targets.iter().map(|target| &target.destination);
         refuse_twice(written.chain(&self.json))?;
@@ -181,7 +182,7 @@ impl Job for Run<'_> {
             .triangulate(points, &graph.edges, arguments.stats || self.json.is_some())
             .map_err(|error| {
                 let advice = SplitArgs::advice(&error);
-                given.failure(format!("{}{advice}", graph.as_numbered(error)))
+                given.failure(format!("{}{advice}", file.as_numbered(error)))
             })?;
         // A result that is wrong ends the run here, before anything is written.
         let verdict = if arguments.verify {
@@ -191,14 +192,14 @@ impl Job for Run<'_> {
         } else {
             None
         };
-        let domain = arguments.inside.domain(given.name, graph, &result)?;
+        let domain = arguments.inside.domain(given.name, file, &result)?;
         let domain = domain.as_ref();
         let summary = targets.is_empty();
         // Standard output holds either a result or a report.
         let report =
             !has_standard(&targets) && !self.json.as_ref().is_some_and(Destination::is_standard);
         let mut outputs = Outputs::default();
-        add(&mut outputs, targets, graph, &result, domain)?;
+        add(&mut outputs, targets, file, &result, domain)?;
         if let (Some(json), Some(stats)) = (self.json, &stats) {
             outputs.add(json, |out| write_json(stats, out))?;
         }
@@ -229,12 +230,12 @@ impl Job for Run<'_> {
 }
 
 fn summarize<S, T>(
-    Given { name, graph, .. }: &Given<'_, S, T>,
+    Given { name, file, .. }: &Given<'_, S, T>,
     result: &Triangulation,
     domain: Option<&Domain<'_>>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let (points, edges) = (graph.points.len(), graph.edges.len());
+    let (points, edges) = (file.graph.points.len(), file.graph.edges.len());
     let (triangles, hull) = (result.len(), result.hull().len());
     let duplicates = result.duplicates().len();
     write!(out, "{name}: points {points}, duplicates {duplicates}, ")?;

@@ -8,7 +8,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_formats::{Coordinate, Graph, Input, Matching, ResultError, added_points};
+use sweep_cdt_formats::{Coordinate, GraphFile, Input, Matching, ResultError, added_points};
 
 use crate::certificate::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
@@ -185,20 +185,21 @@ impl Verify {
     /// Gives the input the vertices that the result has added, if these are allowed. Returns how many are its own.
     fn with_added(&self, input: &mut Input, result: &ResultFiles) -> Result<usize, Failure> {
         match input {
-            Input::Doubles(graph) => self.with_added_to(graph, result),
-            Input::Rationals(graph) => self.with_added_to(graph, result),
+            Input::Doubles(file) => self.with_added_to(file, result),
+            Input::Rationals(file) => self.with_added_to(file, result),
         }
     }
 
     fn with_added_to<S: Coordinate>(
         &self,
-        graph: &mut Graph<S>,
+        file: &mut GraphFile<S>,
         result: &ResultFiles,
     ) -> Result<usize, Failure> {
-        let own = graph.points.len();
+        let own = file.graph.points.len();
         if self.steiner {
-            let added = added_points(result.format, &result.source, result.node.as_ref(), graph);
-            graph.points.extend(added.map_err(|error| refusal(&error))?);
+            let added = added_points(result.format, &result.source, result.node.as_ref(), file);
+            let added = added.map_err(|error| refusal(&error))?;
+            file.graph.points.extend(added);
         }
         Ok(own)
     }
@@ -219,7 +220,7 @@ struct Run<'a> {
 impl Job for Run<'_> {
     fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
         let Given {
-            graph,
+            file,
             points,
             scalar,
             ..
@@ -237,7 +238,7 @@ impl Job for Run<'_> {
             None => matching,
         };
         let triangles = matching
-            .read(format, &source, node.as_ref(), graph)
+            .read(format, &source, node.as_ref(), file)
             .map_err(|error| refusal(&error))?;
         let verifier = Verifier::new()
             .accept_clockwise(arguments.clockwise)
@@ -251,7 +252,8 @@ impl Job for Run<'_> {
         };
         let (answer, fitting) = match arguments.domain {
             Inside::Hull => {
-                let answer = verification::verify(verifier, points, &graph.edges, &triangles.list);
+                let answer =
+                    verification::verify(verifier, points, &file.graph.edges, &triangles.list);
                 let fitting = match &answer {
                     Ok(_) => None,
                     Err(_) => fitting_rule(&given, self.own, verifier, &triangles.list),
@@ -280,7 +282,7 @@ impl Job for Run<'_> {
             steiner: arguments.steiner,
             max_depth: arguments.max_depth,
             is_within: within.is_some(),
-            graph,
+            file,
             triangles: &triangles,
         };
         let mut outputs = Outputs::default();
@@ -292,7 +294,7 @@ impl Job for Run<'_> {
         if let Some(svg) = self.svg {
             outputs.add(svg, |out| {
                 let (list, found) = violations(&answer);
-                ViolationsPicture::new(graph, &triangles, list)
+                ViolationsPicture::new(file, &triangles, list)
                     .found(found)
                     .write(out)
             })?;
@@ -322,7 +324,7 @@ impl Job for Run<'_> {
             writeln!(out)?;
             verification::write_counts(verification::report(&answer), out)?;
             verification::write_depths(&answer, out)?;
-            verification::write_violations(&answer, graph, &triangles, out)
+            verification::write_violations(&answer, file, &triangles, out)
         })?;
         outputs.finish()?;
         match answer {

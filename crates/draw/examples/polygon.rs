@@ -10,9 +10,8 @@ use std::fs::File;
 use std::io::BufWriter;
 
 use sweep_cdt::domain::Rule;
-use sweep_cdt::triangulate;
+use sweep_cdt::{Pslg, triangulate};
 use sweep_cdt_draw::Output;
-use sweep_cdt_formats::Graph;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).unwrap_or("star.svg".to_owned());
@@ -23,13 +22,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (all, inside) = (result.len(), star.inside().len());
     println!("{all} triangles, {inside} inside the star");
 
-    let graph = Graph {
+    let graph = Pslg {
         points,
         edges,
-        ..Graph::default()
+        ..Pslg::default()
     };
     let mut file = BufWriter::new(File::create(&path)?);
-    Output::Svg.write_domain(&graph, &star, &mut file)?;
+    Output::Svg.write_domain(&graph.into(), &star, &mut file)?;
     println!("drawn to {path}");
     Ok(())
 }

@@ -6,9 +6,10 @@ use std::io::{self, Write};
 
 use super::svg::{self, Circle};
 use super::window::{Bounds, Window, places};
+use sweep_cdt::Pslg;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::Violation;
-use sweep_cdt_formats::{Graph, Triangles, sorted_pairs};
+use sweep_cdt_formats::{GraphFile, Triangles, sorted_pairs};
 
 /// Up to how many vertices in a panel are drawn, and numbered.
 const MOST_DOTS: usize = 400;
@@ -18,7 +19,7 @@ const NEAREST: usize = 4;
 
 /// A close-up.
 pub(super) struct CloseUp<'a, S> {
-    pub(super) graph: &'a Graph<S>,
+    pub(super) file: &'a GraphFile<S>,
     pub(super) triangles: &'a Triangles,
     pub(super) background: &'a Background,
     pub(super) violation: Violation,
@@ -54,7 +55,7 @@ impl<S> CloseUp<'_, S> {
         let (mut wrong, mut absent) = (vec![], vec![]);
         let mut culprits = offenders.vertices;
         match self.violation {
-            Violation::MissingEdge { edge, .. } => absent.push(self.graph.edges[edge]),
+            Violation::MissingEdge { edge, .. } => absent.push(self.file.graph.edges[edge]),
             Violation::MissingBoundary { side } => absent.push(side),
             Violation::RepeatedSide { side, .. }
             | Violation::ExtraBoundary { side, .. }
@@ -116,7 +117,7 @@ impl<S> CloseUp<'_, S> {
             self.vertices
         };
         for &v in numbered {
-            let number = v.saturating_add(self.graph.first_vertex);
+            let number = v.saturating_add(self.file.numbering.vertex);
             svg::label(out, window.place(points[v]), number)?;
         }
         Ok(())
@@ -143,7 +144,7 @@ pub(super) struct Background {
 }
 
 impl Background {
-    pub(super) fn new<S: Scalar>(graph: &Graph<S>, triangles: &Triangles) -> Background {
+    pub(super) fn new<S: Scalar>(graph: &Pslg<S>, triangles: &Triangles) -> Background {
         let exists = |ends: &[usize; 2]| ends.iter().all(|&v| v < graph.points.len());
         let corners = triangles.list.iter();
         let sides = corners.flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);

@@ -11,9 +11,10 @@ use super::style::{LEGEND_HEIGHT, write_legend};
 use super::svg;
 use super::violations::{draw_overview, overview_window, rules};
 use super::window::{Bounds, PIXEL, Window, places};
+use sweep_cdt::Pslg;
 use sweep_cdt::crossings::Crossing;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt_formats::{Coordinate, Graph};
+use sweep_cdt_formats::{Coordinate, Numbering};
 
 /// More dots than this are left out of the overview, so that a file stays readable.
 const MOST_DOTS: usize = 30_000;
@@ -21,12 +22,12 @@ const MOST_DOTS: usize = 30_000;
 /// A picture of edges that cross, as SVG: an overview, then close-ups of the first crossings.
 ///
 /// ```
+/// use sweep_cdt::Pslg;
 /// use sweep_cdt::crossings::crossings;
 /// use sweep_cdt_draw::CrossingsPicture;
-/// use sweep_cdt_formats::Graph;
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-/// let graph = Graph { points, edges: vec![[0, 2], [1, 3]], ..Graph::default() };
+/// let graph = Pslg { points, edges: vec![[0, 2], [1, 3]], ..Pslg::default() };
 /// let found = crossings(&graph.points, &graph.edges)?;
 /// let mut picture = Vec::new();
 /// CrossingsPicture::new(&graph, &found).close_ups(1).write(&mut picture)?;
@@ -35,20 +36,28 @@ const MOST_DOTS: usize = 30_000;
 /// ```
 #[derive(Debug)]
 pub struct CrossingsPicture<'a, S> {
-    graph: &'a Graph<S>,
+    graph: &'a Pslg<S>,
     crossings: &'a [Crossing],
+    numbering: Numbering,
     close_ups: usize,
 }
 
 impl<'a, S: Scalar> CrossingsPicture<'a, S> {
     /// A picture of `crossings`, those of the edges of `graph`.
     #[must_use]
-    pub fn new(graph: &'a Graph<S>, crossings: &'a [Crossing]) -> CrossingsPicture<'a, S> {
+    pub fn new(graph: &'a Pslg<S>, crossings: &'a [Crossing]) -> CrossingsPicture<'a, S> {
         CrossingsPicture {
             graph,
             crossings,
+            numbering: Numbering::default(),
             close_ups: 5,
         }
+    }
+
+    /// How the file of the graph counts its vertices and edges. By default from 0.
+    #[must_use]
+    pub fn numbering(self, numbering: Numbering) -> Self {
+        CrossingsPicture { numbering, ..self }
     }
 
     /// How many crossings have a close-up at most. The default is 5.
@@ -90,7 +99,7 @@ impl<'a, S: Scalar> CrossingsPicture<'a, S> {
             draw_overview(&background, &window, &foci, close_ups, out)
         })?;
         for (position, crossing) in (1..=close_ups).zip(crossings) {
-            let [edge, other] = graph.edges_as_numbered(crossing.edges);
+            let [edge, other] = self.numbering.edges(crossing.edges);
             let title = format!("{position}: edges {edge} and {other} cross");
             let [x, y] = crossing.near().map(|x| x.text());
             let text = format!("near {x}, {y}");
@@ -142,7 +151,7 @@ impl<'a, S: Scalar> CrossingsPicture<'a, S> {
         svg::layer(out, "vertex", in_sight.iter().map(dot))?;
         svg::layer(out, "culprit", [dot(&at)])?;
         for v in in_sight {
-            let number = v.saturating_add(self.graph.first_vertex);
+            let number = v.saturating_add(self.numbering.vertex);
             svg::label(out, window.place(points[v]), number)?;
         }
         Ok(())

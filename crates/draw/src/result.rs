@@ -11,10 +11,10 @@ use std::io::{self, Write};
 use super::style::{COLUMN, LEGEND_HEIGHT, mesh_rules, write_legend};
 use super::svg;
 use super::window::{Bounds, PIXEL, Window, places};
-use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt_formats::{Graph, sorted_pairs};
+use sweep_cdt::{Pslg, Triangulation};
+use sweep_cdt_formats::{Numbering, sorted_pairs};
 
 /// Up to this many vertices get numbers.
 const MOST_NUMBERS: usize = 60;
@@ -29,11 +29,11 @@ const MARGIN: i64 = 28 * PIXEL;
 /// A picture of a triangulation, as SVG.
 ///
 /// ```
+/// use sweep_cdt::Pslg;
 /// use sweep_cdt_draw::ResultPicture;
-/// use sweep_cdt_formats::Graph;
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-/// let graph = Graph { points, edges: vec![[0, 2]], ..Graph::default() };
+/// let graph = Pslg { points, edges: vec![[0, 2]], ..Pslg::default() };
 /// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
 /// let mut picture = Vec::new();
 /// ResultPicture::new(&graph, &result).write(&mut picture)?;
@@ -42,20 +42,28 @@ const MARGIN: i64 = 28 * PIXEL;
 /// ```
 #[derive(Debug)]
 pub struct ResultPicture<'a, S> {
-    graph: &'a Graph<S>,
+    graph: &'a Pslg<S>,
     result: &'a Triangulation,
+    numbering: Numbering,
     domain: Option<&'a Domain<'a>>,
 }
 
 impl<'a, S: Scalar> ResultPicture<'a, S> {
     /// A picture of `result`, the triangulation of `graph`.
     #[must_use]
-    pub fn new(graph: &'a Graph<S>, result: &'a Triangulation) -> ResultPicture<'a, S> {
+    pub fn new(graph: &'a Pslg<S>, result: &'a Triangulation) -> ResultPicture<'a, S> {
         ResultPicture {
             graph,
             result,
+            numbering: Numbering::default(),
             domain: None,
         }
+    }
+
+    /// How the file of the graph counts its vertices. By default from 0.
+    #[must_use]
+    pub fn numbering(self, numbering: Numbering) -> Self {
+        ResultPicture { numbering, ..self }
     }
 
     /// Draws only the triangles inside a domain of this triangulation, and its border. The hull is a thin dashed line
@@ -74,6 +82,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
         let ResultPicture {
             graph,
             result,
+            numbering,
             domain,
         } = *self;
         let points = places(&graph.points);
@@ -148,7 +157,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
         }
         if places.len() <= MOST_NUMBERS {
             for vertex in vertices() {
-                svg::label(out, places[vertex], vertex + graph.first_vertex)?;
+                svg::label(out, places[vertex], vertex + numbering.vertex)?;
             }
         }
         write_legend(out, [width / 2, height], &entries)?;
@@ -174,7 +183,7 @@ fn inner_sides(result: &Triangulation, domain: Option<&Domain<'_>>) -> Vec<[usiz
 }
 
 /// The input edges that have a length, each once.
-fn input_edges<S>(graph: &Graph<S>, result: &Triangulation) -> Vec<[usize; 2]> {
+fn input_edges<S>(graph: &Pslg<S>, result: &Triangulation) -> Vec<[usize; 2]> {
     let ends = graph
         .edges
         .iter()

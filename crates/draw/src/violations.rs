@@ -11,7 +11,7 @@ use super::svg;
 use super::window::{Bounds, PIXEL, Window};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::Violation;
-use sweep_cdt_formats::{Graph, Triangles};
+use sweep_cdt_formats::{GraphFile, Triangles};
 
 /// About the distance of neighbouring vertices in a close-up, in pixels.
 const SPACING: f64 = 60.0;
@@ -20,19 +20,20 @@ const SPACING: f64 = 60.0;
 /// violations.
 ///
 /// ```
+/// use sweep_cdt::Pslg;
 /// use sweep_cdt::verify::Verifier;
 /// use sweep_cdt_draw::ViolationsPicture;
-/// use sweep_cdt_formats::{Graph, ResultFormat, Source, read_result};
+/// use sweep_cdt_formats::{GraphFile, ResultFormat, Source, read_result};
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-/// let graph = Graph { points, edges: vec![[0, 2]], ..Graph::default() };
+/// let file = GraphFile::from(Pslg { points, edges: vec![[0, 2]], ..Pslg::default() });
 /// let bytes = br#"{"triangles": [[0, 1, 3], [1, 2, 3]]}"#.to_vec();
 /// let source = Source { name: "other.json".to_owned(), bytes };
-/// let triangles = read_result(ResultFormat::Json, &source, None, &graph)?;
-/// let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
+/// let triangles = read_result(ResultFormat::Json, &source, None, &file)?;
+/// let verdict = Verifier::new().verify(&file.graph.points, &file.graph.edges, &triangles.list);
 /// let violations = verdict.expect_err("the edge is missing");
 /// let mut picture = Vec::new();
-/// ViolationsPicture::new(&graph, &triangles, &violations.list)
+/// ViolationsPicture::new(&file, &triangles, &violations.list)
 ///     .found(violations.found)
 ///     .close_ups(3)
 ///     .write(&mut picture)?;
@@ -41,7 +42,7 @@ const SPACING: f64 = 60.0;
 /// ```
 #[derive(Debug)]
 pub struct ViolationsPicture<'a, S> {
-    graph: &'a Graph<S>,
+    file: &'a GraphFile<S>,
     triangles: &'a Triangles,
     violations: &'a [Violation],
     found: usize,
@@ -49,16 +50,16 @@ pub struct ViolationsPicture<'a, S> {
 }
 
 impl<'a, S: Scalar> ViolationsPicture<'a, S> {
-    /// A picture of `violations`, which the verifier reported of `triangles`, a result for `graph`. With
+    /// A picture of `violations`, which the verifier reported of `triangles`, a result for the graph of `file`. With
     /// no violations it shows the overview only.
     #[must_use]
     pub fn new(
-        graph: &'a Graph<S>,
+        file: &'a GraphFile<S>,
         triangles: &'a Triangles,
         violations: &'a [Violation],
     ) -> ViolationsPicture<'a, S> {
         ViolationsPicture {
-            graph,
+            file,
             triangles,
             violations,
             found: violations.len(),
@@ -83,7 +84,8 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
     /// # Errors
     /// Those of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        let (graph, triangles) = (self.graph, self.triangles);
+        let (file, triangles) = (self.file, self.triangles);
+        let graph = &file.graph;
         let background = Background::new(graph, triangles);
         let vertices_of = |&violation: &Violation| triangles.vertices_of(graph, violation);
         // The violations that are at vertices, and the vertices of each.
@@ -113,7 +115,7 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
         })?;
         for (position, (&violation, vertices)) in (1..=close_ups).zip(shown.iter().zip(&foci)) {
             let close_up = CloseUp {
-                graph,
+                file,
                 triangles,
                 background: &background,
                 violation,
@@ -121,7 +123,7 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
             };
             let window = close_up.window(panels.side);
             let title = format!("{position}: {}", violation.name());
-            let text = triangles.as_numbered(graph, violation).to_string();
+            let text = triangles.as_numbered(file, violation).to_string();
             panels.write(out, position, square, "close-up", [&title, &text], |out| {
                 close_up.draw(&window, out)
             })?;

@@ -23,14 +23,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let points = source("peers/issue13.json")?;
     let triangles = source("peers/scipy_issue13.json")?;
 
-    let Input::Doubles(input) = read(InputFormat::Json, &points, None)? else {
+    let Input::Doubles(file) = read(InputFormat::Json, &points, None)? else {
         return Err("the points are fractions".into());
     };
-    let triangles = read_result(ResultFormat::Json, &triangles, None, &input)?;
+    let triangles = read_result(ResultFormat::Json, &triangles, None, &file)?;
 
     // SciPy may list triangles clockwise.
     let verifier = Verifier::new().accept_clockwise(true);
-    match verifier.verify(&input.points, &input.edges, &triangles.list) {
+    match verifier.verify(&file.graph.points, &file.graph.edges, &triangles.list) {
         Ok(_) => println!("right"),
         Err(violations) => {
             println!("wrong:");

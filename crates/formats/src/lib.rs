@@ -6,12 +6,18 @@
 //! | `poly` | vertices, edges, and seeds of holes and regions (Triangle's format) | the same |
 //! | `json` | an object with `points` and `edges`, or with `triangles` and maybe `points` | all of them and more |
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
-//! | `obj`, `off`, `ply`, `vtk`, `vtu`, `msh` | vertices, lines and triangles | the same (Wavefront, Geomview, Stanford, VTK, Gmsh) |
-//! | `stl` | triangles by their coordinates | the same |
-//! | `geojson`, `wkt` | points, lines, rings of polygons; or triangles | the same |
+//! | `obj`, `off` | vertices, lines and triangles | the same (Wavefront, Geomview) |
 //! | `csv` | | edges that cross; `json` holds them too |
 //!
-//! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of the graph, and are
+//! With the feature `mesh-formats` there are more, most of them of other programs for meshes and maps:
+//!
+//! | name | read | written |
+//! |---|---|---|
+//! | `ply`, `vtk`, `vtu`, `msh` | vertices, lines and triangles | the same (Stanford, VTK, Gmsh) |
+//! | `stl` | triangles by their coordinates | the same |
+//! | `geojson`, `wkt` | points, lines, rings of polygons; or triangles | the same |
+//!
+//! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of a [`GraphFile`], and are
 //! written where a format has room for them. `docs/formats.md` says of each format what is read, and what is ignored.
 //!
 //! Readers take bytes, never panic on any of them, and name the line that is wrong. A byte order mark is
@@ -24,7 +30,8 @@
 mod coordinate;
 #[cfg(feature = "geo-types")]
 mod geo;
-mod graph;
+mod graph_file;
+mod named;
 mod read;
 mod split;
 mod threads;
@@ -33,8 +40,9 @@ mod write;
 
 pub use coordinate::{Coordinate, CoordinateError};
 #[cfg(feature = "geo-types")]
-pub use geo::geo_triangles;
-pub use graph::{Column, Graph, sorted_pairs};
+pub use geo::{geo_graph, geo_triangles};
+pub use graph_file::{Column, GraphFile, Numbering, sorted_pairs};
+pub use named::Named;
 pub use read::{
     Input, InputFormat, Matched, Matching, ReadError, ResultError, ResultFormat, Source, Triangles,
     added_points, read, read_result,

@@ -6,11 +6,11 @@
 //!
 //! Cost: that of [`split`], and the pieces times the columns.
 
-use crate::{Column, Coordinate, Graph};
-use sweep_cdt::Error;
+use crate::{Column, Coordinate, GraphFile};
 use sweep_cdt::crossings::{Exact, Split, split};
+use sweep_cdt::{Error, Pslg};
 
-/// What [`Graph::split_crossings`] came to.
+/// What [`GraphFile::split_crossings`] came to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Splitting {
@@ -24,51 +24,56 @@ pub struct Splitting {
     pub displacement: f64,
 }
 
-impl<S: Coordinate + Exact> Graph<S> {
-    /// The same graph with its edges [split] where they cross.
+impl<S: Coordinate + Exact> GraphFile<S> {
+    /// The graph with its edges [split] where they cross, and what the file says of it.
     ///
     /// # Errors
     /// Those of [`split`], with vertices and edges by their positions.
     ///
     /// ```
-    /// use sweep_cdt_formats::{Column, Graph};
+    /// use sweep_cdt::Pslg;
+    /// use sweep_cdt_formats::{Column, GraphFile};
     ///
     /// let points = vec![[0.0, 0.0], [2.0, 2.0], [0.0, 2.0], [2.0, 0.0]];
     /// let heights = Column { name: Column::HEIGHT.to_owned(), values: vec![0.0, 10.0, 0.0, 0.0] };
     /// let edges = vec![[0, 1], [2, 3]];
-    /// let graph = Graph { points, edges, columns: vec![heights], ..Graph::default() };
-    /// let (graph, splitting) = graph.split_crossings()?;
-    /// assert_eq!(graph.points[4], [1.0, 1.0]);
-    /// assert_eq!(graph.columns[0].values[4], 5.0);
-    /// assert_eq!(graph.pieces_of, [0, 0, 1, 1]);
+    /// let graph = Pslg { points, edges, ..Pslg::default() };
+    /// let file = GraphFile { columns: vec![heights], ..graph.into() };
+    /// let (file, splitting) = file.split_crossings()?;
+    /// assert_eq!(file.graph.points[4], [1.0, 1.0]);
+    /// assert_eq!(file.columns[0].values[4], 5.0);
+    /// assert_eq!(file.pieces_of, [0, 0, 1, 1]);
     /// assert_eq!((splitting.vertices, splitting.edges), (1, [2, 4]));
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
-    pub fn split_crossings(&self) -> Result<(Graph<S>, Splitting), Error> {
-        let split = split(&self.points, &self.edges)?;
+    pub fn split_crossings(&self) -> Result<(GraphFile<S>, Splitting), Error> {
+        let graph = &self.graph;
+        let split = split(&graph.points, &graph.edges)?;
         let splitting = Splitting {
-            vertices: split.points.len() - self.points.len(),
-            edges: [self.edges.len(), split.edges.len()],
+            vertices: split.points.len() - graph.points.len(),
+            edges: [graph.edges.len(), split.edges.len()],
             rounds: split.rounds,
             displacement: split.displacement,
         };
         let columns = self.columns.iter();
-        let columns = columns.map(|column| extended(column, self, &split));
-        let graph = Graph {
+        let columns = columns.map(|column| extended(column, graph, &split));
+        let file = GraphFile {
             columns: columns.collect(),
-            points: split.points,
-            edges: split.edges,
+            graph: Pslg {
+                points: split.points,
+                edges: split.edges,
+                holes: graph.holes.clone(),
+                regions: graph.regions.clone(),
+            },
             pieces_of: split.pieces_of,
-            holes: self.holes.clone(),
-            regions: self.regions.clone(),
-            ..*self
+            numbering: self.numbering,
         };
-        Ok((graph, splitting))
+        Ok((file, splitting))
     }
 }
 
 /// A column with the numbers of new vertices.
-fn extended<S: Coordinate>(column: &Column, graph: &Graph<S>, split: &Split<S>) -> Column {
+fn extended<S: Coordinate>(column: &Column, graph: &Pslg<S>, split: &Split<S>) -> Column {
     let mut values = column.values.clone();
     values.resize(split.points.len(), f64::NAN);
     let near = |v: usize| split.points[v].each_ref().map(S::approx);

@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use serde_json::Value;
 use sweep_cdt::Pslg;
-use sweep_cdt_formats::{self as formats, Graph, InputFormat, Source};
+use sweep_cdt_formats::{self as formats, InputFormat, Source};
 use sweep_cdt_generate::Kind;
 
 /// Points and edges, as [`sweep_cdt::triangulate`] takes them.
@@ -17,12 +17,6 @@ pub struct Input {
     pub points: Vec<[f64; 2]>,
     /// The edges, as positions in `points`; not checked.
     pub edges: Vec<[usize; 2]>,
-}
-
-impl From<Graph<f64>> for Input {
-    fn from(Graph { points, edges, .. }: Graph<f64>) -> Input {
-        Input { points, edges }
-    }
 }
 
 impl From<Pslg<f64>> for Input {
@@ -163,14 +157,14 @@ pub fn poly(path: &Path) -> Input {
     poly_of(path.display().to_string(), bytes)
 }
 
-/// The same of the bytes of a file with this name.
+/// Reads the bytes of such a file with this name.
 ///
 /// # Panics
 /// If they are no such file.
 pub fn poly_of(name: String, bytes: Vec<u8>) -> Input {
     let source = Source { name, bytes };
     match formats::read(InputFormat::Poly, &source, None) {
-        Ok(formats::Input::Doubles(graph)) => graph.into(),
+        Ok(formats::Input::Doubles(file)) => file.graph.into(),
         Ok(formats::Input::Rationals(_)) => panic!("{}: fractions", source.name),
         Err(error) => panic!("{error}"),
     }

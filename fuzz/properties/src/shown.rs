@@ -17,9 +17,8 @@ use std::{fs, io, thread};
 
 use sweep_cdt::crossings::crossings;
 use sweep_cdt::trace::{Event, Trace};
-use sweep_cdt::{Error, Triangulation, Triangulator};
+use sweep_cdt::{Error, Pslg, Triangulation, Triangulator};
 use sweep_cdt_draw::{CrossingsPicture, ResultPicture};
-use sweep_cdt_formats::Graph;
 use sweep_cdt_testing::Input;
 
 use crate::Target;
@@ -97,10 +96,10 @@ fn swept(input: &Input) -> (Vec<Event>, Result<Result<Triangulation, Error>, Str
 
 /// Triangles, crossings, or points and edges alone.
 fn picture(input: &Input, result: Option<Result<Triangulation, Error>>) -> Option<Vec<u8>> {
-    let mut graph = Graph {
+    let mut graph = Pslg {
         points: input.points.clone(),
         edges: input.edges.clone(),
-        ..Graph::default()
+        ..Pslg::default()
     };
     let n = graph.points.len();
     graph.edges.retain(|edge| edge.iter().all(|&v| v < n));

@@ -8,7 +8,7 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
 use sweep_cdt_draw::Output;
 use sweep_cdt_formats::{
-    Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read, write_node,
+    Coordinate, GraphFile, Input, InputFormat, OutputFormat, ResultFormat, Source, read, write_node,
 };
 
 use super::failure::Failure;
@@ -157,7 +157,7 @@ pub(crate) fn has_standard(targets: &[Target]) -> bool {
 pub(crate) fn completed<S: Coordinate>(
     mut targets: Vec<Target>,
     read: &FilesRead,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
 ) -> Result<Vec<Target>, Failure> {
     let paths = targets
         .iter()
@@ -172,7 +172,7 @@ pub(crate) fn completed<S: Coordinate>(
         };
         if let Ok(metadata) = fs::metadata(&path) {
             let identity = Identity::there(&path, &metadata).ok();
-            let is_there = metadata.is_file() && holds_vertices(&path, graph);
+            let is_there = metadata.is_file() && holds_vertices(&path, file);
             if !is_there && !identity.as_ref().is_some_and(is_target) {
                 let path = path.display();
                 let message = format!(
@@ -200,7 +200,7 @@ pub(crate) fn completed<S: Coordinate>(
 pub(crate) fn add<'a, S: Coordinate>(
     outputs: &mut Outputs<'a>,
     targets: Vec<Target>,
-    graph: &'a Graph<S>,
+    file: &'a GraphFile<S>,
     result: &'a Triangulation,
     domain: Option<&'a Domain<'a>>,
 ) -> Result<(), Failure> {
@@ -210,19 +210,19 @@ pub(crate) fn add<'a, S: Coordinate>(
             format,
         } = target;
         outputs.add(destination, move |out| match domain {
-            Some(domain) => format.write_domain(graph, domain, out),
-            None => format.write(graph, result, out),
+            Some(domain) => format.write_domain(file, domain, out),
+            None => format.write(file, result, out),
         })
     })
 }
 
-/// Whether the `.node` of this path holds the vertices of `graph`.
-fn holds_vertices<S: Coordinate>(path: &Path, graph: &Graph<S>) -> bool {
-    let file = FileArgument::File(path.to_owned());
-    let Ok(source) = FilesRead::default().load(&file) else {
+/// Whether the `.node` of this path holds the vertices of `file`.
+fn holds_vertices<S: Coordinate>(path: &Path, file: &GraphFile<S>) -> bool {
+    let there = FileArgument::File(path.to_owned());
+    let Ok(source) = FilesRead::default().load(&there) else {
         return false;
     };
-    let text = node_text(graph);
+    let text = node_text(file);
     // It has the same bytes if it was written with a result of the same vertices.
     if source.bytes == text {
         return true;
@@ -234,15 +234,15 @@ fn holds_vertices<S: Coordinate>(path: &Path, graph: &Graph<S>) -> bool {
     }
 }
 
-/// Whether a graph is written so, with its columns or without them.
-fn is_written<S: Coordinate>(graph: Graph<S>, text: &[u8]) -> bool {
-    let with_columns = node_text(&graph) == text;
+/// Whether the vertices of a file are written so, with its columns or without them.
+fn is_written<S: Coordinate>(file: GraphFile<S>, text: &[u8]) -> bool {
+    let with_columns = node_text(&file) == text;
     let columns = Vec::new();
-    with_columns || node_text(&Graph { columns, ..graph }) == text
+    with_columns || node_text(&GraphFile { columns, ..file }) == text
 }
 
-fn node_text<S: Coordinate>(graph: &Graph<S>) -> Vec<u8> {
+fn node_text<S: Coordinate>(file: &GraphFile<S>) -> Vec<u8> {
     let mut text = Vec::new();
-    write_node(graph, &mut text).expect("memory takes all that is written");
+    write_node(file, &mut text).expect("memory takes all that is written");
     text
 }

@@ -10,12 +10,11 @@ use num_rational::BigRational;
 use num_rational::BigRational as Rational;
 #[cfg(feature = "rug")]
 use rug::Rational;
-use sweep_cdt::Error;
-use sweep_cdt::Region;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::domain::{DomainError, Seed};
 use sweep_cdt::scalar::Measure;
-use sweep_cdt_formats::{Coordinate, Graph, Input};
+use sweep_cdt::{Error, Pslg, Region};
+use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 
 use super::failure::Failure;
 use super::resources::{has_room, memory_of_triangulation};
@@ -52,8 +51,8 @@ pub(crate) trait Job {
 pub(crate) struct Given<'a, S, T> {
     /// What messages call the input.
     pub(crate) name: &'a str,
-    pub(crate) graph: &'a Graph<S>,
-    /// The points of the graph, in this arithmetic.
+    pub(crate) file: &'a GraphFile<S>,
+    /// The points of its graph, in this arithmetic.
     pub(crate) points: &'a [[T; 2]],
     /// What the arithmetic is called.
     pub(crate) scalar: &'static str,
@@ -62,7 +61,7 @@ pub(crate) struct Given<'a, S, T> {
 impl<S, T> Given<'_, S, T> {
     /// What is wrong with the input, vertices and edges numbered as in its file.
     pub(crate) fn refused(&self, error: Error) -> Failure {
-        self.failure(self.graph.as_numbered(error))
+        self.failure(self.file.as_numbered(error))
     }
 
     /// A failure that has to do with the input.
@@ -76,23 +75,23 @@ impl ScalarArgs {
     pub(crate) fn apply(&self, name: &str, input: &Input, job: impl Job) -> Result<(), Failure> {
         let rational = matches!(self.scalar, Some(Kind::Rational));
         match input {
-            Input::Doubles(graph) => {
-                refuse_non_finite(name, graph)?;
-                refuse_without_memory(name, graph)?;
+            Input::Doubles(file) => {
+                refuse_non_finite(name, file)?;
+                refuse_without_memory(name, file)?;
                 if rational {
-                    let points: Vec<_> = graph.points.iter().map(|p| p.map(exact)).collect();
-                    job.run(given(name, graph, &points, "rational"))
+                    let points: Vec<_> = file.graph.points.iter().map(|p| p.map(exact)).collect();
+                    job.run(given(name, file, &points, "rational"))
                 } else {
-                    job.run(given(name, graph, &graph.points, "f64"))
+                    job.run(given(name, file, &file.graph.points, "f64"))
                 }
             }
             Input::Rationals(_) if matches!(self.scalar, Some(Kind::F64)) => {
                 Err(has_fractions(name))
             }
-            Input::Rationals(graph) => {
-                refuse_without_memory(name, graph)?;
-                let points = rational_points(&graph.points);
-                job.run(given(name, graph, &points, "rational"))
+            Input::Rationals(file) => {
+                refuse_without_memory(name, file)?;
+                let points = rational_points(&file.graph.points);
+                job.run(given(name, file, &points, "rational"))
             }
         }
     }
@@ -100,9 +99,9 @@ impl ScalarArgs {
     /// The input called `name`, as rationals if these are asked for.
     pub(crate) fn convert(&self, name: &str, input: Input) -> Result<Input, Failure> {
         match (input, self.scalar) {
-            (Input::Doubles(graph), Some(Kind::Rational)) => {
-                refuse_non_finite(name, &graph)?;
-                Ok(Input::Rationals(rational_graph(name, graph)?))
+            (Input::Doubles(file), Some(Kind::Rational)) => {
+                refuse_non_finite(name, &file)?;
+                Ok(Input::Rationals(as_rationals(name, file)?))
             }
             (Input::Rationals(_), Some(Kind::F64)) => Err(has_fractions(name)),
             (input, _) => Ok(input),
@@ -114,14 +113,15 @@ fn has_fractions(name: &str) -> Failure {
     Failure::Error(format!("{name}: has fractions, which --scalar f64 refuses"))
 }
 
-/// The same graph, whose points are finite, with the exact values of its doubles.
-fn rational_graph(name: &str, graph: Graph<f64>) -> Result<Graph<BigRational>, Failure> {
+/// A file whose points are finite, with the exact values of its doubles.
+fn as_rationals(name: &str, file: GraphFile<f64>) -> Result<GraphFile<BigRational>, Failure> {
+    let graph = &file.graph;
     let seeds = (0..).map(Seed::Hole).zip(&graph.holes);
     let regions = graph.regions.iter().map(|region| &region.seed);
     let seeds = seeds.chain((0..).map(Seed::Region).zip(regions));
     let is_wrong = |(_, seed): &(Seed, &[f64; 2])| !seed.iter().all(|x| x.is_finite());
     if let Some((seed, _)) = seeds.into_iter().find(is_wrong) {
-        let error = graph.domain_as_numbered(DomainError::SeedNotFinite { seed });
+        let error = file.domain_as_numbered(DomainError::SeedNotFinite { seed });
         return Err(Failure::Error(format!("{name}: {error}")));
     }
     let rational = |point: &[f64; 2]| point.map(|x| x.to_fraction());
@@ -129,21 +129,23 @@ fn rational_graph(name: &str, graph: Graph<f64>) -> Result<Graph<BigRational>, F
         seed: rational(&region.seed),
         attribute: region.attribute,
     };
-    Ok(Graph {
-        points: graph.points.iter().map(rational).collect(),
-        holes: graph.holes.iter().map(rational).collect(),
-        regions: graph.regions.iter().map(region).collect(),
-        columns: graph.columns,
-        edges: graph.edges,
-        pieces_of: graph.pieces_of,
-        first_vertex: graph.first_vertex,
-        first_edge: graph.first_edge,
-        first_hole: graph.first_hole,
-        first_region: graph.first_region,
+    Ok(GraphFile {
+        graph: Pslg {
+            points: graph.points.iter().map(rational).collect(),
+            holes: graph.holes.iter().map(rational).collect(),
+            regions: graph.regions.iter().map(region).collect(),
+            edges: file.graph.edges,
+        },
+        columns: file.columns,
+        pieces_of: file.pieces_of,
+        numbering: file.numbering,
     })
 }
 
-fn refuse_without_memory<S>(name: &str, graph: &Graph<S>) -> Result<(), Failure> {
+fn refuse_without_memory<S>(
+    name: &str,
+    GraphFile { graph, .. }: &GraphFile<S>,
+) -> Result<(), Failure> {
     let bytes = memory_of_triangulation(graph.points.len(), graph.edges.len());
     if has_room(bytes) {
         return Ok(());
@@ -155,24 +157,24 @@ fn refuse_without_memory<S>(name: &str, graph: &Graph<S>) -> Result<(), Failure>
 
 fn given<'a, S, T>(
     name: &'a str,
-    graph: &'a Graph<S>,
+    file: &'a GraphFile<S>,
     points: &'a [[T; 2]],
     scalar: &'static str,
 ) -> Given<'a, S, T> {
     Given {
         name,
-        graph,
+        file,
         points,
         scalar,
     }
 }
 
-fn refuse_non_finite(name: &str, graph: &Graph<f64>) -> Result<(), Failure> {
+fn refuse_non_finite(name: &str, file: &GraphFile<f64>) -> Result<(), Failure> {
     let is_finite = |point: &[f64; 2]| point.iter().all(|x| x.is_finite());
-    match graph.points.iter().position(|point| !is_finite(point)) {
+    match file.graph.points.iter().position(|point| !is_finite(point)) {
         None => Ok(()),
         Some(vertex) => {
-            let error = graph.as_numbered(Error::NonFiniteCoordinate { vertex });
+            let error = file.as_numbered(Error::NonFiniteCoordinate { vertex });
             Err(Failure::Error(format!("{name}: {error}")))
         }
     }

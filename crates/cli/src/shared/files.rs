@@ -5,11 +5,9 @@ use std::ffi::OsString;
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use strum::VariantArray;
-use sweep_cdt_formats::{ReadError, Source};
+use sweep_cdt_formats::{Named, ReadError, Source};
 
 use super::failure::{Failure, printable, reason};
 use super::resources::has_room;
@@ -69,26 +67,15 @@ impl FileArgument {
     }
 }
 
-/// Formats of a kind, each named by the extension of its files.
-pub(crate) trait Format:
-    FromStr<Err = strum::ParseError> + VariantArray + Into<&'static str> + Copy + Send + Sync + 'static
-{
-}
+/// Formats of a kind that arguments may name.
+pub(crate) trait Format: Named + Send + Sync {}
 
-impl<F> Format for F where
-    F: FromStr<Err = strum::ParseError>
-        + VariantArray
-        + Into<&'static str>
-        + Copy
-        + Send
-        + Sync
-        + 'static
-{
-}
+impl<F: Named + Send + Sync> Format for F {}
 
 /// Reads the name of a format that is given by an option.
 pub(crate) fn format_parser<F: Format>() -> impl TypedValueParser<Value = F> {
-    PossibleValuesParser::new(names::<F>()).try_map(|name| name.parse())
+    PossibleValuesParser::new(names::<F>())
+        .map(|name| F::named(&name).expect("one of the possible values"))
 }
 
 /// The format of an input, which `option` may give.
@@ -123,11 +110,11 @@ pub(crate) fn format_of_output<F: Format>(
 }
 
 fn by_extension<F: Format>(file: &FileArgument) -> Option<F> {
-    file.path()?.extension()?.to_str()?.parse().ok()
+    F::named(file.path()?.extension()?.to_str()?)
 }
 
 fn names<F: Format>() -> Vec<&'static str> {
-    F::VARIANTS.iter().map(|&format| format.into()).collect()
+    F::ALL.iter().map(|format| format.name()).collect()
 }
 
 /// The regular files that a run has read, named or by implication: none of them may be overwritten.

@@ -7,8 +7,8 @@ use clap::ValueEnum;
 use sweep_cdt::domain::{Domain, DomainError, Rule, locate_seeds};
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Regions, Verifier, Violation};
-use sweep_cdt::{Triangulation, triangulate};
-use sweep_cdt_formats::{Coordinate, Graph, Triangles};
+use sweep_cdt::{Pslg, Triangulation, triangulate};
+use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
 
 use super::arithmetic::Given;
 use super::failure::Failure;
@@ -53,7 +53,7 @@ impl Inside {
     /// The domain of a graph.
     pub(crate) fn domain<'a, S: Coordinate>(
         self,
-        graph: &Graph<S>,
+        graph: &Pslg<S>,
         result: &'a Triangulation,
     ) -> Result<Domain<'a>, DomainError> {
         match self {
@@ -71,7 +71,7 @@ impl Inside {
 
 impl InsideArgs {
     /// The rule for a graph.
-    pub(crate) fn rule<S>(&self, graph: &Graph<S>) -> Inside {
+    pub(crate) fn rule<S>(&self, graph: &Pslg<S>) -> Inside {
         self.inside.unwrap_or(if graph.holes.is_empty() {
             Inside::Hull
         } else {
@@ -83,19 +83,19 @@ impl InsideArgs {
     pub(crate) fn domain<'a, S: Coordinate>(
         &self,
         name: &str,
-        graph: &Graph<S>,
+        file: &GraphFile<S>,
         result: &'a Triangulation,
     ) -> Result<Option<Domain<'a>>, Failure> {
-        let domain = match self.rule(graph) {
+        let domain = match self.rule(&file.graph) {
             Inside::Hull => return Ok(None),
-            rule => rule.domain(graph, result),
+            rule => rule.domain(&file.graph, result),
         };
         let refused = |error| {
             let way_out = match self.inside {
                 None => " (--inside hull keeps all triangles)",
                 Some(_) => "",
             };
-            let error = graph.domain_as_numbered(error);
+            let error = file.domain_as_numbered(error);
             Failure::Error(format!("{name}: {error}{way_out}"))
         };
         domain.map(Some).map_err(refused)
@@ -124,14 +124,14 @@ pub(crate) fn verify_interior<S: Coordinate, T: Measure + Sync>(
 ) -> Result<Answer, Failure> {
     let interior = Interior::of(rule, given, &proven(given, own)?)?;
     let list = &triangles.list;
-    let regions = &given.graph.regions;
+    let regions = &given.file.graph.regions;
     let (Some(attributes), Inside::Holes, false) =
         (&triangles.attributes, rule, regions.is_empty())
     else {
         return Ok(interior.verify(given, verifier, list));
     };
     let seeds: Vec<[S; 2]> = regions.iter().map(|region| region.seed.clone()).collect();
-    let places = locate_seeds(&given.graph.points, list, &seeds).into_iter();
+    let places = locate_seeds(&given.file.graph.points, list, &seeds).into_iter();
     let seeds = places.zip(regions);
     let seeds: Vec<(usize, f64)> = seeds
         .filter_map(|(place, region)| Some((place?, region.attribute)))
@@ -152,7 +152,7 @@ pub(crate) fn fitting_rule<S: Coordinate, T: Measure + Sync>(
     triangles: &[[usize; 3]],
 ) -> Option<Inside> {
     let mut rules = [Inside::Holes, Inside::EvenOdd, Inside::Nonzero];
-    if given.graph.holes.is_empty() {
+    if given.file.graph.holes.is_empty() {
         rules.rotate_left(1);
     }
     let hull = proven(given, own).ok()?;
@@ -170,7 +170,7 @@ fn proven<S: Coordinate, T: Measure + Sync>(
     given: &Given<'_, S, T>,
     own: usize,
 ) -> Result<Triangulation, Failure> {
-    let (points, edges) = (&given.points[..own], &given.graph.edges);
+    let (points, edges) = (&given.points[..own], &given.file.graph.edges);
     let hull = triangulate(points, edges).map_err(|error| given.refused(error))?;
     let triangles: Vec<[usize; 3]> = hull.triangles().collect();
     match verification::verify(Verifier::new(), points, edges, &triangles) {
@@ -185,9 +185,9 @@ impl Interior {
         given: &Given<'_, S, T>,
         hull: &Triangulation,
     ) -> Result<Interior, Failure> {
-        let graph = given.graph;
+        let (file, graph) = (given.file, &given.file.graph);
         let domain = rule.domain(graph, hull);
-        let domain = domain.map_err(|error| given.failure(graph.domain_as_numbered(error)))?;
+        let domain = domain.map_err(|error| given.failure(file.domain_as_numbered(error)))?;
         let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
         let mut sides: Vec<[usize; 2]> = domain.constrained_edges().map(sorted).collect();
         sides.sort_unstable();
@@ -234,7 +234,7 @@ impl Interior {
                 &mut *violations.report
             }
         };
-        report.edges = given.graph.edges.len();
+        report.edges = given.file.graph.edges.len();
         answer
     }
 }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use sweep_cdt::Error;
 use sweep_cdt::crossings::Exact;
-use sweep_cdt_formats::{Coordinate, Graph, Input, Splitting};
+use sweep_cdt_formats::{Coordinate, GraphFile, Input, Splitting};
 
 use super::failure::Failure;
 
@@ -33,13 +33,13 @@ impl SplitArgs {
     /// The input called `name` with its edges split.
     pub(crate) fn apply(&self, name: &str, input: Input) -> Result<(Input, Splitting), Failure> {
         Ok(match input {
-            Input::Doubles(graph) => {
-                let (graph, splitting) = divided(name, &graph)?;
-                (Input::Doubles(graph), splitting)
+            Input::Doubles(file) => {
+                let (file, splitting) = divided(name, &file)?;
+                (Input::Doubles(file), splitting)
             }
-            Input::Rationals(graph) => {
-                let (graph, splitting) = divided(name, &graph)?;
-                (Input::Rationals(graph), splitting)
+            Input::Rationals(file) => {
+                let (file, splitting) = divided(name, &file)?;
+                (Input::Rationals(file), splitting)
             }
         })
     }
@@ -57,11 +57,10 @@ impl SplitArgs {
 
 fn divided<S: Coordinate + Exact>(
     name: &str,
-    graph: &Graph<S>,
-) -> Result<(Graph<S>, Splitting), Failure> {
-    graph
-        .split_crossings()
-        .map_err(|error| Failure::Error(format!("{name}: {}", graph.as_numbered(error))))
+    file: &GraphFile<S>,
+) -> Result<(GraphFile<S>, Splitting), Failure> {
+    file.split_crossings()
+        .map_err(|error| Failure::Error(format!("{name}: {}", file.as_numbered(error))))
 }
 
 /// What was triangulated in place of the input called `name`.

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
-use sweep_cdt_formats::{Coordinate, Graph, Matched, Triangles};
+use sweep_cdt_formats::{Coordinate, GraphFile, Matched, Triangles};
 
 use super::resources::Progress;
 use super::tables::{NAME, NUMBER, rows};
@@ -173,20 +173,20 @@ pub(crate) fn write_depths(answer: &Answer, out: &mut impl Write) -> io::Result<
 /// Writes the violations, with all things numbered as in their files and where they are.
 pub(crate) fn write_violations<S: Coordinate>(
     answer: &Answer,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     triangles: &Triangles,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (list, found) = violations(answer);
     for &violation in list {
-        let numbered = triangles.as_numbered(graph, violation);
+        let numbered = triangles.as_numbered(file, violation);
         writeln!(out, "\n{}: {numbered}", violation.name())?;
         let places: Vec<String> = triangles
-            .vertices_of(graph, violation)
+            .vertices_of(&file.graph, violation)
             .into_iter()
             .map(|v| {
-                let [x, y] = graph.points[v].each_ref().map(S::text);
-                format!("{} ({x}, {y})", v + graph.first_vertex)
+                let [x, y] = file.graph.points[v].each_ref().map(S::text);
+                format!("{} ({x}, {y})", v + file.numbering.vertex)
             })
             .collect();
         if !places.is_empty() {

@@ -7,7 +7,7 @@ use std::process::Output;
 
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_formats::{Graph, Input, InputFormat, ResultFormat, Source, read, read_result};
+use sweep_cdt_formats::{GraphFile, Input, InputFormat, ResultFormat, Source, read, read_result};
 use sweep_cdt_testing::Random;
 
 use crate::{FORMATS, assert_fails, folder, printed, run, sweep_cdt};
@@ -195,7 +195,7 @@ const SEEDS: [(ResultFormat, &str); 4] = [
 
 #[test]
 fn damaged_results_are_errors_or_violations() {
-    let Input::Doubles(graph) = load("ten.poly") else {
+    let Input::Doubles(file) = load("ten.poly") else {
         unreachable!("no fractions in it")
     };
     let mut random = Random::new(7);
@@ -204,23 +204,24 @@ fn damaged_results_are_errors_or_violations() {
             let bytes = damaged(seed.as_bytes(), &mut random);
             let node = damaged(&bytes_of("split.node"), &mut random);
             let node = (random.below(3) == 0).then(|| source(node));
-            try_all(format, &source(bytes), node.as_ref(), &graph);
+            try_all(format, &source(bytes), node.as_ref(), &file);
         }
     }
 }
 
-fn try_all(format: ResultFormat, source: &Source, node: Option<&Source>, graph: &Graph<f64>) {
-    let Ok(triangles) = read_result(format, source, node, graph) else {
+fn try_all(format: ResultFormat, source: &Source, node: Option<&Source>, file: &GraphFile<f64>) {
+    let Ok(triangles) = read_result(format, source, node, file) else {
         return;
     };
+    let graph = &file.graph;
     let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
     let Err(violations) = verdict else { return };
     for &violation in &violations.list {
-        triangles.as_numbered(graph, violation).to_string();
+        triangles.as_numbered(file, violation).to_string();
         triangles.vertices_of(graph, violation);
     }
     let mut picture = Vec::new();
-    ViolationsPicture::new(graph, &triangles, &violations.list)
+    ViolationsPicture::new(file, &triangles, &violations.list)
         .found(violations.found)
         .write(&mut picture)
         .expect("memory takes all that is written");

@@ -11,10 +11,9 @@ use super::data::{Data, Steps, cost};
 use super::scene::Part;
 use crate::style::PAGE_COLOURS;
 use crate::window::{Bounds, places};
-use sweep_cdt::Error;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt_formats::Graph;
+use sweep_cdt::{Error, Pslg};
 
 const HTML: &str = include_str!("page.html");
 const CSS: &str = include_str!("page.css");
@@ -42,11 +41,11 @@ const MOST_EXACT: usize = 5000;
 /// steps on the page are about and some of the others. It says so.
 ///
 /// ```
+/// use sweep_cdt::Pslg;
 /// use sweep_cdt_draw::StepsPage;
-/// use sweep_cdt_formats::Graph;
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-/// let graph = Graph { points, edges: vec![[0, 2]], ..Graph::default() };
+/// let graph = Pslg { points, edges: vec![[0, 2]], ..Pslg::default() };
 /// let mut events = Vec::new();
 /// sweep_cdt::Triangulator::new()
 ///     .triangulate_observed(&graph.points, &graph.edges, |event| events.push(event))?;
@@ -57,7 +56,7 @@ const MOST_EXACT: usize = 5000;
 /// ```
 #[derive(Debug)]
 pub struct StepsPage<'a, S> {
-    graph: &'a Graph<S>,
+    graph: &'a Pslg<S>,
     events: &'a [Event],
     steps: RangeInclusive<usize>,
     around: Option<usize>,
@@ -71,7 +70,7 @@ impl<'a, S: Scalar> StepsPage<'a, S> {
 
     /// A page for a run on `graph`, of which `events` are all events.
     #[must_use]
-    pub fn new(graph: &'a Graph<S>, events: &'a [Event]) -> StepsPage<'a, S> {
+    pub fn new(graph: &'a Pslg<S>, events: &'a [Event]) -> StepsPage<'a, S> {
         StepsPage {
             graph,
             events,

@@ -11,9 +11,9 @@ use crate::panels::{self, Panels};
 use crate::style::{BLUE, GREY, INK, PAPER};
 use crate::svg;
 use crate::window::{PIXEL, places};
+use sweep_cdt::Pslg;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt_formats::Graph;
 
 /// Room for the note that steps are left out.
 const NOTE: i64 = 20 * PIXEL;
@@ -21,11 +21,11 @@ const NOTE: i64 = 20 * PIXEL;
 /// A sheet with some steps of a run, as SVG.
 ///
 /// ```
+/// use sweep_cdt::Pslg;
 /// use sweep_cdt_draw::StepsSheet;
-/// use sweep_cdt_formats::Graph;
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-/// let graph = Graph { points, edges: vec![[0, 2]], ..Graph::default() };
+/// let graph = Pslg { points, edges: vec![[0, 2]], ..Pslg::default() };
 /// let mut events = Vec::new();
 /// sweep_cdt::Triangulator::new()
 ///     .triangulate_observed(&graph.points, &graph.edges, |event| events.push(event))?;
@@ -36,7 +36,7 @@ const NOTE: i64 = 20 * PIXEL;
 /// ```
 #[derive(Debug)]
 pub struct StepsSheet<'a, S> {
-    graph: &'a Graph<S>,
+    graph: &'a Pslg<S>,
     events: &'a [Event],
     steps: RangeInclusive<usize>,
     most: usize,
@@ -45,7 +45,7 @@ pub struct StepsSheet<'a, S> {
 impl<'a, S: Scalar> StepsSheet<'a, S> {
     /// A sheet for a run on `graph`, of which `events` are all events up to the last step that is shown.
     #[must_use]
-    pub fn new(graph: &'a Graph<S>, events: &'a [Event]) -> StepsSheet<'a, S> {
+    pub fn new(graph: &'a Pslg<S>, events: &'a [Event]) -> StepsSheet<'a, S> {
         StepsSheet {
             graph,
             events,

@@ -14,17 +14,16 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use sweep_cdt::Triangulator;
 use sweep_cdt::trace::Event;
+use sweep_cdt::{Pslg, Triangulator};
 use sweep_cdt_draw::StepsPage;
-use sweep_cdt_formats::Graph;
 use tempfile::TempDir;
 
 use browser::Browser;
 
 const ALL: RangeInclusive<usize> = 1..=usize::MAX;
 
-fn events(graph: &Graph<f64>) -> Vec<Event> {
+fn events(graph: &Pslg<f64>) -> Vec<Event> {
     let mut events = Vec::new();
     Triangulator::new()
         .triangulate_observed(&graph.points, &graph.edges, |event| events.push(event))
@@ -33,7 +32,7 @@ fn events(graph: &Graph<f64>) -> Vec<Event> {
 }
 
 /// A page in a folder, which must be kept while it is shown.
-fn page(graph: &Graph<f64>, steps: RangeInclusive<usize>) -> (TempDir, PathBuf) {
+fn page(graph: &Pslg<f64>, steps: RangeInclusive<usize>) -> (TempDir, PathBuf) {
     let mut page = Vec::new();
     StepsPage::new(graph, &events(graph))
         .steps(steps)
@@ -62,7 +61,7 @@ fn assert_quiet(browser: &Browser) {
 
 /// Scattered points and a few edges among them, one of which pierces many triangles and one of which
 /// crosses the front.
-fn scattered() -> Graph<f64> {
+fn scattered() -> Pslg<f64> {
     let points = vec![
         [1.0, 0.6],
         [4.1, 0.0],
@@ -92,20 +91,20 @@ fn scattered() -> Graph<f64> {
         [11.9, 8.9],
     ];
     let edges = vec![[20, 4], [24, 23], [9, 2], [21, 16], [25, 17]];
-    Graph {
+    Pslg {
         points,
         edges,
-        ..Graph::default()
+        ..Pslg::default()
     }
 }
 
 /// Many points, at places that look random and always are the same.
-fn many(count: u32) -> Graph<f64> {
+fn many(count: u32) -> Pslg<f64> {
     let at = |i: u32, step: f64| (f64::from(i) * step).fract();
     let point = |i| [at(i, 0.618_033_988_749_895), at(i, 0.754_877_666_246_693)];
-    Graph {
+    Pslg {
         points: (1..=count).map(point).collect(),
-        ..Graph::default()
+        ..Pslg::default()
     }
 }
 

@@ -4,13 +4,13 @@ use std::fs;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
+use sweep_cdt::Pslg;
 use sweep_cdt::trace::{Event, Outcome, Vertex};
 use sweep_cdt_draw::StepsSheet;
-use sweep_cdt_formats::Graph;
 
 use super::{ALL, Browser, assert_quiet, events, many, page, scattered};
 
-fn sheet(graph: &Graph<f64>, steps: RangeInclusive<usize>) -> String {
+fn sheet(graph: &Pslg<f64>, steps: RangeInclusive<usize>) -> String {
     let mut sheet = Vec::new();
     StepsSheet::new(graph, &events(graph))
         .steps(steps)
@@ -86,9 +86,9 @@ fn extreme_inputs() {
         vec![[-1e308, -1e308], [1e308, -1e308], [0.0, 1e308]],
         vec![[0.0, 0.0], [5e-324, 0.0], [0.0, 5e-324]],
     ] {
-        let graph = Graph {
+        let graph = Pslg {
             points,
-            ..Graph::default()
+            ..Pslg::default()
         };
         let sheet = sheet(&graph, ALL);
         assert!(

@@ -7,9 +7,9 @@ use std::ops::RangeInclusive;
 
 use sweep_cdt::trace::{Event, PointCase, PseudoPolygon, Vertex};
 use sweep_cdt::verify::Verifier;
-use sweep_cdt::{Triangulator, triangulate};
+use sweep_cdt::{Pslg, Triangulator, triangulate};
 use sweep_cdt_draw::{ResultPicture, StepsSheet, ViolationsPicture};
-use sweep_cdt_formats::{Graph, ResultFormat, Source, read_result};
+use sweep_cdt_formats::{GraphFile, Numbering, ResultFormat, Source, read_result};
 
 /// Compares with the snapshot of this name.
 fn assert_snapshot(name: &str, text: &str) {
@@ -21,7 +21,7 @@ fn assert_snapshot(name: &str, text: &str) {
 }
 
 /// Points around a cluster of four, and edges: one that pierces triangles, one that is a side already.
-fn graph() -> Graph<f64> {
+fn graph() -> Pslg<f64> {
     let points = vec![
         [0.0, 0.0],
         [6.0, 0.5],
@@ -33,12 +33,10 @@ fn graph() -> Graph<f64> {
         [2.25, 1.5],
         [5.0, 4.0],
     ];
-    Graph {
+    Pslg {
         points,
         edges: vec![[3, 1], [0, 4]],
-        first_vertex: 1,
-        first_edge: 1,
-        ..Graph::default()
+        ..Pslg::default()
     }
 }
 
@@ -52,7 +50,8 @@ fn text(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
 fn result() {
     let graph = graph();
     let result = triangulate(&graph.points, &graph.edges).expect("a correct input");
-    let picture = text(|out| ResultPicture::new(&graph, &result).write(out));
+    let picture = ResultPicture::new(&graph, &result).numbering(Numbering::FROM_ONE);
+    let picture = text(|out| picture.write(out));
     assert_snapshot("picture_result", &picture);
 }
 
@@ -91,10 +90,14 @@ fn violations() {
         name: "flipped.json".to_owned(),
         bytes: format!("{{\"triangles\": {list:?}}}").into_bytes(),
     };
-    let triangles = read_result(ResultFormat::Json, &source, None, &graph).expect("a result");
+    let file = GraphFile {
+        numbering: Numbering::FROM_ONE,
+        ..graph.clone().into()
+    };
+    let triangles = read_result(ResultFormat::Json, &source, None, &file).expect("a result");
     let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
     let violations = verdict.expect_err("a wrong result");
-    let picture = ViolationsPicture::new(&graph, &triangles, &violations.list);
+    let picture = ViolationsPicture::new(&file, &triangles, &violations.list);
     assert_snapshot("picture_violations", &text(|out| picture.write(out)));
 }
 
@@ -104,10 +107,10 @@ fn raster(columns: usize, rows: usize) -> Vec<[f64; 2]> {
 }
 
 fn drawn_result(points: Vec<[f64; 2]>, edges: Vec<[usize; 2]>) -> String {
-    let graph = Graph {
+    let graph = Pslg {
         points,
         edges,
-        ..Graph::default()
+        ..Pslg::default()
     };
     let result = triangulate(&graph.points, &graph.edges).expect("a correct input");
     let mut picture = Vec::new();
@@ -119,9 +122,9 @@ fn drawn_result(points: Vec<[f64; 2]>, edges: Vec<[usize; 2]>) -> String {
 
 /// The last of these steps.
 fn last_step(points: Vec<[f64; 2]>, events: &[Event]) -> String {
-    let graph = Graph {
+    let graph = Pslg {
         points,
-        ..Graph::default()
+        ..Pslg::default()
     };
     let mut sheet = Vec::new();
     StepsSheet::new(&graph, events)

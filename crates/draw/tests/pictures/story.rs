@@ -1,8 +1,8 @@
 //! Every heading and sentence of the drawn steps, one for each kind of event.
 
+use sweep_cdt::Pslg;
 use sweep_cdt::trace::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 use sweep_cdt_draw::StepsPage;
-use sweep_cdt_formats::Graph;
 use sweep_cdt_testing::page::{data_of_page, words_of_steps};
 
 use crate::assert_snapshot;
@@ -80,7 +80,7 @@ fn events() -> Vec<Event> {
 
 #[test]
 fn every_sentence() {
-    let (graph, events) = (Graph::<f64>::default(), events());
+    let (graph, events) = (Pslg::<f64>::default(), events());
     let mut page = Vec::new();
     StepsPage::new(&graph, &events)
         .write(&mut page)

@@ -11,8 +11,9 @@ use std::process::Command;
 use std::time::Duration;
 use std::{fs, io};
 
+use sweep_cdt::Pslg;
 use sweep_cdt::verify::verify;
-use sweep_cdt_formats::{Graph, InputFormat, ResultFormat, Source, read_result, write_graph};
+use sweep_cdt_formats::{GraphFile, InputFormat, ResultFormat, Source, read_result, write_graph};
 use sweep_cdt_testing::Input;
 
 use super::row::{Row, Timed};
@@ -30,7 +31,7 @@ impl Variant {
             move |input, row| count(&counted, input, row),
             move |input| {
                 let folder = tempfile::tempdir()?;
-                let printed = run(&timed, "-pcNEP", folder.path(), &graph(input))?;
+                let printed = run(&timed, "-pcNEP", folder.path(), &file(input))?;
                 Ok(Timed {
                     processor: Some(milliseconds(&printed)?),
                     ..Timed::default()
@@ -42,24 +43,25 @@ impl Variant {
 
 /// Runs it once and verifies its result.
 fn count(program: &Path, input: &Input, row: &mut Row) -> Result<(), Box<dyn Error>> {
-    let (folder, graph) = (tempfile::tempdir()?, graph(input));
-    run(program, "-pcNP", folder.path(), &graph)?;
+    let (folder, file) = (tempfile::tempdir()?, file(input));
+    run(program, "-pcNP", folder.path(), &file)?;
     let source = Source {
         name: TRIANGLE.to_owned(),
         bytes: fs::read(folder.path().join("input.1.ele"))?,
     };
-    let triangles = read_result(ResultFormat::Ele, &source, None, &graph)?;
+    let triangles = read_result(ResultFormat::Ele, &source, None, &file)?;
     let report = verify(&input.points, &input.edges, &triangles.list)?;
     row.triangles = report.triangles;
     Ok(())
 }
 
-fn graph(input: &Input) -> Graph<f64> {
-    Graph {
+fn file(input: &Input) -> GraphFile<f64> {
+    let graph = Pslg {
         points: input.points.clone(),
         edges: input.edges.clone(),
-        ..Graph::default()
-    }
+        ..Pslg::default()
+    };
+    graph.into()
 }
 
 /// What it prints.
@@ -67,12 +69,12 @@ fn run(
     program: &Path,
     options: &str,
     folder: &Path,
-    graph: &Graph<f64>,
+    file: &GraphFile<f64>,
 ) -> Result<String, Box<dyn Error>> {
     let path = folder.join("input.poly");
-    let mut file = io::BufWriter::new(fs::File::create(&path)?);
-    write_graph(InputFormat::Poly, graph, &mut file)?;
-    io::Write::flush(&mut file)?;
+    let mut out = io::BufWriter::new(fs::File::create(&path)?);
+    write_graph(InputFormat::Poly, file, &mut out)?;
+    io::Write::flush(&mut out)?;
     let output = Command::new(program).arg(options).arg(&path).output();
     let output = output.map_err(|error| format!("{}: {error}", program.display()))?;
     if !output.status.success() {

@@ -2,67 +2,62 @@
 
 use num_rational::BigRational;
 
+use crate::named::formats;
 use crate::read::content::{Edges, Vertices};
 use crate::read::matching::{find, is_finite};
 use crate::read::source::{ReadError, Source};
+#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
-use crate::read::{geojson, json, msh, obj, off, ply, triangle, vtk, wkt};
-use crate::{Column, Coordinate, CoordinateError, Graph};
-use sweep_cdt::Region;
+#[cfg(feature = "mesh-formats")]
+use crate::read::{geojson, msh, ply, vtk, wkt};
+use crate::read::{json, obj, off, triangle};
+use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
+use sweep_cdt::{Pslg, Region};
 
-/// What [`read()`] understands. Each format is named by the extension of its files.
-///
-/// ```
-/// use strum::VariantArray;
-/// use sweep_cdt_formats::InputFormat;
-///
-/// assert_eq!("poly".parse(), Ok(InputFormat::Poly));
-/// let names: Vec<&str> = InputFormat::VARIANTS.iter().map(Into::into).collect();
-/// assert_eq!(names[..3], ["node", "poly", "json"]);
-/// ```
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
-)]
-#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
-#[non_exhaustive]
-pub enum InputFormat {
-    /// Triangle's vertices.
-    Node,
-    /// Triangle's vertices and edges.
-    Poly,
-    /// An object with `points` and `edges`.
-    Json,
-    /// Wavefront's vertices and lines.
-    Obj,
-    /// Geomview's vertices, and faces of two corners.
-    Off,
-    /// Stanford's vertices and edges, as text or binary.
-    Ply,
-    /// VTK's points and lines, as text or binary.
-    Vtk,
-    /// VTK's points and lines, as XML.
-    Vtu,
-    /// Gmsh's nodes and lines, as text.
-    Msh,
-    /// Points, lines and polygons of maps, as JSON.
-    Geojson,
-    /// Points, lines and polygons as text.
-    Wkt,
+formats! {
+    /// What [`read()`] understands. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    pub enum InputFormat {
+        /// Triangle's vertices.
+        Node = "node",
+        /// Triangle's vertices and edges.
+        Poly = "poly",
+        /// An object with `points` and `edges`.
+        Json = "json",
+        /// Wavefront's vertices and lines.
+        Obj = "obj",
+        /// Geomview's vertices, and faces of two corners.
+        Off = "off",
+    }
+    with mesh-formats {
+        /// Stanford's vertices and edges, as text or binary.
+        Ply = "ply",
+        /// VTK's points and lines, as text or binary.
+        Vtk = "vtk",
+        /// VTK's points and lines, as XML.
+        Vtu = "vtu",
+        /// Gmsh's nodes and lines, as text.
+        Msh = "msh",
+        /// Points, lines and polygons of maps, as JSON.
+        Geojson = "geojson",
+        /// Points, lines and polygons as text.
+        Wkt = "wkt",
+    }
 }
 
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        use InputFormat::{Geojson, Json, Msh, Node, Obj, Off, Ply, Poly, Vtk, Vtu, Wkt};
-        match self {
-            Obj | Off | Ply | Vtk | Vtu | Msh => true,
-            Node | Poly | Json | Geojson | Wkt => false,
-        }
+        use InputFormat::{Json, Node, Poly};
+        !matches!(self, Node | Poly | Json) && !self.is_without_vertices()
     }
 
     /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
     fn is_without_vertices(self) -> bool {
-        matches!(self, InputFormat::Geojson | InputFormat::Wkt)
+        #[cfg(feature = "mesh-formats")]
+        return matches!(self, InputFormat::Geojson | InputFormat::Wkt);
+        #[cfg(not(feature = "mesh-formats"))]
+        false
     }
 }
 
@@ -74,18 +69,18 @@ impl InputFormat {
 ///
 /// let bytes = br#"{"points": [[0.1, "1/3"]]}"#.to_vec();
 /// let source = Source { name: "example".to_owned(), bytes };
-/// let Input::Rationals(graph) = read(InputFormat::Json, &source, None)? else {
+/// let Input::Rationals(file) = read(InputFormat::Json, &source, None)? else {
 ///     unreachable!("there is a fraction in the file")
 /// };
-/// assert_eq!(graph.points[0].each_ref().map(BigRational::text), ["1/10", "1/3"]);
+/// assert_eq!(file.graph.points[0].each_ref().map(BigRational::text), ["1/10", "1/3"]);
 /// # Ok::<(), sweep_cdt_formats::ReadError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Input {
     /// All coordinates are decimals, each read as the nearest double.
-    Doubles(Graph<f64>),
+    Doubles(GraphFile<f64>),
     /// Some coordinate is a fraction; all are read exactly.
-    Rationals(Graph<BigRational>),
+    Rationals(GraphFile<BigRational>),
 }
 
 /// Reads a file. `node` is the `.node` beside a `.poly`; it is read only if the `.poly` holds no vertices.
@@ -95,11 +90,11 @@ pub enum Input {
 ///
 /// let bytes = br#"{"points": [[0, 0], [1, 0.5]], "edges": [[0, 1]]}"#.to_vec();
 /// let source = Source { name: "example".to_owned(), bytes };
-/// let Input::Doubles(graph) = read(InputFormat::Json, &source, None)? else {
+/// let Input::Doubles(file) = read(InputFormat::Json, &source, None)? else {
 ///     unreachable!("no fraction in the file")
 /// };
-/// assert_eq!(graph.points, [[0.0, 0.0], [1.0, 0.5]]);
-/// assert_eq!(graph.edges, [[0, 1]]);
+/// assert_eq!(file.graph.points, [[0.0, 0.0], [1.0, 0.5]]);
+/// assert_eq!(file.graph.edges, [[0, 1]]);
 /// # Ok::<(), sweep_cdt_formats::ReadError>(())
 /// ```
 ///
@@ -116,21 +111,27 @@ pub fn read(
         InputFormat::Json => json::read(source)?,
         InputFormat::Obj => obj::read(source)?.into_graph()?,
         InputFormat::Off => off::read(source)?.into_graph()?,
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => ply::read(source)?.into_graph()?,
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtk => vtk::read(source)?.into_graph()?,
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtu => {
             let unpacked = Unpacked::of(source)?;
             return input(format, unpacked.mesh()?.into_graph()?);
         }
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Msh => msh::read(source)?.into_graph()?,
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
     };
     input(format, content)
 }
 
 /// The contents of a file, with their numbers.
-fn input(format: InputFormat, mut content: Edges<'_>) -> Result<Input, ReadError> {
+fn input(format: InputFormat, content: Edges<'_>) -> Result<Input, ReadError> {
     // First as doubles; if a coordinate is a fraction, all once more as rationals.
     let is_exact = |error| match error {
         CoordinateError::Fraction => true,
@@ -139,45 +140,52 @@ fn input(format: InputFormat, mut content: Edges<'_>) -> Result<Input, ReadError
         _ => false,
     };
     match graph(&content) {
-        Ok(graph) => Ok(Input::Doubles(finished(
-            format,
-            Graph {
-                columns: columns(format, &content.vertices)?,
-                edges: content.edges,
-                ..graph
-            },
-        ))),
+        Ok(doubles) => Ok(Input::Doubles(file(format, content, doubles)?)),
         Err((error, _)) if is_exact(error) => {
-            let edges = std::mem::take(&mut content.edges);
-            let graph = graph(&content).map_err(|(_, error)| error)?;
-            let columns = columns(format, &content.vertices)?;
-            Ok(Input::Rationals(finished(
-                format,
-                Graph {
-                    columns,
-                    edges,
-                    ..graph
-                },
-            )))
+            let exact = graph(&content).map_err(|(_, error)| error)?;
+            Ok(Input::Rationals(file(format, content, exact)?))
         }
         Err((_, error)) => Err(error),
     }
 }
 
-/// The graph of a file; where coordinates stand for vertices, equal points are one.
-fn finished<S: Coordinate>(format: InputFormat, graph: Graph<S>) -> Graph<S> {
-    if format.is_without_vertices() {
-        merged(graph)
+/// A file with this graph, which has no edges yet; where coordinates stand for vertices, equal points are one.
+fn file<S: Coordinate>(
+    format: InputFormat,
+    content: Edges<'_>,
+    graph: Pslg<S>,
+) -> Result<GraphFile<S>, ReadError> {
+    let file = GraphFile {
+        columns: columns(format, &content.vertices)?,
+        pieces_of: Vec::new(),
+        numbering: Numbering {
+            vertex: content.vertices.first,
+            edge: content.first,
+            hole: content.holes.first,
+            region: content.regions.first,
+        },
+        graph: Pslg {
+            edges: content.edges,
+            ..graph
+        },
+    };
+    Ok(if format.is_without_vertices() {
+        merged(file)
     } else {
-        graph
-    }
+        file
+    })
 }
 
-/// The same graph with one vertex for equal points: the first of them, which keeps its numbers in the columns. Graphs
+/// A file with one vertex for equal points: the first of them, which keeps its numbers in the columns. Graphs
 /// with points that are not finite stay as they are; nothing is made of them.
-pub(crate) fn merged<S: Coordinate>(graph: Graph<S>) -> Graph<S> {
+pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
+    let GraphFile { graph, columns, .. } = file;
     if !graph.points.iter().all(is_finite) {
-        return graph;
+        return GraphFile {
+            graph,
+            columns,
+            ..file
+        };
     }
     let firsts = find(&graph.points, &graph.points);
     let is_first = |v: &usize| firsts[*v] == Some(*v);
@@ -190,11 +198,14 @@ pub(crate) fn merged<S: Coordinate>(graph: Graph<S>) -> Graph<S> {
         values: kept.iter().map(|&v| column.of(v)).collect(),
         ..column
     };
-    Graph {
-        edges: graph.edges.iter().map(|edge| edge.map(place)).collect(),
-        columns: graph.columns.into_iter().map(column).collect(),
-        points: kept.iter().map(|&v| graph.points[v].clone()).collect(),
-        ..graph
+    GraphFile {
+        columns: columns.into_iter().map(column).collect(),
+        graph: Pslg {
+            edges: graph.edges.iter().map(|edge| edge.map(place)).collect(),
+            points: kept.iter().map(|&v| graph.points[v].clone()).collect(),
+            ..graph
+        },
+        ..file
     }
 }
 
@@ -208,23 +219,17 @@ fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, 
     Ok(columns)
 }
 
-/// All but the columns and the edges, with coordinates as values of a type.
-fn graph<S: Coordinate>(content: &Edges<'_>) -> Result<Graph<S>, (CoordinateError, ReadError)> {
+/// The graph without its edges, with coordinates as values of a type.
+fn graph<S: Coordinate>(content: &Edges<'_>) -> Result<Pslg<S>, (CoordinateError, ReadError)> {
     let attributes = content.attributes.iter();
     let regions = content.regions.points()?.into_iter().zip(attributes);
-    Ok(Graph {
+    Ok(Pslg {
         points: content.vertices.points()?,
-        columns: Vec::new(),
         edges: Vec::new(),
-        pieces_of: Vec::new(),
         holes: content.holes.points()?,
         regions: regions
             .map(|(seed, &attribute)| Region { seed, attribute })
             .collect(),
-        first_vertex: content.vertices.first,
-        first_edge: content.first,
-        first_hole: content.holes.first,
-        first_region: content.regions.first,
     })
 }
 

@@ -17,7 +17,7 @@ use num_rational::BigRational;
 
 use crate::read::content::Vertices;
 use crate::read::source::{ReadError, ResultError};
-use crate::{Coordinate, Graph};
+use crate::{Coordinate, GraphFile};
 use sweep_cdt::scalar::Scalar;
 
 /// How vertices of a result are matched with those of the input.
@@ -59,38 +59,36 @@ impl Matching {
         vertices: &Vertices<'_>,
         is_soup: bool,
         points: &[[S; 2]],
-        input: &Graph<S>,
+        input: &GraphFile<S>,
     ) -> Result<(Matched, Option<Vec<usize>>), ResultError> {
         refuse_non_finite(vertices, points)?;
+        let own = &input.graph.points;
         if self.by_number && is_soup {
             let message = "the triangles are coordinates, and their vertices have no numbers";
             return Err(ReadError::of_file(&vertices.source.name, message).into());
         }
-        let pairs = || points.iter().zip(&input.points).map(|(p, q)| apart(p, q));
+        let pairs = || points.iter().zip(own).map(|(p, q)| apart(p, q));
         let greatest = || pairs().fold(0.0, f64::max);
         if self.by_number {
             let difference = greatest();
             return Ok((Matched::Asked { difference }, None));
         }
         // The corners of a soup have no numbers: each is the lowest of equal vertices.
-        if !is_soup && points == input.points {
+        if !is_soup && points == own {
             return Ok((Matched::Equal, None));
         }
-        let found = find(points, &input.points);
+        let found = find(points, own);
         if let Some(places) = found.iter().copied().collect() {
             return Ok((Matched::Equal, Some(places)));
         }
 
         // Some vertex is none of the input's: numbers decide, if there are any, and as many.
-        if let (true, Some(places)) = (is_soup && vertices.is_single(), by_singles(points, input)) {
-            let pairs = points
-                .iter()
-                .zip(&places)
-                .map(|(p, &v)| apart(p, &input.points[v]));
+        if let (true, Some(places)) = (is_soup && vertices.is_single(), by_singles(points, own)) {
+            let pairs = points.iter().zip(&places).map(|(p, &v)| apart(p, &own[v]));
             let difference = pairs.fold(0.0, f64::max);
             return Ok((Matched::Single { difference }, Some(places)));
         }
-        if is_soup || points.len() != input.points.len() {
+        if is_soup || points.len() != own.len() {
             let stranger = found.iter().position(Option::is_none);
             let at = stranger.expect("not all were found");
             let (file, line, vertex) = vertices.name(at);
@@ -103,16 +101,16 @@ impl Matching {
             });
         }
         let is_close = |at: &usize| match self.tolerance {
-            Some(tolerance) => apart(&points[*at], &input.points[*at]) <= tolerance,
+            Some(tolerance) => apart(&points[*at], &own[*at]) <= tolerance,
             None => (0..2).all(|axis| {
-                let (own, exact) = (&points[*at][axis], &input.points[*at][axis]);
+                let (read, exact) = (&points[*at][axis], &own[*at][axis]);
                 let is_near = !S::APPROX_IS_EXACT;
                 let text = vertices.text(*at, axis);
-                let rounded = || single(exact.approx()).compare(&own.approx());
+                let rounded = || single(exact.approx()).compare(&read.approx());
                 let is_single = vertices.is_single() && rounded().is_eq();
-                own == exact
+                read == exact
                     || is_single
-                    || is_rounded(exact.approx(), is_near, &text, own.approx())
+                    || is_rounded(exact.approx(), is_near, &text, read.approx())
             }),
         };
         let far: Vec<usize> = (0..points.len()).filter(|at| !is_close(at)).collect();
@@ -133,21 +131,21 @@ impl Matching {
             line,
             vertex,
             at: points[at].each_ref().map(S::approx),
-            of_input: at + input.first_vertex,
-            expected: input.points[at].each_ref().map(S::approx),
+            of_input: at + input.numbering.vertex,
+            expected: own[at].each_ref().map(S::approx),
             tolerance: self.tolerance,
         })
     }
 }
 
-/// The vertices of a file that are none of the input's.
+/// The vertices of a file that are none of `own`, the input's.
 pub(super) fn added<S: Coordinate>(
     vertices: &Vertices<'_>,
     points: Vec<[S; 2]>,
-    input: &Graph<S>,
+    own: &[[S; 2]],
 ) -> Result<Vec<[S; 2]>, ResultError> {
     refuse_non_finite(vertices, &points)?;
-    let found = find(&points, &input.points);
+    let found = find(&points, own);
     let pairs = points.into_iter().zip(found);
     Ok(pairs
         .filter(|(_, found)| found.is_none())
@@ -166,14 +164,13 @@ fn refuse_non_finite<S: Scalar>(
     Err(ResultError::NonFinite { file, line, vertex })
 }
 
-/// For each of `points` the first vertex of the input whose coordinates they are in single precision, if each has one,
+/// For each of `points` the first of the input's `own` whose coordinates they are in single precision, if each has one,
 /// and no other vertex of the input has the same.
-fn by_singles<S: Coordinate>(points: &[[S; 2]], input: &Graph<S>) -> Option<Vec<usize>> {
-    if !input.points.iter().all(is_finite) {
+fn by_singles<S: Coordinate>(points: &[[S; 2]], own: &[[S; 2]]) -> Option<Vec<usize>> {
+    if !own.iter().all(is_finite) {
         return None;
     }
-    let singles = input
-        .points
+    let singles = own
         .iter()
         .map(|point| point.each_ref().map(|x| single(x.approx())));
     let singles: Vec<[f64; 2]> = singles.collect();
@@ -182,7 +179,7 @@ fn by_singles<S: Coordinate>(points: &[[S; 2]], input: &Graph<S>) -> Option<Vec<
         .map(|point| point.each_ref().map(S::approx))
         .collect();
     let places: Vec<usize> = find(&near, &singles).into_iter().collect::<Option<_>>()?;
-    let (same, equal) = (find(&singles, &singles), find(&input.points, &input.points));
+    let (same, equal) = (find(&singles, &singles), find(own, own));
     let pairs = same.iter().zip(&equal);
     let ambiguous: HashSet<usize> = pairs
         .filter_map(|(&same, &equal)| same.filter(|&first| equal != Some(first)))
@@ -242,8 +239,7 @@ fn difference<S: Coordinate>(x: &S, y: &S) -> f64 {
 }
 
 /// How the vertices of a result were matched with those of the input.
-#[derive(Clone, Copy, Debug, PartialEq, strum::IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Matched {
     /// By coordinates: each vertex of the result is one of the input, exactly.
@@ -295,9 +291,16 @@ impl Matched {
         }
     }
 
-    /// Its name: the variant in lower case with hyphens.
+    /// The name of the variant, in lower case.
     pub fn name(self) -> &'static str {
-        self.into()
+        match self {
+            Matched::Equal => "equal",
+            Matched::Single { .. } => "single",
+            Matched::Unplaced => "unplaced",
+            Matched::Rounded { .. } => "rounded",
+            Matched::Near { .. } => "near",
+            Matched::Asked { .. } => "asked",
+        }
     }
 }
 

@@ -41,6 +41,7 @@ impl Faces {
     }
 
     /// Adds the triangles of a strip: each corner makes one with the two before, every other one turned over.
+    #[cfg(feature = "mesh-formats")]
     pub(super) fn add_strip(&mut self, corners: &[usize]) {
         for (at, window) in corners.windows(3).enumerate() {
             let [a, b, c] = [window[0], window[1], window[2]];

@@ -1,8 +1,10 @@
-//! Readers: bytes in, a [`Graph`](crate::Graph) or [`Triangles`] out.
+//! Readers: bytes in, a [`GraphFile`](crate::GraphFile) or [`Triangles`] out.
 
+#[cfg(feature = "mesh-formats")]
 mod binary;
 mod content;
 mod file;
+#[cfg(feature = "mesh-formats")]
 mod geojson;
 mod input;
 mod json;
@@ -10,23 +12,35 @@ mod json_faults;
 mod json_pieces;
 mod matching;
 mod mesh;
+#[cfg(feature = "mesh-formats")]
 mod msh;
 mod obj;
 mod off;
+#[cfg(feature = "mesh-formats")]
 mod ply;
+#[cfg(feature = "mesh-formats")]
 mod ply_header;
 mod result;
+#[cfg(feature = "mesh-formats")]
 mod shapes;
 mod source;
+#[cfg(feature = "mesh-formats")]
 mod stl;
 mod token_lines;
 mod triangle;
+#[cfg(feature = "mesh-formats")]
 mod vtk;
+#[cfg(feature = "mesh-formats")]
 mod vtk_arrays;
+#[cfg(feature = "mesh-formats")]
 mod vtu;
+#[cfg(feature = "mesh-formats")]
 mod vtu_arrays;
+#[cfg(feature = "mesh-formats")]
 mod vtu_elements;
+#[cfg(feature = "mesh-formats")]
 mod wkt;
+#[cfg(feature = "mesh-formats")]
 mod words;
 
 #[cfg(feature = "geo-types")]

@@ -2,50 +2,48 @@
 
 use std::collections::HashSet;
 
+use crate::named::formats;
 use crate::read::content::{Corners, Labels, Vertices};
 use crate::read::matching::{self, Matched, Matching};
 use crate::read::source::{ReadError, ResultError, Source};
+#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
-use crate::read::{geojson, json, msh, obj, off, ply, stl, triangle, vtk, wkt};
-use crate::{Coordinate, CoordinateError, Graph};
+#[cfg(feature = "mesh-formats")]
+use crate::read::{geojson, msh, ply, stl, vtk, wkt};
+use crate::read::{json, obj, off, triangle};
+use crate::{Coordinate, CoordinateError, GraphFile};
+use sweep_cdt::Pslg;
 use sweep_cdt::verify::{Offenders, Violation};
 
-/// What [`read_result`] understands. Each format is named by the extension of its files.
-///
-/// ```
-/// use sweep_cdt_formats::ResultFormat;
-///
-/// assert_eq!("ele".parse(), Ok(ResultFormat::Ele));
-/// assert_eq!(<&str>::from(ResultFormat::Obj), "obj");
-/// ```
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
-)]
-#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
-#[non_exhaustive]
-pub enum ResultFormat {
-    /// Triangle's triangles.
-    Ele,
-    /// An object with `triangles`.
-    Json,
-    /// Wavefront's vertices and faces.
-    Obj,
-    /// Geomview's vertices and faces.
-    Off,
-    /// Stanford's vertices and faces, as text or binary.
-    Ply,
-    /// VTK's points, and polygons or cells, as text or binary.
-    Vtk,
-    /// VTK's points and cells, as XML.
-    Vtu,
-    /// Gmsh's nodes and triangles, as text.
-    Msh,
-    /// Triangles alone, as text or binary.
-    Stl,
-    /// Polygons of maps, as JSON.
-    Geojson,
-    /// Polygons as text.
-    Wkt,
+formats! {
+    /// What [`read_result`] understands. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    pub enum ResultFormat {
+        /// Triangle's triangles.
+        Ele = "ele",
+        /// An object with `triangles`.
+        Json = "json",
+        /// Wavefront's vertices and faces.
+        Obj = "obj",
+        /// Geomview's vertices and faces.
+        Off = "off",
+    }
+    with mesh-formats {
+        /// Stanford's vertices and faces, as text or binary.
+        Ply = "ply",
+        /// VTK's points, and polygons or cells, as text or binary.
+        Vtk = "vtk",
+        /// VTK's points and cells, as XML.
+        Vtu = "vtu",
+        /// Gmsh's nodes and triangles, as text.
+        Msh = "msh",
+        /// Triangles alone, as text or binary.
+        Stl = "stl",
+        /// Polygons of maps, as JSON.
+        Geojson = "geojson",
+        /// Polygons as text.
+        Wkt = "wkt",
+    }
 }
 
 impl ResultFormat {
@@ -61,15 +59,22 @@ impl ResultFormat {
             ResultFormat::Json => json::read_triangles(source)?,
             ResultFormat::Obj => obj::read(source)?.into_triangles()?,
             ResultFormat::Off => off::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Ply => ply::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Vtk => vtk::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Vtu => {
                 let unpacked = Unpacked::of(source)?;
                 return make(unpacked.mesh()?.into_triangles()?);
             }
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Msh => msh::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Stl => stl::read(source)?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
             ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
         };
         make(corners)
@@ -102,10 +107,11 @@ pub struct Triangles {
 /// out of range: the verifier reports them.
 ///
 /// ```
-/// use sweep_cdt_formats::{Graph, Matched, ResultFormat, Source, read_result};
+/// use sweep_cdt::Pslg;
+/// use sweep_cdt_formats::{Matched, ResultFormat, Source, read_result};
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-/// let input = Graph { points, ..Graph::default() };
+/// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 1 0\nv 0 0 0\nv 1 0 0\nf 1 2 3".to_vec();
 /// let source = Source { name: "example".to_owned(), bytes };
 /// let triangles = read_result(ResultFormat::Obj, &source, None, &input)?;
@@ -120,7 +126,7 @@ pub fn read_result<S: Coordinate>(
     format: ResultFormat,
     source: &Source,
     node: Option<&Source>,
-    input: &Graph<S>,
+    input: &GraphFile<S>,
 ) -> Result<Triangles, ResultError> {
     Matching::new().read(format, source, node, input)
 }
@@ -129,10 +135,11 @@ impl Matching {
     /// Reads a triangulation of `input`; `node` is the `.node` beside a `.ele`.
     ///
     /// ```
-    /// use sweep_cdt_formats::{Graph, Matched, Matching, ResultFormat, Source};
+    /// use sweep_cdt::Pslg;
+    /// use sweep_cdt_formats::{Matched, Matching, ResultFormat, Source};
     ///
     /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-    /// let input = Graph { points, ..Graph::default() };
+    /// let input = Pslg { points, ..Pslg::default() }.into();
     /// let bytes = b"v 0.25 0\nv 1 0\nv 0 1\nf 1 2 3".to_vec();
     /// let source = Source { name: "example".to_owned(), bytes };
     /// let matching = Matching::new().tolerance(0.5);
@@ -148,7 +155,7 @@ impl Matching {
         format: ResultFormat,
         source: &Source,
         node: Option<&Source>,
-        input: &Graph<S>,
+        input: &GraphFile<S>,
     ) -> Result<Triangles, ResultError> {
         format.read(source, node, |corners| {
             let (matched, places) = match &corners.vertices {
@@ -158,7 +165,7 @@ impl Matching {
                 None => (Matched::Unplaced, None),
             };
             let places = places.as_deref();
-            Ok(by_input_vertices(corners, matched, places, input))
+            Ok(by_input_vertices(corners, matched, places, &input.graph))
         })
     }
 }
@@ -169,10 +176,11 @@ impl Matching {
 /// [`Verifier::added_from`](sweep_cdt::verify::Verifier::added_from) allows for them.
 ///
 /// ```
-/// use sweep_cdt_formats::{Graph, ResultFormat, Source, added_points};
+/// use sweep_cdt::Pslg;
+/// use sweep_cdt_formats::{ResultFormat, Source, added_points};
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-/// let input = Graph { points, ..Graph::default() };
+/// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 1\nv 0 0\nv 1 0\nv 0.5 0.5\nf 1 2 4\nf 2 3 4".to_vec();
 /// let source = Source { name: "example".to_owned(), bytes };
 /// assert_eq!(added_points(ResultFormat::Obj, &source, None, &input)?, [[0.5, 0.5]]);
@@ -185,10 +193,10 @@ pub fn added_points<S: Coordinate>(
     format: ResultFormat,
     source: &Source,
     node: Option<&Source>,
-    input: &Graph<S>,
+    input: &GraphFile<S>,
 ) -> Result<Vec<[S; 2]>, ResultError> {
     format.read(source, node, |corners| match corners.vertices {
-        Some(vertices) => matching::added(&vertices, points_of(&vertices)?, input),
+        Some(vertices) => matching::added(&vertices, points_of(&vertices)?, &input.graph.points),
         None => Ok(Vec::new()),
     })
 }
@@ -210,7 +218,7 @@ fn by_input_vertices<S>(
     corners: Corners<'_>,
     matched: Matched,
     places: Option<&[usize]>,
-    input: &Graph<S>,
+    input: &Pslg<S>,
 ) -> Triangles {
     let count = input.points.len();
     // A corner becomes a position in the input; one that has none becomes a stranger.
@@ -250,7 +258,7 @@ fn by_input_vertices<S>(
 impl Triangles {
     /// The vertices of the input that a violation is about: those that it names, then the corners of its
     /// triangles and the ends of its edges, each once.
-    pub fn vertices_of<S>(&self, input: &Graph<S>, violation: Violation) -> Vec<usize> {
+    pub fn vertices_of<S>(&self, input: &Pslg<S>, violation: Violation) -> Vec<usize> {
         let Offenders {
             mut vertices,
             edges,
@@ -264,20 +272,20 @@ impl Triangles {
         vertices
     }
 
-    /// The same violation with all things numbered as in their files.
-    pub fn as_numbered<S>(&self, input: &Graph<S>, violation: Violation) -> Violation {
+    /// A violation with all things numbered as in their files.
+    pub fn as_numbered<S>(&self, input: &GraphFile<S>, violation: Violation) -> Violation {
         let names_end = matches!(violation, Violation::EdgeOutOfRange { .. });
         let vertex_number = |vertex: usize| {
             let stranger = vertex
-                .checked_sub(input.points.len())
+                .checked_sub(input.graph.points.len())
                 .filter(|_| !names_end);
-            stranger.map_or(vertex.saturating_add(input.first_vertex), |at| {
+            stranger.map_or(vertex.saturating_add(input.numbering.vertex), |at| {
                 self.strangers[at]
             })
         };
         violation.renumbered(
             vertex_number,
-            |edge| edge + input.first_edge,
+            |edge| edge + input.numbering.edge,
             |triangle| triangle + self.first,
         )
     }

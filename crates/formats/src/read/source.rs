@@ -175,10 +175,11 @@ pub(super) fn no_vertex(number: usize, first: usize, count: usize) -> String {
 /// A result that cannot be read, or whose vertices are not those of the input.
 ///
 /// ```
-/// use sweep_cdt_formats::{Graph, ResultError, ResultFormat, Source, read_result};
+/// use sweep_cdt::Pslg;
+/// use sweep_cdt_formats::{ResultError, ResultFormat, Source, read_result};
 ///
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-/// let input = Graph { points, ..Graph::default() };
+/// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3".to_vec();
 /// let source = Source { name: "a.obj".to_owned(), bytes };
 /// let error = read_result(ResultFormat::Obj, &source, None, &input).unwrap_err();

@@ -77,6 +77,7 @@ impl<'a> Lines<'a> {
     }
 
     /// All that is left of the file.
+    #[cfg(feature = "mesh-formats")]
     pub(super) fn rest(&self) -> &'a [u8] {
         self.rest
     }

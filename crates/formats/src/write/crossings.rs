@@ -18,20 +18,18 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 
 use super::json::json_coordinate;
-use crate::{Coordinate, Graph};
+use crate::named::formats;
+use crate::{Coordinate, Numbering};
 use sweep_cdt::crossings::Crossing;
 
-/// What [`write_crossings`] makes. Each format is named by the extension of its files.
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
-)]
-#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
-#[non_exhaustive]
-pub enum CrossingsFormat {
-    /// A line for each pair: both edges, the point, the nearest doubles.
-    Csv,
-    /// An object with the list `crossings`.
-    Json,
+formats! {
+    /// What [`write_crossings`] makes. Each format is named by the extension of its files.
+    pub enum CrossingsFormat {
+        /// A line for each pair: both edges, the point, the nearest doubles.
+        Csv = "csv",
+        /// An object with the list `crossings`.
+        Json = "json",
+    }
 }
 
 /// An element of the list.
@@ -43,27 +41,26 @@ struct Element {
     near: [Option<Box<RawValue>>; 2],
 }
 
-/// Writes a list of edges of `graph` that cross, numbered as in its file.
+/// Writes a list of edges that cross, numbered as in their file.
 ///
 /// ```
 /// use sweep_cdt::crossings::crossings;
-/// use sweep_cdt_formats::{CrossingsFormat, Graph, write_crossings};
+/// use sweep_cdt_formats::{CrossingsFormat, Numbering, write_crossings};
 ///
 /// let points = vec![[0.0, 0.0], [3.0, 1.0], [0.0, 1.0], [1.0, 0.0]];
 /// let edges = vec![[0, 1], [2, 3]];
-/// let graph = Graph { points, edges, first_edge: 1, ..Graph::default() };
 /// let mut text = Vec::new();
-/// let found = crossings(&graph.points, &graph.edges)?;
-/// write_crossings(CrossingsFormat::Csv, &graph, &found, &mut text)?;
+/// let found = crossings(&points, &edges)?;
+/// write_crossings(CrossingsFormat::Csv, Numbering::FROM_ONE, &found, &mut text)?;
 /// assert_eq!(text, b"edge,other,x,y,near_x,near_y\n1,2,3/4,1/4,0.75,0.25\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_crossings<S>(
+pub fn write_crossings(
     format: CrossingsFormat,
-    graph: &Graph<S>,
+    numbering: Numbering,
     crossings: &[Crossing],
     out: &mut impl Write,
 ) -> io::Result<()> {
@@ -71,7 +68,7 @@ pub fn write_crossings<S>(
         CrossingsFormat::Csv => {
             writeln!(out, "edge,other,x,y,near_x,near_y")?;
             crossings.iter().try_for_each(|crossing| {
-                let [edge, other] = graph.edges_as_numbered(crossing.edges);
+                let [edge, other] = numbering.edges(crossing.edges);
                 let [x, y] = crossing.point.each_ref().map(BigRational::text);
                 let [near_x, near_y] = crossing.near().map(|x| x.text());
                 writeln!(out, "{edge},{other},{x},{y},{near_x},{near_y}")
@@ -82,7 +79,7 @@ pub fn write_crossings<S>(
             for (at, crossing) in crossings.iter().enumerate() {
                 out.write_all(if at == 0 { b"\n" } else { b",\n" })?;
                 let element = Element {
-                    edges: graph.edges_as_numbered(crossing.edges),
+                    edges: numbering.edges(crossing.edges),
                     point: crossing.point.each_ref().map(json_coordinate),
                     near: crossing
                         .near()

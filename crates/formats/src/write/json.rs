@@ -28,28 +28,28 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 
 use super::rows::places;
-use crate::{Coordinate, Graph, sorted_pairs};
+use crate::{Coordinate, GraphFile, sorted_pairs};
 use sweep_cdt::Triangulation;
 use sweep_cdt::crossings::joined;
 use sweep_cdt::domain::Domain;
 
 /// Writes the object of the whole hull, one element a line.
 pub(super) fn write<S: Coordinate>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     result: &Triangulation,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    write_members(graph, &Domain::whole(result), out)?;
+    write_members(file, &Domain::whole(result), out)?;
     out.write_all(b"\n}\n")
 }
 
 /// Writes the object of a domain.
 pub(super) fn write_domain<S: Coordinate>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    write_members(graph, domain, out)?;
+    write_members(file, domain, out)?;
     member(out, "boundary", domain.boundary())?;
     if domain.has_regions() {
         let triangles = domain.canonical_triangles();
@@ -65,53 +65,57 @@ pub(super) fn write_domain<S: Coordinate>(
 }
 
 /// Writes the object of a graph alone.
-pub(super) fn write_graph<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
-    write_input(graph, out)?;
+pub(super) fn write_graph<S: Coordinate>(
+    file: &GraphFile<S>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_input(file, out)?;
     out.write_all(b"\n}\n")
 }
 
 /// Writes what all objects of a result have.
 fn write_members<S: Coordinate>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let result = domain.triangulation();
     let triangles = domain.canonical_triangles();
     let neighbors = neighbors(domain, &triangles);
-    let chains = (0..graph.edges.len()).map(|edge| result.edge_chain(edge).collect::<Vec<_>>());
-    write_input(graph, out)?;
+    let chains =
+        (0..file.graph.edges.len()).map(|edge| result.edge_chain(edge).collect::<Vec<_>>());
+    write_input(file, out)?;
     member(out, "triangles", &triangles)?;
     member(out, "neighbors", neighbors)?;
     member(out, "constrained", sorted_pairs(domain.constrained_edges()))?;
     member(out, "hull", result.hull())?;
     member(out, "duplicates", result.duplicates())?;
     member(out, "chains", chains)?;
-    if graph.pieces_of.is_empty() {
+    if file.pieces_of.is_empty() {
         return Ok(());
     }
-    let split = graph.pieces_of.chunk_by(|a, b| a == b);
+    let split = file.pieces_of.chunk_by(|a, b| a == b);
     let mut first = 0;
     let split = split.map(|pieces| {
         let range = first..first + pieces.len();
         first = range.end;
-        joined(range, &graph.edges, result)
+        joined(range, &file.graph.edges, result)
     });
     member(out, "split", split)
 }
 
 /// Writes the input's members.
-fn write_input<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
-    let heights = graph.heights();
+fn write_input<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
+    let heights = file.heights();
     let point = |(vertex, point): (usize, &[S; 2])| {
         let height = heights.map(|column| json_coordinate(&column.of(vertex)));
         let point = point.each_ref().map(json_coordinate);
         point.into_iter().chain(height).collect::<Vec<_>>()
     };
-    let points = graph.points.iter().enumerate().map(point);
+    let points = file.graph.points.iter().enumerate().map(point);
     out.write_all(b"{\n")?;
     member(out, "points", points)?;
-    member(out, "edges", &graph.edges)
+    member(out, "edges", &file.graph.edges)
 }
 
 fn member<T: Serialize>(

@@ -1,10 +1,14 @@
-//! Writers: a [`Graph`] and its [`Triangulation`] in, or a graph alone, and text out.
+//! Writers: a [`GraphFile`] and its [`Triangulation`] in, or a graph alone, and text out.
 
 mod crossings;
 mod json;
 mod mesh;
+#[cfg(feature = "mesh-formats")]
+mod mesh_formats;
 mod rows;
+#[cfg(feature = "mesh-formats")]
 mod shapes;
+#[cfg(feature = "mesh-formats")]
 mod vtu;
 
 use std::io::{self, Write};
@@ -13,59 +17,54 @@ pub use crossings::{CrossingsFormat, write_crossings};
 pub use rows::write_node;
 
 use self::mesh::Mesh;
-use crate::{Coordinate, Graph, InputFormat};
+use crate::named::formats;
+use crate::{Coordinate, GraphFile, InputFormat};
 use sweep_cdt::Triangulation;
 use sweep_cdt::domain::Domain;
 
-/// What [`write()`] makes. Each format is named by the extension of its files.
-///
-/// ```
-/// use sweep_cdt_formats::OutputFormat;
-///
-/// assert_eq!("obj".parse(), Ok(OutputFormat::Obj));
-/// assert_eq!(<&str>::from(OutputFormat::Ele), "ele");
-/// ```
-#[derive(
-    Clone, Copy, Debug, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr, strum::VariantArray,
-)]
-#[strum(ascii_case_insensitive, serialize_all = "lowercase")]
-#[non_exhaustive]
-pub enum OutputFormat {
-    /// Triangle's triangles, numbered as the input.
-    Ele,
-    /// Triangle's vertices, numbered as the input.
-    Node,
-    /// Vertices, edges and the whole result.
-    Json,
-    /// Wavefront's vertices and faces.
-    Obj,
-    /// Geomview's vertices and faces.
-    Off,
-    /// Stanford's vertices and faces, as text.
-    Ply,
-    /// VTK's points and cells, as text.
-    Vtk,
-    /// VTK's points and cells, as XML.
-    Vtu,
-    /// Gmsh's nodes and triangles, as text of version 2.2.
-    Msh,
-    /// Triangles alone, as text.
-    Stl,
-    /// Polygons of maps, as JSON.
-    Geojson,
-    /// Polygons as text.
-    Wkt,
+formats! {
+    /// What [`write()`] makes. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    pub enum OutputFormat {
+        /// Triangle's triangles, numbered as the input.
+        Ele = "ele",
+        /// Triangle's vertices, numbered as the input.
+        Node = "node",
+        /// Vertices, edges and the whole result.
+        Json = "json",
+        /// Wavefront's vertices and faces.
+        Obj = "obj",
+        /// Geomview's vertices and faces.
+        Off = "off",
+    }
+    with mesh-formats {
+        /// Stanford's vertices and faces, as text.
+        Ply = "ply",
+        /// VTK's points and cells, as text.
+        Vtk = "vtk",
+        /// VTK's points and cells, as XML.
+        Vtu = "vtu",
+        /// Gmsh's nodes and triangles, as text of version 2.2.
+        Msh = "msh",
+        /// Triangles alone, as text.
+        Stl = "stl",
+        /// Polygons of maps, as JSON.
+        Geojson = "geojson",
+        /// Polygons as text.
+        Wkt = "wkt",
+    }
 }
 
-/// Writes `result`, the triangulation of `graph`.
+/// Writes `result`, the triangulation of the graph of `file`.
 ///
 /// ```
-/// use sweep_cdt_formats::{Graph, OutputFormat, write};
+/// use sweep_cdt::Pslg;
+/// use sweep_cdt_formats::{OutputFormat, write};
 ///
-/// let graph = Graph { points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], ..Graph::default() };
+/// let graph = Pslg { points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], ..Pslg::default() };
 /// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
 /// let mut text = Vec::new();
-/// write(OutputFormat::Ele, &graph, &result, &mut text)?;
+/// write(OutputFormat::Ele, &graph.into(), &result, &mut text)?;
 /// assert_eq!(text, b"1 3 0\n0 0 1 2\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -74,35 +73,36 @@ pub enum OutputFormat {
 /// Those of `out`.
 pub fn write<S: Coordinate>(
     format: OutputFormat,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     result: &Triangulation,
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
         // These two need no domain, which takes a look at all triangles.
         OutputFormat::Ele => {
-            rows::write_triangles(graph.first_vertex, &result.canonical_groups(), out)
+            rows::write_triangles(file.numbering.vertex, &result.canonical_groups(), out)
         }
-        OutputFormat::Node => write_node(graph, out),
-        OutputFormat::Json => json::write(graph, result, out),
-        _ => write_domain(format, graph, &Domain::whole(result), out),
+        OutputFormat::Node => write_node(file, out),
+        OutputFormat::Json => json::write(file, result, out),
+        _ => write_domain(format, file, &Domain::whole(result), out),
     }
 }
 
-/// Writes the part of a triangulation of `graph` that is inside a domain: the triangles inside and no others. The
+/// Writes the part of a triangulation of the graph of `file` that is inside a domain: the triangles inside and no others. The
 /// vertices are all written, and keep their numbers. A `.ele` has the attributes of regions, if the domain has
-/// regions and `graph` lists them.
+/// regions and `file` lists them.
 ///
 /// ```
+/// use sweep_cdt::Pslg;
 /// use sweep_cdt::domain::Rule;
-/// use sweep_cdt_formats::{Graph, OutputFormat, write_domain};
+/// use sweep_cdt_formats::{OutputFormat, write_domain};
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 3.0], [0.0, 6.0], [1.0, 3.0]];
 /// let edges = vec![[0, 1], [1, 2], [2, 3], [3, 0]];
-/// let graph = Graph { points, edges, ..Graph::default() };
+/// let graph = Pslg { points, edges, ..Pslg::default() };
 /// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
 /// let mut text = Vec::new();
-/// write_domain(OutputFormat::Ele, &graph, &result.domain(Rule::EvenOdd)?, &mut text)?;
+/// write_domain(OutputFormat::Ele, &graph.into(), &result.domain(Rule::EvenOdd)?, &mut text)?;
 /// assert_eq!(text, b"2 3 0\n0 0 1 3\n1 1 2 3\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -111,23 +111,30 @@ pub fn write<S: Coordinate>(
 /// Those of `out`.
 pub fn write_domain<S: Coordinate>(
     format: OutputFormat,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
-        OutputFormat::Ele => rows::write_ele(graph, domain, out),
-        OutputFormat::Node => write_node(graph, out),
-        OutputFormat::Json => json::write_domain(graph, domain, out),
-        OutputFormat::Obj => Mesh::of(graph, domain).write_obj(out),
-        OutputFormat::Off => Mesh::of(graph, domain).write_off(out),
-        OutputFormat::Ply => Mesh::of(graph, domain).write_ply(out),
-        OutputFormat::Vtk => Mesh::of(graph, domain).write_vtk(out),
-        OutputFormat::Vtu => Mesh::of(graph, domain).write_vtu(out),
-        OutputFormat::Msh => Mesh::of(graph, domain).write_msh(out),
-        OutputFormat::Stl => Mesh::of(graph, domain).write_stl(out),
-        OutputFormat::Geojson => shapes::write_geojson(graph, domain, out),
-        OutputFormat::Wkt => shapes::write_wkt(graph, domain, out),
+        OutputFormat::Ele => rows::write_ele(file, domain, out),
+        OutputFormat::Node => write_node(file, out),
+        OutputFormat::Json => json::write_domain(file, domain, out),
+        OutputFormat::Obj => Mesh::of(file, domain).write_obj(out),
+        OutputFormat::Off => Mesh::of(file, domain).write_off(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Ply => Mesh::of(file, domain).write_ply(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Vtk => Mesh::of(file, domain).write_vtk(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Vtu => Mesh::of(file, domain).write_vtu(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Msh => Mesh::of(file, domain).write_msh(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Stl => Mesh::of(file, domain).write_stl(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Geojson => shapes::write_geojson(file, domain, out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Wkt => shapes::write_wkt(file, domain, out),
     }
 }
 
@@ -136,11 +143,13 @@ pub fn write_domain<S: Coordinate>(
 /// vertices are in the `.node` beside it.
 ///
 /// ```
-/// use sweep_cdt_formats::{Graph, InputFormat, write_graph};
+/// use sweep_cdt::Pslg;
+/// use sweep_cdt_formats::{InputFormat, write_graph};
 ///
-/// let graph = Graph { points: vec![[0.0, 0.5], [2.0, 0.0]], edges: vec![[0, 1]], ..Graph::default() };
+/// let points = vec![[0.0, 0.5], [2.0, 0.0]];
+/// let graph = Pslg { points, edges: vec![[0, 1]], ..Pslg::default() };
 /// let mut text = Vec::new();
-/// write_graph(InputFormat::Poly, &graph, &mut text)?;
+/// write_graph(InputFormat::Poly, &graph.into(), &mut text)?;
 /// assert_eq!(text, b"2 2 0 0\n0 0 0.5\n1 2 0\n1 0\n0 0 1\n0\n");
 /// # Ok::<(), std::io::Error>(())
 /// ```
@@ -149,20 +158,26 @@ pub fn write_domain<S: Coordinate>(
 /// Those of `out`.
 pub fn write_graph<S: Coordinate>(
     format: InputFormat,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
-        InputFormat::Node => write_node(graph, out),
-        InputFormat::Poly => rows::write_poly(graph, out),
-        InputFormat::Json => json::write_graph(graph, out),
-        InputFormat::Obj => Mesh::of_graph(graph).write_obj(out),
-        InputFormat::Off => Mesh::of_graph(graph).write_off(out),
-        InputFormat::Ply => Mesh::of_graph(graph).write_ply(out),
-        InputFormat::Vtk => Mesh::of_graph(graph).write_vtk(out),
-        InputFormat::Vtu => Mesh::of_graph(graph).write_vtu(out),
-        InputFormat::Msh => Mesh::of_graph(graph).write_msh(out),
-        InputFormat::Geojson => shapes::write_geojson_graph(graph, out),
-        InputFormat::Wkt => shapes::write_wkt_graph(graph, out),
+        InputFormat::Node => write_node(file, out),
+        InputFormat::Poly => rows::write_poly(file, out),
+        InputFormat::Json => json::write_graph(file, out),
+        InputFormat::Obj => Mesh::of_graph(file).write_obj(out),
+        InputFormat::Off => Mesh::of_graph(file).write_off(out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Ply => Mesh::of_graph(file).write_ply(out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Vtk => Mesh::of_graph(file).write_vtk(out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Vtu => Mesh::of_graph(file).write_vtu(out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Msh => Mesh::of_graph(file).write_msh(out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Geojson => shapes::write_geojson_graph(file, out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Wkt => shapes::write_wkt_graph(file, out),
     }
 }

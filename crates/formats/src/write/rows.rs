@@ -4,24 +4,23 @@
 use std::io::{self, Write};
 
 use crate::threads::in_turn;
-use crate::{Coordinate, Graph};
-use sweep_cdt::CanonicalGroups;
-use sweep_cdt::Region;
+use crate::{Coordinate, GraphFile};
 use sweep_cdt::domain::Domain;
+use sweep_cdt::{CanonicalGroups, Pslg, Region};
 
 /// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions, with the
 /// attributes of these.
 pub(super) fn write_ele<S>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let first = graph.first_vertex;
+    let first = file.numbering.vertex;
     if !domain.has_regions() {
         return write_triangles(first, &domain.canonical_groups(), out);
     }
     let triangles = domain.canonical_triangles();
-    let attributes = attributes(graph, domain, &triangles);
+    let attributes = attributes(&file.graph, domain, &triangles);
     writeln!(out, "{} 3 1", triangles.len())?;
     write_rows(out, triangles.len(), |t, text| {
         triangle(first, t, triangles[t], text);
@@ -62,7 +61,7 @@ fn triangle(first: usize, t: usize, [a, b, c]: [usize; 3], text: &mut Vec<u8>) {
 }
 
 /// The attribute of each triangle in the list, 0 without a region.
-fn attributes<S>(graph: &Graph<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
+fn attributes<S>(graph: &Pslg<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
     let mut attributes = vec![0.0; triangles.len()];
     for (t, place) in places(domain, triangles).into_iter().enumerate() {
         let region = domain
@@ -78,26 +77,33 @@ fn attributes<S>(graph: &Graph<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]
 /// Writes the vertices as a `.node`.
 ///
 /// ```
-/// use sweep_cdt_formats::{Graph, write_node};
+/// use sweep_cdt::Pslg;
+/// use sweep_cdt_formats::{GraphFile, Numbering, write_node};
 ///
-/// let graph = Graph { points: vec![[0.5, 2.0]], first_vertex: 1, ..Graph::default() };
+/// let graph = Pslg { points: vec![[0.5, 2.0]], ..Pslg::default() };
+/// let file = GraphFile { numbering: Numbering::FROM_ONE, ..graph.into() };
 /// let mut text = Vec::new();
-/// write_node(&graph, &mut text)?;
+/// write_node(&file, &mut text)?;
 /// assert_eq!(text, b"1 2 0 0\n1 0.5 2\n");
 /// # Ok::<(), std::io::Error>(())
 /// ```
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_node<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "{} 2 {} 0", graph.points.len(), graph.columns.len())?;
-    write_rows(out, graph.points.len(), |vertex, text| {
-        number(vertex + graph.first_vertex, text);
-        for coordinate in &graph.points[vertex] {
+pub fn write_node<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "{} 2 {} 0",
+        file.graph.points.len(),
+        file.columns.len()
+    )?;
+    write_rows(out, file.graph.points.len(), |vertex, text| {
+        number(vertex + file.numbering.vertex, text);
+        for coordinate in &file.graph.points[vertex] {
             text.push(b' ');
             coordinate.write_text(text);
         }
-        for column in &graph.columns {
+        for column in &file.columns {
             text.push(b' ');
             column.of(vertex).write_text(text);
         }
@@ -106,17 +112,23 @@ pub fn write_node<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::
 }
 
 /// Writes vertices, edges, and the seeds of holes and regions as a `.poly`.
-pub(super) fn write_poly<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) -> io::Result<()> {
-    write_node(graph, out)?;
+pub(super) fn write_poly<S: Coordinate>(
+    file: &GraphFile<S>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_node(file, out)?;
+    let GraphFile {
+        graph, numbering, ..
+    } = file;
     writeln!(out, "{} 0", graph.edges.len())?;
     write_rows(out, graph.edges.len(), |edge, text| {
-        let [a, b] = graph.edges[edge].map(|end| end + graph.first_vertex);
-        numbers([edge + graph.first_edge, a, b], text);
+        let [a, b] = graph.edges[edge].map(|end| end + numbering.vertex);
+        numbers([edge + numbering.edge, a, b], text);
         text.push(b'\n');
     })?;
     writeln!(out, "{}", graph.holes.len())?;
     for (hole, [x, y]) in graph.holes.iter().enumerate() {
-        writeln!(out, "{} {} {}", hole + graph.first_hole, x.text(), y.text())?;
+        writeln!(out, "{} {} {}", hole + numbering.hole, x.text(), y.text())?;
     }
     if graph.regions.is_empty() {
         return Ok(());
@@ -124,7 +136,7 @@ pub(super) fn write_poly<S: Coordinate>(graph: &Graph<S>, out: &mut impl Write) 
     writeln!(out, "{}", graph.regions.len())?;
     for (region, Region { seed, attribute }) in graph.regions.iter().enumerate() {
         let [x, y] = seed.each_ref().map(Coordinate::text);
-        let region = region + graph.first_region;
+        let region = region + numbering.region;
         writeln!(out, "{region} {x} {y} {}", attribute.text())?;
     }
     Ok(())

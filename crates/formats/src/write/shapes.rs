@@ -4,30 +4,31 @@
 use std::io::{self, Write};
 
 use super::rows::write_rows;
-use crate::{Column, Coordinate, Graph};
+use crate::{Column, Coordinate, GraphFile};
+use sweep_cdt::Pslg;
 use sweep_cdt::domain::Domain;
 
 /// How positions stand in a format.
 struct Positions<'a, S> {
-    graph: &'a Graph<S>,
+    graph: &'a Pslg<S>,
     heights: Option<&'a Column>,
     /// What stands before, between and after the coordinates of a position.
     marks: [&'static str; 3],
 }
 
 impl<'a, S: Coordinate> Positions<'a, S> {
-    fn of_geojson(graph: &'a Graph<S>) -> Positions<'a, S> {
+    fn of_geojson(file: &'a GraphFile<S>) -> Positions<'a, S> {
         Positions {
-            graph,
-            heights: graph.heights(),
+            graph: &file.graph,
+            heights: file.heights(),
             marks: ["[", ",", "]"],
         }
     }
 
-    fn of_wkt(graph: &'a Graph<S>) -> Positions<'a, S> {
+    fn of_wkt(file: &'a GraphFile<S>) -> Positions<'a, S> {
         Positions {
-            graph,
-            heights: graph.heights(),
+            graph: &file.graph,
+            heights: file.heights(),
             marks: ["", " ", ""],
         }
     }
@@ -75,7 +76,7 @@ impl<'a, S: Coordinate> Positions<'a, S> {
 
 /// Writes a collection of features, one for each triangle inside.
 pub(super) fn write_geojson<S: Coordinate>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
@@ -86,19 +87,20 @@ pub(super) fn write_geojson<S: Coordinate>(
     ];
     out.write_all(br#"{"type":"FeatureCollection","features":["#)?;
     let ring = |t: usize| closed(triangles[t]);
-    Positions::of_geojson(graph).write(words, triangles.len(), ring, out)?;
+    Positions::of_geojson(file).write(words, triangles.len(), ring, out)?;
     out.write_all(b"]}\n")
 }
 
 /// Writes the vertices and the edges.
 pub(super) fn write_geojson_graph<S: Coordinate>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let positions = Positions::of_geojson(graph);
+    let positions = Positions::of_geojson(file);
     out.write_all(
         br#"{"type":"GeometryCollection","geometries":[{"type":"MultiPoint","coordinates":["#,
     )?;
+    let graph = &file.graph;
     positions.write(["", ""], graph.points.len(), |v| [v], out)?;
     out.write_all(br#"]},{"type":"MultiLineString","coordinates":["#)?;
     positions.write(["[", "]"], graph.edges.len(), |e| graph.edges[e], out)?;
@@ -107,11 +109,11 @@ pub(super) fn write_geojson_graph<S: Coordinate>(
 
 /// Writes a collection of polygons, one for each triangle inside.
 pub(super) fn write_wkt<S: Coordinate>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     domain: &Domain<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let positions = Positions::of_wkt(graph);
+    let positions = Positions::of_wkt(file);
     let triangles = domain.canonical_triangles();
     let dimension = positions.dimension();
     if triangles.is_empty() {
@@ -126,12 +128,13 @@ pub(super) fn write_wkt<S: Coordinate>(
 
 /// Writes the vertices and the edges.
 pub(super) fn write_wkt_graph<S: Coordinate>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let positions = Positions::of_wkt(graph);
+    let positions = Positions::of_wkt(file);
     let dimension = positions.dimension();
     write!(out, "GEOMETRYCOLLECTION{dimension} (MULTIPOINT{dimension} ")?;
+    let graph = &file.graph;
     let (points, edges) = (graph.points.len(), graph.edges.len());
     write_list(points, out, |out| {
         positions.write(["(", ")"], points, |v| [v], out)

@@ -12,7 +12,7 @@ impl<S: Coordinate> Mesh<'_, S> {
     /// Writes VTK's XML format with all columns.
     pub(super) fn write_vtu(&self, out: &mut impl Write) -> io::Result<()> {
         const TYPES: [&[u8]; 2] = [b"3\n", b"5\n"];
-        let (points, lines) = (self.graph.points.len(), self.lines.len());
+        let (points, lines) = (self.file.graph.points.len(), self.lines.len());
         let cells = lines + self.triangles.len();
         let begin = |out: &mut dyn Write, kind: &str, name: &str, components: usize| {
             let name = escape(name);

@@ -5,10 +5,10 @@ use std::io::{Seek, SeekFrom, Write};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::Error;
+use sweep_cdt::{Error, Pslg};
 use sweep_cdt_formats::{
-    self as formats, Coordinate, Graph, Input, InputFormat, Matched, ResultFormat, Source,
-    Triangles, read_result, write_node,
+    self as formats, Coordinate, GraphFile, Input, InputFormat, Matched, Numbering, ResultFormat,
+    Source, Triangles, read_result, write_node,
 };
 use sweep_cdt_testing::Random;
 
@@ -20,15 +20,16 @@ fn source(text: &str) -> Source {
 }
 
 /// The input has two points at the origin, and one more.
-fn graph() -> Graph<f64> {
-    Graph {
+fn input() -> GraphFile<f64> {
+    let graph = Pslg {
         points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 0.0], [0.0, 1.0]],
-        ..Graph::default()
-    }
+        ..Pslg::default()
+    };
+    graph.into()
 }
 
 fn read(format: ResultFormat, text: &str) -> Result<Triangles, String> {
-    read_result(format, &source(text), None, &graph()).map_err(|error| error.to_string())
+    read_result(format, &source(text), None, &input()).map_err(|error| error.to_string())
 }
 
 #[test]
@@ -65,11 +66,15 @@ fn without_a_node_vertices_are_numbered_as_triangles_are() {
 
 #[test]
 fn errors_have_the_numbers_of_the_file() {
-    let graph = Graph {
-        first_vertex: 1,
-        ..graph()
+    let numbering = Numbering {
+        vertex: 1,
+        ..Numbering::default()
     };
-    let number = |error| graph.as_numbered(error).to_string();
+    let file = GraphFile {
+        numbering,
+        ..input()
+    };
+    let number = |error| file.as_numbered(error).to_string();
     let [own, file] = [(7, 4), (7, 5)].map(|(edge, vertex)| Error::EdgeOutOfRange { edge, vertex });
     assert_eq!(number(own), file.to_string());
     let [own, file] = [4, 5].map(|vertex| Error::NonFiniteCoordinate { vertex });
@@ -222,18 +227,18 @@ fn long_files_are_read_like_short_ones() {
     const POINTS: usize = 60_000;
     let lines = long(POINTS);
     let read = |lines: &[String]| formats::read(InputFormat::Poly, &source(&lines.concat()), None);
-    let Ok(Input::Doubles(graph)) = read(&lines) else {
+    let Ok(Input::Doubles(file)) = read(&lines) else {
         panic!("a file without faults");
     };
     assert_eq!(
-        graph.points,
+        file.graph.points,
         (0..POINTS).map(|v| [v as f64, 0.5]).collect::<Vec<_>>()
     );
     assert_eq!(
-        graph.edges,
+        file.graph.edges,
         (1..POINTS).map(|v| [v - 1, v]).collect::<Vec<_>>()
     );
-    assert_eq!((graph.first_vertex, graph.first_edge), (1, 1));
+    assert_eq!((file.numbering.vertex, file.numbering.edge), (1, 1));
 
     // Of two faults the first one is reported, in its line.
     let line_of = |at: usize| {
@@ -285,17 +290,17 @@ fn long_files_are_read_like_short_ones() {
 #[test]
 fn very_long_files_come_back() {
     let point = |v: u32| [f64::from(v) / 3.0, f64::from(v) / 7.0];
-    let graph = Graph {
+    let file = GraphFile::from(Pslg {
         points: (0..150_000).map(point).collect(),
-        ..Graph::default()
-    };
+        ..Pslg::default()
+    });
     let mut text = Vec::new();
-    write_node(&graph, &mut text).expect("memory takes it");
+    write_node(&file, &mut text).expect("memory takes it");
     let text = String::from_utf8(text).expect("text");
     assert!(text.len() > 5_000_000, "several blocks of chunks");
     let read = |text: &str| formats::read(InputFormat::Node, &source(text), None);
     match read(&text) {
-        Ok(Input::Doubles(back)) => assert_eq!(back.points, graph.points),
+        Ok(Input::Doubles(back)) => assert_eq!(back.graph.points, file.graph.points),
         other => panic!("{other:?}"),
     }
 

@@ -1,7 +1,10 @@
-//! The formats as one program: odd but correct files (`files`), the formats of other programs (`meshes`, `vtu`), and
-//! files that are refused (`meshes_refused`).
+//! The formats as one program: odd but correct files (`files`), and with the feature `mesh-formats` the formats of
+//! other programs (`meshes`, `vtu`), and files that are refused (`meshes_refused`).
 
 mod files;
+#[cfg(feature = "mesh-formats")]
 mod meshes;
+#[cfg(feature = "mesh-formats")]
 mod meshes_refused;
+#[cfg(feature = "mesh-formats")]
 mod vtu;

@@ -3,16 +3,14 @@
 //! `tests/data/meshes.jsonl` holds one small terrain, first as lists, and then as files of other programs: made by
 //! `meshio`, `shapely` and VTK, or byte by byte by their specification, as `origin` says.
 
-use std::str::FromStr;
-
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Deserialize;
-use strum::VariantArray;
+use sweep_cdt::Pslg;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_formats::{
-    Column, Graph, Input, InputFormat, Matched, OutputFormat, ResultFormat, Source, read,
-    read_result, write, write_graph,
+    Column, GraphFile, Input, InputFormat, Matched, Named, OutputFormat, ResultFormat, Source,
+    read, read_result, write, write_graph,
 };
 
 /// The terrain.
@@ -46,15 +44,18 @@ fn samples() -> (Terrain, Vec<Sample>) {
 }
 
 impl Terrain {
-    fn graph(&self) -> Graph<f64> {
-        Graph {
+    fn file(&self) -> GraphFile<f64> {
+        let graph = Pslg {
             points: self.points.iter().map(|&[x, y, _]| [x, y]).collect(),
+            edges: self.edges.clone(),
+            ..Pslg::default()
+        };
+        GraphFile {
             columns: vec![Column {
                 name: Column::HEIGHT.to_owned(),
                 values: self.points.iter().map(|point| point[2]).collect(),
             }],
-            edges: self.edges.clone(),
-            ..Graph::default()
+            ..graph.into()
         }
     }
 }
@@ -72,11 +73,11 @@ fn source(bytes: &[u8]) -> Source {
     }
 }
 
-/// A graph of doubles.
+/// An input of doubles.
 #[track_caller]
-fn graph(format: InputFormat, source: &Source) -> Graph<f64> {
+fn file(format: InputFormat, source: &Source) -> GraphFile<f64> {
     match read(format, source, None) {
-        Ok(Input::Doubles(graph)) => graph,
+        Ok(Input::Doubles(file)) => file,
         other => panic!("{format:?}: {other:?}"),
     }
 }
@@ -84,10 +85,10 @@ fn graph(format: InputFormat, source: &Source) -> Graph<f64> {
 #[test]
 fn triangles_of_other_programs_are_read() {
     let (terrain, samples) = samples();
-    let input = terrain.graph();
+    let input = terrain.file();
     let is_result = |sample: &&Sample| !["graph", "refused"].contains(&sample.kind.as_str());
     for sample in samples.iter().filter(is_result) {
-        let format = ResultFormat::from_str(&sample.format).expect("a format that is read");
+        let format = ResultFormat::named(&sample.format).expect("a format that is read");
         let result = read_result(format, &sample.source(), None, &input);
         let result = result.unwrap_or_else(|error| panic!("{}: {error}", sample.origin));
         assert_eq!(result.list, terrain.triangles, "{}", sample.origin);
@@ -101,7 +102,7 @@ fn triangles_of_other_programs_are_read() {
             }
             matched => assert_eq!((matched, is_single), (Matched::Equal, false)),
         }
-        let verdict = Verifier::new().verify(&input.points, &[], &result.list);
+        let verdict = Verifier::new().verify(&input.graph.points, &[], &result.list);
         assert!(verdict.is_ok(), "{}", sample.origin);
     }
 }
@@ -109,15 +110,19 @@ fn triangles_of_other_programs_are_read() {
 #[test]
 fn graphs_of_other_programs_are_read() {
     let (terrain, samples) = samples();
-    let expected = terrain.graph();
+    let expected = terrain.file();
     let is_input = |sample: &&Sample| ["triangles", "all", "graph"].contains(&sample.kind.as_str());
     for sample in samples.iter().filter(is_input) {
-        let format = InputFormat::from_str(&sample.format).expect("a format that is read");
-        let found = graph(format, &sample.source());
-        assert_eq!(found.points, expected.points, "{}", sample.origin);
+        let format = InputFormat::named(&sample.format).expect("a format that is read");
+        let found = file(format, &sample.source());
+        assert_eq!(
+            found.graph.points, expected.graph.points,
+            "{}",
+            sample.origin
+        );
         assert_eq!(found.columns[0], expected.columns[0], "{}", sample.origin);
         if sample.kind != "triangles" {
-            assert_eq!(found.edges, expected.edges, "{}", sample.origin);
+            assert_eq!(found.graph.edges, expected.graph.edges, "{}", sample.origin);
         }
     }
 }
@@ -134,9 +139,9 @@ fn other_columns_go_with_the_vertices() {
         .iter()
         .filter(|sample| sample.kind != "refused" && !sample.origin.starts_with("struct"))
     {
-        let format = InputFormat::from_str(&sample.format);
-        if let Ok(format @ (InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)) = format {
-            let read_first = graph(format, &sample.source());
+        let format = InputFormat::named(&sample.format);
+        if let Some(format @ (InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)) = format {
+            let read_first = file(format, &sample.source());
             assert_eq!(
                 read_first.columns[1..],
                 [rain([1.5, 2.0, 3.0, 4.0, 5.0, 0.1])]
@@ -145,14 +150,14 @@ fn other_columns_go_with_the_vertices() {
                 let mut text = Vec::new();
                 write_graph(again, &read_first, &mut text).expect("memory takes it");
                 assert_eq!(
-                    graph(again, &source(&text)).columns,
+                    file(again, &source(&text)).columns,
                     read_first.columns,
                     "{again:?}"
                 );
             }
             let mut text = Vec::new();
             write_graph(InputFormat::Node, &read_first, &mut text).expect("memory takes it");
-            let of_node = graph(InputFormat::Node, &source(&text)).columns;
+            let of_node = file(InputFormat::Node, &source(&text)).columns;
             assert_eq!(of_node[0], read_first.columns[0]);
             assert_eq!(of_node[1].values, read_first.columns[1].values);
             count += 1;
@@ -164,29 +169,29 @@ fn other_columns_go_with_the_vertices() {
 #[test]
 fn every_format_reads_what_it_writes() {
     let (terrain, _) = samples();
-    let terrain = terrain.graph();
-    let flat = Graph {
+    let terrain = terrain.file();
+    let flat = GraphFile {
         columns: Vec::new(),
         ..terrain.clone()
     };
-    for graph_written in [terrain, flat] {
-        for &format in InputFormat::VARIANTS {
+    for written in [terrain, flat] {
+        for &format in InputFormat::ALL {
             let mut text = Vec::new();
-            write_graph(format, &graph_written, &mut text).expect("memory takes it");
-            let again = graph(format, &source(&text));
-            assert_eq!(again.points, graph_written.points, "{format:?}");
-            assert_eq!(again.columns, graph_written.columns, "{format:?}");
+            write_graph(format, &written, &mut text).expect("memory takes it");
+            let again = file(format, &source(&text));
+            assert_eq!(again.graph.points, written.graph.points, "{format:?}");
+            assert_eq!(again.columns, written.columns, "{format:?}");
             if format != InputFormat::Node {
-                assert_eq!(again.edges, graph_written.edges, "{format:?}");
+                assert_eq!(again.graph.edges, written.graph.edges, "{format:?}");
             }
         }
-        let result = sweep_cdt::triangulate(&graph_written.points, &graph_written.edges);
+        let result = sweep_cdt::triangulate(&written.graph.points, &written.graph.edges);
         let result = result.expect("edges do not cross");
-        for &format in ResultFormat::VARIANTS {
-            let same: OutputFormat = <&str>::from(format).parse().expect("the same name");
+        for &format in ResultFormat::ALL {
+            let same = OutputFormat::named(format.name()).expect("the same name");
             let mut text = Vec::new();
-            write(same, &graph_written, &result, &mut text).expect("memory takes it");
-            let again = read_result(format, &source(&text), None, &graph_written);
+            write(same, &written, &result, &mut text).expect("memory takes it");
+            let again = read_result(format, &source(&text), None, &written);
             let again = again.unwrap_or_else(|error| panic!("{format:?}: {error}"));
             assert_eq!(again.list, result.canonical_triangles(), "{format:?}");
         }
@@ -196,7 +201,7 @@ fn every_format_reads_what_it_writes() {
 #[test]
 fn damaged_files_are_refused_or_read_but_nothing_else() {
     let (terrain, samples) = samples();
-    let input = terrain.graph();
+    let input = terrain.file();
     let mut refused = 0;
     for sample in &samples {
         let whole = sample.source().bytes;
@@ -208,15 +213,15 @@ fn damaged_files_are_refused_or_read_but_nothing_else() {
         }
         for bytes in damaged {
             let source = source(&bytes);
-            if let Ok(format) = ResultFormat::from_str(&sample.format) {
+            if let Some(format) = ResultFormat::named(&sample.format) {
                 match read_result(format, &source, None, &input) {
                     Ok(triangles) => {
-                        drop(Verifier::new().verify(&input.points, &[], &triangles.list));
+                        drop(Verifier::new().verify(&input.graph.points, &[], &triangles.list));
                     }
                     Err(error) => assert!(error.to_string().starts_with("file:")),
                 }
             }
-            if let Ok(format) = InputFormat::from_str(&sample.format)
+            if let Some(format) = InputFormat::named(&sample.format)
                 && let Err(error) = read(format, &source, None)
             {
                 assert!(error.to_string().starts_with("file:"));
@@ -239,11 +244,16 @@ fn counts_are_not_believed() {
                 if bytes[at..].starts_with(number.as_bytes()) {
                     let after = &bytes[at + number.len()..];
                     let source = source(&[&bytes[..at], MANY.as_bytes(), after].concat());
-                    if let Ok(format) = InputFormat::from_str(&sample.format) {
+                    if let Some(format) = InputFormat::named(&sample.format) {
                         drop(read(format, &source, None));
                     }
-                    if let Ok(format) = ResultFormat::from_str(&sample.format) {
-                        drop(read_result(format, &source, None, &Graph::<f64>::default()));
+                    if let Some(format) = ResultFormat::named(&sample.format) {
+                        drop(read_result(
+                            format,
+                            &source,
+                            None,
+                            &GraphFile::<f64>::default(),
+                        ));
                     }
                 }
             }
@@ -254,8 +264,12 @@ fn counts_are_not_believed() {
 /// What is written, as the specifications of the formats have it.
 #[test]
 fn triangles_are_written_by_the_book() {
-    let graph = Graph {
+    let graph = Pslg {
         points: vec![[0.5, 0.0], [4.0, 0.0], [0.0, 3.0]],
+        edges: vec![[1, 2]],
+        ..Pslg::default()
+    };
+    let file = GraphFile {
         columns: vec![
             Column {
                 name: "z".to_owned(),
@@ -266,9 +280,9 @@ fn triangles_are_written_by_the_book() {
                 values: vec![1.0, 2.0, 0.25],
             },
         ],
-        edges: vec![[1, 2]],
-        ..Graph::default()
+        ..graph.into()
     };
+    let graph = &file.graph;
     let result = sweep_cdt::triangulate(&graph.points, &graph.edges).expect("a triangle");
     for (format, lines) in [
         ("obj", "v 0.5 0 7|v 4 0 8.5|v 0 3 -9|f 1 2 3"),
@@ -320,8 +334,8 @@ fn triangles_are_written_by_the_book() {
         ),
     ] {
         let mut text = Vec::new();
-        let format = OutputFormat::from_str(format).expect("a format");
-        write(format, &graph, &result, &mut text).expect("memory takes it");
+        let format = OutputFormat::named(format).expect("a format");
+        write(format, &file, &result, &mut text).expect("memory takes it");
         let text = String::from_utf8(text).expect("text");
         assert_eq!(text.trim_end().replace('\n', "|"), lines, "{format:?}");
     }
@@ -332,12 +346,17 @@ fn triangles_are_written_by_the_book() {
 fn corners_are_the_lowest_of_equal_vertices() {
     let [a, b, c, d] = [[0.0, 0.0], [1.0, -2.0], [2.0, -2.0], [3.0, 0.0]];
     let points = vec![a, b, c, a, c, d];
-    let graph = Graph {
+    let graph = Pslg {
         points,
-        ..Graph::default()
+        ..Pslg::default()
     };
     let text = "MULTIPOLYGON (((0 0, 1 -2, 2 -2, 0 0)), ((0 0, 2 -2, 3 0, 0 0)))";
-    let result = read_result(ResultFormat::Wkt, &source(text.as_bytes()), None, &graph)
-        .expect("its vertices");
+    let result = read_result(
+        ResultFormat::Wkt,
+        &source(text.as_bytes()),
+        None,
+        &graph.into(),
+    )
+    .expect("its vertices");
     assert_eq!(result.list, [[0, 1, 2], [0, 2, 5]]);
 }

@@ -1,7 +1,9 @@
 //! Formats of other programs: what is refused, and why; and what is ignored.
 
+use sweep_cdt::Pslg;
 use sweep_cdt_formats::{
-    Graph, Input, InputFormat, Matched, Matching, ResultFormat, Source, read, read_result,
+    GraphFile, Input, InputFormat, Matched, Matching, Named, ResultFormat, Source, read,
+    read_result,
 };
 
 fn source(text: &str) -> Source {
@@ -11,24 +13,25 @@ fn source(text: &str) -> Source {
     }
 }
 
-fn square() -> Graph<f64> {
-    Graph {
+fn square() -> GraphFile<f64> {
+    let graph = Pslg {
         points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
-        ..Graph::default()
-    }
+        ..Pslg::default()
+    };
+    graph.into()
 }
 
 #[track_caller]
-fn graph(format: &str, text: &str) -> Graph<f64> {
-    let format: InputFormat = format.parse().expect("a format of inputs");
+fn file(format: &str, text: &str) -> GraphFile<f64> {
+    let format = InputFormat::named(format).expect("a format of inputs");
     match read(format, &source(text), None) {
-        Ok(Input::Doubles(graph)) => graph,
+        Ok(Input::Doubles(file)) => file,
         other => panic!("{format:?}: {other:?}"),
     }
 }
 
 fn triangles(format: &str, text: &str) -> Result<Vec<[usize; 3]>, String> {
-    let format: ResultFormat = format.parse().expect("a format of results");
+    let format = ResultFormat::named(format).expect("a format of results");
     let result = read_result(format, &source(text), None, &square());
     result
         .map(|result| result.list)
@@ -201,7 +204,7 @@ const WRONG: &[(&str, &str, &str)] = &[
 #[test]
 fn what_is_wrong_is_said() {
     for &(format, text, expected) in WRONG {
-        let format: InputFormat = format.parse().expect("a format of inputs");
+        let format = InputFormat::named(format).expect("a format of inputs");
         let error = read(format, &source(text), None).expect_err(text);
         assert_eq!(error.to_string(), expected, "{text}");
     }
@@ -215,8 +218,8 @@ fn faces_of_a_result_are_triangles() {
     let off = format!("OFF|4 2 0|{vertices}4 0 1 2 3|3 0 1 2");
     assert_eq!(triangles("off", &off), Err(format!("file:7: {quad}")));
     assert_eq!(
-        graph("off", &off).points,
-        square().points,
+        file("off", &off).graph.points,
+        square().graph.points,
         "an input has no faces"
     );
     let vtk =
@@ -244,14 +247,14 @@ fn rings_are_closed_and_equal_points_are_one_vertex() {
     let open = "POLYGON ((0 0, 1 0, 1 1))";
     let closed =
         "SRID=4326;Polygon((0 0, 1 0, 1 1, 0.0 0));LINESTRING M (1.0 0 7, 2 2 7) POINT EMPTY";
-    assert_eq!(graph("wkt", open).edges, [[0, 1], [1, 2], [2, 0]]);
-    let graph = graph("wkt", closed);
+    assert_eq!(file("wkt", open).graph.edges, [[0, 1], [1, 2], [2, 0]]);
+    let file = file("wkt", closed);
     assert_eq!(
-        graph.points,
+        file.graph.points,
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [2.0, 2.0]]
     );
-    assert_eq!(graph.edges, [[0, 1], [1, 2], [2, 0], [1, 3]]);
-    assert!(graph.columns.is_empty(), "a measure is no height");
+    assert_eq!(file.graph.edges, [[0, 1], [1, 2], [2, 0], [1, 3]]);
+    assert!(file.columns.is_empty(), "a measure is no height");
 }
 
 #[test]
@@ -262,12 +265,12 @@ fn collections_in_collections_do_not_recurse() {
         "GEOMETRYCOLLECTION (".repeat(depth),
         ")".repeat(depth)
     );
-    assert_eq!(graph("wkt", &deep).points, [[1.0, 2.0]]);
+    assert_eq!(file("wkt", &deep).graph.points, [[1.0, 2.0]]);
     let geojson = |depth| {
         let begin = "{\"type\": \"GeometryCollection\", \"geometries\": [".repeat(depth);
         format!("{begin}{}", "]}".repeat(depth))
     };
-    assert!(graph("geojson", &geojson(101)).points.is_empty());
+    assert!(file("geojson", &geojson(101)).graph.points.is_empty());
     for depth in [102, depth] {
         let error = read(InputFormat::Geojson, &source(&geojson(depth)), None).expect_err("deep");
         let error = error.to_string();
@@ -320,10 +323,10 @@ fn single(corners: [[f32; 2]; 3]) -> Source {
 #[test]
 fn coordinates_alone_decide_where_there_are_no_numbers() {
     let points = vec![[0.1, 0.0], [1.0, 0.3], [1.0, 1.0]];
-    let mut input = Graph {
+    let mut input = GraphFile::from(Pslg {
         points,
-        ..Graph::default()
-    };
+        ..Pslg::default()
+    });
     let stl = single([[1.0, 1.0], [0.1, 0.0], [1.0, 0.3]]);
     let result = read_result(ResultFormat::Stl, &stl, None, &input).expect("one vertex each");
     assert_eq!(result.list, [[2, 0, 1]]);
@@ -337,11 +340,11 @@ fn coordinates_alone_decide_where_there_are_no_numbers() {
     assert_eq!(error.to_string(), expected);
 
     // Another vertex that is rounded to the same numbers.
-    input.points.push([0.1 + 1e-12, 0.0]);
+    input.graph.points.push([0.1 + 1e-12, 0.0]);
     assert!(read_result(ResultFormat::Stl, &stl, None, &input).is_err());
     // As many vertices, none of them the input's: rounding does not help.
     let text = "POLYGON ((0.100001 0, 1 0.3, 1 1))";
-    input.points.pop();
+    input.graph.points.pop();
     let error =
         read_result(ResultFormat::Wkt, &source(text), None, &input).expect_err("a stranger");
     let expected = "file:1: vertex 0 is at (0.100001, 0), where the input has none";

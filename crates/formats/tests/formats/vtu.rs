@@ -7,7 +7,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
-use sweep_cdt_formats::{Graph, Input, InputFormat, ResultFormat, Source, read, read_result};
+use sweep_cdt_formats::{GraphFile, Input, InputFormat, ResultFormat, Source, read, read_result};
 
 /// A file of two points and a line: what the elements `VTKFile` and `Points` say, and what stands behind the piece.
 fn file(head: &str, points: &str, tail: &str) -> Vec<u8> {
@@ -32,10 +32,10 @@ fn points(attributes: &str, content: &str) -> String {
 
 const TEXT: &str = "1 0 0 2 0.5 0";
 
-fn graph(bytes: Vec<u8>) -> Result<Graph<f64>, String> {
+fn input(bytes: Vec<u8>) -> Result<GraphFile<f64>, String> {
     let name = "file".to_owned();
     match read(InputFormat::Vtu, &Source { name, bytes }, None) {
-        Ok(Input::Doubles(graph)) => Ok(graph),
+        Ok(Input::Doubles(file)) => Ok(file),
         Ok(other) => panic!("{other:?}"),
         Err(error) => Err(error.to_string()),
     }
@@ -43,14 +43,14 @@ fn graph(bytes: Vec<u8>) -> Result<Graph<f64>, String> {
 
 #[track_caller]
 fn assert_is_read(bytes: Vec<u8>) {
-    let graph = graph(bytes).expect("it is right");
+    let graph = input(bytes).expect("it is right").graph;
     assert_eq!(graph.points, [[1.0, 0.0], [2.0, 0.5]]);
     assert_eq!(graph.edges, [[0, 1]]);
 }
 
 #[track_caller]
 fn assert_refused(bytes: Vec<u8>, why: &str) {
-    assert_eq!(graph(bytes), Err(why.to_owned()));
+    assert_eq!(input(bytes), Err(why.to_owned()));
 }
 
 /// The numbers of [`TEXT`] with a header of 32 bits.
@@ -164,7 +164,12 @@ fn wrong_cells_are_named() {
     let name = "file".to_owned();
     let bytes = changed(">3<", ">10<");
     let source = Source { name, bytes };
-    let result = read_result(ResultFormat::Vtu, &source, None, &Graph::<f64>::default());
+    let result = read_result(
+        ResultFormat::Vtu,
+        &source,
+        None,
+        &GraphFile::<f64>::default(),
+    );
     let error = result.expect_err("a tetrahedron").to_string();
     assert_eq!(error, "file: cell 0: cells of type 10 are no triangles");
 }

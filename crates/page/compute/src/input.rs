@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use sweep_cdt_formats::{Input, InputFormat, Source, read as read_file};
+use sweep_cdt_formats::{Input, InputFormat, Named, Source, read as read_file};
 use sweep_cdt_generate::Kind;
 
 use super::request::Given;
@@ -33,7 +33,6 @@ pub(crate) fn read(given: Given, mut files: Vec<u8>) -> Result<Input, Box<dyn Er
 }
 
 /// The format of this name.
-pub(crate) fn named<F: std::str::FromStr>(name: &str) -> Result<F, String> {
-    name.parse()
-        .map_err(|_| format!("there is no format `{name}`"))
+pub(crate) fn named<F: Named>(name: &str) -> Result<F, String> {
+    F::named(name).ok_or_else(|| format!("there is no format `{name}`"))
 }

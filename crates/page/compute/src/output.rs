@@ -5,7 +5,7 @@ use std::error::Error;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::{Error as Refusal, trace};
 use sweep_cdt_draw::{Output, StepsPage};
-use sweep_cdt_formats::{Coordinate, Graph, write_graph, write_trace};
+use sweep_cdt_formats::{Coordinate, GraphFile, write_graph, write_trace};
 
 use super::input::named;
 use super::picture::Picture;
@@ -17,35 +17,35 @@ const MOST_WITH_STEPS: usize = 50_000;
 /// Writes what is wanted of the input called `name`.
 pub(crate) fn write<S: Coordinate + Exact>(
     name: &str,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     settings: Settings,
     wanted: Wanted,
     out: &mut Vec<u8>,
 ) -> Result<(), Box<dyn Error>> {
-    let refused = |graph: &Graph<S>, error| format!("{name}: {}", graph.as_numbered(error));
+    let refused = |file: &GraphFile<S>, error| format!("{name}: {}", file.as_numbered(error));
     if let Wanted::Picture = wanted {
-        let picture = Picture::new(graph, &settings);
-        let picture = picture.map_err(|error| refused(graph, error))?;
+        let picture = Picture::new(file, &settings);
+        let picture = picture.map_err(|error| refused(file, error))?;
         return Ok(picture.write(out)?);
     }
     if let Wanted::Graph(format) = wanted {
-        return Ok(write_graph(named(&format)?, graph, out)?);
+        return Ok(write_graph(named(&format)?, file, out)?);
     }
-    let pieces = settings.pieces(graph);
-    let graph = pieces.map_err(|error| refused(graph, error))?;
-    let graph = graph.as_ref();
+    let pieces = settings.pieces(file);
+    let file = pieces.map_err(|error| refused(file, error))?;
+    let file = file.as_ref();
     match wanted {
-        Wanted::Trace(format) => write_steps(name, graph, settings, format, out),
+        Wanted::Trace(format) => write_steps(name, file, settings, format, out),
         Wanted::Result(format) => {
             let format: Output = named(&format)?;
-            let result = settings.triangulate(graph, None);
-            let (result, _) = result.map_err(|error| refused(graph, error))?;
-            match settings.domain(graph, &result) {
-                None => format.write(graph, &result, out)?,
+            let result = settings.triangulate(&file.graph, None);
+            let (result, _) = result.map_err(|error| refused(file, error))?;
+            match settings.domain(&file.graph, &result) {
+                None => format.write(file, &result, out)?,
                 Some(domain) => {
-                    let domain = domain.map_err(|error| graph.domain_as_numbered(error));
+                    let domain = domain.map_err(|error| file.domain_as_numbered(error));
                     let domain = domain.map_err(|error| format!("{name}: {error}"))?;
-                    format.write_domain(graph, &domain, out)?;
+                    format.write_domain(file, &domain, out)?;
                 }
             }
             Ok(())
@@ -57,11 +57,12 @@ pub(crate) fn write<S: Coordinate + Exact>(
 /// Writes the steps; of edges that cross, those up to the first crossing that the sweep meets.
 fn write_steps<S: Coordinate>(
     name: &str,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     settings: Settings,
     format: Trace,
     out: &mut Vec<u8>,
 ) -> Result<(), Box<dyn Error>> {
+    let graph = &file.graph;
     let size = graph.points.len() + graph.edges.len();
     if size > MOST_WITH_STEPS {
         let message = format!(
@@ -73,7 +74,7 @@ fn write_steps<S: Coordinate>(
     let refused = match settings.triangulate(graph, Some(&mut events)) {
         Ok(_) => None,
         Err(error @ Refusal::CrossingEdges { .. }) => Some(error),
-        Err(error) => return Err(format!("{name}: {}", graph.as_numbered(error)).into()),
+        Err(error) => return Err(format!("{name}: {}", file.as_numbered(error)).into()),
     };
     match format {
         Trace::Html => {

@@ -9,8 +9,8 @@ use std::io;
 
 use serde::Serialize;
 use sweep_cdt::crossings::{Crossing, Exact, crossings};
-use sweep_cdt::{Error, Stats, Triangulation};
-use sweep_cdt_formats::{Coordinate, Graph, Splitting};
+use sweep_cdt::{Error, Pslg, Stats, Triangulation};
+use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
 use super::request::Settings;
 
@@ -73,18 +73,19 @@ struct Summary {
 impl Picture {
     /// Triangulates. Edges that cross are no failure: they are listed, and split if the settings say so.
     pub(crate) fn new<S: Coordinate + Exact>(
-        graph: &Graph<S>,
+        file: &GraphFile<S>,
         settings: &Settings,
     ) -> Result<Picture, Error> {
+        let graph = &file.graph;
         match settings.triangulate(graph, None) {
-            Ok(run) => Ok(Picture::of(graph, graph, Some(run), Vec::new(), settings)),
+            Ok(run) => Ok(Picture::of(graph, file, Some(run), Vec::new(), settings)),
             Err(Error::CrossingEdges { .. }) => {
                 let found = crossings(&graph.points, &graph.edges)?;
                 if !settings.split {
-                    return Ok(Picture::of(graph, graph, None, found, settings));
+                    return Ok(Picture::of(graph, file, None, found, settings));
                 }
-                let (pieces, splitting) = graph.split_crossings()?;
-                let run = settings.triangulate(&pieces, None)?;
+                let (pieces, splitting) = file.split_crossings()?;
+                let run = settings.triangulate(&pieces.graph, None)?;
                 let picture = Picture::of(graph, &pieces, Some(run), found, settings);
                 Ok(picture.displaced(splitting))
             }
@@ -94,8 +95,8 @@ impl Picture {
 
     /// The picture of `graph`, of which `pieces` were triangulated.
     fn of<S: Coordinate>(
-        graph: &Graph<S>,
-        pieces: &Graph<S>,
+        graph: &Pslg<S>,
+        pieces: &GraphFile<S>,
         run: Option<(Triangulation, Stats)>,
         crossings: Vec<Crossing>,
         settings: &Settings,
@@ -103,7 +104,7 @@ impl Picture {
         let mut domain_refused = None;
         let mut shown = Shown::default();
         if let Some((result, _)) = &run {
-            shown = match settings.domain(pieces, result) {
+            shown = match settings.domain(&pieces.graph, result) {
                 None => Shown::new(result, |_| true),
                 Some(Ok(domain)) => Shown::new(result, |t| domain.is_inside(t)),
                 Some(Err(error)) => {
@@ -114,7 +115,7 @@ impl Picture {
         }
         let summary = Summary {
             points: graph.points.len(),
-            vertices: pieces.points.len(),
+            vertices: pieces.graph.points.len(),
             edges: graph.edges.len(),
             triangles: shown.triangles.len(),
             inner: shown.inner.len(),
@@ -127,7 +128,7 @@ impl Picture {
         let near = |point: &[S; 2]| point.each_ref().map(S::approx);
         Picture {
             summary,
-            vertices: pieces.points.iter().map(near).collect(),
+            vertices: pieces.graph.points.iter().map(near).collect(),
             edges: graph.edges.clone(),
             shown,
             crossings,

@@ -6,27 +6,28 @@ use sweep_cdt::crossings::{Exact, crossings};
 use sweep_cdt::domain::{Domain, DomainError, Rule};
 use sweep_cdt::front::{AnyFront, HashTable, Linear, SkipList};
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Error, Heuristics, Stats, Triangulation, Triangulator};
-use sweep_cdt_formats::{Coordinate, Graph};
+use sweep_cdt::{Error, Heuristics, Pslg, Stats, Triangulation, Triangulator};
+use sweep_cdt_formats::{Coordinate, GraphFile};
 
 use super::request::{Front, Inside, Preset, Settings};
 
 impl Settings {
-    /// What is triangulated: the graph itself, or its edges split, if they are to be split and any cross.
+    /// What is triangulated: the graph of the file, or its edges split, if they are to be split and any cross.
     pub(crate) fn pieces<'a, S: Coordinate + Exact>(
         &self,
-        graph: &'a Graph<S>,
-    ) -> Result<Cow<'a, Graph<S>>, Error> {
+        file: &'a GraphFile<S>,
+    ) -> Result<Cow<'a, GraphFile<S>>, Error> {
+        let graph = &file.graph;
         if !self.split || crossings(&graph.points, &graph.edges)?.is_empty() {
-            return Ok(Cow::Borrowed(graph));
+            return Ok(Cow::Borrowed(file));
         }
-        Ok(Cow::Owned(graph.split_crossings()?.0))
+        Ok(Cow::Owned(file.split_crossings()?.0))
     }
 
     /// Triangulates; where steps are wanted, by the sweep.
     pub(crate) fn triangulate<S: Coordinate>(
         &self,
-        Graph { points, edges, .. }: &Graph<S>,
+        Pslg { points, edges, .. }: &Pslg<S>,
         steps: Option<&mut Vec<Event>>,
     ) -> Result<(Triangulation, Stats), Error> {
         let front = match self.front {
@@ -54,7 +55,7 @@ impl Settings {
     /// What is inside; nothing, if that is the whole hull.
     pub(crate) fn domain<'a, S: Coordinate>(
         &self,
-        graph: &Graph<S>,
+        graph: &Pslg<S>,
         result: &'a Triangulation,
     ) -> Option<Result<Domain<'a>, DomainError>> {
         let rule = match self.inside {

@@ -2,10 +2,10 @@
 
 use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Triangulation, triangulate};
+use sweep_cdt::{Pslg, Triangulation, triangulate};
 use sweep_cdt_formats::{
-    Column, Coordinate, Graph, Input, InputFormat, OutputFormat, ResultFormat, Source, read,
-    read_result, write_graph, write_node,
+    Column, Coordinate, GraphFile, Input, InputFormat, Named, Numbering, OutputFormat,
+    ResultFormat, Source, read, read_result, write_graph, write_node,
 };
 
 use sweep_cdt_testing::oracle::canonical;
@@ -45,14 +45,14 @@ const NUMBERS: usize = 4;
 /// A coordinate of files that can be compared by all its bits.
 pub(super) trait Exact: Coordinate + std::fmt::Debug {
     /// What was read, in this type.
-    fn graph(input: Input) -> Graph<Self>;
+    fn file(input: Input) -> GraphFile<Self>;
     fn is_same(&self, other: &Self) -> bool;
 }
 
 impl Exact for f64 {
-    fn graph(input: Input) -> Graph<f64> {
+    fn file(input: Input) -> GraphFile<f64> {
         match input {
-            Input::Doubles(graph) => graph,
+            Input::Doubles(file) => file,
             Input::Rationals(_) => panic!("doubles are read as fractions"),
         }
     }
@@ -64,23 +64,28 @@ impl Exact for f64 {
 
 /// A file whose fractions are all doubles may hold none.
 impl Exact for BigRational {
-    fn graph(input: Input) -> Graph<BigRational> {
+    fn file(input: Input) -> GraphFile<BigRational> {
         match input {
-            Input::Rationals(graph) => graph,
-            Input::Doubles(graph) => Graph {
-                points: graph
-                    .points
-                    .iter()
-                    .map(|p| {
-                        p.map(|x| BigRational::from_float(x).expect("only fractions were written"))
-                    })
-                    .collect(),
-                columns: graph.columns,
-                edges: graph.edges,
-                first_vertex: graph.first_vertex,
-                first_edge: graph.first_edge,
-                ..Graph::default()
-            },
+            Input::Rationals(file) => file,
+            Input::Doubles(file) => {
+                let exact = |x| BigRational::from_float(x).expect("only fractions were written");
+                let GraphFile {
+                    graph,
+                    columns,
+                    numbering,
+                    ..
+                } = file;
+                let graph = Pslg {
+                    points: graph.points.iter().map(|p| p.map(exact)).collect(),
+                    edges: graph.edges,
+                    ..Pslg::default()
+                };
+                GraphFile {
+                    columns,
+                    numbering,
+                    ..graph.into()
+                }
+            }
         }
     }
 
@@ -89,16 +94,15 @@ impl Exact for BigRational {
     }
 }
 
-/// Writes a graph that was read, and its triangulation if it has one, and reads all of that.
-pub(super) fn write<S: Exact>(graph: &Graph<S>) {
+/// Writes a file that was read, and its triangulation if it has one, and reads all of that.
+pub(super) fn write<S: Exact>(file: &GraphFile<S>) {
+    let graph = &file.graph;
     let coordinates = graph.points.as_flattened().iter();
     coordinates.take(NUMBERS).for_each(|x| number(&x.text()));
     let mut node = Vec::new();
-    write_node(graph, &mut node).expect("memory takes all that is written");
-    let vertices = Graph {
-        edges: Vec::new(),
-        ..graph.clone()
-    };
+    write_node(file, &mut node).expect("memory takes all that is written");
+    let mut vertices = file.clone();
+    vertices.graph.edges.clear();
     assert_reads(InputFormat::Node, &node, None, &vertices);
     let length = |x: &S| x.text().len();
     let is_short = graph
@@ -108,74 +112,74 @@ pub(super) fn write<S: Exact>(graph: &Graph<S>) {
         .all(|x| length(x) <= CHARACTERS);
     if graph.points.len() <= POINTS && graph.edges.len() <= POINTS && is_short {
         match triangulate(&graph.points, &graph.edges) {
-            Ok(result) => write_result(graph, &result, &node),
-            Err(error) => assert!(!graph.as_numbered(error).to_string().is_empty()),
+            Ok(result) => write_result(file, &result, &node),
+            Err(error) => assert!(!file.as_numbered(error).to_string().is_empty()),
         }
     }
 }
 
-/// Panics unless the file reads as the graph. What has no vertices, or edges, has no first one.
+/// Panics unless the bytes read as the file. What has no vertices, or edges, has no first one.
 pub(super) fn assert_reads<S: Exact>(
     format: InputFormat,
-    file: &[u8],
+    bytes: &[u8],
     node: Option<&[u8]>,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
 ) {
-    let input = read(format, &source(file), node.map(source).as_ref());
-    let again = S::graph(input.unwrap_or_else(|error| panic!("{format:?}: {error}")));
-    let is_same = again.points.len() == graph.points.len()
+    let input = read(format, &source(bytes), node.map(source).as_ref());
+    let again = S::file(input.unwrap_or_else(|error| panic!("{format:?}: {error}")));
+    let is_same = again.graph.points.len() == file.graph.points.len()
         && again
+            .graph
             .points
             .as_flattened()
             .iter()
-            .zip(graph.points.as_flattened())
+            .zip(file.graph.points.as_flattened())
             .all(|(x, y)| x.is_same(y));
-    assert!(is_same, "{format:?}: {again:?} for {graph:?}");
-    assert_eq!(again.edges, graph.edges, "{format:?}");
+    assert!(is_same, "{format:?}: {again:?} for {file:?}");
+    assert_eq!(again.graph.edges, file.graph.edges, "{format:?}");
     if format != InputFormat::Node {
-        assert_eq!(heights(&again), heights(graph), "{format:?}");
-    } else if !graph.points.is_empty() {
+        assert_eq!(heights(&again), heights(file), "{format:?}");
+    } else if !file.graph.points.is_empty() {
         // The first column is read as heights, whatever it was. Without vertices there are no lines for columns.
-        let values = |graph: &Graph<S>| -> Vec<Vec<f64>> {
-            graph
-                .columns
+        let values = |file: &GraphFile<S>| -> Vec<Vec<f64>> {
+            file.columns
                 .iter()
                 .map(|column| column.values.clone())
                 .collect()
         };
-        assert_eq!(values(&again), values(graph));
+        assert_eq!(values(&again), values(file));
     }
-    let counts = |graph: &Graph<S>| {
+    let counts = |file: &GraphFile<S>| {
         [
-            (graph.points.len(), graph.first_vertex),
-            (graph.edges.len(), graph.first_edge),
+            (file.graph.points.len(), file.numbering.vertex),
+            (file.graph.edges.len(), file.numbering.edge),
         ]
         .map(|(count, first)| if count == 0 { 0 } else { first })
     };
     if format != InputFormat::Json {
-        assert_eq!(counts(&again), counts(graph), "{format:?}");
+        assert_eq!(counts(&again), counts(file), "{format:?}");
     }
 }
 
 /// The height of each vertex, 0 where there is none.
-pub(super) fn heights<S>(graph: &Graph<S>) -> Vec<f64> {
-    let mut columns = graph.columns.iter();
+pub(super) fn heights<S>(file: &GraphFile<S>) -> Vec<f64> {
+    let mut columns = file.columns.iter();
     let column = columns.find(|column| column.name == Column::HEIGHT);
     let mut heights = column.map_or_else(Vec::new, |column| column.values.clone());
-    heights.resize(graph.points.len(), 0.0);
+    heights.resize(file.graph.points.len(), 0.0);
     heights
 }
 
 /// Each format of results, and the file of it with the triangulation; the vertices of an `ele` follow
 /// after a zero byte.
 pub(super) fn files<S: Coordinate>(
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     result: &Triangulation,
     node: &[u8],
 ) -> [(ResultFormat, Vec<u8>); 3] {
     let text = |format| {
         let mut text = Vec::new();
-        sweep_cdt_formats::write(format, graph, result, &mut text)
+        sweep_cdt_formats::write(format, file, result, &mut text)
             .expect("memory takes all that is written");
         text
     };
@@ -190,41 +194,41 @@ pub(super) fn files<S: Coordinate>(
 /// A result in one of the formats that came later.
 pub(super) fn result_text<S: Coordinate>(
     format: ResultFormat,
-    graph: &Graph<S>,
+    file: &GraphFile<S>,
     result: &Triangulation,
 ) -> Vec<u8> {
-    let format: OutputFormat = <&str>::from(format).parse().expect("the same name");
+    let format = OutputFormat::named(format.name()).expect("the same name");
     let mut text = Vec::new();
-    sweep_cdt_formats::write(format, graph, result, &mut text)
+    sweep_cdt_formats::write(format, file, result, &mut text)
         .expect("memory takes all that is written");
     text
 }
 
 /// A graph in one of the formats that came later.
-pub(super) fn graph_text<S: Coordinate>(format: InputFormat, graph: &Graph<S>) -> Vec<u8> {
+pub(super) fn graph_text<S: Coordinate>(format: InputFormat, file: &GraphFile<S>) -> Vec<u8> {
     let mut text = Vec::new();
-    write_graph(format, graph, &mut text).expect("memory takes all that is written");
+    write_graph(format, file, &mut text).expect("memory takes all that is written");
     text
 }
 
 /// The triangles of a result that must be readable.
 fn triangles<S: Exact>(
     format: ResultFormat,
-    file: &[u8],
+    bytes: &[u8],
     node: Option<&Source>,
-    graph: &Graph<S>,
+    input: &GraphFile<S>,
 ) -> Vec<[usize; 3]> {
-    let triangles = read_result(format, &source(file), node, graph);
+    let triangles = read_result(format, &source(bytes), node, input);
     triangles
         .unwrap_or_else(|error| panic!("{format:?}: {error}"))
         .list
 }
 
-fn write_result<S: Exact>(graph: &Graph<S>, result: &Triangulation, node: &[u8]) {
-    let [(_, ele), (_, json), (_, obj)] = &files(graph, result, node);
-    assert_reads(InputFormat::Json, json, None, graph);
-    let reads = |format, file: &[u8], node: Option<&Source>| {
-        let list = triangles(format, file, node, graph);
+fn write_result<S: Exact>(file: &GraphFile<S>, result: &Triangulation, node: &[u8]) {
+    let [(_, ele), (_, json), (_, obj)] = &files(file, result, node);
+    assert_reads(InputFormat::Json, json, None, file);
+    let reads = |format, bytes: &[u8], node: Option<&Source>| {
+        let list = triangles(format, bytes, node, file);
         assert_eq!(list, result.canonical_triangles(), "{format:?}");
     };
     let ele = &ele[..ele.len() - node.len() - 1];
@@ -235,24 +239,28 @@ fn write_result<S: Exact>(graph: &Graph<S>, result: &Triangulation, node: &[u8])
     if S::APPROX_IS_EXACT {
         reads(ResultFormat::Obj, obj, None);
         for format in RESULTS {
-            reads(format, &result_text(format, graph, result), None);
+            reads(format, &result_text(format, file, result), None);
         }
         for format in INPUTS {
             let has_vertices = !matches!(format, InputFormat::Geojson | InputFormat::Wkt);
             if has_vertices || result.duplicates().len() == 0 {
-                let counted = Graph {
-                    first_vertex: first_of(format),
-                    first_edge: first_of(format),
-                    ..graph.clone()
+                let numbering = Numbering {
+                    vertex: first_of(format),
+                    edge: first_of(format),
+                    ..file.numbering
                 };
-                assert_reads(format, &graph_text(format, graph), None, &counted);
+                let counted = GraphFile {
+                    numbering,
+                    ..file.clone()
+                };
+                assert_reads(format, &graph_text(format, file), None, &counted);
             }
         }
     }
-    assert_matches(graph, result);
+    assert_matches(file, result);
     let mut picture = Vec::new();
     sweep_cdt_draw::Output::Svg
-        .write(graph, result, &mut picture)
+        .write(file, result, &mut picture)
         .expect("memory takes all that is written");
     assert_picture(picture);
 }
@@ -263,24 +271,20 @@ fn first_of(format: InputFormat) -> usize {
 }
 
 /// Panics unless a result whose vertices stand in another order is read as the same.
-fn assert_matches<S: Exact>(graph: &Graph<S>, result: &Triangulation) {
-    let last = graph.points.len().wrapping_sub(1);
-    let reversed = Graph {
-        points: graph.points.iter().rev().cloned().collect(),
-        edges: graph
-            .edges
-            .iter()
-            .map(|edge| edge.map(|v| last - v))
-            .collect(),
-        ..graph.clone()
-    };
+fn assert_matches<S: Exact>(file: &GraphFile<S>, result: &Triangulation) {
+    let last = file.graph.points.len().wrapping_sub(1);
+    let mut reversed = file.clone();
+    reversed.graph.points.reverse();
+    let edges = reversed.graph.edges.iter_mut();
+    edges.for_each(|edge| *edge = edge.map(|v| last - v));
     let mut node = Vec::new();
     write_node(&reversed, &mut node).expect("memory takes all that is written");
-    let again = triangulate(&reversed.points, &reversed.edges).expect("the order does not matter");
+    let again = triangulate(&reversed.graph.points, &reversed.graph.edges);
+    let again = again.expect("the order does not matter");
     let [(_, ele), _, (_, obj)] = &files(&reversed, &again, &node);
     let ele = &ele[..ele.len() - node.len() - 1];
-    let reads = |format, file: &[u8], node: Option<&Source>| {
-        let list = canonical(result, &triangles(format, file, node, graph));
+    let reads = |format, bytes: &[u8], node: Option<&Source>| {
+        let list = canonical(result, &triangles(format, bytes, node, file));
         assert_eq!(list, result.canonical_triangles(), "{format:?}, reversed");
     };
     reads(ResultFormat::Ele, ele, Some(&source(&node)));

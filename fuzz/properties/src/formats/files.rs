@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::ops::Range;
 
 use sweep_cdt::triangulate;
-use sweep_cdt_formats::{Graph, InputFormat, ResultFormat, write_node};
+use sweep_cdt_formats::{GraphFile, InputFormat, Named, ResultFormat, write_node};
 
 use super::again::{self, INPUTS, RESULTS};
 
@@ -51,8 +51,8 @@ impl Reader {
     /// The extension by which the command knows such a file.
     pub(super) fn extension(self) -> &'static str {
         match self {
-            Reader::Input(format) => format.into(),
-            Reader::Result(format) => format.into(),
+            Reader::Input(format) => format.name(),
+            Reader::Result(format) => format.name(),
             Reader::Trace | Reader::Numbers => "txt",
         }
     }
@@ -78,19 +78,19 @@ const TOKENS: [&str; 16] = [
     "18446744073709551615",
 ];
 
-/// The graph in every format, each read back; with what reads it, and the vertices of a file that has
+/// The file in every format, each read back; with what reads it, and the vertices of a file that has
 /// none after a zero byte.
-pub(super) fn written<S: again::Exact>(graph: &Graph<S>) -> Vec<(Reader, Vec<u8>)> {
-    again::write(graph);
+pub(super) fn written<S: again::Exact>(file: &GraphFile<S>) -> Vec<(Reader, Vec<u8>)> {
+    again::write(file);
     let mut node = Vec::new();
-    write_node(graph, &mut node).expect("memory takes all that is written");
-    let edges = edges(graph);
+    write_node(file, &mut node).expect("memory takes all that is written");
+    let edges = edges(file);
     let whole = [node.as_slice(), b"# edges\n", edges.as_bytes()].concat();
     let split = [b"0 2 0 0\n", edges.as_bytes()].concat();
-    if !graph.points.is_empty() {
-        again::assert_reads(InputFormat::Poly, &whole, None, graph);
+    if !file.graph.points.is_empty() {
+        again::assert_reads(InputFormat::Poly, &whole, None, file);
     }
-    again::assert_reads(InputFormat::Poly, &split, Some(&node), graph);
+    again::assert_reads(InputFormat::Poly, &split, Some(&node), file);
     let mut files = vec![
         (Reader::Input(InputFormat::Poly), whole),
         (
@@ -99,26 +99,25 @@ pub(super) fn written<S: again::Exact>(graph: &Graph<S>) -> Vec<(Reader, Vec<u8>
         ),
         (Reader::Input(InputFormat::Node), node.clone()),
     ];
-    if let Ok(result) = triangulate(&graph.points, &graph.edges) {
-        let results = again::files(graph, &result, &node);
+    if let Ok(result) = triangulate(&file.graph.points, &file.graph.edges) {
+        let results = again::files(file, &result, &node);
         files.push((Reader::Input(InputFormat::Json), results[1].1.clone()));
-        files.extend(results.map(|(format, file)| (Reader::Result(format), file)));
+        files.extend(results.map(|(format, bytes)| (Reader::Result(format), bytes)));
         files.extend(RESULTS.map(|format| {
-            let text = again::result_text(format, graph, &result);
+            let text = again::result_text(format, file, &result);
             (Reader::Result(format), text)
         }));
-        files
-            .extend(INPUTS.map(|format| (Reader::Input(format), again::graph_text(format, graph))));
+        files.extend(INPUTS.map(|format| (Reader::Input(format), again::graph_text(format, file))));
     }
     files
 }
 
 /// The edges as they stand in a `.poly`, markers and holes after them.
-fn edges<S>(graph: &Graph<S>) -> String {
-    let mut text = format!("{} 1\n\n", graph.edges.len());
-    for (e, edge) in graph.edges.iter().enumerate() {
-        let [a, b] = edge.map(|v| v + graph.first_vertex);
-        writeln!(text, "\t{} {a}  {b} 7\r", e + graph.first_edge).expect("memory takes it");
+fn edges<S>(file: &GraphFile<S>) -> String {
+    let mut text = format!("{} 1\n\n", file.graph.edges.len());
+    for (e, edge) in file.graph.edges.iter().enumerate() {
+        let [a, b] = edge.map(|v| v + file.numbering.vertex);
+        writeln!(text, "\t{} {a}  {b} 7\r", e + file.numbering.edge).expect("memory takes it");
     }
     text + "0\n"
 }

@@ -13,14 +13,14 @@ use std::panic::catch_unwind;
 
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
-use sweep_cdt::Heuristics;
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::trace::Trace;
 use sweep_cdt::verify::Verifier;
+use sweep_cdt::{Heuristics, Pslg};
 use sweep_cdt_draw::ViolationsPicture;
 use sweep_cdt_formats::{
-    Column, Coordinate, Graph, Input, ResultFormat, Source, read, read_result, read_trace,
-    write_trace,
+    Column, Coordinate, GraphFile, Input, Numbering, ResultFormat, Source, read, read_result,
+    read_trace, write_trace,
 };
 
 use self::again::source;
@@ -45,9 +45,9 @@ enum Case {
     /// A file in a form that the crate does not write.
     Foreign(Vec<u8>),
     /// An input that is traced.
-    Traced(Graph<f64>),
+    Traced(Pslg<f64>),
     /// An input that is written in every format, with these numbers; one file is damaged.
-    Written(Graph<f64>, Numbers, u8, [[u8; 4]; 3]),
+    Written(GraphFile<f64>, Numbers, u8, [[u8; 4]; 3]),
 }
 
 /// The coordinates of an input that is written.
@@ -67,10 +67,10 @@ pub fn test(bytes: &[u8]) {
             sample(&graph);
             run_traced(&graph);
         }
-        Case::Written(graph, numbers, which, damage) => {
-            sample(&graph);
-            let (reader, file) = written(&graph, numbers, which, damage);
-            try_reader(reader, &file);
+        Case::Written(file, numbers, which, damage) => {
+            sample(&file.graph);
+            let (reader, bytes) = written(&file, numbers, which, damage);
+            try_reader(reader, &bytes);
         }
         // Reading is total but for a type that has no values.
         Case::Foreign(bytes) => foreign::judge(&mut Unstructured::new(&bytes)).unwrap_or_default(),
@@ -80,7 +80,7 @@ pub fn test(bytes: &[u8]) {
 /// The file, with the extension of its format, and the `.node` beside it; the input that is traced or written, and the
 /// file that is damaged, if it comes to that.
 pub fn files(bytes: &[u8]) -> Vec<File> {
-    let input = |name: &str, graph: &Graph<f64>| {
+    let input = |name: &str, graph: &Pslg<f64>| {
         let json = json(&graph.points, &graph.edges);
         (name.to_owned(), json.into_bytes())
     };
@@ -90,9 +90,9 @@ pub fn files(bytes: &[u8]) -> Vec<File> {
         // What goes wrong there is told with the file.
         Case::Foreign(_) => Vec::new(),
         Case::Traced(graph) => vec![input("traced.json", &graph)],
-        Case::Written(graph, numbers, which, damage) => {
-            let mut files = vec![input("written.json", &graph)];
-            let damaged = catch_unwind(|| written(&graph, numbers, which, damage));
+        Case::Written(file, numbers, which, damage) => {
+            let mut files = vec![input("written.json", &file.graph)];
+            let damaged = catch_unwind(|| written(&file, numbers, which, damage));
             files
                 .extend(damaged.map_or_else(|_| Vec::new(), |(reader, file)| parts(reader, &file)));
             files
@@ -138,13 +138,10 @@ fn generated(style: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
         name: Column::HEIGHT.to_owned(),
         values: (0..input.points.len()).map(height).collect(),
     };
-    let graph = Graph {
+    let graph = Pslg {
         points: input.points,
-        columns: has_heights.then_some(heights).into_iter().collect(),
         edges: input.edges,
-        first_vertex: usize::from(style & 1),
-        first_edge: usize::from(style >> 1 & 1),
-        ..Graph::default()
+        ..Pslg::default()
     };
     if which >= 192 {
         return Ok(Case::Traced(graph));
@@ -156,25 +153,34 @@ fn generated(style: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
         // Whole numbers that are no doubles.
         _ => Numbers::Fractions("1/9007199254740993"),
     };
-    Ok(Case::Written(graph, numbers, which, damage))
+    let file = GraphFile {
+        columns: has_heights.then_some(heights).into_iter().collect(),
+        numbering: Numbering {
+            vertex: usize::from(style & 1),
+            edge: usize::from(style >> 1 & 1),
+            ..Numbering::default()
+        },
+        ..graph.into()
+    };
+    Ok(Case::Written(file, numbers, which, damage))
 }
 
 /// Writes the input in every format and reads it back; one of the files, damaged, and who reads it.
 fn written(
-    graph: &Graph<f64>,
+    file: &GraphFile<f64>,
     numbers: Numbers,
     which: u8,
     damage: [[u8; 4]; 3],
 ) -> (Reader, Vec<u8>) {
     let files = match numbers {
-        Numbers::Doubles => files::written(graph),
-        Numbers::Fractions(divisor) => files::written(&with_fractions(graph, divisor)),
+        Numbers::Doubles => files::written(file),
+        Numbers::Fractions(divisor) => files::written(&with_fractions(file, divisor)),
     };
     let (reader, text) = &files[usize::from(which) % files.len()];
     (*reader, files::damaged(text, &damage))
 }
 
-fn sample(Graph { points, edges, .. }: &Graph<f64>) {
+fn sample(Pslg { points, edges, .. }: &Pslg<f64>) {
     reached::sample(&sweep_cdt_testing::Input {
         points: points.clone(),
         edges: edges.clone(),
@@ -186,8 +192,8 @@ fn height(v: usize) -> f64 {
     [812.5, 0.0, -1e-7, 3e300][v % 4]
 }
 
-/// The same graph, every other vertex divided by a number.
-fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
+/// A file with every other vertex divided by a number.
+fn with_fractions(file: &GraphFile<f64>, divisor: &str) -> GraphFile<BigRational> {
     let divided = |(v, point): (usize, &[f64; 2])| {
         let divisor = if v % 2 == 0 { divisor } else { "1" };
         point.map(|x| {
@@ -195,13 +201,15 @@ fn with_fractions(graph: &Graph<f64>, divisor: &str) -> Graph<BigRational> {
             BigRational::from_float(x).expect("generated points are finite") / divisor
         })
     };
-    Graph {
-        points: graph.points.iter().enumerate().map(divided).collect(),
-        columns: graph.columns.clone(),
-        edges: graph.edges.clone(),
-        first_vertex: graph.first_vertex,
-        first_edge: graph.first_edge,
-        ..Graph::default()
+    let graph = Pslg {
+        points: file.graph.points.iter().enumerate().map(divided).collect(),
+        edges: file.graph.edges.clone(),
+        ..Pslg::default()
+    };
+    GraphFile {
+        columns: file.columns.clone(),
+        numbering: file.numbering,
+        ..graph.into()
     }
 }
 
@@ -212,21 +220,23 @@ fn try_reader(reader: Reader, bytes: &[u8]) {
     let node = files.next();
     match reader {
         Reader::Input(format) => match read(format, &main, node.as_ref()) {
-            Ok(Input::Doubles(graph)) => again::write(&graph),
-            Ok(Input::Rationals(graph)) => again::write(&graph),
+            Ok(Input::Doubles(file)) => again::write(&file),
+            Ok(Input::Rationals(file)) => again::write(&file),
             Err(error) => assert!(!error.to_string().is_empty()),
         },
         Reader::Result(format) => {
             let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 0.5]];
-            let graph = Graph {
+            let graph = Pslg {
                 points: corners.to_vec(),
                 edges: vec![[0, 2]],
-                first_vertex: 1,
-                first_edge: 1,
-                ..Graph::default()
+                ..Pslg::default()
             };
-            try_result(format, &main, node.as_ref(), &graph);
-            try_result(format, &main, node.as_ref(), &with_fractions(&graph, "3"));
+            let input = GraphFile {
+                numbering: Numbering::FROM_ONE,
+                ..graph.into()
+            };
+            try_result(format, &main, node.as_ref(), &input);
+            try_result(format, &main, node.as_ref(), &with_fractions(&input, "3"));
         }
         Reader::Trace => try_trace(&String::from_utf8_lossy(bytes)),
         Reader::Numbers => {
@@ -241,21 +251,22 @@ fn try_result<S: Coordinate + Measure>(
     format: ResultFormat,
     source: &Source,
     node: Option<&Source>,
-    graph: &Graph<S>,
+    input: &GraphFile<S>,
 ) {
-    let Ok(triangles) = read_result(format, source, node, graph) else {
+    let Ok(triangles) = read_result(format, source, node, input) else {
         return;
     };
+    let graph = &input.graph;
     let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
     let Err(violations) = verdict else { return };
     for &violation in &violations.list {
-        let numbered = triangles.as_numbered(graph, violation);
+        let numbered = triangles.as_numbered(input, violation);
         assert!(!numbered.to_string().is_empty());
         let vertices = triangles.vertices_of(graph, violation);
         assert!(vertices.iter().all(|&v| v < graph.points.len()));
     }
     let mut picture = Vec::new();
-    ViolationsPicture::new(graph, &triangles, &violations.list)
+    ViolationsPicture::new(input, &triangles, &violations.list)
         .found(violations.found)
         .write(&mut picture)
         .expect("memory takes all that is written");
@@ -276,7 +287,7 @@ fn try_trace(text: &str) {
 }
 
 /// The trace of a run reads as it was written, and its replay returns the result.
-fn run_traced(graph: &Graph<f64>) {
+fn run_traced(graph: &Pslg<f64>) {
     let steps = Steps::of(&graph.points, &graph.edges, Heuristics::default());
     let Steps { trace, result, .. } = steps;
     assert_trace_reads(&trace);

@@ -4,8 +4,8 @@
 use std::fmt::Write;
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::triangulate;
-use sweep_cdt_formats::{Coordinate, Graph, Matched, ResultFormat, Source, read_result};
+use sweep_cdt::{Pslg, triangulate};
+use sweep_cdt_formats::{Coordinate, GraphFile, Matched, ResultFormat, Source, read_result};
 use sweep_cdt_testing::generators;
 
 use crate::file::{File, json};
@@ -82,12 +82,16 @@ impl Moved {
             name: "file".to_owned(),
             bytes: obj.clone().into_bytes(),
         };
-        let input = Graph {
+        let input = GraphFile::from(Pslg {
             points: self.points.clone(),
-            ..Graph::default()
+            ..Pslg::default()
+        });
+        let input_has = |p: &[f64; 2]| input.graph.points.contains(p);
+        let pairs = || {
+            own.as_flattened()
+                .iter()
+                .zip(input.graph.points.as_flattened())
         };
-        let input_has = |p: &[f64; 2]| input.points.contains(p);
-        let pairs = || own.as_flattened().iter().zip(input.points.as_flattened());
         match read_result(ResultFormat::Obj, &source, None, &input) {
             // All are there, so they can be matched.
             Err(error) => {
@@ -95,7 +99,11 @@ impl Moved {
             }
             // What is verified are the triangles of the file, by their very corners.
             Ok(result) if result.matched == Matched::Equal => {
-                let read = result.list.as_flattened().iter().map(|&v| input.points[v]);
+                let read = result
+                    .list
+                    .as_flattened()
+                    .iter()
+                    .map(|&v| input.graph.points[v]);
                 let written = triangles.as_flattened().iter().map(|&v| own[v]);
                 assert!(read.eq(written), "{result:?} of {own:?} for {input:?}");
             }

@@ -2,9 +2,10 @@
 
 use std::panic::catch_unwind;
 
+use sweep_cdt::Pslg;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_formats::{Graph, ResultFormat, Source, read_result};
+use sweep_cdt_formats::{GraphFile, ResultFormat, Source, read_result};
 
 use super::case::{Case, is_defined};
 use crate::file::{File, json};
@@ -25,20 +26,21 @@ impl Case {
     }
 
     fn picture(&self, result: Vec<u8>) -> Option<Vec<u8>> {
-        let graph = Graph {
+        let file = GraphFile::from(Pslg {
             points: self.points.clone(),
             edges: self.edges.clone(),
-            ..Graph::default()
-        };
+            ..Pslg::default()
+        });
         let source = Source {
             name: "result.json".to_owned(),
             bytes: result,
         };
-        let triangles = read_result(ResultFormat::Json, &source, None, &graph).ok()?;
+        let triangles = read_result(ResultFormat::Json, &source, None, &file).ok()?;
+        let graph = &file.graph;
         let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
         let violations = verdict.err().map_or_else(Vec::new, |wrong| wrong.list);
         let mut picture = Vec::new();
-        let drawn = ViolationsPicture::new(&graph, &triangles, &violations).write(&mut picture);
+        let drawn = ViolationsPicture::new(&file, &triangles, &violations).write(&mut picture);
         drawn.ok().map(|()| picture)
     }
 }

@@ -14,8 +14,10 @@ mod vtk;
 mod vtu;
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::{Triangulation, triangulate};
-use sweep_cdt_formats::{Graph, Input, InputFormat, Matched, ResultFormat, read, read_result};
+use sweep_cdt::{Pslg, Triangulation, triangulate};
+use sweep_cdt_formats::{
+    GraphFile, Input, InputFormat, Matched, Named, ResultFormat, read, read_result,
+};
 use sweep_cdt_testing::generators;
 
 use self::meant::Meant;
@@ -60,8 +62,8 @@ pub(super) fn judge(bytes: &mut Unstructured<'_>) -> Result<()> {
         5 | 6 => ("vtk", vtk::write(&meant, style, number)),
         _ => ("vtu", vtu::write(&meant, style, number, packing)),
     };
-    let as_input: InputFormat = name.parse().expect("a format");
-    let as_result: ResultFormat = name.parse().expect("a format");
+    let as_input = InputFormat::named(name).expect("a format");
+    let as_result = ResultFormat::named(name).expect("a format");
     judge_input(as_input, &file, &meant);
     judge_result(as_result, &file, &meant, &result);
     // A byte that is damaged may change what is read, or be refused, and nothing else.
@@ -73,33 +75,33 @@ pub(super) fn judge(bytes: &mut Unstructured<'_>) -> Result<()> {
         as_result,
         &damaged,
         None,
-        &Graph::<f64>::default(),
+        &GraphFile::<f64>::default(),
     ));
     Ok(())
 }
 
 /// Panics unless the file reads as the points, heights and edges that it means.
-fn judge_input(format: InputFormat, file: &[u8], meant: &Meant) {
-    let shown = || format!("{} of {meant:?}", String::from_utf8_lossy(file));
-    let graph = match read(format, &source(file), None) {
-        Ok(Input::Doubles(graph)) => graph,
+fn judge_input(format: InputFormat, bytes: &[u8], meant: &Meant) {
+    let shown = || format!("{} of {meant:?}", String::from_utf8_lossy(bytes));
+    let file = match read(format, &source(bytes), None) {
+        Ok(Input::Doubles(file)) => file,
         other => panic!("{other:?}: {}", shown()),
     };
-    assert_eq!(graph.points, meant.points, "{}", shown());
-    assert_eq!(graph.edges, meant.edges, "{}", shown());
+    assert_eq!(file.graph.points, meant.points, "{}", shown());
+    assert_eq!(file.graph.edges, meant.edges, "{}", shown());
     let mut expected = meant.heights.clone();
     expected.resize(meant.points.len(), 0.0);
-    assert_eq!(heights(&graph), expected, "{}", shown());
+    assert_eq!(heights(&file), expected, "{}", shown());
 }
 
 /// Panics unless the file reads as the triangles that it means.
 fn judge_result(format: ResultFormat, file: &[u8], meant: &Meant, result: &Triangulation) {
     let shown = || format!("{} of {meant:?}", String::from_utf8_lossy(file));
-    let input = Graph {
+    let input = Pslg {
         points: meant.points.clone(),
-        ..Graph::default()
+        ..Pslg::default()
     };
-    let read = read_result(format, &source(file), None, &input);
+    let read = read_result(format, &source(file), None, &input.into());
     let read = read.unwrap_or_else(|error| panic!("{error}: {}", shown()));
     assert_eq!(read.matched, Matched::Equal, "{}", shown());
     let list = canonical(result, &read.list);

@@ -1,8 +1,8 @@
 //! WKT and `GeoJSON`: points, lines, and polygons with holes, alone or several together, in collections or not.
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::triangulate;
-use sweep_cdt_formats::{Graph, Input, InputFormat, ResultFormat, read, read_result};
+use sweep_cdt::{Pslg, triangulate};
+use sweep_cdt_formats::{Input, InputFormat, Named, ResultFormat, read, read_result};
 use sweep_cdt_testing::generators;
 
 use super::shapes_text::{Kind, Shape, Third, geojson, height, wkt};
@@ -74,7 +74,7 @@ fn shape(shapes: &mut Vec<Shape>, [kind, first, count, third]: [u8; 4], points: 
 /// Panics unless the file reads as the positions and lines that it means, and as its triangles if it has no other
 /// polygons.
 fn compare(name: &str, file: &str, shapes: &[Shape], points: &[[f64; 2]]) {
-    let mut meant: Graph<f64> = Graph::default();
+    let mut meant: Pslg<f64> = Pslg::default();
     let mut meant_heights = Vec::new();
     let mut corners = Some(Vec::new());
     for shape in shapes {
@@ -110,21 +110,21 @@ fn compare(name: &str, file: &str, shapes: &[Shape], points: &[[f64; 2]]) {
             }
         }
     }
-    let format: InputFormat = name.parse().expect("a format");
-    let graph = match read(format, &source(file.as_bytes()), None) {
-        Ok(Input::Doubles(graph)) => graph,
+    let format = InputFormat::named(name).expect("a format");
+    let found = match read(format, &source(file.as_bytes()), None) {
+        Ok(Input::Doubles(found)) => found,
         other => panic!("{other:?}: {file}"),
     };
-    assert_eq!(graph.points, meant.points, "{file}");
-    assert_eq!(graph.edges, meant.edges, "{file}");
-    assert_eq!(heights(&graph), meant_heights, "{file}");
+    assert_eq!(found.graph.points, meant.points, "{file}");
+    assert_eq!(found.graph.edges, meant.edges, "{file}");
+    assert_eq!(heights(&found), meant_heights, "{file}");
 
-    let input = Graph {
+    let input = Pslg {
         points: points.to_vec(),
-        ..Graph::default()
+        ..Pslg::default()
     };
-    let format: ResultFormat = name.parse().expect("a format");
-    let read = read_result(format, &source(file.as_bytes()), None, &input);
+    let format = ResultFormat::named(name).expect("a format");
+    let read = read_result(format, &source(file.as_bytes()), None, &input.into());
     let found = read.as_ref().ok().map(|read| {
         let list = read.list.as_flattened().iter();
         list.map(|&v| points[v]).collect::<Vec<_>>()

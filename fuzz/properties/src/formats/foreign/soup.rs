@@ -3,8 +3,8 @@
 //! What must be read: if all corners are points of the input, these. Else each corner must be one point of the input
 //! rounded to single precision, and no other one; or the file is refused.
 
-use sweep_cdt::triangulate;
-use sweep_cdt_formats::{Graph, Matched, ResultFormat, read_result};
+use sweep_cdt::{Pslg, triangulate};
+use sweep_cdt_formats::{GraphFile, Matched, ResultFormat, read_result};
 
 use super::numbers::{Form, Kind, Order};
 use crate::formats::again::source;
@@ -25,11 +25,11 @@ pub(super) fn judge(mut points: Vec<[f64; 2]>, [style, which, height]: [u8; 3]) 
     let triangles: Vec<[usize; 3]> = result.triangles().collect();
     let file = stl(&points, &triangles, style, f64::from(height));
 
-    let input = Graph {
+    let input = GraphFile::from(Pslg {
         points,
-        ..Graph::default()
-    };
-    let points = &input.points;
+        ..Pslg::default()
+    });
+    let points = &input.graph.points;
     let corners = triangles
         .as_flattened()
         .iter()
