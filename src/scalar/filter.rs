@@ -106,7 +106,7 @@ pub(crate) fn in_circle([p, a, b, q]: [[f64; 2]; 4], scale: Scale) -> Option<Ord
 }
 
 /// The orientation of `a`, `b`, `c` where they lie on so coarse a lattice that it is not rounded.
-pub(crate) fn orient2d_on_lattice([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
+pub(crate) fn orient2d_on_lattice([a, b, c]: [[f64; 2]; 3], scale: &Scale) -> Option<Ordering> {
     if !scale.lattice().has_exact_orient2d() {
         return None;
     }
@@ -116,7 +116,7 @@ pub(crate) fn orient2d_on_lattice([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Opt
 
 /// The side of the circle through `a`, `b`, `c` on which `d` lies, where they lie on so coarse a lattice that the
 /// determinant is not rounded.
-pub(crate) fn in_circle_on_lattice([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
+pub(crate) fn in_circle_on_lattice([a, b, c, d]: [[f64; 2]; 4], scale: &Scale) -> Option<Ordering> {
     if !scale.lattice().has_exact_in_circle() {
         return None;
     }
@@ -127,7 +127,7 @@ pub(crate) fn in_circle_on_lattice([a, b, c, d]: [[f64; 2]; 4], scale: Scale) ->
 /// The orientation of points whose doubles may be off. Where they are exact it decides no more than [`orient2d`].
 #[cold]
 #[inline(never)]
-pub(crate) fn orient2d_approx([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Ordering> {
+pub(crate) fn orient2d_approx([a, b, c]: [[f64; 2]; 3], scale: &Scale) -> Option<Ordering> {
     let [[ax, ay], [bx, by]] = [minus(a, c), minus(b, c)];
     let determinant = ax * by - ay * bx;
     let size = |[[ax, ay], [bx, by]]: [[f64; 2]; 2]| ax * by + ay * bx;
@@ -141,7 +141,7 @@ pub(crate) fn orient2d_approx([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<
 /// [`in_circle`].
 #[cold]
 #[inline(never)]
-pub(crate) fn in_circle_approx([a, b, c, d]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
+pub(crate) fn in_circle_approx([a, b, c, d]: [[f64; 2]; 4], scale: &Scale) -> Option<Ordering> {
     let (determinant, _) = lifted([minus(a, d), minus(b, d), minus(c, d)]);
     let size = |[[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]| {
         (ax * ax + ay * ay) * (bx * cy + by * cx)
@@ -173,7 +173,7 @@ fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 fn widen<const N: usize>(
     points: [[f64; 2]; N],
     last: [f64; 2],
-    scale: Scale,
+    scale: &Scale,
 ) -> ([[f64; 2]; N], [[f64; 2]; N]) {
     let least = points.map(|p| minus(p, last).map(f64::abs));
     let mut most = least;
@@ -229,7 +229,7 @@ mod tests {
             ties += i32::from(determinant == 0);
             let [e, f, g, _] = doubles;
             assert_eq!(
-                in_circle_on_lattice(doubles, scale),
+                in_circle_on_lattice(doubles, &scale),
                 Some(determinant.cmp(&0)),
                 "{points:?}"
             );
@@ -239,7 +239,7 @@ mod tests {
                 None => assert!(determinant.abs() < 6, "{points:?}"),
             }
             let turn = minor([a[0] - c[0], a[1] - c[1]], [b[0] - c[0], b[1] - c[1]]);
-            let found = orient2d_on_lattice([e, f, g], scale);
+            let found = orient2d_on_lattice([e, f, g], &scale);
             assert_eq!(found, Some(turn.cmp(&0)), "{points:?}");
         }
         assert!(ties > 1000, "{ties}");

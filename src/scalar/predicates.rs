@@ -77,7 +77,7 @@ impl<S: Scalar> Predicates<'_, S> {
     #[inline(always)]
     pub(crate) fn orient2d_below_filter(&self, vertices: [u32; 3]) -> Decision {
         let exact = || vertices.map(|v| self.exact(v));
-        orient2d_below_filter(self.doubles(vertices), *self.scale, exact)
+        orient2d_below_filter(self.doubles(vertices), self.scale, exact)
     }
 
     /// [`in_circle`](Predicates::in_circle) where the filter for exact doubles does not decide.
@@ -90,7 +90,7 @@ impl<S: Scalar> Predicates<'_, S> {
         }
         let exact = || vertices.map(|v| self.exact(v));
         let note = || self.near_ties.note(self);
-        in_circle_below_filter(self.doubles(vertices), *self.scale, note, exact)
+        in_circle_below_filter(self.doubles(vertices), self.scale, note, exact)
     }
 
     #[inline(always)]
@@ -141,7 +141,7 @@ impl NearTies {
 #[inline(always)]
 fn orient2d_below_filter<'p, S: Scalar + 'p>(
     doubles: [[f64; 2]; 3],
-    scale: Scale,
+    scale: &Scale,
     exact: impl FnOnce() -> [&'p [S; 2]; 3],
 ) -> Decision {
     let filtered = if scale.is_exact() {
@@ -167,7 +167,7 @@ fn orient2d_below_filter<'p, S: Scalar + 'p>(
 #[inline(always)]
 fn in_circle_below_filter<'p, S: Scalar + 'p>(
     doubles: [[f64; 2]; 4],
-    scale: Scale,
+    scale: &Scale,
     note: impl FnOnce(),
     exact: impl FnOnce() -> [&'p [S; 2]; 4],
 ) -> Decision {
@@ -194,7 +194,7 @@ fn in_circle_below_filter<'p, S: Scalar + 'p>(
 
 /// Whether doubles are the coordinates, up to a power of two, which changes no sign. They lie nearer in memory
 /// than the caller's points, which are in any order.
-fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: Scale) -> bool {
+fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: &Scale) -> bool {
     scale.is_injective() || scale.is_exact() && doubles.iter().flatten().all(|x| x.is_finite())
 }
 
@@ -210,7 +210,7 @@ fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: Scale) -> bool
 pub fn filtered_orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Ordering {
     let (doubles, scale) = scaled([a, b, c]);
     let filtered = filter::orient2d(doubles, scale);
-    filtered.unwrap_or_else(|| orient2d_below_filter(doubles, scale, || [a, b, c]).0)
+    filtered.unwrap_or_else(|| orient2d_below_filter(doubles, &scale, || [a, b, c]).0)
 }
 
 /// `Greater` if `d` lies inside the circle through `a`, `b`, `c`, as [`Scalar::in_circle`] says, behind the
@@ -229,7 +229,7 @@ pub fn filtered_in_circle<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2], d: &[S;
     let filtered = filter::in_circle(doubles, scale);
     filtered.unwrap_or_else(|| {
         let exact = || [a, b, c, d];
-        in_circle_below_filter(doubles, scale, || {}, exact).0
+        in_circle_below_filter(doubles, &scale, || {}, exact).0
     })
 }
 
