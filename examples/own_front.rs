@@ -8,7 +8,7 @@
 
 use std::collections::VecDeque;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::{Error, Run, Triangulator};
 
 /// The last `size` vertices put on the front, each with its x.
@@ -21,7 +21,7 @@ struct Recent {
 }
 
 impl FrontSearch for Recent {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         self.nodes.clear();
         self.compared = 0;
     }

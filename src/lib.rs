@@ -4,12 +4,12 @@
 mod bucket;
 mod canonical;
 pub mod crossings;
-pub mod domain;
 mod edge_chains;
 mod error;
 pub mod front;
 mod ids;
 pub mod input;
+pub mod interior;
 mod locate;
 mod mesh;
 mod probe;

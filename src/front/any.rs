@@ -7,7 +7,7 @@ use std::any::Any;
 use super::hash_table::HashTable;
 use super::linear::Linear;
 use super::list::{Front, FrontNode};
-use super::search::{Domain, FrontSearch};
+use super::search::{FrontInput, FrontSearch};
 use super::skip_list::SkipList;
 
 /// One of the crate's search structures, by name or by value.
@@ -80,8 +80,8 @@ impl Default for AnyFront {
 
 // All functions of the trait: one that is left out would be that of a structure that does without it.
 impl FrontSearch for AnyFront {
-    fn begin(&mut self, domain: Domain<'_>) {
-        self.structure().begin(domain);
+    fn begin(&mut self, input: FrontInput<'_>) {
+        self.structure().begin(input);
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {

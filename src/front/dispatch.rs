@@ -9,7 +9,7 @@ use std::fmt;
 
 use super::hash_table::HashTable;
 use super::list::{Front, FrontNode};
-use super::search::{Domain, FrontSearch};
+use super::search::{FrontInput, FrontSearch};
 
 /// A search structure that somebody else holds, for one run.
 pub(crate) enum Search<'a> {
@@ -33,10 +33,10 @@ impl<'a> Search<'a> {
     }
 
     /// Calls [`FrontSearch::begin`].
-    pub(crate) fn begin(&mut self, domain: Domain<'_>) {
+    pub(crate) fn begin(&mut self, input: FrontInput<'_>) {
         match self {
-            Search::HashTable(table) => table.begin(domain),
-            Search::Other(structure) => structure.begin(domain),
+            Search::HashTable(table) => table.begin(input),
+            Search::Other(structure) => structure.begin(input),
         }
     }
 

@@ -27,7 +27,7 @@ use std::iter::successors;
 
 use super::intervals::Intervals;
 use super::list::{Front, FrontNode};
-use super::search::{Domain, FrontSearch, WalkBudget};
+use super::search::{FrontInput, FrontSearch, WalkBudget};
 use super::work::{Tally, Work};
 use super::x_rank_set::XRankSet;
 use crate::bucket::sampled;
@@ -120,8 +120,8 @@ impl<T: Tally> HashTable<T> {
 }
 
 impl<T: Tally> FrontSearch for HashTable<T> {
-    fn begin(&mut self, domain: Domain<'_>) {
-        let n = domain.len();
+    fn begin(&mut self, input: FrontInput<'_>) {
+        let n = input.len();
         let count = if self.walk_budget.has_ended() {
             self.intervals = Intervals::Ranks(XRankSet::new(n));
             n
@@ -134,7 +134,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
                 0
             };
             let sample = sampled(n, most).collect();
-            let (intervals, count) = Intervals::new(sample, |v| domain.x(v), count);
+            let (intervals, count) = Intervals::new(sample, |v| input.x(v), count);
             self.intervals = intervals;
             self.tally = T::default();
             count
@@ -209,7 +209,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Domain, Front, FrontNode, FrontSearch, HashTable, Work};
+    use super::{Front, FrontInput, FrontNode, FrontSearch, HashTable, Work};
 
     /// XRankSet that were asked for lead to the very node, and an entry of a node that has left is passed.
     #[test]
@@ -217,13 +217,13 @@ mod tests {
         const COUNT: usize = 200;
         let equal = [[7.0, 0.0]; COUNT];
         let mut table = HashTable::default();
-        table.begin(Domain::new(&equal));
+        table.begin(FrontInput::new(&equal));
         assert!(!table.wants_ranks(4 * COUNT), "as many steps are borne");
         assert!(table.wants_ranks(1));
 
         // Every other vertex is on the front, at the place of its rank.
         let places: Vec<[f64; 2]> = (0..COUNT).map(|place| [place as f64, 0.0]).collect();
-        table.begin(Domain::new(&places));
+        table.begin(FrontInput::new(&places));
         let mut front = Front::new(COUNT);
         let mut left = front.left_end();
         for node in (0..COUNT).step_by(2).map(FrontNode::from_rank) {
@@ -244,10 +244,10 @@ mod tests {
         }
 
         // The next run begins with x again.
-        table.begin(Domain::new(&equal));
+        table.begin(FrontInput::new(&equal));
         assert_eq!(format!("{table:?}"), {
             let mut new = HashTable::default();
-            new.begin(Domain::new(&equal));
+            new.begin(FrontInput::new(&equal));
             format!("{new:?}")
         });
     }
@@ -258,7 +258,7 @@ mod tests {
     fn looks_are_counted() {
         let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]].repeat(6);
         let mut table = HashTable::counting();
-        table.begin(Domain::new(&points));
+        table.begin(FrontInput::new(&points));
         let mut front = Front::new(points.len());
         let nodes = [0, 1, 2, 3].map(FrontNode::from_rank);
         let mut left = front.left_end();
@@ -285,7 +285,7 @@ mod tests {
 
         // With x-ranks the words of the set count, one for up to 64 x-ranks, and so does what was counted before.
         assert!(table.wants_ranks(1000));
-        table.begin(Domain::new(&points));
+        table.begin(FrontInput::new(&points));
         table.inserted(nodes[2], 2.0);
         assert_eq!(table.locate(3.0, &front), nodes[2]);
         expected.updates += 1;
@@ -294,7 +294,7 @@ mod tests {
         expected.bytes = entries.max(24 * size_of::<FrontNode>() as u64 + 8);
         assert_eq!(table.work(), expected);
 
-        table.begin(Domain::new(&points));
+        table.begin(FrontInput::new(&points));
         let begun = Work {
             bytes: entries,
             ..Work::default()
@@ -310,7 +310,7 @@ mod tests {
         let points: Vec<_> = (0..4 * NODES).map(|i| [(i % NODES) as f64, 0.0]).collect();
         for (some_leave, cuts) in [(false, 2), (true, 1)] {
             let (mut table, mut front) = (HashTable::counting(), Front::new(points.len()));
-            table.begin(Domain::new(&points));
+            table.begin(FrontInput::new(&points));
             let mut left = front.left_end();
             for node in (0..NODES).map(FrontNode::from_rank) {
                 let x = points[node.rank()][0];

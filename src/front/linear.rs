@@ -3,7 +3,7 @@
 //! Cost: O(n) for a search at worst; a step or two where each point comes next to the one before.
 
 use super::list::{Front, FrontNode};
-use super::search::{Domain, FrontSearch};
+use super::search::{FrontInput, FrontSearch};
 
 /// Starts at the node inserted last: O(n). It shows what [`FrontSearch`] requires.
 #[derive(Clone, Copy, Debug, Default)]
@@ -12,7 +12,7 @@ pub struct Linear {
 }
 
 impl FrontSearch for Linear {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         self.last = None;
     }
 

@@ -62,12 +62,12 @@ impl Neighbors {
 /// The sweep keeps the one that a structure gets to see. To test a structure alone, keep one by hand:
 ///
 /// ```
-/// use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, SkipList};
+/// use sweep_cdt::front::{FrontInput, Front, FrontNode, FrontSearch, SkipList};
 ///
 /// let points = [[0.0, 0.0], [6.0, 0.0], [3.0, 1.0]];
 /// let mut front = Front::new(points.len());
 /// let mut structure = SkipList::default();
-/// structure.begin(Domain::new(&points));
+/// structure.begin(FrontInput::new(&points));
 /// let [a, b, c] = [0, 1, 2].map(FrontNode::from_rank);
 /// for (node, left) in [(a, front.left_end()), (b, a), (c, a)] {
 ///     front.insert(node, left);

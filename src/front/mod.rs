@@ -19,7 +19,7 @@
 //!
 //! `HashTable::counting` and `SkipList::counting` are the same structures with counts of their work ([`Work`]).
 //!
-//! A structure can be tested without a sweep: [`Front`], [`FrontNode`] and [`Domain`] can be made and
+//! A structure can be tested without a sweep: [`Front`], [`FrontNode`] and [`FrontInput`] can be made and
 //! changed by hand.
 //!
 //! Differs from the paper: the paper's structure is the hash table; the others are for comparison.
@@ -41,6 +41,6 @@ pub use hash_table::HashTable;
 pub use linear::Linear;
 pub(crate) use list::Direction;
 pub use list::{Front, FrontNode};
-pub use search::{Domain, FrontSearch, LONG_WALK};
+pub use search::{FrontInput, FrontSearch, LONG_WALK};
 pub use skip_list::SkipList;
 pub use work::{Tally, Work};

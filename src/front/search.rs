@@ -6,14 +6,14 @@ use super::list::{Front, FrontNode};
 
 /// What a search structure may know of the vertices before the sweep starts.
 #[derive(Clone, Copy, Debug)]
-pub struct Domain<'a> {
+pub struct FrontInput<'a> {
     approx: &'a [[f64; 2]],
 }
 
-impl<'a> Domain<'a> {
+impl<'a> FrontInput<'a> {
     /// The domain of vertices with these coordinates `[x, y]`, by rank in the sweep order.
     pub fn new(approx: &'a [[f64; 2]]) -> Self {
-        Domain { approx }
+        FrontInput { approx }
     }
 
     /// How many vertices will be swept.
@@ -81,8 +81,8 @@ pub trait FrontSearch {
     /// `removed` never name.
     ///
     /// What an earlier run left in the structure must be forgotten here.
-    fn begin(&mut self, domain: Domain<'_>) {
-        let _ = domain;
+    fn begin(&mut self, input: FrontInput<'_>) {
+        let _ = input;
     }
 
     /// A node of `front`, best the last one whose x is at most `x`.
@@ -101,7 +101,7 @@ pub trait FrontSearch {
     ///
     /// ```
     /// use sweep_cdt::Triangulator;
-    /// use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, LONG_WALK};
+    /// use sweep_cdt::front::{FrontInput, Front, FrontNode, FrontSearch, LONG_WALK};
     ///
     /// /// The nodes by place. Until x-ranks are given, walks start at the left end.
     /// #[derive(Clone, Default)]

@@ -9,7 +9,7 @@
 //! for each vertex on the front at one time.
 
 use super::list::{Front, FrontNode};
-use super::search::{Domain, FrontSearch, WalkBudget};
+use super::search::{FrontInput, FrontSearch, WalkBudget};
 use super::work::{Tally, Work};
 use crate::ids::narrow;
 
@@ -67,14 +67,14 @@ impl SkipList<Work> {
 }
 
 impl<T: Tally> FrontSearch for SkipList<T> {
-    fn begin(&mut self, domain: Domain<'_>) {
+    fn begin(&mut self, input: FrontInput<'_>) {
         self.towers.clear();
         self.towers.push(Tower::HEAD);
         self.free.clear();
         if !self.walk_budget.has_ended() {
             self.tally = T::default();
         }
-        self.walk_budget = WalkBudget::with(domain.len());
+        self.walk_budget = WalkBudget::with(input.len());
     }
 
     fn wants_ranks(&mut self, steps: usize) -> bool {
@@ -174,7 +174,7 @@ fn height(node: FrontNode) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{Domain, Front, FrontNode, FrontSearch, LEVELS, SkipList, Tower, Work, height};
+    use super::{Front, FrontInput, FrontNode, FrontSearch, LEVELS, SkipList, Tower, Work, height};
 
     /// The memory depends on the longest front, not on how many vertices are ever on it.
     #[test]
@@ -217,7 +217,7 @@ mod tests {
             .collect();
         let points = [[0.0, 0.0]; 100];
         let mut list = SkipList::counting();
-        list.begin(Domain::new(&points));
+        list.begin(FrontInput::new(&points));
         let mut expected = Work::default();
         // To the end of those that are there: each comes after all others.
         for (place, &node) in low.iter().enumerate() {
@@ -245,9 +245,9 @@ mod tests {
 
         // XRankSet are asked for in the middle of a run.
         assert!(list.wants_ranks(1000));
-        list.begin(Domain::new(&points));
+        list.begin(FrontInput::new(&points));
         assert_eq!(list.work().rearranged, expected.rearranged);
-        list.begin(Domain::new(&points));
+        list.begin(FrontInput::new(&points));
         assert_eq!(list.work(), Work::default());
     }
 }

@@ -16,7 +16,7 @@ use super::vertices::ApproxPoints;
 use super::vertices::Vertices;
 use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
-use crate::front::{Domain, Search};
+use crate::front::{FrontInput, Search};
 use crate::ids::{BorderId, VertexId, narrow};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
@@ -73,7 +73,7 @@ pub(super) fn begin<'a, S: Scalar, P: Probe>(
     probe: P,
     scratch: &mut Scratch,
 ) -> Sweep<'a, S, P> {
-    search.begin(Domain::new(&vertices.approx));
+    search.begin(FrontInput::new(&vertices.approx));
     // There is an border half-edge for each vertex, the segment of the front that starts there.
     let n = vertices.len();
     scratch.mesh.begin(2 * n + 2, n + 2);

@@ -26,7 +26,7 @@ use std::hint::select_unpredictable;
 
 use super::heuristics::Obtuse;
 use super::{NewVertex, Sweep};
-use crate::front::{Direction, Domain, FrontNode, LONG_WALK};
+use crate::front::{Direction, FrontInput, FrontNode, LONG_WALK};
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
@@ -150,7 +150,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
         let by_rank: Vec<[f64; 2]> = (0..n)
             .map(|v| [predicates.search_x(VertexId::at(v)), 0.0])
             .collect();
-        self.search.begin(Domain::new(&by_rank));
+        self.search.begin(FrontInput::new(&by_rank));
         let mut at = self.front.next(predicates.artificial.left);
         while at != predicates.artificial.right {
             self.search

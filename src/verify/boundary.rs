@@ -22,7 +22,7 @@
 
 use std::cmp::Ordering;
 
-use super::declared::Domain;
+use super::declared::DeclaredBoundary;
 use super::depth::Depth;
 use super::report::{Level, Record};
 use super::scanline;
@@ -35,7 +35,7 @@ use crate::scalar::{Measure, Scalar};
 pub(super) fn check<S: Measure>(
     soup: &Soup<'_, S>,
     sides: &Sides,
-    domain: Option<&Domain>,
+    domain: Option<&DeclaredBoundary>,
     record: &mut Record,
 ) {
     // A triangle that is missing or rejected leaves a hole, which is not another fault.
@@ -186,7 +186,7 @@ fn report_concave<S: Measure>(
 pub(super) fn check_points<S: Scalar>(
     soup: &Soup<'_, S>,
     used: u32,
-    domain: Option<&Domain>,
+    domain: Option<&DeclaredBoundary>,
     record: &mut Record,
 ) {
     let unused = (used..soup.vertices()).filter(|&point| !soup.predicates.is_added(point));
@@ -213,7 +213,7 @@ pub(super) fn check_points<S: Scalar>(
 
 /// Checks the count of triangles with `used` corners, if nothing else is wrong and they are to fill the hull. It follows
 /// from the checks before it: a second opinion, by nothing but counting.
-pub(super) fn check_count(used: u32, domain: Option<&Domain>, record: &mut Record) {
+pub(super) fn check_count(used: u32, domain: Option<&DeclaredBoundary>, record: &mut Record) {
     let report = &record.report;
     if domain.is_some() || report.triangles == 0 || !record.findings.is_empty() {
         return;

@@ -18,11 +18,11 @@ use crate::scalar::Scalar;
 
 /// The sides of the declared chains, by rank, in the caller's order.
 #[derive(Debug)]
-pub(super) struct Domain {
+pub(super) struct DeclaredBoundary {
     pub(super) sides: Vec<[u32; 2]>,
 }
 
-impl Domain {
+impl DeclaredBoundary {
     /// Turns each declared side whose reverse is on the boundary of the triangles, so that it runs as they do: the
     /// caller's chains may run any way.
     pub(super) fn orient<S: Scalar>(&mut self, soup: &Soup<'_, S>, boundary: &[u32]) {

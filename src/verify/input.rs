@@ -7,7 +7,7 @@
 
 use std::cmp::Ordering;
 
-use super::declared::Domain;
+use super::declared::DeclaredBoundary;
 use super::report::Record;
 use super::soup::{LIMIT, REJECTED, Soup, SoupPredicates};
 use super::violation::Violation;
@@ -19,7 +19,7 @@ pub(super) struct Ranked<'a, S> {
     pub(super) soup: Soup<'a, S>,
     /// Edges with two different ends, with their numbers.
     pub(super) edges: Vec<(usize, [u32; 2])>,
-    pub(super) domain: Option<Domain>,
+    pub(super) domain: Option<DeclaredBoundary>,
     /// Vertices of this rank and above are in no triangle.
     pub(super) used: u32,
 }
@@ -144,7 +144,7 @@ impl<'a, S: Scalar> Ranks<'a, S> {
         ranked
     }
 
-    fn read_chains(&mut self, chains: &[Vec<usize>], record: &mut Record) -> Domain {
+    fn read_chains(&mut self, chains: &[Vec<usize>], record: &mut Record) -> DeclaredBoundary {
         let mut sides = Vec::new();
         for chain in chains {
             let first = sides.len();
@@ -164,7 +164,7 @@ impl<'a, S: Scalar> Ranks<'a, S> {
                 sides.truncate(first);
             }
         }
-        Domain { sides }
+        DeclaredBoundary { sides }
     }
 
     fn out_of_range(&self, vertices: &[usize]) -> Option<usize> {

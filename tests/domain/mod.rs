@@ -5,7 +5,7 @@ mod oracle;
 mod random;
 mod seeds;
 
-use sweep_cdt::domain::{DomainError, Rule};
+use sweep_cdt::interior::{FillRule, InteriorError};
 use sweep_cdt::triangulate;
 
 /// A square in a square, with room for a second edge through each side.
@@ -28,7 +28,7 @@ fn a_hole_is_a_ring_that_runs_the_other_way() {
     for (inner, depth, count) in [(INNER, 2, 10), (reversed, 0, 8)] {
         let edges = [OUTER, inner].concat();
         let result = triangulate(&SQUARES, &edges).unwrap();
-        let domain = result.domain(Rule::NonZero(&edges)).unwrap();
+        let domain = result.interior(FillRule::NonZero(&edges)).unwrap();
         assert_eq!(domain.inside().len(), count);
         let in_hole = |t: &usize| result.triangle(*t).iter().all(|v| *v >= 4);
         let holes: Vec<usize> = (0..result.len()).filter(in_hole).collect();
@@ -41,12 +41,12 @@ fn a_hole_is_a_ring_that_runs_the_other_way() {
 fn a_ring_given_twice_is_none_for_even_odd() {
     let edges = [OUTER, INNER, INNER].concat();
     let result = triangulate(&SQUARES, &edges).unwrap();
-    let domain = result.domain(Rule::EvenOdd).unwrap();
+    let domain = result.interior(FillRule::EvenOdd).unwrap();
     assert_eq!(domain.inside().len(), result.len());
     assert_eq!(domain.boundary(), [vec![0, 1, 2, 3]]);
     let edges = [OUTER, INNER, OUTER].concat();
     let result = triangulate(&SQUARES, &edges).unwrap();
-    let domain = result.domain(Rule::EvenOdd).unwrap();
+    let domain = result.interior(FillRule::EvenOdd).unwrap();
     assert_eq!(domain.boundary(), [vec![4, 5, 6, 7]]);
 }
 
@@ -58,7 +58,7 @@ fn a_ring_that_meets_itself_stays_with_its_triangles() {
     let two = [[0, 2], [2, 1], [1, 0], [2, 4], [4, 3], [3, 2]];
     for edges in [one, two] {
         let result = triangulate(&points, &edges).unwrap();
-        let domain = result.domain(Rule::EvenOdd).unwrap();
+        let domain = result.interior(FillRule::EvenOdd).unwrap();
         assert_eq!(domain.boundary(), [vec![0, 2, 1], vec![2, 4, 3]]);
     }
 }
@@ -68,28 +68,28 @@ fn a_hole_that_touches_the_outline_is_part_of_its_chain() {
     let points = [[0, 0], [8, 0], [0, 8], [2, 1], [1, 2]];
     let edges = [[0, 1], [1, 2], [2, 0], [0, 3], [3, 4], [4, 0]];
     let result = triangulate(&points, &edges).unwrap();
-    let domain = result.domain(Rule::EvenOdd).unwrap();
+    let domain = result.interior(FillRule::EvenOdd).unwrap();
     assert_eq!(domain.boundary(), [vec![0, 1, 2, 0, 4, 3]]);
 }
 
 #[test]
 fn what_does_not_close_is_named() {
-    let open = Some(DomainError::OpenAtVertex { vertex: 0 });
+    let open = Some(InteriorError::OpenAtVertex { vertex: 0 });
     let result = triangulate(&SQUARES, &OUTER[1..]).unwrap();
-    assert_eq!(result.domain(Rule::EvenOdd).err(), open);
-    assert_eq!(result.domain(Rule::NonZero(&OUTER[1..])).err(), open);
+    assert_eq!(result.interior(FillRule::EvenOdd).err(), open);
+    assert_eq!(result.interior(FillRule::NonZero(&OUTER[1..])).err(), open);
     // Closed, but two of its edges run against the others.
     let turned = [[0, 1], [1, 2], [3, 2], [0, 3]];
     let result = triangulate(&SQUARES, &turned).unwrap();
-    assert_eq!(result.domain(Rule::NonZero(&turned)).err(), open);
-    assert!(result.domain(Rule::EvenOdd).is_ok());
+    assert_eq!(result.interior(FillRule::NonZero(&turned)).err(), open);
+    assert!(result.interior(FillRule::EvenOdd).is_ok());
 }
 
 #[test]
 fn other_edges_are_named() {
     let result = triangulate(&SQUARES, &OUTER).unwrap();
-    let refused = |edges: &[[usize; 2]]| result.domain(Rule::NonZero(edges)).unwrap_err();
-    let other = |edge| DomainError::OtherEdge { edge };
+    let refused = |edges: &[[usize; 2]]| result.interior(FillRule::NonZero(edges)).unwrap_err();
+    let other = |edge| InteriorError::OtherEdge { edge };
     assert_eq!(refused(&INNER), other(0));
     assert_eq!(refused(&OUTER[..3]), other(3));
     assert_eq!(refused(&[OUTER, INNER].concat()), other(4));
@@ -106,8 +106,8 @@ fn without_triangles_nothing_is_inside() {
     for points in [&line[..], &[]] {
         let edges = if points.is_empty() { &[] } else { &edges[..] };
         let result = triangulate(points, edges).unwrap();
-        for rule in [Rule::Hull, Rule::EvenOdd, Rule::NonZero(edges)] {
-            let domain = result.domain(rule).unwrap();
+        for rule in [FillRule::Hull, FillRule::EvenOdd, FillRule::NonZero(edges)] {
+            let domain = result.interior(rule).unwrap();
             assert_eq!((domain.inside().len(), domain.boundary().len()), (0, 0));
         }
     }

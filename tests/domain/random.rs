@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use sweep_cdt::domain::{Domain, Rule};
+use sweep_cdt::interior::{FillRule, Interior};
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_testing::Random;
@@ -14,7 +14,7 @@ use super::oracle::{Rings, cast, faces, layers, rings};
 const CASES: u64 = 2000;
 
 /// The boundary must have exactly the sides of the triangles inside that have none on their right.
-fn assert_boundary(domain: &Domain<'_>) {
+fn assert_boundary(domain: &Interior<'_>) {
     let result = domain.triangulation();
     let inside = domain.inside().map(|t| result.triangle(t));
     let sides: BTreeSet<[usize; 2]> = inside
@@ -47,9 +47,11 @@ fn every_triangle_is_where_rays_say() {
         let Rings { points, edges } = rings(&mut random);
         let what = || format!("seed {seed}: {points:?} {edges:?}");
         let result = triangulate(&points, &edges).expect("edges cross at vertices only");
-        let even_odd = result.domain(Rule::EvenOdd).expect("the rings are closed");
+        let even_odd = result
+            .interior(FillRule::EvenOdd)
+            .expect("the rings are closed");
         let nonzero = result
-            .domain(Rule::NonZero(&edges))
+            .interior(FillRule::NonZero(&edges))
             .expect("the rings are closed");
         let triangles: Vec<[usize; 3]> = result.triangles().collect();
         let expected = layers(&points, &edges, &triangles);
@@ -87,16 +89,16 @@ fn edges_that_do_not_close_are_refused() {
         // Without an edge that has a length, two vertices are open.
         let is_closed = points[a] == points[b];
         assert_eq!(
-            result.domain(Rule::EvenOdd).is_ok(),
+            result.interior(FillRule::EvenOdd).is_ok(),
             is_closed,
             "seed {seed}"
         );
         assert_eq!(
-            result.domain(Rule::NonZero(&edges)).is_ok(),
+            result.interior(FillRule::NonZero(&edges)).is_ok(),
             is_closed,
             "seed {seed}"
         );
-        assert!(result.domain(Rule::Hull).is_ok());
+        assert!(result.interior(FillRule::Hull).is_ok());
     }
 }
 
@@ -127,11 +129,11 @@ fn the_verifier_knows_each_domain() {
 
         // Every ring runs one way or the other.
         let rule = if is_even_odd {
-            Rule::EvenOdd
+            FillRule::EvenOdd
         } else {
-            Rule::NonZero(&edges)
+            FillRule::NonZero(&edges)
         };
-        let domain: Domain<'_> = result.domain(rule).expect("the rings are closed");
+        let domain: Interior<'_> = result.interior(rule).expect("the rings are closed");
         let mut chains = domain.boundary();
         for chain in &mut chains {
             if random.one_in(2) {

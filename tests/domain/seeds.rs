@@ -1,6 +1,6 @@
 //! Holes and regions by seeds, against geometry in whole numbers.
 
-use sweep_cdt::domain::{DomainError, Seed};
+use sweep_cdt::interior::{InteriorError, Seed};
 use sweep_cdt::triangulate;
 use sweep_cdt_testing::Random;
 
@@ -17,17 +17,17 @@ fn dangling(random: &mut Random) -> Rings {
 }
 
 /// What is wrong with a seed, if anything.
-fn fault(rings: &Rings, triangles: &[[usize; 3]], seed: Seed, p: Point) -> Option<DomainError> {
+fn fault(rings: &Rings, triangles: &[[usize; 3]], seed: Seed, p: Point) -> Option<InteriorError> {
     let Rings { points, edges } = rings;
     let around: Vec<&[usize; 3]> = triangles.iter().filter(|t| holds(points, **t, p)).collect();
     if around.is_empty() {
-        return Some(DomainError::SeedOutside { seed });
+        return Some(InteriorError::SeedOutside { seed });
     }
     if let Some(&vertex) = around.iter().copied().flatten().find(|&&v| points[v] == p) {
-        return Some(DomainError::SeedOnVertex { seed, vertex });
+        return Some(InteriorError::SeedOnVertex { seed, vertex });
     }
     // Of an edge it says which part.
-    is_on_edge(points, edges, p).then_some(DomainError::SeedOnEdge { seed, ends: [0, 0] })
+    is_on_edge(points, edges, p).then_some(InteriorError::SeedOnEdge { seed, ends: [0, 0] })
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn every_triangle_is_where_seeds_say() {
             points.take(3).collect()
         };
         let (holes, regions) = (seeds(Seed::Hole), seeds(Seed::Region));
-        let found = result.domain_of_seeds(points, &holes, &regions);
+        let found = result.interior_of_seeds(points, &holes, &regions);
 
         let names = (0..holes.len()).map(Seed::Hole);
         let names = names.chain((0..regions.len()).map(Seed::Region));
@@ -75,7 +75,7 @@ fn every_triangle_is_where_seeds_say() {
                 Seed::Region(region) => {
                     let (face, is_open) = face(p);
                     if is_open || closed.contains(&face) {
-                        expected = Err(DomainError::RegionOutside { region });
+                        expected = Err(InteriorError::RegionOutside { region });
                         break;
                     }
                 }
@@ -83,9 +83,9 @@ fn every_triangle_is_where_seeds_say() {
         }
         let domain = match (found, expected) {
             (Ok(domain), Ok(())) => domain,
-            (Err(DomainError::SeedOnEdge { seed, ends }), Err(expected)) => {
+            (Err(InteriorError::SeedOnEdge { seed, ends }), Err(expected)) => {
                 assert_eq!(
-                    DomainError::SeedOnEdge { seed, ends: [0, 0] },
+                    InteriorError::SeedOnEdge { seed, ends: [0, 0] },
                     expected,
                     "{}",
                     what()
@@ -128,7 +128,9 @@ fn what_is_wrong_with_a_seed_is_said() {
     let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [1, 3]];
     let result = triangulate(&points, &edges).unwrap();
     let message = |holes: &[[f64; 2]], regions: &[[f64; 2]]| {
-        let error = result.domain_of_seeds(&points, holes, regions).unwrap_err();
+        let error = result
+            .interior_of_seeds(&points, holes, regions)
+            .unwrap_err();
         error.to_string()
     };
     for ([hole, region], expected) in [
@@ -155,8 +157,10 @@ fn what_is_wrong_with_a_seed_is_said() {
     ] {
         assert_eq!(message(&[hole], &[region]), expected);
     }
-    let few = result.domain_of_seeds(&points[..3], &[], &[]).unwrap_err();
-    assert_eq!(few, DomainError::MissingPoint { vertex: 3 });
+    let few = result
+        .interior_of_seeds(&points[..3], &[], &[])
+        .unwrap_err();
+    assert_eq!(few, InteriorError::MissingPoint { vertex: 3 });
 }
 
 #[test]
@@ -167,7 +171,7 @@ fn a_seed_is_located_by_exact_signs() {
     let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]];
     let result = triangulate(&points, &edges).unwrap();
     for (seed, corner) in [([1.0, 1.0 + near], 3), ([1.0, 1.0 - near / 2.0], 1)] {
-        let domain = result.domain_of_seeds(&points, &[seed], &[]).unwrap();
+        let domain = result.interior_of_seeds(&points, &[seed], &[]).unwrap();
         let kept: Vec<usize> = domain.inside().flat_map(|t| result.triangle(t)).collect();
         assert!(!kept.contains(&corner), "{seed:?}");
         assert_eq!(kept.len(), 3);

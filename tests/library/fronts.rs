@@ -3,7 +3,7 @@
 use std::fmt::Debug;
 
 use num_bigint::BigInt;
-use sweep_cdt::front::{AnyFront, Domain, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{AnyFront, FrontInput, FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Algorithm, Counters, Triangulator};
 use sweep_cdt_testing::Random;
@@ -40,12 +40,12 @@ fn the_last_node_is_near_where_points_come_in_rows() {
 }
 
 #[test]
-fn a_domain_is_the_vertices() {
+fn an_input_is_the_vertices() {
     let near = [[3.0, 1.0], [2.0, 5.0]];
-    let domain = Domain::new(&near);
-    assert_eq!((domain.len(), domain.is_empty()), (2, false));
-    assert_eq!([0, 1].map(|rank| domain.x(rank).to_string()), ["3", "2"]);
-    assert!(Domain::new(&[]).is_empty());
+    let input = FrontInput::new(&near);
+    assert_eq!((input.len(), input.is_empty()), (2, false));
+    assert_eq!([0, 1].map(|rank| input.x(rank).to_string()), ["3", "2"]);
+    assert!(FrontInput::new(&[]).is_empty());
 }
 
 /// A structure that an earlier run has filled works as a new one does.

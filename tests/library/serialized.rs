@@ -1,7 +1,7 @@
 //! Results as data and back: the same in every answer; data that is none is refused, and whatever is accepted answers.
 
 use serde_json::{Value, json};
-use sweep_cdt::domain::Rule;
+use sweep_cdt::interior::FillRule;
 use sweep_cdt::verify::{Level, verify};
 use sweep_cdt::{Error, Location, Triangulation, Triangulator, triangulate};
 use sweep_cdt_testing::Random;
@@ -37,7 +37,7 @@ fn answers(result: &Triangulation, points: usize, edges: usize) -> Vec<String> {
         format!(
             "{:?}",
             result
-                .domain(Rule::EvenOdd)
+                .interior(FillRule::EvenOdd)
                 .map(|domain| domain.inside().collect::<Vec<_>>())
         ),
     ]

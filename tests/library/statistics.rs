@@ -4,7 +4,7 @@
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Linear};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Linear};
 use sweep_cdt::{Algorithm, Corners, Heuristics, Stats, Triangulator};
 use sweep_cdt_testing::Random;
 use sweep_cdt_testing::runs::ALGORITHMS;
@@ -90,7 +90,7 @@ struct Counting {
 }
 
 impl FrontSearch for Counting {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         self.begun += 1;
     }
 

@@ -4,7 +4,7 @@
 //! A square frame with a hole, whose corners are moved a little, is filled with triangles that may have vertices of
 //! their own. These are broken, or what they are verified against is.
 
-use sweep_cdt::domain::{Rule, locate_seeds};
+use sweep_cdt::interior::{FillRule, locate_seeds};
 use sweep_cdt::verify::{Regions, Report, Verifier};
 use sweep_cdt::{Pslg, triangulate};
 use sweep_cdt_formats::{Coordinate, GraphFile, Matching, added_points};
@@ -59,12 +59,16 @@ fn made(random: &mut Random, is_hull: bool) -> Made {
             [0, 1].map(|i| f64::midpoint(a[i], b[i]))
         });
     }
-    let rule = if is_hull { Rule::Hull } else { Rule::EvenOdd };
+    let rule = if is_hull {
+        FillRule::Hull
+    } else {
+        FillRule::EvenOdd
+    };
     let whole = triangulate(&vertices, &RINGS).expect("rings do not cross");
-    let inside = whole.domain(rule).expect("rings are closed");
+    let inside = whole.interior(rule).expect("rings are closed");
     let (filled, hole) = (0..whole.len()).partition::<Vec<usize>, _>(|&t| inside.is_inside(t));
     let own = triangulate(&points, &RINGS).expect("rings do not cross");
-    let chains = own.domain(rule).expect("rings are closed").boundary();
+    let chains = own.interior(rule).expect("rings are closed").boundary();
     Made {
         points,
         edges: RINGS.to_vec(),

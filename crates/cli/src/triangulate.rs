@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::num::NonZeroUsize;
 
 use sweep_cdt::Triangulation;
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_formats::{Coordinate, Splitting};
@@ -232,7 +232,7 @@ impl Job for Run<'_> {
 fn summarize<S, T>(
     Given { name, file, .. }: &Given<'_, S, T>,
     result: &Triangulation,
-    domain: Option<&Domain<'_>>,
+    domain: Option<&Interior<'_>>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (points, edges) = (file.graph.points.len(), file.graph.edges.len());

@@ -9,7 +9,7 @@ use std::error::Error;
 use std::fs::File;
 use std::io::BufWriter;
 
-use sweep_cdt::domain::Rule;
+use sweep_cdt::interior::FillRule;
 use sweep_cdt::{Pslg, triangulate};
 use sweep_cdt_draw::Output;
 
@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let points: Vec<[f64; 2]> = (0..10).map(corner).collect();
     let edges: Vec<[usize; 2]> = (0..10).map(|v| [v, (v + 1) % 10]).collect();
     let result = triangulate(&points, &edges)?;
-    let star = result.domain(Rule::EvenOdd)?;
+    let star = result.interior(FillRule::EvenOdd)?;
     let (all, inside) = (result.len(), star.inside().len());
     println!("{all} triangles, {inside} inside the star");
 
@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ..Pslg::default()
     };
     let mut file = BufWriter::new(File::create(&path)?);
-    Output::Svg.write_domain(&graph.into(), &star, &mut file)?;
+    Output::Svg.write_interior(&graph.into(), &star, &mut file)?;
     println!("drawn to {path}");
     Ok(())
 }

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use sweep_cdt::Triangulation;
-use sweep_cdt::domain::Domain;
-use sweep_cdt_formats::{Coordinate, GraphFile, Named, OutputFormat, write, write_domain};
+use sweep_cdt::interior::Interior;
+use sweep_cdt_formats::{Coordinate, GraphFile, Named, OutputFormat, write, write_interior};
 
 use crate::ResultPicture;
 
@@ -77,16 +77,16 @@ impl Output {
     ///
     /// # Errors
     /// Those of `out`.
-    pub fn write_domain<S: Coordinate>(
+    pub fn write_interior<S: Coordinate>(
         self,
         file: &GraphFile<S>,
-        domain: &Domain<'_>,
+        interior: &Interior<'_>,
         out: &mut impl Write,
     ) -> io::Result<()> {
         match self {
-            Output::File(format) => write_domain(format, file, domain, out),
-            Output::Svg => picture(file, domain.triangulation())
-                .domain(domain)
+            Output::File(format) => write_interior(format, file, interior, out),
+            Output::Svg => picture(file, interior.triangulation())
+                .interior(interior)
                 .write(out),
         }
     }

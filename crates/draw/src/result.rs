@@ -11,7 +11,7 @@ use std::io::{self, Write};
 use super::style::{COLUMN, LEGEND_HEIGHT, mesh_rules, write_legend};
 use super::svg;
 use super::window::{Bounds, PIXEL, Window, places};
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Pslg, Triangulation};
 use sweep_cdt_formats::{Numbering, sorted_pairs};
@@ -45,7 +45,7 @@ pub struct ResultPicture<'a, S> {
     graph: &'a Pslg<S>,
     result: &'a Triangulation,
     numbering: Numbering,
-    domain: Option<&'a Domain<'a>>,
+    interior: Option<&'a Interior<'a>>,
 }
 
 impl<'a, S: Scalar> ResultPicture<'a, S> {
@@ -56,7 +56,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
             graph,
             result,
             numbering: Numbering::default(),
-            domain: None,
+            interior: None,
         }
     }
 
@@ -69,9 +69,9 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
     /// Draws only the triangles inside a domain of this triangulation, and its border. The hull is a thin dashed line
     /// around it, with nothing between the two but the vertices and edges of the input, which are all drawn.
     #[must_use]
-    pub fn domain(self, domain: &'a Domain<'a>) -> ResultPicture<'a, S> {
-        let domain = Some(domain);
-        ResultPicture { domain, ..self }
+    pub fn interior(self, interior: &'a Interior<'a>) -> ResultPicture<'a, S> {
+        let interior = Some(interior);
+        ResultPicture { interior, ..self }
     }
 
     /// Writes the picture.
@@ -83,7 +83,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
             graph,
             result,
             numbering,
-            domain,
+            interior,
         } = *self;
         let points = places(&graph.points);
         let bounds = Bounds::of(points.iter().copied());
@@ -92,7 +92,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
 
         // The drawing stands in the middle, with a margin around it and the legend below.
         let [width, height] = [
-            window.size[0].max(ENTRIES[usize::from(domain.is_some())] * COLUMN),
+            window.size[0].max(ENTRIES[usize::from(interior.is_some())] * COLUMN),
             window.size[1],
         ];
         let [width, height] = [width, height].map(|side| side + 2 * MARGIN);
@@ -110,8 +110,8 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
             trails.map(|trail| stroke(&places, &trail))
         };
         let hull: Vec<usize> = result.hull().collect();
-        let border = match domain {
-            Some(domain) => domain.boundary(),
+        let border = match interior {
+            Some(interior) => interior.boundary(),
             None => vec![hull.clone()],
         };
         let closed = |chain: &Vec<usize>| {
@@ -125,18 +125,18 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
         // In one path, so that holes are not filled.
         let strokes_of_border: String = border.iter().map(closed).collect();
         let around = closed(&hull);
-        if domain.is_some() && !around.is_empty() {
+        if interior.is_some() && !around.is_empty() {
             svg::layer(out, "outside", [around])?;
         }
         if !strokes_of_border.is_empty() {
             svg::layer(out, "hull", [strokes_of_border])?;
         }
-        svg::layer(out, "side", strokes(&inner_sides(result, domain)))?;
+        svg::layer(out, "side", strokes(&inner_sides(result, interior)))?;
         svg::layer(out, "edge", strokes(&input_edges(graph, result)))?;
 
         // Vertices and their numbers, where there is room, and the legend.
-        let (triangles, name) = match domain {
-            Some(domain) => (domain.inside().len(), "border"),
+        let (triangles, name) = match interior {
+            Some(interior) => (interior.inside().len(), "border"),
             None => (result.len(), "hull"),
         };
         let mut entries = vec![
@@ -147,7 +147,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
                 format!("{name}: {}", border.iter().map(Vec::len).sum::<usize>()),
             ),
         ];
-        if domain.is_some() {
+        if interior.is_some() {
             entries.push(("outside", format!("hull: {}", hull.len())));
         }
         let vertices = || (0..places.len()).filter(|&v| result.representative(v) == v);
@@ -166,8 +166,8 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
 }
 
 /// The sides between two triangles, of the domain if there is one, that are not pieces of input edges.
-fn inner_sides(result: &Triangulation, domain: Option<&Domain<'_>>) -> Vec<[usize; 2]> {
-    let is_drawn = |t: usize| domain.is_none_or(|domain| domain.is_inside(t));
+fn inner_sides(result: &Triangulation, interior: Option<&Interior<'_>>) -> Vec<[usize; 2]> {
+    let is_drawn = |t: usize| interior.is_none_or(|interior| interior.is_inside(t));
     let of_triangle = |t: usize| {
         let corners = result.triangle(t);
         let is_inner = move |side: &usize| {

@@ -11,7 +11,7 @@
 use std::collections::VecDeque;
 use std::process::ExitCode;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::{Contestant, main_with};
 
@@ -34,7 +34,7 @@ impl Recent {
 }
 
 impl FrontSearch for Recent {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         *self = Recent::new(self.size);
     }
 

@@ -10,19 +10,19 @@ use geo_types::{
 use crate::Coordinate;
 use crate::read::merged;
 use sweep_cdt::Pslg;
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 
 /// All points of a geometry, and the sides of its lines and rings.
 ///
 /// ```
 /// use geo_types::{Geometry, polygon};
-/// use sweep_cdt::domain::Rule;
+/// use sweep_cdt::interior::FillRule;
 /// use sweep_cdt_formats::{geo_graph, geo_triangles};
 ///
 /// let arrowhead = polygon![(x: 0., y: 0.), (x: 4., y: 3.), (x: 0., y: 6.), (x: 1., y: 3.)];
 /// let graph = geo_graph(&Geometry::from(arrowhead));
 /// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
-/// let triangles = geo_triangles(&graph, &result.domain(Rule::EvenOdd)?);
+/// let triangles = geo_triangles(&graph, &result.interior(FillRule::EvenOdd)?);
 /// assert_eq!(triangles.len(), 2);
 /// assert_eq!(triangles[0].v3(), geo_types::coord! { x: 1., y: 3. });
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -63,12 +63,15 @@ pub fn geo_graph(geometry: &Geometry<f64>) -> Pslg<f64> {
 }
 
 /// The triangles inside, in canonical order, their corners counter-clockwise. Rationals are rounded to doubles.
-pub fn geo_triangles<S: Coordinate>(graph: &Pslg<S>, domain: &Domain<'_>) -> Vec<Triangle<f64>> {
+pub fn geo_triangles<S: Coordinate>(
+    graph: &Pslg<S>,
+    interior: &Interior<'_>,
+) -> Vec<Triangle<f64>> {
     let corner = |vertex: usize| {
         let [x, y] = graph.points[vertex].each_ref().map(S::approx);
         Coord { x, y }
     };
-    let triangles = domain.canonical_triangles().into_iter();
+    let triangles = interior.canonical_triangles().into_iter();
     triangles
         .map(|[a, b, c]| Triangle(corner(a), corner(b), corner(c)))
         .collect()

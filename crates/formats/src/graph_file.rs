@@ -1,7 +1,7 @@
 //! A planar straight-line graph as it stands in a file: the graph, what else the file says of its vertices, and how
 //! the file counts.
 
-use sweep_cdt::domain::DomainError;
+use sweep_cdt::interior::InteriorError;
 use sweep_cdt::{Error, Pslg};
 
 /// A graph, all in the order of its file, and what the file says beyond it.
@@ -131,15 +131,15 @@ impl<S> GraphFile<S> {
     /// An error of a domain with its vertices, edges, holes and regions numbered as in the file.
     ///
     /// ```
-    /// use sweep_cdt::domain::{DomainError, Seed};
+    /// use sweep_cdt::interior::{InteriorError, Seed};
     /// use sweep_cdt_formats::{GraphFile, Numbering};
     ///
     /// let file = GraphFile::<f64> { numbering: Numbering::FROM_ONE, ..GraphFile::default() };
-    /// let error = DomainError::SeedOutside { seed: Seed::Hole(0) };
-    /// let error = file.domain_as_numbered(error);
+    /// let error = InteriorError::SeedOutside { seed: Seed::Hole(0) };
+    /// let error = file.interior_as_numbered(error);
     /// assert_eq!(error.to_string(), "the seed of hole 1 lies outside of the hull");
     /// ```
-    pub fn domain_as_numbered(&self, error: DomainError) -> DomainError {
+    pub fn interior_as_numbered(&self, error: InteriorError) -> InteriorError {
         let first = self.numbering;
         error.renumbered(
             |vertex| vertex.saturating_add(first.vertex),

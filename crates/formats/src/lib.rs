@@ -50,7 +50,7 @@ pub use read::{
 pub use split::Splitting;
 pub use trace::{read_trace, write_trace};
 pub use write::{
-    CrossingsFormat, OutputFormat, write, write_crossings, write_domain, write_graph, write_node,
+    CrossingsFormat, OutputFormat, write, write_crossings, write_graph, write_interior, write_node,
 };
 
 /// The example of the README, as a test.

@@ -6,7 +6,7 @@
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::{self, Domain, Front, FrontNode, FrontSearch, HashTable, SkipList};
+use sweep_cdt::front::{self, FrontInput, Front, FrontNode, FrontSearch, HashTable, SkipList};
 use sweep_cdt_experiments::fronts::AnyFront;
 use sweep_cdt_experiments::{Contestant, standard};
 
@@ -98,9 +98,9 @@ impl FrontSearch for Astray {
 struct Idle;
 
 impl FrontSearch for Idle {
-    fn begin(&mut self, domain: Domain<'_>) {
-        let count = domain.len();
-        assert_eq!(domain.is_empty(), count == 0);
+    fn begin(&mut self, input: FrontInput<'_>) {
+        let count = input.len();
+        assert_eq!(input.is_empty(), count == 0);
     }
 
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
@@ -207,7 +207,7 @@ fn structures() -> Vec<(String, AnyFront)> {
 
 impl Model<'_> {
     fn new(points: &[[f64; 2]]) -> Model<'_> {
-        let domain = Domain::new(points);
+        let domain = FrontInput::new(points);
         let mut model = Model {
             points,
             inserted: 0,
@@ -216,7 +216,7 @@ impl Model<'_> {
             structures: structures(),
         };
         for (_, structure) in &mut model.structures {
-            structure.begin(domain);
+            structure.begin(input);
         }
         model
     }

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use sweep_cdt::Triangulation;
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 use sweep_cdt_draw::Output;
 use sweep_cdt_formats::{
     Coordinate, GraphFile, Input, InputFormat, OutputFormat, ResultFormat, Source, read, write_node,
@@ -202,7 +202,7 @@ pub(crate) fn add<'a, S: Coordinate>(
     targets: Vec<Target>,
     file: &'a GraphFile<S>,
     result: &'a Triangulation,
-    domain: Option<&'a Domain<'a>>,
+    domain: Option<&'a Interior<'a>>,
 ) -> Result<(), Failure> {
     targets.into_iter().try_for_each(|target| {
         let Target {
@@ -210,7 +210,7 @@ pub(crate) fn add<'a, S: Coordinate>(
             format,
         } = target;
         outputs.add(destination, move |out| match domain {
-            Some(domain) => format.write_domain(file, domain, out),
+            Some(domain) => format.write_interior(file, domain, out),
             None => format.write(file, result, out),
         })
     })

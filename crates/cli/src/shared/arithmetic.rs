@@ -11,7 +11,7 @@ use num_rational::BigRational as Rational;
 #[cfg(feature = "rug")]
 use rug::Rational;
 use sweep_cdt::crossings::Exact;
-use sweep_cdt::domain::{DomainError, Seed};
+use sweep_cdt::interior::{InteriorError, Seed};
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::{Error, Pslg, Region};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
@@ -121,7 +121,7 @@ fn as_rationals(name: &str, file: GraphFile<f64>) -> Result<GraphFile<BigRationa
     let seeds = seeds.chain((0..).map(Seed::Region).zip(regions));
     let is_wrong = |(_, seed): &(Seed, &[f64; 2])| !seed.iter().all(|x| x.is_finite());
     if let Some((seed, _)) = seeds.into_iter().find(is_wrong) {
-        let error = file.domain_as_numbered(DomainError::SeedNotFinite { seed });
+        let error = file.interior_as_numbered(InteriorError::SeedNotFinite { seed });
         return Err(Failure::Error(format!("{name}: {error}")));
     }
     let rational = |point: &[f64; 2]| point.map(|x| x.to_fraction());

@@ -4,7 +4,7 @@
 //! it. Its boundary and the edges in it are what the verifier then asks of the result.
 
 use clap::ValueEnum;
-use sweep_cdt::domain::{Domain, DomainError, Rule, locate_seeds};
+use sweep_cdt::interior::{FillRule, Interior, InteriorError, locate_seeds};
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Regions, Verifier, Violation};
 use sweep_cdt::{Pslg, Triangulation, triangulate};
@@ -55,15 +55,15 @@ impl Inside {
         self,
         graph: &Pslg<S>,
         result: &'a Triangulation,
-    ) -> Result<Domain<'a>, DomainError> {
+    ) -> Result<Interior<'a>, InteriorError> {
         match self {
-            Inside::Hull => result.domain(Rule::Hull),
-            Inside::EvenOdd => result.domain(Rule::EvenOdd),
-            Inside::Nonzero => result.domain(Rule::NonZero(&graph.edges)),
+            Inside::Hull => result.interior(FillRule::Hull),
+            Inside::EvenOdd => result.interior(FillRule::EvenOdd),
+            Inside::Nonzero => result.interior(FillRule::NonZero(&graph.edges)),
             Inside::Holes => {
                 let seeds = graph.regions.iter().map(|region| region.seed.clone());
                 let regions: Vec<[S; 2]> = seeds.collect();
-                result.domain_of_seeds(&graph.points, &graph.holes, &regions)
+                result.interior_of_seeds(&graph.points, &graph.holes, &regions)
             }
         }
     }
@@ -85,7 +85,7 @@ impl InsideArgs {
         name: &str,
         file: &GraphFile<S>,
         result: &'a Triangulation,
-    ) -> Result<Option<Domain<'a>>, Failure> {
+    ) -> Result<Option<Interior<'a>>, Failure> {
         let domain = match self.rule(&file.graph) {
             Inside::Hull => return Ok(None),
             rule => rule.domain(&file.graph, result),
@@ -95,7 +95,7 @@ impl InsideArgs {
                 None => " (--inside hull keeps all triangles)",
                 Some(_) => "",
             };
-            let error = file.domain_as_numbered(error);
+            let error = file.interior_as_numbered(error);
             Failure::Error(format!("{name}: {error}{way_out}"))
         };
         domain.map(Some).map_err(refused)
@@ -103,7 +103,7 @@ impl InsideArgs {
 }
 
 /// What a result must fill.
-struct Interior {
+struct Wanted {
     boundary: Vec<Vec<usize>>,
     /// How many triangles fill it.
     triangles: usize,
@@ -122,7 +122,7 @@ pub(crate) fn verify_interior<S: Coordinate, T: Measure + Sync>(
     verifier: Verifier<'_>,
     triangles: &Triangles,
 ) -> Result<Answer, Failure> {
-    let interior = Interior::of(rule, given, &proven(given, own)?)?;
+    let interior = Wanted::of(rule, given, &proven(given, own)?)?;
     let list = &triangles.list;
     let regions = &given.file.graph.regions;
     let (Some(attributes), Inside::Holes, false) =
@@ -157,9 +157,9 @@ pub(crate) fn fitting_rule<S: Coordinate, T: Measure + Sync>(
     }
     let hull = proven(given, own).ok()?;
     let is_possible =
-        |interior: &Interior| given.points.len() > own || interior.triangles == triangles.len();
+        |interior: &Wanted| given.points.len() > own || interior.triangles == triangles.len();
     rules.into_iter().find(|&rule| {
-        Interior::of(rule, given, &hull).is_ok_and(|interior| {
+        Wanted::of(rule, given, &hull).is_ok_and(|interior| {
             is_possible(&interior) && interior.verify(given, verifier, triangles).is_ok()
         })
     })
@@ -179,15 +179,15 @@ fn proven<S: Coordinate, T: Measure + Sync>(
     }
 }
 
-impl Interior {
+impl Wanted {
     fn of<S: Coordinate, T>(
         rule: Inside,
         given: &Given<'_, S, T>,
         hull: &Triangulation,
-    ) -> Result<Interior, Failure> {
+    ) -> Result<Wanted, Failure> {
         let (file, graph) = (given.file, &given.file.graph);
         let domain = rule.domain(graph, hull);
-        let domain = domain.map_err(|error| given.failure(file.domain_as_numbered(error)))?;
+        let domain = domain.map_err(|error| given.failure(file.interior_as_numbered(error)))?;
         let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
         let mut sides: Vec<[usize; 2]> = domain.constrained_edges().map(sorted).collect();
         sides.sort_unstable();
@@ -207,7 +207,7 @@ impl Interior {
             }
         }
         let (edges, numbers) = edges.into_iter().unzip();
-        Ok(Interior {
+        Ok(Wanted {
             boundary: domain.boundary(),
             triangles: domain.inside().len(),
             edges,

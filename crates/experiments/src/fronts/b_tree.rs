@@ -7,7 +7,7 @@ use std::cell::Cell;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
 use super::structure::Structure;
 
@@ -50,7 +50,7 @@ pub struct BTree {
 }
 
 impl FrontSearch for BTree {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         self.keys.clear();
         self.work = Work::default();
         COMPARISONS.set(0);

@@ -9,7 +9,7 @@
 //!
 //! Cost: O(log n) with 64 ways a level for a search and an update; the ranks cost a sort once.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
 use super::parts::XRanks;
 use super::structure::Structure;
@@ -25,9 +25,9 @@ pub struct BitSet {
 }
 
 impl FrontSearch for BitSet {
-    fn begin(&mut self, domain: Domain<'_>) {
+    fn begin(&mut self, input: FrontInput<'_>) {
         self.work = Work::default();
-        self.ranks = XRanks::new(domain, &mut self.work);
+        self.ranks = XRanks::new(input, &mut self.work);
         self.set = Words::new(self.ranks.len());
         self.nodes.clear();
         self.nodes.resize(self.ranks.len(), None);

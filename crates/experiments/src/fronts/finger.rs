@@ -8,7 +8,7 @@
 //! Cost: O(log d) comparisons for a place at distance d from the last one; an update moves all entries
 //! behind its place.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
 use super::structure::Structure;
 
@@ -78,7 +78,7 @@ impl Finger {
 }
 
 impl FrontSearch for Finger {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         *self = Finger::default();
     }
 

@@ -2,7 +2,7 @@
 //! [`super::rank_table`], the nodes of a tree and numbers that look random for [`super::treap`] and
 //! [`super::sample_tree`].
 
-use sweep_cdt::front::{Domain, FrontNode, Work};
+use sweep_cdt::front::{FrontInput, FrontNode, Work};
 
 /// The ranks of x: the different x of all vertices, numbered from left to right before the sweep starts.
 ///
@@ -22,9 +22,9 @@ pub(super) struct XRanks {
 }
 
 impl XRanks {
-    pub(super) fn new(domain: Domain<'_>, work: &mut Work) -> XRanks {
-        let n = u32::try_from(domain.len()).expect("vertices are numbered in 32 bits");
-        let mut order: Vec<(f64, u32)> = (0..n).map(|v| (domain.x(v as usize), v)).collect();
+    pub(super) fn new(input: FrontInput<'_>, work: &mut Work) -> XRanks {
+        let n = u32::try_from(input.len()).expect("vertices are numbered in 32 bits");
+        let mut order: Vec<(f64, u32)> = (0..n).map(|v| (input.x(v as usize), v)).collect();
         order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
         let mut ranks = XRanks {
             xs: Vec::new(),

@@ -8,7 +8,7 @@
 //! Cost: O(1) expected for a search where the front is spread over the vertices as they are from left to
 //! right; O(n) at worst. The ranks cost a sort once.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
 use super::parts::XRanks;
 use super::structure::Structure;
@@ -28,11 +28,11 @@ impl RankTable {
 }
 
 impl FrontSearch for RankTable {
-    fn begin(&mut self, domain: Domain<'_>) {
+    fn begin(&mut self, input: FrontInput<'_>) {
         self.work = Work::default();
-        self.ranks = XRanks::new(domain, &mut self.work);
+        self.ranks = XRanks::new(input, &mut self.work);
         self.table.clear();
-        self.table.resize(2 * domain.len().isqrt() + 1, None);
+        self.table.resize(2 * input.len().isqrt() + 1, None);
         self.work.bytes += size_of_val(&self.table[..]) as u64;
     }
 

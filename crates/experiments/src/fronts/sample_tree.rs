@@ -9,7 +9,7 @@
 
 use std::cmp::Ordering;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
 use super::parts::{Arena, Branch, Key, LEFT, NONE, RIGHT, mixed};
 use super::structure::Structure;
@@ -114,7 +114,7 @@ fn compare(key: Key, from: Key) -> Ordering {
 }
 
 impl FrontSearch for SampleTree {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         *self = SampleTree::new(self.share, self.seed);
     }
 

@@ -6,7 +6,7 @@
 //! Cost: O(log n) comparisons for a search. An update moves all entries behind its place: O(n), but 16 bytes
 //! each and in one piece.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
 use super::structure::Structure;
 
@@ -36,7 +36,7 @@ impl SortedArray {
 }
 
 impl FrontSearch for SortedArray {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         self.entries.clear();
         self.work = Work::default();
     }

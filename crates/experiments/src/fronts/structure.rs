@@ -5,7 +5,9 @@
 
 use std::fmt;
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, HashTable, Linear, SkipList, Work};
+use sweep_cdt::front::{
+    Front, FrontInput, FrontNode, FrontSearch, HashTable, Linear, SkipList, Work,
+};
 
 /// A search structure for the front that can be compared with the others.
 ///
@@ -84,8 +86,8 @@ impl fmt::Debug for AnyFront {
 }
 
 impl FrontSearch for AnyFront {
-    fn begin(&mut self, domain: Domain<'_>) {
-        self.0.front().begin(domain);
+    fn begin(&mut self, input: FrontInput<'_>) {
+        self.0.front().begin(input);
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {

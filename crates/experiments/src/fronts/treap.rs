@@ -7,7 +7,7 @@
 //! Cost: O(log n) expected for a search and an update. A fixed hash of rank and seed makes the priorities,
 //! so the tree is the same in every run.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
 use super::parts::{Arena, Branch, Key, LEFT, NONE, RIGHT, mixed};
 use super::structure::Structure;
@@ -60,7 +60,7 @@ impl Treap {
 }
 
 impl FrontSearch for Treap {
-    fn begin(&mut self, _: Domain<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         *self = Treap::new(self.seed);
     }
 

@@ -10,7 +10,7 @@
 //! Cost: O(1) expected for a search where x spreads evenly and there are about as many intervals as nodes
 //! on the front; O(n) where all nodes crowd in one interval, or nearly all intervals are empty.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch, Work};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Work};
 
 use super::structure::Structure;
 
@@ -47,9 +47,9 @@ impl UniformTable {
 }
 
 impl FrontSearch for UniformTable {
-    fn begin(&mut self, domain: Domain<'_>) {
-        let count = (self.entries)(domain.len()).max(1);
-        let xs = (0..domain.len()).map(|v| domain.x(v));
+    fn begin(&mut self, input: FrontInput<'_>) {
+        let count = (self.entries)(input.len()).max(1);
+        let xs = (0..input.len()).map(|v| input.x(v));
         let ends = xs
             .filter(|x| x.is_finite())
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {

@@ -3,7 +3,7 @@
 //! The observer holds the structure and passes every call on, so it counts the same for every structure. It costs
 //! an array of x, and time: runs whose time counts are made without it.
 
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
 
 /// What a run asked of its structure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,12 +50,12 @@ impl<F> Watched<F> {
 }
 
 impl<F: FrontSearch> FrontSearch for Watched<F> {
-    fn begin(&mut self, domain: Domain<'_>) {
+    fn begin(&mut self, input: FrontInput<'_>) {
         // The front is told anew when places take the place of x.
         self.seen.length = 0;
         self.seen.rebuilds += u64::from(!self.xs.is_empty());
-        self.xs = vec![0.0; domain.len()];
-        self.structure.begin(domain);
+        self.xs = vec![0.0; input.len()];
+        self.structure.begin(input);
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
@@ -85,7 +85,7 @@ impl<F: FrontSearch> FrontSearch for Watched<F> {
 
 #[cfg(test)]
 mod tests {
-    use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+    use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
 
     use super::{Seen, Watched};
     use crate::fronts::FromEnd;
@@ -94,7 +94,7 @@ mod tests {
     fn searches_hits_and_lengths_are_counted() {
         let mut watched = Watched::new(FromEnd);
         let points = [[0.0, 0.0], [2.0, 0.0], [4.0, 0.0]];
-        watched.begin(Domain::new(&points));
+        watched.begin(FrontInput::new(&points));
         let mut front = Front::new(3);
         let mut left = front.left_end();
         for (rank, [x, _]) in points.into_iter().enumerate() {
@@ -122,7 +122,7 @@ mod tests {
             lengths: 1 + 2 + 3 + 2,
         };
         assert_eq!(watched.seen, expected);
-        watched.begin(Domain::new(&points));
+        watched.begin(FrontInput::new(&points));
         assert_eq!((watched.seen.rebuilds, watched.seen.length), (1, 0));
     }
 }

@@ -2,7 +2,7 @@
 //! a sweep every structure takes the same steps to the same triangles, those of the crate's default.
 
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::{Domain, Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
 use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::standard;
 use sweep_cdt_testing::data::Hard;
@@ -96,7 +96,7 @@ fn test_alone(points: &[[f64; 2]], longest: usize) {
         for n in [points.len() / 2, points.len()] {
             model.nodes.clear();
             model.front = Front::new(points.len());
-            model.structure.begin(Domain::new(&points[..n]));
+            model.structure.begin(FrontInput::new(&points[..n]));
             let (mut steps, mut searches, mut updates) = (0, 0, 0);
             for rank in 0..n {
                 model.insert(rank);
@@ -152,7 +152,7 @@ fn equal_and_infinite_x_are_borne_and_the_upper_node_found() {
     points[30][0] = f64::NEG_INFINITY;
     for contestant in standard() {
         let mut structure = contestant.front().clone();
-        structure.begin(Domain::new(&points));
+        structure.begin(FrontInput::new(&points));
         let mut front = Front::new(points.len());
         // One node of each x, as the sweep keeps them.
         let mut nodes: Vec<FrontNode> = Vec::new();

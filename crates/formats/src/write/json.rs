@@ -31,7 +31,7 @@ use super::rows::places;
 use crate::{Coordinate, GraphFile, sorted_pairs};
 use sweep_cdt::Triangulation;
 use sweep_cdt::crossings::joined;
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 
 /// Writes the object of the whole hull, one element a line.
 pub(super) fn write<S: Coordinate>(
@@ -39,24 +39,24 @@ pub(super) fn write<S: Coordinate>(
     result: &Triangulation,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    write_members(file, &Domain::whole(result), out)?;
+    write_members(file, &Interior::whole(result), out)?;
     out.write_all(b"\n}\n")
 }
 
 /// Writes the object of a domain.
-pub(super) fn write_domain<S: Coordinate>(
+pub(super) fn write_interior<S: Coordinate>(
     file: &GraphFile<S>,
-    domain: &Domain<'_>,
+    interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    write_members(file, domain, out)?;
-    member(out, "boundary", domain.boundary())?;
-    if domain.has_regions() {
-        let triangles = domain.canonical_triangles();
+    write_members(file, interior, out)?;
+    member(out, "boundary", interior.boundary())?;
+    if interior.has_regions() {
+        let triangles = interior.canonical_triangles();
         let mut regions = vec![None; triangles.len()];
-        for (t, place) in places(domain, &triangles).into_iter().enumerate() {
+        for (t, place) in places(interior, &triangles).into_iter().enumerate() {
             if let Some((place, _)) = place {
-                regions[place] = domain.region(t);
+                regions[place] = interior.region(t);
             }
         }
         member(out, "regions", regions)?;
@@ -76,18 +76,22 @@ pub(super) fn write_graph<S: Coordinate>(
 /// Writes what all objects of a result have.
 fn write_members<S: Coordinate>(
     file: &GraphFile<S>,
-    domain: &Domain<'_>,
+    interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let result = domain.triangulation();
-    let triangles = domain.canonical_triangles();
-    let neighbors = neighbors(domain, &triangles);
+    let result = interior.triangulation();
+    let triangles = interior.canonical_triangles();
+    let neighbors = neighbors(interior, &triangles);
     let chains =
         (0..file.graph.edges.len()).map(|edge| result.edge_chain(edge).collect::<Vec<_>>());
     write_input(file, out)?;
     member(out, "triangles", &triangles)?;
     member(out, "neighbors", neighbors)?;
-    member(out, "constrained", sorted_pairs(domain.constrained_edges()))?;
+    member(
+        out,
+        "constrained",
+        sorted_pairs(interior.constrained_edges()),
+    )?;
     member(out, "hull", result.hull())?;
     member(out, "duplicates", result.duplicates())?;
     member(out, "chains", chains)?;
@@ -144,9 +148,9 @@ pub(super) fn json_coordinate<S: Coordinate>(value: &S) -> Box<RawValue> {
 }
 
 /// For each triangle of the canonical list the places in it of those opposite its vertices.
-fn neighbors(domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<[Option<usize>; 3]> {
-    let result = domain.triangulation();
-    let places = places(domain, triangles);
+fn neighbors(interior: &Interior<'_>, triangles: &[[usize; 3]]) -> Vec<[Option<usize>; 3]> {
+    let result = interior.triangulation();
+    let places = places(interior, triangles);
     let mut neighbors = vec![[None; 3]; triangles.len()];
     for (t, place) in places.iter().enumerate() {
         if let Some((place, first)) = *place {

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use super::rows::{numbers, write_rows};
 use crate::{Column, Coordinate, GraphFile};
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 
 /// What is written: the vertices of a graph with triangles of a result, or with the edges.
 pub(super) struct Mesh<'a, S> {
@@ -17,12 +17,12 @@ pub(super) struct Mesh<'a, S> {
 
 impl<'a, S: Coordinate> Mesh<'a, S> {
     /// The triangles inside.
-    pub(super) fn of(file: &'a GraphFile<S>, domain: &Domain<'_>) -> Mesh<'a, S> {
+    pub(super) fn of(file: &'a GraphFile<S>, interior: &Interior<'_>) -> Mesh<'a, S> {
         Mesh {
             file,
             heights: file.heights(),
             lines: &[],
-            triangles: domain.canonical_triangles(),
+            triangles: interior.canonical_triangles(),
         }
     }
 

@@ -20,7 +20,7 @@ use self::mesh::Mesh;
 use crate::named::formats;
 use crate::{Coordinate, GraphFile, InputFormat};
 use sweep_cdt::Triangulation;
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 
 formats! {
     /// What [`write()`] makes. Each format is named by the extension of its files.
@@ -84,7 +84,7 @@ pub fn write<S: Coordinate>(
         }
         OutputFormat::Node => write_node(file, out),
         OutputFormat::Json => json::write(file, result, out),
-        _ => write_domain(format, file, &Domain::whole(result), out),
+        _ => write_interior(format, file, &Interior::whole(result), out),
     }
 }
 
@@ -94,47 +94,47 @@ pub fn write<S: Coordinate>(
 ///
 /// ```
 /// use sweep_cdt::Pslg;
-/// use sweep_cdt::domain::Rule;
-/// use sweep_cdt_formats::{OutputFormat, write_domain};
+/// use sweep_cdt::interior::FillRule;
+/// use sweep_cdt_formats::{OutputFormat, write_interior};
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 3.0], [0.0, 6.0], [1.0, 3.0]];
 /// let edges = vec![[0, 1], [1, 2], [2, 3], [3, 0]];
 /// let graph = Pslg { points, edges, ..Pslg::default() };
 /// let result = sweep_cdt::triangulate(&graph.points, &graph.edges)?;
 /// let mut text = Vec::new();
-/// write_domain(OutputFormat::Ele, &graph.into(), &result.domain(Rule::EvenOdd)?, &mut text)?;
+/// write_interior(OutputFormat::Ele, &graph.into(), &result.interior(FillRule::EvenOdd)?, &mut text)?;
 /// assert_eq!(text, b"2 3 0\n0 0 1 3\n1 1 2 3\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write_domain<S: Coordinate>(
+pub fn write_interior<S: Coordinate>(
     format: OutputFormat,
     file: &GraphFile<S>,
-    domain: &Domain<'_>,
+    interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
-        OutputFormat::Ele => rows::write_ele(file, domain, out),
+        OutputFormat::Ele => rows::write_ele(file, interior, out),
         OutputFormat::Node => write_node(file, out),
-        OutputFormat::Json => json::write_domain(file, domain, out),
-        OutputFormat::Obj => Mesh::of(file, domain).write_obj(out),
-        OutputFormat::Off => Mesh::of(file, domain).write_off(out),
+        OutputFormat::Json => json::write_interior(file, interior, out),
+        OutputFormat::Obj => Mesh::of(file, interior).write_obj(out),
+        OutputFormat::Off => Mesh::of(file, interior).write_off(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Ply => Mesh::of(file, domain).write_ply(out),
+        OutputFormat::Ply => Mesh::of(file, interior).write_ply(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Vtk => Mesh::of(file, domain).write_vtk(out),
+        OutputFormat::Vtk => Mesh::of(file, interior).write_vtk(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Vtu => Mesh::of(file, domain).write_vtu(out),
+        OutputFormat::Vtu => Mesh::of(file, interior).write_vtu(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Msh => Mesh::of(file, domain).write_msh(out),
+        OutputFormat::Msh => Mesh::of(file, interior).write_msh(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Stl => Mesh::of(file, domain).write_stl(out),
+        OutputFormat::Stl => Mesh::of(file, interior).write_stl(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Geojson => shapes::write_geojson(file, domain, out),
+        OutputFormat::Geojson => shapes::write_geojson(file, interior, out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Wkt => shapes::write_wkt(file, domain, out),
+        OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
     }
 }
 

@@ -5,22 +5,22 @@ use std::io::{self, Write};
 
 use crate::threads::in_turn;
 use crate::{Coordinate, GraphFile};
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 use sweep_cdt::{CanonicalGroups, Pslg, Region};
 
 /// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions, with the
 /// attributes of these.
 pub(super) fn write_ele<S>(
     file: &GraphFile<S>,
-    domain: &Domain<'_>,
+    interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let first = file.numbering.vertex;
-    if !domain.has_regions() {
-        return write_triangles(first, &domain.canonical_groups(), out);
+    if !interior.has_regions() {
+        return write_triangles(first, &interior.canonical_groups(), out);
     }
-    let triangles = domain.canonical_triangles();
-    let attributes = attributes(&file.graph, domain, &triangles);
+    let triangles = interior.canonical_triangles();
+    let attributes = attributes(&file.graph, interior, &triangles);
     writeln!(out, "{} 3 1", triangles.len())?;
     write_rows(out, triangles.len(), |t, text| {
         triangle(first, t, triangles[t], text);
@@ -61,10 +61,10 @@ fn triangle(first: usize, t: usize, [a, b, c]: [usize; 3], text: &mut Vec<u8>) {
 }
 
 /// The attribute of each triangle in the list, 0 without a region.
-fn attributes<S>(graph: &Pslg<S>, domain: &Domain<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
+fn attributes<S>(graph: &Pslg<S>, interior: &Interior<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
     let mut attributes = vec![0.0; triangles.len()];
-    for (t, place) in places(domain, triangles).into_iter().enumerate() {
-        let region = domain
+    for (t, place) in places(interior, triangles).into_iter().enumerate() {
+        let region = interior
             .region(t)
             .and_then(|region| graph.regions.get(region));
         if let (Some((place, _)), Some(region)) = (place, region) {
@@ -144,10 +144,13 @@ pub(super) fn write_poly<S: Coordinate>(
 
 /// For each triangle, if it is inside, its place in the canonical list of the domain, and which of its vertices comes
 /// first there.
-pub(super) fn places(domain: &Domain<'_>, canonical: &[[usize; 3]]) -> Vec<Option<(usize, usize)>> {
-    let result = domain.triangulation();
+pub(super) fn places(
+    interior: &Interior<'_>,
+    canonical: &[[usize; 3]],
+) -> Vec<Option<(usize, usize)>> {
+    let result = interior.triangulation();
     let mut places = vec![None; result.len()];
-    for t in domain.inside() {
+    for t in interior.inside() {
         let corners = result.triangle(t);
         let first = (0..3)
             .min_by_key(|&i| corners[i])

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use super::rows::write_rows;
 use crate::{Column, Coordinate, GraphFile};
 use sweep_cdt::Pslg;
-use sweep_cdt::domain::Domain;
+use sweep_cdt::interior::Interior;
 
 /// How positions stand in a format.
 struct Positions<'a, S> {
@@ -77,10 +77,10 @@ impl<'a, S: Coordinate> Positions<'a, S> {
 /// Writes a collection of features, one for each triangle inside.
 pub(super) fn write_geojson<S: Coordinate>(
     file: &GraphFile<S>,
-    domain: &Domain<'_>,
+    interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let triangles = domain.canonical_triangles();
+    let triangles = interior.canonical_triangles();
     let words = [
         r#"{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[["#,
         "]]}}",
@@ -110,11 +110,11 @@ pub(super) fn write_geojson_graph<S: Coordinate>(
 /// Writes a collection of polygons, one for each triangle inside.
 pub(super) fn write_wkt<S: Coordinate>(
     file: &GraphFile<S>,
-    domain: &Domain<'_>,
+    interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let positions = Positions::of_wkt(file);
-    let triangles = domain.canonical_triangles();
+    let triangles = interior.canonical_triangles();
     let dimension = positions.dimension();
     if triangles.is_empty() {
         return writeln!(out, "GEOMETRYCOLLECTION{dimension} EMPTY");

@@ -43,9 +43,9 @@ pub(crate) fn write<S: Coordinate + Exact>(
             match settings.domain(&file.graph, &result) {
                 None => format.write(file, &result, out)?,
                 Some(domain) => {
-                    let domain = domain.map_err(|error| file.domain_as_numbered(error));
+                    let domain = domain.map_err(|error| file.interior_as_numbered(error));
                     let domain = domain.map_err(|error| format!("{name}: {error}"))?;
-                    format.write_domain(file, &domain, out)?;
+                    format.write_interior(file, &domain, out)?;
                 }
             }
             Ok(())

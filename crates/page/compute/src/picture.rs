@@ -108,7 +108,7 @@ impl Picture {
                 None => Shown::new(result, |_| true),
                 Some(Ok(domain)) => Shown::new(result, |t| domain.is_inside(t)),
                 Some(Err(error)) => {
-                    domain_refused = Some(pieces.domain_as_numbered(error).to_string());
+                    domain_refused = Some(pieces.interior_as_numbered(error).to_string());
                     Shown::new(result, |_| true)
                 }
             };

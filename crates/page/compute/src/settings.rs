@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 
 use sweep_cdt::crossings::{Exact, crossings};
-use sweep_cdt::domain::{Domain, DomainError, Rule};
 use sweep_cdt::front::{AnyFront, HashTable, Linear, SkipList};
+use sweep_cdt::interior::{FillRule, Interior, InteriorError};
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Error, Heuristics, Pslg, Stats, Triangulation, Triangulator};
 use sweep_cdt_formats::{Coordinate, GraphFile};
@@ -57,19 +57,19 @@ impl Settings {
         &self,
         graph: &Pslg<S>,
         result: &'a Triangulation,
-    ) -> Option<Result<Domain<'a>, DomainError>> {
+    ) -> Option<Result<Interior<'a>, InteriorError>> {
         let rule = match self.inside {
             Inside::Default if graph.holes.is_empty() => Inside::Hull,
             Inside::Default => Inside::Holes,
             rule => rule,
         };
         match rule {
-            Inside::EvenOdd => Some(result.domain(Rule::EvenOdd)),
-            Inside::Nonzero => Some(result.domain(Rule::NonZero(&graph.edges))),
+            Inside::EvenOdd => Some(result.interior(FillRule::EvenOdd)),
+            Inside::Nonzero => Some(result.interior(FillRule::NonZero(&graph.edges))),
             Inside::Holes => {
                 let seeds = graph.regions.iter().map(|region| region.seed.clone());
                 let regions: Vec<[S; 2]> = seeds.collect();
-                Some(result.domain_of_seeds(&graph.points, &graph.holes, &regions))
+                Some(result.interior_of_seeds(&graph.points, &graph.holes, &regions))
             }
             Inside::Hull | Inside::Default => None,
         }

@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use num_rational::BigRational;
-use sweep_cdt::domain::locate_seeds;
+use sweep_cdt::interior::locate_seeds;
 use sweep_cdt::verify::{Regions, Report, Verifier, Violation, Violations};
 use sweep_cdt::{Error, triangulate};
 

@@ -6,19 +6,19 @@ use crate::canonical::{CanonicalGroups, canonical};
 /// Which triangles of a triangulation are inside, and how deep each lies.
 ///
 /// ```
-/// use sweep_cdt::domain::Rule;
+/// use sweep_cdt::interior::FillRule;
 ///
 /// // A square with a square hole.
 /// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
 /// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
 /// let result = sweep_cdt::triangulate(&points, &edges)?;
-/// let domain = result.domain(Rule::EvenOdd)?;
+/// let domain = result.interior(FillRule::EvenOdd)?;
 /// assert_eq!(domain.inside().len(), 8);
 /// assert_eq!(domain.boundary(), [vec![0, 1, 2, 3], vec![4, 7, 6, 5]]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Domain<'a> {
+pub struct Interior<'a> {
     result: &'a Triangulation,
     depths: Vec<i32>,
     /// The triangles inside, in ascending order.
@@ -28,16 +28,16 @@ pub struct Domain<'a> {
     regions: Vec<Option<u32>>,
 }
 
-impl<'a> Domain<'a> {
+impl<'a> Interior<'a> {
     /// The domain of the triangles whose depth is one that counts as inside.
     pub(super) fn new(
         result: &'a Triangulation,
         depths: Vec<i32>,
         is_inside: impl Fn(i32) -> bool,
-    ) -> Domain<'a> {
+    ) -> Interior<'a> {
         let is_inside: Vec<bool> = depths.iter().map(|&depth| is_inside(depth)).collect();
         let inside = (0..result.len()).filter(|&t| is_inside[t]).collect();
-        Domain {
+        Interior {
             result,
             depths,
             inside,
@@ -47,13 +47,13 @@ impl<'a> Domain<'a> {
     }
 
     /// The same domain with the region of each triangle.
-    pub(super) fn with_regions(self, regions: Vec<Option<u32>>) -> Domain<'a> {
-        Domain { regions, ..self }
+    pub(super) fn with_regions(self, regions: Vec<Option<u32>>) -> Interior<'a> {
+        Interior { regions, ..self }
     }
 
     /// The domain that is the whole hull of a triangulation.
-    pub fn whole(result: &'a Triangulation) -> Domain<'a> {
-        Domain::new(result, vec![1; result.len()], |_| true)
+    pub fn whole(result: &'a Triangulation) -> Interior<'a> {
+        Interior::new(result, vec![1; result.len()], |_| true)
     }
 
     /// The triangulation of the whole hull.
@@ -61,9 +61,9 @@ impl<'a> Domain<'a> {
         self.result
     }
 
-    /// How deep triangle `t` lies. For [`EvenOdd`](super::Rule::EvenOdd) this is the least number of sides with
+    /// How deep triangle `t` lies. For [`EvenOdd`](super::FillRule::EvenOdd) this is the least number of sides with
     /// an odd number of edges on them that a path from outside the hull to the triangle crosses. For
-    /// [`NonZero`](super::Rule::NonZero) it is the winding number, how often the edges go round it
+    /// [`NonZero`](super::FillRule::NonZero) it is the winding number, how often the edges go round it
     /// counter-clockwise, less than 0 where they go clockwise. Otherwise it is 1 inside and 0 outside.
     ///
     /// # Panics
@@ -81,7 +81,7 @@ impl<'a> Domain<'a> {
     }
 
     /// The region that triangle `t` belongs to, as a position in the regions of
-    /// [`Triangulation::domain_of_seeds`]; `None` if it belongs to none.
+    /// [`Triangulation::interior_of_seeds`]; `None` if it belongs to none.
     ///
     /// # Panics
     /// If there is no triangle `t`.
@@ -96,7 +96,12 @@ impl<'a> Domain<'a> {
         !self.regions.is_empty()
     }
 
-    /// The triangles inside, in ascending order.
+    /// The triangles inside, as their vertices, in ascending order of their numbers.
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = [usize; 3]> + Clone + '_ {
+        self.inside().map(|t| self.result.triangle(t))
+    }
+
+    /// The numbers of the triangles inside, in ascending order.
     pub fn inside(&self) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
         self.inside.iter().copied()
     }

@@ -1,16 +1,16 @@
 //! Domains: what of the hull is inside.
 //!
 //! The triangles of a [`Triangulation`] cover the convex hull of the points. A polygon with holes, or a map of
-//! regions, is a part of it: a [`Domain`]. Since the edges are chains of sides, each triangle lies wholly inside
+//! regions, is a part of it: a [`Interior`]. Since the edges are chains of sides, each triangle lies wholly inside
 //! or wholly outside. So a rule is a matter of counting which sides a path from outside crosses; no coordinate is
 //! looked at. Only seeds of holes are, and they are found by exact signs.
 //!
 //! | | inside is | file |
 //! |---|---|---|
-//! | [`Rule::Hull`] | everything | `mod.rs` |
-//! | [`Rule::EvenOdd`] | what a path from outside enters by an odd number of edges | `flow` |
-//! | [`Rule::NonZero`] | what the edges go round | `flow` |
-//! | [`Triangulation::domain_of_seeds`] | what no hole and no gap of the edges opens | `holes` |
+//! | [`FillRule::Hull`] | everything | `mod.rs` |
+//! | [`FillRule::EvenOdd`] | what a path from outside enters by an odd number of edges | `flow` |
+//! | [`FillRule::NonZero`] | what the edges go round | `flow` |
+//! | [`Triangulation::interior_of_seeds`] | what no hole and no gap of the edges opens | `holes` |
 //!
 //! Why that is right: each file says it of its part. `flow` counts the edges on each side, shows that all paths
 //! to a triangle agree, and follows one of them; `holes` joins what no edge parts, and asks in which face a seed is;
@@ -25,9 +25,9 @@ mod flow;
 mod holes;
 mod labels;
 
-pub use error::{DomainError, Seed};
+pub use error::{InteriorError, Seed};
 pub use holes::locate_seeds;
-pub use labels::Domain;
+pub use labels::Interior;
 
 use crate::Triangulation;
 use flow::Flow;
@@ -35,20 +35,20 @@ use flow::Flow;
 /// What of the convex hull is inside.
 ///
 /// ```
-/// use sweep_cdt::domain::Rule;
+/// use sweep_cdt::interior::FillRule;
 ///
 /// // A square in a square, both counter-clockwise.
 /// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
 /// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
 /// let result = sweep_cdt::triangulate(&points, &edges)?;
-/// assert_eq!(result.domain(Rule::Hull)?.inside().len(), 10);
-/// assert_eq!(result.domain(Rule::EvenOdd)?.inside().len(), 8);
-/// assert_eq!(result.domain(Rule::NonZero(&edges))?.inside().len(), 10);
+/// assert_eq!(result.interior(FillRule::Hull)?.inside().len(), 10);
+/// assert_eq!(result.interior(FillRule::EvenOdd)?.inside().len(), 8);
+/// assert_eq!(result.interior(FillRule::NonZero(&edges))?.inside().len(), 10);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
-pub enum Rule<'a> {
+pub enum FillRule<'a> {
     /// All of it.
     Hull,
     /// Whatever a path from far away enters by crossing an odd number of edges. The direction of the edges
@@ -62,40 +62,40 @@ pub enum Rule<'a> {
 }
 
 impl Triangulation {
-    /// What of the hull is inside, by a [`Rule`].
+    /// What of the hull is inside, by a [`FillRule`].
     ///
     /// # Errors
-    /// [`DomainError`], if the edges form no closed chains, or are not those of the triangulation.
+    /// [`InteriorError`], if the edges form no closed chains, or are not those of the triangulation.
     ///
     /// ```
-    /// use sweep_cdt::domain::Rule;
+    /// use sweep_cdt::interior::FillRule;
     ///
     /// // An arrowhead: its notch is in the hull, but not inside.
     /// let points = [[0.0, 0.0], [4.0, 3.0], [0.0, 6.0], [1.0, 3.0]];
     /// let result = sweep_cdt::triangulate(&points, &[[0, 1], [1, 2], [2, 3], [3, 0]])?;
-    /// let domain = result.domain(Rule::EvenOdd)?;
+    /// let domain = result.interior(FillRule::EvenOdd)?;
     /// assert_eq!((result.len(), domain.inside().len()), (3, 2));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn domain(&self, rule: Rule<'_>) -> Result<Domain<'_>, DomainError> {
+    pub fn interior(&self, rule: FillRule<'_>) -> Result<Interior<'_>, InteriorError> {
         let flow_in = |flow: &Flow, t, side| match self.is_constrained(t, side) {
             true => flow.of_side(labels::ends(self, t, side)),
             false => 0,
         };
         let is_odd = |number: i32| number % 2 != 0;
         match rule {
-            Rule::Hull => Ok(Domain::whole(self)),
-            Rule::EvenOdd => {
+            FillRule::Hull => Ok(Interior::whole(self)),
+            FillRule::EvenOdd => {
                 let flow = Flow::downwards(self);
                 flow.expect_closed(is_odd)?;
                 let depths = flow::layers(self, |t, side| is_odd(flow_in(&flow, t, side)));
-                Ok(Domain::new(self, depths, is_odd))
+                Ok(Interior::new(self, depths, is_odd))
             }
-            Rule::NonZero(edges) => {
+            FillRule::NonZero(edges) => {
                 let flow = Flow::along(self, edges)?;
                 flow.expect_closed(|flow| flow != 0)?;
                 let depths = flow::sums(self, |t, side| flow_in(&flow, t, side));
-                Ok(Domain::new(self, depths, |winding| winding != 0))
+                Ok(Interior::new(self, depths, |winding| winding != 0))
             }
         }
     }

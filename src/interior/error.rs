@@ -5,16 +5,16 @@ use std::fmt;
 /// Why no domain follows from a rule.
 ///
 /// ```
-/// use sweep_cdt::domain::{DomainError, Rule};
+/// use sweep_cdt::interior::{InteriorError, FillRule};
 ///
 /// let result = sweep_cdt::triangulate(&[[0, 0], [4, 0], [0, 4], [1, 1]], &[[0, 3]])?;
-/// let error = result.domain(Rule::EvenOdd).unwrap_err();
-/// assert_eq!(error, DomainError::OpenAtVertex { vertex: 0 });
+/// let error = result.interior(FillRule::EvenOdd).unwrap_err();
+/// assert_eq!(error, InteriorError::OpenAtVertex { vertex: 0 });
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum DomainError {
+pub enum InteriorError {
     /// The edges do not form closed chains, so that they do not separate inside from outside.
     OpenAtVertex {
         /// The lowest such point.
@@ -61,34 +61,34 @@ pub enum DomainError {
     },
 }
 
-impl fmt::Display for DomainError {
+impl fmt::Display for InteriorError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            DomainError::OpenAtVertex { vertex } => write!(
+            InteriorError::OpenAtVertex { vertex } => write!(
                 f,
                 "the edges are no closed rings: they do not go on at vertex {vertex}"
             ),
-            DomainError::OtherEdge { edge } => {
+            InteriorError::OtherEdge { edge } => {
                 write!(f, "edge {edge} is not the one that was triangulated")
             }
-            DomainError::MissingPoint { vertex } => {
+            InteriorError::MissingPoint { vertex } => {
                 write!(f, "vertex {vertex} of the triangulation does not exist")
             }
-            DomainError::SeedNotFinite { seed } => {
+            InteriorError::SeedNotFinite { seed } => {
                 write!(f, "the seed of {seed} has a coordinate that is not finite")
             }
-            DomainError::SeedOutside { seed } => {
+            InteriorError::SeedOutside { seed } => {
                 write!(f, "the seed of {seed} lies outside of the hull")
             }
-            DomainError::SeedOnVertex { seed, vertex } => {
+            InteriorError::SeedOnVertex { seed, vertex } => {
                 write!(f, "the seed of {seed} lies on vertex {vertex}")
             }
-            DomainError::SeedOnEdge { seed, ends } => write!(
+            InteriorError::SeedOnEdge { seed, ends } => write!(
                 f,
                 "the seed of {seed} lies on the edge between vertices {} and {}",
                 ends[0], ends[1]
             ),
-            DomainError::RegionOutside { region } => write!(
+            InteriorError::RegionOutside { region } => write!(
                 f,
                 "the seed of region {region} lies in a hole, or outside of the outline"
             ),
@@ -96,16 +96,16 @@ impl fmt::Display for DomainError {
     }
 }
 
-impl std::error::Error for DomainError {}
+impl std::error::Error for InteriorError {}
 
-impl DomainError {
+impl InteriorError {
     /// The error with other numbers for vertices, edges, holes and regions, for callers that count otherwise than
     /// from 0.
     ///
     /// ```
-    /// use sweep_cdt::domain::{DomainError, Seed};
+    /// use sweep_cdt::interior::{InteriorError, Seed};
     ///
-    /// let error = DomainError::SeedOutside { seed: Seed::Hole(0) };
+    /// let error = InteriorError::SeedOutside { seed: Seed::Hole(0) };
     /// let from_1 = error.renumbered(|v| v + 1, |e| e + 1, |h| h + 1, |r| r + 1);
     /// assert_eq!(from_1.to_string(), "the seed of hole 1 lies outside of the hull");
     /// ```
@@ -116,8 +116,8 @@ impl DomainError {
         on_edge: impl FnOnce(usize) -> usize,
         on_hole: impl Fn(usize) -> usize,
         on_region: impl Fn(usize) -> usize,
-    ) -> DomainError {
-        use DomainError as E;
+    ) -> InteriorError {
+        use InteriorError as E;
         let named = |seed: Seed| match seed {
             Seed::Hole(hole) => Seed::Hole(on_hole(hole)),
             Seed::Region(region) => Seed::Region(on_region(region)),

@@ -14,8 +14,8 @@
 
 use std::cmp::Ordering;
 
-use super::error::{DomainError, Seed};
-use super::labels::{self, Domain};
+use super::error::{InteriorError, Seed};
+use super::labels::{self, Interior};
 use crate::Triangulation;
 use crate::ids::narrow;
 use crate::scalar::{Scalar, filtered_orient2d};
@@ -26,11 +26,11 @@ impl Triangulation {
     /// it without crossing an edge.
     ///
     /// Faces with a hole are not inside, nor is what the outside reaches without crossing an edge. Of the others,
-    /// those with a region have its index, [`Domain::region`]; of several regions in one face the last one counts.
+    /// those with a region have its index, [`Interior::region`]; of several regions in one face the last one counts.
     /// This is what Triangle does with a `.poly`.
     ///
     /// # Errors
-    /// [`DomainError`], if a seed is not in one face, or that of a region not inside, or if `points` are too few.
+    /// [`InteriorError`], if a seed is not in one face, or that of a region not inside, or if `points` are too few.
     ///
     /// ```
     /// // A square with a square hole, in which there is an island.
@@ -39,27 +39,27 @@ impl Triangulation {
     /// let ring = |v: usize| [[v, v + 1], [v + 1, v + 2], [v + 2, v + 3], [v + 3, v]];
     /// let edges = [ring(0), ring(4), ring(8)].concat();
     /// let result = sweep_cdt::triangulate(&points, &edges)?;
-    /// let domain = result.domain_of_seeds(&points, &[[3, 3]], &[[1, 1]])?;
+    /// let domain = result.interior_of_seeds(&points, &[[3, 3]], &[[1, 1]])?;
     /// assert_eq!(domain.inside().len(), 10);
     /// assert_eq!(domain.inside().filter(|&t| domain.region(t) == Some(0)).count(), 8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn domain_of_seeds<S: Scalar>(
+    pub fn interior_of_seeds<S: Scalar>(
         &self,
         points: &[[S; 2]],
         holes: &[[S; 2]],
         regions: &[[S; 2]],
-    ) -> Result<Domain<'_>, DomainError> {
+    ) -> Result<Interior<'_>, InteriorError> {
         let mut corners = self.triangles().flatten();
         if let Some(vertex) = corners.find(|&vertex| vertex >= points.len()) {
-            return Err(DomainError::MissingPoint { vertex });
+            return Err(InteriorError::MissingPoint { vertex });
         }
         let seeds: Vec<&[S; 2]> = holes.iter().chain(regions).collect();
         let names = (0..holes.len()).map(Seed::Hole);
         let names: Vec<Seed> = names.chain((0..regions.len()).map(Seed::Region)).collect();
         let is_finite = |seed: &[S; 2]| seed.iter().all(S::is_finite);
         if let Some(at) = seeds.iter().position(|seed| !is_finite(seed)) {
-            return Err(DomainError::SeedNotFinite { seed: names[at] });
+            return Err(InteriorError::SeedNotFinite { seed: names[at] });
         }
 
         let (faces, count) = faces(self);
@@ -78,28 +78,28 @@ impl Triangulation {
             match seed {
                 Seed::Hole(_) => is_outside[face] = true,
                 Seed::Region(region) if is_outside[face] => {
-                    return Err(DomainError::RegionOutside { region });
+                    return Err(InteriorError::RegionOutside { region });
                 }
                 Seed::Region(region) => region_of_face[face] = Some(narrow(region)),
             }
         }
         let depths = faces.iter().map(|&face| i32::from(!is_outside[face]));
-        let domain = Domain::new(self, depths.collect(), |depth| depth == 1);
+        let interior = Interior::new(self, depths.collect(), |depth| depth == 1);
         if regions.is_empty() {
-            return Ok(domain);
+            return Ok(interior);
         }
-        Ok(domain.with_regions(faces.iter().map(|&face| region_of_face[face]).collect()))
+        Ok(interior.with_regions(faces.iter().map(|&face| region_of_face[face]).collect()))
     }
 
     /// The triangle of a seed, if it is in one face.
-    fn triangle_of(&self, seed: Seed, place: Option<Place>) -> Result<usize, DomainError> {
+    fn triangle_of(&self, seed: Seed, place: Option<Place>) -> Result<usize, InteriorError> {
         match place {
-            None => Err(DomainError::SeedOutside { seed }),
-            Some(Place::OnVertex(vertex, _)) => Err(DomainError::SeedOnVertex { seed, vertex }),
+            None => Err(InteriorError::SeedOutside { seed }),
+            Some(Place::OnVertex(vertex, _)) => Err(InteriorError::SeedOnVertex { seed, vertex }),
             Some(Place::OnSide(t, side)) if self.is_constrained(t, side) => {
                 let mut ends = labels::ends(self, t, side);
                 ends.sort_unstable();
-                Err(DomainError::SeedOnEdge { seed, ends })
+                Err(InteriorError::SeedOnEdge { seed, ends })
             }
             Some(Place::OnSide(t, _) | Place::In(t)) => Ok(t),
         }
@@ -148,11 +148,11 @@ enum Place {
 /// For each seed a triangle that holds it, of any list that covers no place twice: the first one of two where it lies on
 /// a side, and of several where it is a corner. `None` is outside of all.
 ///
-/// Cost: see [`Triangulation::domain_of_seeds`]. Triangles may run either way. Those with a corner that is no index of a
+/// Cost: see [`Triangulation::interior_of_seeds`]. Triangles may run either way. Those with a corner that is no index of a
 /// point hold nothing.
 ///
 /// ```
-/// use sweep_cdt::domain::locate_seeds;
+/// use sweep_cdt::interior::locate_seeds;
 ///
 /// let points = [[0, 0], [4, 0], [4, 4], [0, 4]];
 /// let triangles = [[0, 1, 2], [0, 2, 3]];

@@ -15,7 +15,7 @@
 //! Cost: O(m log m), where m is the sum of the lengths of all chains. Equal edges are walked once. Depths take O(n),
 //! and the search for the flow of each constrained side.
 
-use super::error::DomainError;
+use super::error::InteriorError;
 use crate::Triangulation;
 use crate::ids::narrow;
 
@@ -36,7 +36,10 @@ impl Flow {
     }
 
     /// The flow of all edges, each from its first to its second point.
-    pub(super) fn along(result: &Triangulation, edges: &[[usize; 2]]) -> Result<Flow, DomainError> {
+    pub(super) fn along(
+        result: &Triangulation,
+        edges: &[[usize; 2]],
+    ) -> Result<Flow, InteriorError> {
         let count = result.chains.len();
         let known = edges.len().min(count);
         let mut directions = Vec::with_capacity(count);
@@ -46,11 +49,11 @@ impl Flow {
             directions.push(match [from, to] {
                 ends if ends == [upper, lower] => (edge, 1),
                 ends if ends == [lower, upper] => (edge, -1),
-                _ => return Err(DomainError::OtherEdge { edge }),
+                _ => return Err(InteriorError::OtherEdge { edge }),
             });
         }
         if edges.len() != count {
-            return Err(DomainError::OtherEdge { edge: known });
+            return Err(InteriorError::OtherEdge { edge: known });
         }
         Ok(Flow::of(result, directions))
     }
@@ -92,9 +95,9 @@ impl Flow {
     }
 
     /// An error if anything starts or ends at a vertex, of what `counts`.
-    pub(super) fn expect_closed(&self, counts: impl Fn(i32) -> bool) -> Result<(), DomainError> {
+    pub(super) fn expect_closed(&self, counts: impl Fn(i32) -> bool) -> Result<(), InteriorError> {
         match self.sources.iter().find(|&&(_, flow)| counts(flow)) {
-            Some(&(vertex, _)) => Err(DomainError::OpenAtVertex {
+            Some(&(vertex, _)) => Err(InteriorError::OpenAtVertex {
                 vertex: vertex as usize,
             }),
             None => Ok(()),
