@@ -53,16 +53,6 @@ pub enum Error {
         /// How many there may be.
         limit: usize,
     },
-    /// More pairs of edges cross than can be listed.
-    TooManyCrossings {
-        /// How many there may be.
-        limit: usize,
-    },
-    /// Edges that are split at their crossings still cross, since rounding bends them each time.
-    TooManyRounds {
-        /// How many rounds there may be.
-        limit: usize,
-    },
     /// The edges pass through more vertices than can be held, each edge counted with each vertex inside it.
     /// Equal edges count once.
     TooManyVerticesOnEdges {
@@ -90,13 +80,6 @@ impl fmt::Display for Error {
             Error::TooManyEdges { given, limit } => {
                 write!(f, "{given} edges are more than the limit of {limit}")
             }
-            Error::TooManyCrossings { limit } => {
-                write!(f, "more than {limit} pairs of edges cross")
-            }
-            Error::TooManyRounds { limit } => write!(
-                f,
-                "edges still cross after {limit} rounds of splitting and rounding"
-            ),
             Error::TooManyVerticesOnEdges { limit } => write!(
                 f,
                 "the edges pass through more than {limit} vertices, all together"
@@ -136,8 +119,6 @@ impl Error {
             },
             Error::TooManyPoints { .. }
             | Error::TooManyEdges { .. }
-            | Error::TooManyCrossings { .. }
-            | Error::TooManyRounds { .. }
             | Error::TooManyVerticesOnEdges { .. } => self,
         }
     }

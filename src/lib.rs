@@ -8,7 +8,7 @@ mod edge_chains;
 mod error;
 pub mod front;
 mod ids;
-pub mod input;
+mod input;
 pub mod interior;
 mod locate;
 mod mesh;
@@ -29,9 +29,11 @@ pub mod trace;
 mod triangulation;
 mod triangulator;
 pub mod verify;
+mod with_points;
 
 pub use canonical::CanonicalGroups;
 pub use error::Error;
+pub use input::triangulate_from;
 pub use locate::Location;
 pub use pslg::{Pslg, Region};
 pub use session::Session;
@@ -40,6 +42,7 @@ pub use stars::{Corner, VertexStars};
 pub use stats::{ByCause, Counters, Stats};
 pub use triangulation::Triangulation;
 pub use triangulator::{Run, Triangulator};
+pub use with_points::WithPoints;
 
 /// The constrained Delaunay triangulation of `points` with `edges`, by the sweep-line algorithm of
 /// Domiter and Žalik (2008).

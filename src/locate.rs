@@ -19,7 +19,7 @@ use std::cmp::Ordering;
 use crate::ids::TriangleId;
 use crate::mesh::{HalfEdge, next, prev};
 use crate::scalar::{Scalar, filtered_orient2d};
-use crate::triangulation::Triangulation;
+use crate::with_points::WithPoints;
 
 /// So few triangles are looked at one by one.
 const FEW: usize = 6;
@@ -43,10 +43,8 @@ pub enum Location {
     Outside,
 }
 
-impl Triangulation {
-    /// Where a point lies. `points` are those that were triangulated.
-    ///
-    /// A point with a coordinate that is not finite is outside.
+impl<S: Scalar> WithPoints<'_, S> {
+    /// Where a point lies. A point with a coordinate that is not finite is outside.
     ///
     /// # Panics
     /// If there are fewer points than were triangulated.
@@ -56,34 +54,35 @@ impl Triangulation {
     ///
     /// let points = [[0, 0], [4, 0], [4, 4], [0, 4]];
     /// let result = sweep_cdt::triangulate(&points, &[[0, 2]])?;
-    /// let Location::Triangle(t) = result.locate(&points, &[3, 1]) else {
+    /// let view = result.with_points(&points);
+    /// let Location::Triangle(t) = view.locate(&[3, 1]) else {
     ///     panic!("it is inside one");
     /// };
     /// assert!(result.triangle(t).contains(&1));
-    /// assert_eq!(result.locate(&points, &[4, 4]), Location::Vertex(2));
-    /// assert!(matches!(result.locate(&points, &[3, 3]), Location::Side { .. }));
-    /// assert_eq!(result.locate(&points, &[5, 1]), Location::Outside);
+    /// assert_eq!(view.locate(&[4, 4]), Location::Vertex(2));
+    /// assert!(matches!(view.locate(&[3, 3]), Location::Side { .. }));
+    /// assert_eq!(view.locate(&[5, 1]), Location::Outside);
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
-    pub fn locate<S: Scalar>(&self, points: &[[S; 2]], query: &[S; 2]) -> Location {
+    pub fn locate(&self, query: &[S; 2]) -> Location {
         let approx = |point: &[S; 2]| [point[0].approx(), point[1].approx()];
         if !query.iter().all(S::is_finite) {
             return Location::Outside;
         }
         let to = approx(query);
         let distance = |t: usize| {
-            let [x, y] = approx(&points[self.input_index(self.triangles[t].vertex(0))]);
+            let [x, y] = approx(self.corner(t, 0));
             (x - to[0]).powi(2) + (y - to[1]).powi(2)
         };
-        let root = (1..).find(|root: &usize| root.pow(3) >= self.len());
-        let step = self.len() / root.unwrap_or(1);
-        let starts = (0..self.len()).step_by(step.max(1));
+        let root = (1..).find(|root: &usize| root.pow(3) >= self.result.len());
+        let step = self.result.len() / root.unwrap_or(1);
+        let starts = (0..self.result.len()).step_by(step.max(1));
         let start = starts.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-        self.locate_from(points, query, start.unwrap_or(0))
+        self.locate_from(query, start.unwrap_or(0))
     }
 
-    /// The same, from a triangle near by: that of the last point, where points come in some order. A triangle
-    /// that does not exist counts as the first one.
+    /// Where a point lies, from a triangle near by: the triangle of the last point, where points come in some order. A
+    /// triangle that does not exist counts as the first one.
     ///
     /// # Panics
     /// If there are fewer points than were triangulated.
@@ -94,80 +93,84 @@ impl Triangulation {
     /// let points: Vec<_> = (0..400).map(|i| [f64::from(i % 20), f64::from(i / 20)]).collect();
     /// let result = sweep_cdt::triangulate(&points, &[])?;
     /// let mut last = 0;
+    /// let view = result.with_points(&points);
     /// for step in 0..100 {
     ///     let query = [f64::from(step) * 0.19, 7.25];
-    ///     let found = result.locate_from(&points, &query, last);
-    ///     assert_eq!(found, result.locate(&points, &query));
+    ///     let found = view.locate_from(&query, last);
+    ///     assert_eq!(found, view.locate(&query));
     ///     if let Location::Triangle(t) = found {
     ///         last = t;
     ///     }
     /// }
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
-    pub fn locate_from<S: Scalar>(
-        &self,
-        points: &[[S; 2]],
-        query: &[S; 2],
-        triangle: usize,
-    ) -> Location {
+    pub fn locate_from(&self, query: &[S; 2], triangle: usize) -> Location {
         if !query.iter().all(S::is_finite) {
             return Location::Outside;
         }
-        if self.len() <= FEW {
-            return self.look(points, query);
+        if self.result.len() <= FEW {
+            return self.look(query);
         }
-        let start = if triangle < self.len() { triangle } else { 0 };
-        self.walk(points, query, start)
-            .unwrap_or_else(|| self.look(points, query))
+        let start = if triangle < self.result.len() {
+            triangle
+        } else {
+            0
+        };
+        self.walk(query, start).unwrap_or_else(|| self.look(query))
     }
 
     /// Walks from a triangle, unless that takes too many steps.
-    fn walk<S: Scalar>(&self, points: &[[S; 2]], query: &[S; 2], start: usize) -> Option<Location> {
-        let mut turns = self.turns(points, query, start);
+    fn walk(&self, query: &[S; 2], start: usize) -> Option<Location> {
+        let mut turns = self.turns(query, start);
         let (mut t, mut random) = (start, 1_u32);
-        for _ in 0..=self.len() {
+        for _ in 0..=self.result.len() {
             random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let first = (random >> 16) % 3;
             let sides = [first, next(first), prev(first)];
             let Some(side) = sides.into_iter().find(|&side| turns(side).is_lt()) else {
                 return Some(self.at(t, [0, 1, 2].map(turns)));
             };
-            let twin = self.triangles[t].twin(side);
+            let twin = self.result.triangles[t].twin(side);
             if twin.is_border() {
                 return Some(Location::Outside);
             }
             t = twin.triangle().index();
-            turns = self.turns(points, query, t);
+            turns = self.turns(query, t);
         }
         None
     }
 
     /// Looks at all triangles.
-    fn look<S: Scalar>(&self, points: &[[S; 2]], query: &[S; 2]) -> Location {
-        let holds = |t: &usize| (0..3).all(|side| self.turns(points, query, *t)(side).is_ge());
-        match (0..self.len()).find(holds) {
-            Some(t) => self.at(t, [0, 1, 2].map(self.turns(points, query, t))),
+    fn look(&self, query: &[S; 2]) -> Location {
+        let holds = |t: &usize| (0..3).all(|side| self.turns(query, *t)(side).is_ge());
+        match (0..self.result.len()).find(holds) {
+            Some(t) => self.at(t, [0, 1, 2].map(self.turns(query, t))),
             None => Location::Outside,
         }
     }
 
     /// The turn from each side of a triangle to the point: to the left where the triangle is.
-    fn turns<'a, S: Scalar>(
-        &'a self,
-        points: &'a [[S; 2]],
-        query: &'a [S; 2],
-        t: usize,
-    ) -> impl Fn(u32) -> Ordering + Copy + 'a {
-        let corner = move |i| &points[self.input_index(self.triangles[t].vertex(i))];
+    fn turns<'q>(&'q self, query: &'q [S; 2], t: usize) -> impl Fn(u32) -> Ordering + Copy + 'q {
+        let corner = move |i| self.corner(t, i);
         move |side| filtered_orient2d(corner(next(side)), corner(prev(side)), query)
+    }
+
+    /// The vertex at a corner of a triangle, and its point.
+    fn vertex(&self, t: usize, corner: u32) -> usize {
+        self.result
+            .input_index(self.result.triangles[t].vertex(corner))
+    }
+
+    fn corner(&self, t: usize, corner: u32) -> &[S; 2] {
+        &self.points[self.vertex(t, corner)]
     }
 
     /// The place in a triangle of a point with these turns from its sides, none of them to the right.
     fn at(&self, t: usize, turns: [Ordering; 3]) -> Location {
         let [a, b, c] = turns.map(Ordering::is_eq);
-        let vertex = |i| Location::Vertex(self.input_index(self.triangles[t].vertex(i)));
+        let vertex = |i| Location::Vertex(self.vertex(t, i));
         let side = |i| {
-            let twin = self.triangles[t].twin(i);
+            let twin = self.result.triangles[t].twin(i);
             let here = HalfEdge::new(TriangleId::at(t), i);
             let lower = if twin.is_border() {
                 here

@@ -1,7 +1,7 @@
 //! A triangulation as data, and back (feature `serde`).
 //!
 //! Written are the triangles, hull, duplicates and chains; all else follows from them. Geometry is not
-//! written, and is not looked at when data is read: [`Triangulation::verify`] does that.
+//! written, and is not looked at when data is read: [`WithPoints::verify`] does that.
 //!
 //! Why what is read is as good as what was made: the triangles must be joined side to side into one disk whose border
 //! is the hull. That is so if no two lie to the left of one side, each can be reached from the first, the sides with

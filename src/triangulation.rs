@@ -8,8 +8,6 @@ use crate::canonical::{CanonicalGroups, canonical};
 use crate::edge_chains::EdgeChains;
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, HalfEdge, Triangle};
-use crate::scalar::Measure;
-use crate::verify::{Report, Violations, verify};
 
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
 ///
@@ -105,12 +103,12 @@ impl Triangulation {
 
     /// The sides that are input edges or pieces of them, each once, as pairs of vertices (the triangle
     /// that lists it lies to the left).
-    pub fn constrained_edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        (0..self.len()).flat_map(|t| self.constrained_edges_of(t))
+    pub fn constrained_sides(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        (0..self.len()).flat_map(|t| self.constrained_sides_of(t))
     }
 
     /// Those of them that triangle `t` lists.
-    fn constrained_edges_of(&self, t: usize) -> impl Iterator<Item = [usize; 2]> + '_ {
+    fn constrained_sides_of(&self, t: usize) -> impl Iterator<Item = [usize; 2]> + '_ {
         let triangle = &self.triangles[t];
         (0..3).filter_map(move |side| {
             let twin = triangle.twin(side);
@@ -160,28 +158,6 @@ impl Triangulation {
         })
     }
 
-    /// Checks this triangulation with the exact verifier, which shares the signs of [`crate::scalar`]
-    /// (filter and exact predicates) with the sweep and nothing else.
-    ///
-    /// `points` and `edges` are the input; see [`mod@crate::verify`] for what is proved.
-    ///
-    /// # Errors
-    /// [`Violations`]: what is wrong, up to a limit. For the input that this is the result of there are none.
-    ///
-    /// ```
-    /// let points = [[0, 0], [4, 0], [4, 3], [0, 3], [2, 1]];
-    /// let result = sweep_cdt::triangulate(&points, &[[0, 2]])?;
-    /// assert!(result.verify(&points, &[[0, 2]])?.is_canonical());
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn verify<S: Measure>(
-        &self,
-        points: &[[S; 2]],
-        edges: &[[usize; 2]],
-    ) -> Result<Report, Violations> {
-        verify(points, edges, &self.triangles().collect::<Vec<_>>())
-    }
-
     /// The input index of a vertex of a triangle.
     #[inline]
     pub(crate) fn input_index(&self, v: VertexId) -> usize {
@@ -223,9 +199,9 @@ impl Triangulation {
             .map(|triangle| self.corners(triangle))
     }
 
-    /// What [`constrained_edges`](Triangulation::constrained_edges) lists, on all threads of the current rayon pool.
-    pub fn par_constrained_edges(&self) -> impl ParallelIterator<Item = [usize; 2]> + Clone + '_ {
+    /// What [`constrained_sides`](Triangulation::constrained_edges) lists, on all threads of the current rayon pool.
+    pub fn par_constrained_sides(&self) -> impl ParallelIterator<Item = [usize; 2]> + Clone + '_ {
         let numbers = (0..self.len()).into_par_iter();
-        numbers.flat_map_iter(|t| self.constrained_edges_of(t))
+        numbers.flat_map_iter(|t| self.constrained_sides_of(t))
     }
 }

@@ -102,7 +102,7 @@ impl<'p, F> Triangulator<'p, F> {
         }
     }
 
-    /// Uses this algorithm. [`Triangulator::triangulate_observed`] always sweeps.
+    /// Uses this algorithm. [`Triangulator::observe`] always sweeps.
     #[must_use]
     pub fn algorithm(mut self, algorithm: Algorithm) -> Self {
         self.settings.algorithm = algorithm;
@@ -215,7 +215,7 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
     ///
     /// # Errors
     /// See [`Error`]; the steps before it have been reported.
-    pub fn triangulate_observed<S: Scalar>(
+    pub fn observe<S: Scalar>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],

@@ -17,7 +17,7 @@
 //! Cost: O(n log n) to build, with one selection for each range; for each search O(log n) where boxes are spread,
 //! and all that it finds.
 
-use crate::error::Error;
+use super::error::SplitError;
 use crate::scalar::Scalar;
 
 /// A range is not halved if its halves would have fewer boxes.
@@ -114,8 +114,8 @@ impl Boxes {
     /// Passes each pair of boxes that meet, once, to `report`, until that returns an error.
     pub(super) fn pairs(
         &self,
-        mut report: impl FnMut([usize; 2]) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+        mut report: impl FnMut([usize; 2]) -> Result<(), SplitError>,
+    ) -> Result<(), SplitError> {
         for (position, &(one, bounds)) in self.list.iter().enumerate() {
             self.search(position + 1, &bounds, |other| report([one, other]))?;
         }
@@ -139,8 +139,8 @@ impl Boxes {
         &self,
         first: usize,
         bounds: &Bounds,
-        mut report: impl FnMut(usize) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+        mut report: impl FnMut(usize) -> Result<(), SplitError>,
+    ) -> Result<(), SplitError> {
         let mut number = 1;
         loop {
             let (from, to) = self.range(number);

@@ -1,8 +1,8 @@
 //! Edges that cross: all pairs of them, and the same edges split where they cross.
 //!
 //! A triangulation takes no edges that cross at a point that is no vertex (the paper says nothing of them), and
-//! [`Error::CrossingEdges`] names one such pair. [`crossings`] lists all pairs, each with its exact point, and
-//! [`split`] makes vertices of these points. Edges that touch or cross at a vertex, pass through vertices, overlap
+//! [`Error::CrossingEdges`](crate::Error::CrossingEdges) names one such pair. [`crossings`] lists all pairs, each with
+//! its exact point, and [`split`] makes vertices of these points. Edges that touch or cross at a vertex, pass through vertices, overlap
 //! or have no length are no errors, and are not listed.
 //!
 //! | | file |
@@ -23,6 +23,7 @@
 
 mod boxes;
 mod cells;
+mod error;
 mod exact;
 mod split;
 mod vertices;
@@ -32,12 +33,12 @@ use std::cmp::Ordering;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::error::Error;
 use crate::scalar::{Scalar, filtered_orient2d};
 use boxes::{Bounds, Boxes};
 use exact::meeting;
 use vertices::Vertices;
 
+pub use error::SplitError;
 pub use exact::Exact;
 pub use split::{Split, joined, split};
 
@@ -65,10 +66,10 @@ impl Crossing {
 /// All pairs of `edges` that cross at a point that is none of `points`, sorted.
 ///
 /// There are none for exactly those inputs that [`triangulate`](crate::triangulate) does not refuse with
-/// [`Error::CrossingEdges`]. An edge that is given twice has its crossings twice.
+/// [`Error::CrossingEdges`](crate::Error::CrossingEdges). An edge that is given twice has its crossings twice.
 ///
 /// # Errors
-/// [`Error`]: a coordinate that is not finite, an edge with an end that is no point, or more than 4,194,304 crossings.
+/// [`SplitError`]: a coordinate that is not finite, an edge with an end that is no point, or more than 4,194,304 crossings.
 ///
 /// ```
 /// let points = [[0.0, 0.0], [3.0, 1.0], [0.0, 1.0], [3.0, 0.0], [9.0, 9.0]];
@@ -77,12 +78,12 @@ impl Crossing {
 /// assert_eq!(found[0].edges, [0, 2]);
 /// assert_eq!(found[0].point.each_ref().map(|x| x.to_string()), ["3/2", "1/2"]);
 /// assert_eq!(found[0].near(), [1.5, 0.5]);
-/// # Ok::<(), sweep_cdt::Error>(())
+/// # Ok::<(), sweep_cdt::crossings::SplitError>(())
 /// ```
 pub fn crossings<S: Exact>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-) -> Result<Vec<Crossing>, Error> {
+) -> Result<Vec<Crossing>, SplitError> {
     let vertices = Vertices::new(points)?;
     vertices.check(edges)?;
     find(points, &vertices, edges)
@@ -93,7 +94,7 @@ fn find<S: Exact>(
     points: &[[S; 2]],
     vertices: &Vertices<S>,
     edges: &[[usize; 2]],
-) -> Result<Vec<Crossing>, Error> {
+) -> Result<Vec<Crossing>, SplitError> {
     let mut found = Vec::new();
     let bounds = edges
         .iter()
@@ -108,7 +109,7 @@ fn find<S: Exact>(
             return Ok(());
         }
         if found.len() == LIMIT {
-            return Err(Error::TooManyCrossings { limit: LIMIT });
+            return Err(SplitError::TooManyCrossings { limit: LIMIT });
         }
         let edges = [pair[0].min(pair[1]), pair[0].max(pair[1])];
         found.push(Crossing { edges, point });
@@ -128,8 +129,7 @@ fn cross<S: Scalar>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{LIMIT, crossings};
-    use crate::error::Error;
+    use super::{LIMIT, SplitError, crossings};
 
     #[test]
     fn more_crossings_than_can_be_held_are_an_error() {
@@ -146,6 +146,6 @@ mod tests {
             crossings(&ends, &edges).map(|found| found.len())
         };
         assert_eq!(grid(10), Ok(LIMIT));
-        assert_eq!(grid(11), Err(Error::TooManyCrossings { limit: LIMIT }));
+        assert_eq!(grid(11), Err(SplitError::TooManyCrossings { limit: LIMIT }));
     }
 }

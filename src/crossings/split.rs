@@ -41,10 +41,10 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use super::cells::passed;
+use super::error::SplitError;
 use super::exact::{Exact, distance, spacing};
 use super::find;
 use super::vertices::Vertices;
-use crate::error::Error;
 use crate::triangulation::Triangulation;
 
 /// After so many rounds edges must not cross any more.
@@ -107,10 +107,10 @@ pub fn joined(pieces: Range<usize>, edges: &[[usize; 2]], result: &Triangulation
 ///
 /// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, each edge goes
 /// through all vertices of edges to which a point of it is rounded, and what then crosses is split again, until
-/// nothing does. So [`triangulate`](crate::triangulate) does not refuse the result with [`Error::CrossingEdges`].
+/// nothing does. So [`triangulate`](crate::triangulate) does not refuse the result with [`Error::CrossingEdges`](crate::Error::CrossingEdges).
 ///
 /// # Errors
-/// [`Error`]: as [`crossings`](super::crossings()), or that edges still cross after 100 rounds.
+/// [`SplitError`]: as [`crossings`](super::crossings()), or that edges still cross after 100 rounds.
 ///
 /// ```
 /// use sweep_cdt::{crossings::split, triangulate};
@@ -124,10 +124,10 @@ pub fn joined(pieces: Range<usize>, edges: &[[usize; 2]], result: &Triangulation
 ///
 /// let result = triangulate(&split.points, &split.edges)?;
 /// assert_eq!(split.chain(1, &result), [2, 4, 3]);
-/// assert!(result.verify(&split.points, &split.edges).is_ok());
-/// # Ok::<(), sweep_cdt::Error>(())
+/// assert!(result.with_points(&split.points).verify(&split.edges).is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<S>, Error> {
+pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<S>, SplitError> {
     let mut vertices = Vertices::new(points)?;
     vertices.check(edges)?;
     let mut points = points.to_vec();
@@ -163,7 +163,7 @@ pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<
             *chain = cut(chain, &pieces, &cuts);
         }
     }
-    Err(Error::TooManyRounds { limit: ROUNDS })
+    Err(SplitError::TooManyRounds { limit: ROUNDS })
 }
 
 /// All pairs of neighbours in the chains, lower one first, sorted, each once.

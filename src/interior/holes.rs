@@ -2,35 +2,36 @@
 //!
 //! The edges cut the hull into faces. Those with the seed of a hole are not inside, nor are those that reach the
 //! border of the hull where no edge runs along it, since the outside comes in there. All others are.
-//! EdgeChains need not be closed: an edge that dangles separates nothing.
+//! Chains need not be closed: an edge that dangles separates nothing.
 //!
-//! A seed must tell in which face it lies. So it must not lie on an edge, nor on a vertex. Where it lies is found by
-//! exact signs. The seeds are sorted by x. Each triangle is compared with those between its leftmost and its
-//! rightmost corner. A walk from triangle to triangle would look at fewer, but in a triangulation that is
-//! constrained it may go round in circles.
+//! A seed must tell in which face it lies. So it must not lie on an edge, nor on a vertex. The walk of
+//! [`WithPoints::locate`] finds where it lies, by exact signs.
 //!
-//! Cost: O((n + k) log k) for n triangles and k seeds, and one comparison for each triangle and seed that have an x
-//! in common: few seeds, or seeds that are spread, take little more. Faces take 8 bytes a triangle.
+//! In a list of triangles without neighbours there is no walk ([`locate_seeds`]). The seeds are sorted by x, and each
+//! triangle is compared with the seeds between its leftmost and its rightmost corner.
+//!
+//! Cost: O(n) for n triangles, and that of the location for each seed. Faces take 8 bytes a triangle.
 
 use std::cmp::Ordering;
 
 use super::error::{InteriorError, Seed};
 use super::labels::{self, Interior};
-use crate::Triangulation;
 use crate::ids::narrow;
+use crate::locate::Location;
 use crate::scalar::{Scalar, filtered_orient2d};
+use crate::triangulation::Triangulation;
+use crate::with_points::WithPoints;
 
-impl Triangulation {
-    /// What of the hull is inside, by seed points of holes. `points` are those that were triangulated; `holes` and
-    /// `regions` are points `[x, y]`, each standing for the *face* that it lies in: all that can be reached from
-    /// it without crossing an edge.
+impl<'a, S: Scalar> WithPoints<'a, S> {
+    /// What of the hull is inside, by seed points of holes. `holes` and `regions` are points `[x, y]`, each standing for
+    /// the *face* that it lies in: all that can be reached from it without crossing an edge.
     ///
     /// Faces with a hole are not inside, nor is what the outside reaches without crossing an edge. Of the others,
     /// those with a region have its index, [`Interior::region`]; of several regions in one face the last one counts.
     /// This is what Triangle does with a `.poly`.
     ///
     /// # Errors
-    /// [`InteriorError`], if a seed is not in one face, or that of a region not inside, or if `points` are too few.
+    /// [`InteriorError`], if a seed is not in one face, or that of a region not inside, or if a vertex has no point.
     ///
     /// ```
     /// // A square with a square hole, in which there is an island.
@@ -39,18 +40,18 @@ impl Triangulation {
     /// let ring = |v: usize| [[v, v + 1], [v + 1, v + 2], [v + 2, v + 3], [v + 3, v]];
     /// let edges = [ring(0), ring(4), ring(8)].concat();
     /// let result = sweep_cdt::triangulate(&points, &edges)?;
-    /// let domain = result.interior_of_seeds(&points, &[[3, 3]], &[[1, 1]])?;
+    /// let domain = result.with_points(&points).interior_of_seeds(&[[3, 3]], &[[1, 1]])?;
     /// assert_eq!(domain.inside().len(), 10);
     /// assert_eq!(domain.inside().filter(|&t| domain.region(t) == Some(0)).count(), 8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn interior_of_seeds<S: Scalar>(
+    pub fn interior_of_seeds(
         &self,
-        points: &[[S; 2]],
         holes: &[[S; 2]],
         regions: &[[S; 2]],
-    ) -> Result<Interior<'_>, InteriorError> {
-        let mut corners = self.triangles().flatten();
+    ) -> Result<Interior<'a>, InteriorError> {
+        let (result, points) = (self.result, self.points);
+        let mut corners = result.triangles().flatten();
         if let Some(vertex) = corners.find(|&vertex| vertex >= points.len()) {
             return Err(InteriorError::MissingPoint { vertex });
         }
@@ -62,20 +63,18 @@ impl Triangulation {
             return Err(InteriorError::SeedNotFinite { seed: names[at] });
         }
 
-        let (faces, count) = faces(self);
+        let (faces, count) = faces(result);
         let mut is_outside = vec![false; count];
         for (t, &face) in faces.iter().enumerate() {
-            let is_gap = |side| self.neighbor(t, side).is_none() && !self.is_constrained(t, side);
+            let is_gap =
+                |side| result.neighbor(t, side).is_none() && !result.is_constrained(t, side);
             is_outside[face] |= (0..3).any(is_gap);
         }
         let mut region_of_face = vec![None; count];
         // Holes come first.
-        for (place, &seed) in locate(self.triangles(), points, &seeds)
-            .into_iter()
-            .zip(&names)
-        {
-            let face = faces[self.triangle_of(seed, place)?];
-            match seed {
+        for (&name, &seed) in names.iter().zip(&seeds) {
+            let face = faces[triangle_of(result, name, self.locate(seed))?];
+            match name {
                 Seed::Hole(_) => is_outside[face] = true,
                 Seed::Region(region) if is_outside[face] => {
                     return Err(InteriorError::RegionOutside { region });
@@ -84,25 +83,29 @@ impl Triangulation {
             }
         }
         let depths = faces.iter().map(|&face| i32::from(!is_outside[face]));
-        let interior = Interior::new(self, depths.collect(), |depth| depth == 1);
+        let interior = Interior::new(result, depths.collect(), |depth| depth == 1);
         if regions.is_empty() {
             return Ok(interior);
         }
         Ok(interior.with_regions(faces.iter().map(|&face| region_of_face[face]).collect()))
     }
+}
 
-    /// The triangle of a seed, if it is in one face.
-    fn triangle_of(&self, seed: Seed, place: Option<Place>) -> Result<usize, InteriorError> {
-        match place {
-            None => Err(InteriorError::SeedOutside { seed }),
-            Some(Place::OnVertex(vertex, _)) => Err(InteriorError::SeedOnVertex { seed, vertex }),
-            Some(Place::OnSide(t, side)) if self.is_constrained(t, side) => {
-                let mut ends = labels::ends(self, t, side);
-                ends.sort_unstable();
-                Err(InteriorError::SeedOnEdge { seed, ends })
-            }
-            Some(Place::OnSide(t, _) | Place::In(t)) => Ok(t),
+/// The triangle of a seed with this location, if the seed is in one face.
+fn triangle_of(
+    result: &Triangulation,
+    seed: Seed,
+    location: Location,
+) -> Result<usize, InteriorError> {
+    match location {
+        Location::Outside => Err(InteriorError::SeedOutside { seed }),
+        Location::Vertex(vertex) => Err(InteriorError::SeedOnVertex { seed, vertex }),
+        Location::Side { triangle, side } if result.is_constrained(triangle, side) => {
+            let mut ends = labels::ends(result, triangle, side);
+            ends.sort_unstable();
+            Err(InteriorError::SeedOnEdge { seed, ends })
         }
+        Location::Side { triangle, .. } | Location::Triangle(triangle) => Ok(triangle),
     }
 }
 
@@ -134,22 +137,11 @@ fn faces(result: &Triangulation) -> (Vec<usize>, usize) {
     (faces, count)
 }
 
-/// Where a point lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Place {
-    /// Inside a triangle.
-    In(usize),
-    /// Inside a side of a triangle.
-    OnSide(usize, usize),
-    /// A corner of a triangle.
-    OnVertex(usize, usize),
-}
-
 /// For each seed a triangle that holds it, of any list that covers no place twice: the first one of two where it lies on
 /// a side, and of several where it is a corner. `None` is outside of all.
 ///
-/// Cost: see [`Triangulation::interior_of_seeds`]. Triangles may run either way. Those with a corner that is no index of a
-/// point hold nothing.
+/// Cost: O((n + k) log k) for n triangles and k seeds, and one comparison for each triangle and seed that have an x in
+/// common. Triangles may run either way. A triangle with a corner that is no index of a point holds nothing.
 ///
 /// ```
 /// use sweep_cdt::interior::locate_seeds;
@@ -163,25 +155,10 @@ pub fn locate_seeds<S: Scalar>(
     triangles: &[[usize; 3]],
     seeds: &[[S; 2]],
 ) -> Vec<Option<usize>> {
-    let seeds: Vec<&[S; 2]> = seeds.iter().collect();
-    let places = locate(triangles.iter().copied(), points, &seeds).into_iter();
-    places
-        .map(|place| match place? {
-            Place::In(t) | Place::OnSide(t, _) | Place::OnVertex(_, t) => Some(t),
-        })
-        .collect()
-}
-
-/// The places of points; `None` is outside of the hull.
-fn locate<S: Scalar>(
-    triangles: impl Iterator<Item = [usize; 3]>,
-    points: &[[S; 2]],
-    seeds: &[&[S; 2]],
-) -> Vec<Option<Place>> {
     let mut order: Vec<usize> = (0..seeds.len()).collect();
     order.sort_by(|&a, &b| seeds[a][0].compare(&seeds[b][0]));
-    let mut places = vec![None; seeds.len()];
-    for (t, corners) in triangles.enumerate() {
+    let mut found = vec![None; seeds.len()];
+    for (t, corners) in triangles.iter().enumerate() {
         let [Some(a), Some(b), Some(c)] = corners.map(|v| points.get(v)) else {
             continue;
         };
@@ -191,29 +168,16 @@ fn locate<S: Scalar>(
         let from = order.partition_point(|seed| triangle.iter().all(|p| is_before(seed, p)));
         let to = order.partition_point(|seed| !triangle.iter().all(|p| is_behind(seed, p)));
         for &seed in &order[from..to] {
-            if places[seed].is_none() {
-                places[seed] = place(triangle, seeds[seed]).map(|place| match place {
-                    (Some(corner), _) => Place::OnVertex(corners[corner], t),
-                    (None, Some(side)) => Place::OnSide(t, side),
-                    (None, None) => Place::In(t),
-                });
+            if found[seed].is_none() && holds(triangle, &seeds[seed]) {
+                found[seed] = Some(t);
             }
         }
     }
-    places
+    found
 }
 
-/// Whether a triangle holds a point, and at which corner or else on which side that is.
-fn place<S: Scalar>(
-    triangle: [&[S; 2]; 3],
-    point: &[S; 2],
-) -> Option<(Option<usize>, Option<usize>)> {
-    let turn = |i: usize| filtered_orient2d(triangle[(i + 1) % 3], triangle[(i + 2) % 3], point);
-    let turns = [turn(0), turn(1), turn(2)];
-    if turns.contains(&Ordering::Less) && turns.contains(&Ordering::Greater) {
-        return None;
-    }
-    // On two sides it is where they meet, opposite the third one.
-    let corner = (0..3).find(|&i| turns[(i + 1) % 3].is_eq() && turns[(i + 2) % 3].is_eq());
-    Some((corner, turns.iter().position(|turn| turn.is_eq())))
+/// Whether a triangle holds a point: inside, on a side or at a corner.
+fn holds<S: Scalar>([a, b, c]: [&[S; 2]; 3], point: &[S; 2]) -> bool {
+    let turns = [[a, b], [b, c], [c, a]].map(|[from, to]| filtered_orient2d(from, to, point));
+    !(turns.contains(&Ordering::Less) && turns.contains(&Ordering::Greater))
 }

@@ -81,7 +81,7 @@ impl<'a> Interior<'a> {
     }
 
     /// The region that triangle `t` belongs to, as a position in the regions of
-    /// [`Triangulation::interior_of_seeds`]; `None` if it belongs to none.
+    /// [`WithPoints::interior_of_seeds`]; `None` if it belongs to none.
     ///
     /// # Panics
     /// If there is no triangle `t`.
@@ -117,7 +117,7 @@ impl<'a> Interior<'a> {
     }
 
     /// The sides of triangles inside that are input edges or pieces of them, each once, as pairs of vertices.
-    pub fn constrained_edges(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+    pub fn constrained_sides(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
         let is_listed = |t: usize, side| {
             let neighbor = self.result.neighbor(t, side);
             let is_first = neighbor.is_none_or(|across| across > t || !self.is_inside[across]);

@@ -10,7 +10,7 @@
 //! | [`FillRule::Hull`] | everything | `mod.rs` |
 //! | [`FillRule::EvenOdd`] | what a path from outside enters by an odd number of edges | `flow` |
 //! | [`FillRule::NonZero`] | what the edges go round | `flow` |
-//! | [`Triangulation::interior_of_seeds`] | what no hole and no gap of the edges opens | `holes` |
+//! | [`WithPoints::interior_of_seeds`] | what no hole and no gap of the edges opens | `holes` |
 //!
 //! Why that is right: each file says it of its part. `flow` counts the edges on each side, shows that all paths
 //! to a triangle agree, and follows one of them; `holes` joins what no edge parts, and asks in which face a seed is;

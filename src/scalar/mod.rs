@@ -131,7 +131,7 @@ pub use unbounded::Unbounded;
 /// let points = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|point| point.map(Fixed));
 /// let result = sweep_cdt::triangulate(&points, &[[0, 2]])?;
 /// assert_eq!(result.len(), 2);
-/// assert!(result.verify(&points, &[[0, 2]]).is_ok());
+/// assert!(result.with_points(&points).verify(&[[0, 2]]).is_ok());
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[diagnostic::on_unimplemented(

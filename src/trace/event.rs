@@ -43,7 +43,7 @@ impl fmt::Display for Vertex {
 ///
 /// let mut cases = Vec::new();
 /// let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]];
-/// Triangulator::new().triangulate_observed(&points, &[], |event| {
+/// Triangulator::new().observe(&points, &[], |event| {
 ///     if let Event::Point { vertex, case, .. } = event {
 ///         cases.push((vertex, case));
 ///     }

@@ -14,7 +14,7 @@ use super::{BadTrace, replay, text};
 /// let mut trace = Trace::default();
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
 /// let run = Triangulator::new()
-///     .triangulate_observed(&points, &[[0, 2]], |event| trace.events.push(event))?;
+///     .observe(&points, &[[0, 2]], |event| trace.events.push(event))?;
 ///
 /// let mut text = Vec::new();
 /// trace.write_text(&mut text)?;
@@ -105,7 +105,7 @@ impl Trace {
     ///
     /// let mut events = Vec::new();
     /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-    /// Triangulator::new().triangulate_observed(&points, &[], |event| events.push(event))?;
+    /// Triangulator::new().observe(&points, &[], |event| events.push(event))?;
     /// let trace = Trace { skipped: 2, events: events[2..5].to_vec() };
     /// trace.compare(&events)?;
     ///

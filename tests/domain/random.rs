@@ -141,7 +141,7 @@ fn the_verifier_knows_each_domain() {
             }
         }
         // The edges that lie in it.
-        let edges: Vec<[usize; 2]> = domain.constrained_edges().collect();
+        let edges: Vec<[usize; 2]> = domain.constrained_sides().collect();
 
         let faces = faces(&points, &edges, &triangles);
         let mut chosen = expected.clone();

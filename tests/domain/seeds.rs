@@ -58,7 +58,9 @@ fn every_triangle_is_where_seeds_say() {
             points.take(3).collect()
         };
         let (holes, regions) = (seeds(Seed::Hole), seeds(Seed::Region));
-        let found = result.interior_of_seeds(points, &holes, &regions);
+        let found = result
+            .with_points(points)
+            .interior_of_seeds(&holes, &regions);
 
         let names = (0..holes.len()).map(Seed::Hole);
         let names = names.chain((0..regions.len()).map(Seed::Region));
@@ -129,7 +131,8 @@ fn what_is_wrong_with_a_seed_is_said() {
     let result = triangulate(&points, &edges).unwrap();
     let message = |holes: &[[f64; 2]], regions: &[[f64; 2]]| {
         let error = result
-            .interior_of_seeds(&points, holes, regions)
+            .with_points(&points)
+            .interior_of_seeds(holes, regions)
             .unwrap_err();
         error.to_string()
     };
@@ -158,7 +161,8 @@ fn what_is_wrong_with_a_seed_is_said() {
         assert_eq!(message(&[hole], &[region]), expected);
     }
     let few = result
-        .interior_of_seeds(&points[..3], &[], &[])
+        .with_points(&points[..3])
+        .interior_of_seeds(&[], &[])
         .unwrap_err();
     assert_eq!(few, InteriorError::MissingPoint { vertex: 3 });
 }
@@ -171,7 +175,10 @@ fn a_seed_is_located_by_exact_signs() {
     let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]];
     let result = triangulate(&points, &edges).unwrap();
     for (seed, corner) in [([1.0, 1.0 + near], 3), ([1.0, 1.0 - near / 2.0], 1)] {
-        let domain = result.interior_of_seeds(&points, &[seed], &[]).unwrap();
+        let domain = result
+            .with_points(&points)
+            .interior_of_seeds(&[seed], &[])
+            .unwrap();
         let kept: Vec<usize> = domain.inside().flat_map(|t| result.triangle(t)).collect();
         assert!(!kept.contains(&corner), "{seed:?}");
         assert_eq!(kept.len(), 3);

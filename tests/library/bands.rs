@@ -36,7 +36,7 @@ fn agrees<S: Measure + Sync>(
             return false;
         };
         check_links(all);
-        let report = all.verify(points, edges).expect("right");
+        let report = all.with_points(points).verify(edges).expect("right");
         assert!(report.is_canonical());
         !all.triangles().eq(one.triangles())
     })

@@ -55,11 +55,11 @@ fn expected(result: &Triangulation, points: &[Point], query: Point) -> Location 
 
 /// From everywhere, in one scalar.
 fn check<S: Scalar>(points: &[[S; 2]], query: &[S; 2], result: &Triangulation, right: Location) {
-    assert_eq!(result.locate(points, query), right);
+    assert_eq!(result.with_points(points).locate(query), right);
     let some = (0..result.len()).step_by(1 + result.len() / 7);
     for hint in some.chain([result.len(), usize::MAX]) {
         assert_eq!(
-            result.locate_from(points, query, hint),
+            result.with_points(points).locate_from(query, hint),
             right,
             "from {hint}"
         );
@@ -107,7 +107,7 @@ fn points_next_to_a_side_are_told_from_those_on_it() {
         [1.0, 30.0],
     ];
     let result = triangulate(&points, &[[2, 1]]).expect("one edge");
-    let at = |x: f64, y: f64| result.locate(&points, &[x, y]);
+    let at = |x: f64, y: f64| result.with_points(&points).locate(&[x, y]);
     let next = 5.0_f64.next_up();
     assert!(matches!(at(5.0, 5.0), Location::Side { .. }));
     let (below, above) = (at(next, 5.0), at(5.0, next));
@@ -127,7 +127,10 @@ fn what_is_no_number_is_outside() {
         }
     }
     let line = triangulate(&points[..2], &[]).expect("no edges");
-    assert_eq!(line.locate(&points[..2], &[0.0, 0.0]), Location::Outside);
+    assert_eq!(
+        line.with_points(&points[..2]).locate(&[0.0, 0.0]),
+        Location::Outside
+    );
 }
 
 /// Many triangles, where the walk is long: the number of steps is not counted, but a look at all would take minutes.
@@ -138,7 +141,7 @@ fn many_points_are_found_among_many() {
     for query in Random::new(3).points(20_000) {
         // Away from the hull.
         let query = query.map(|x| 0.05 + 0.9 * x);
-        let Location::Triangle(t) = result.locate(&points, &query) else {
+        let Location::Triangle(t) = result.with_points(&points).locate(&query) else {
             panic!("random points lie inside of triangles: {query:?}");
         };
         let [a, b, c] = result.triangle(t).map(|v| points[v]);
@@ -205,7 +208,7 @@ fn all_threads_list_the_same() {
     assert_eq!(result.par_triangles().len(), result.len());
     let triangles: Vec<_> = result.par_triangles().collect();
     assert_eq!(triangles, result.triangles().collect::<Vec<_>>());
-    let sides: Vec<_> = result.par_constrained_edges().collect();
+    let sides: Vec<_> = result.par_constrained_sides().collect();
     assert!(sides.len() > 5, "{}", sides.len());
-    assert_eq!(sides, result.constrained_edges().collect::<Vec<_>>());
+    assert_eq!(sides, result.constrained_sides().collect::<Vec<_>>());
 }

@@ -21,7 +21,7 @@ fn swept<S: Scalar>(points: &[[S; 2]]) -> (Vec<usize>, Vec<[usize; 2]>) {
     let triangulator = Triangulator::new()
         .algorithm(Algorithm::Sweep)
         .heuristics(Heuristics::PAPER);
-    let run = triangulator.triangulate_observed(points, &[], note);
+    let run = triangulator.observe(points, &[], note);
     let run = run.expect("a valid input");
     (order, run.triangulation.duplicates().collect())
 }

@@ -240,7 +240,7 @@ fn damaged_data_is_refused_or_answers() {
         };
         accepted += 1;
         answers(&read, 12, edges.len());
-        let _ = read.verify(&points, &edges);
+        let _ = read.with_points(&points).verify(&edges);
         let again = serde_json::to_string(&read).expect("data");
         assert_eq!(again, text);
     }

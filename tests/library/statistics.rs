@@ -105,7 +105,7 @@ fn the_front_that_was_used_comes_back() {
     let points = square(5);
     let triangulator = Triangulator::new().front(Counting::default());
     let counted = triangulator.triangulate_with_stats(&points, &[]);
-    let observed = triangulator.triangulate_observed(&points, &[], |_| ());
+    let observed = triangulator.observe(&points, &[], |_| ());
     for run in [counted, observed] {
         let front = run.expect("no edges").front;
         assert_eq!((front.begun, front.searches), (1, points.len() - 1));
@@ -211,7 +211,7 @@ fn settings_hold_in_any_order_and_for_every_kind_of_run() {
     for triangulator in [first, last] {
         let kinds = [
             triangulator.triangulate_with_stats(&points, &[]),
-            triangulator.triangulate_observed(&points, &[], |_| ()),
+            triangulator.observe(&points, &[], |_| ()),
         ];
         for run in kinds {
             let made = run.expect("no edges").stats.counters.made;
@@ -232,7 +232,7 @@ fn an_observed_run_has_the_statistics_of_any_other() {
     };
     let triangulator = Triangulator::new();
     let counted = triangulator.triangulate_with_stats(&points, &edges);
-    let observed = triangulator.triangulate_observed(&points, &edges, |_| ());
+    let observed = triangulator.observe(&points, &edges, |_| ());
     let [counted, observed] = [counted, observed].map(|run| run.expect("no edges cross").stats);
     assert_eq!(timeless(observed), timeless(counted));
 }

@@ -179,7 +179,10 @@ fn an_abandoned_sweep_has_the_same_result() {
             // With edges too: what was left undone when the sweep was abandoned must not remain so.
             let (there, _) = run(&input, Algorithm::DivideAndConquer);
             let [here, there] = [here, there].map(|result| {
-                result.verify(&input.points, &input.edges).expect("right");
+                result
+                    .with_points(&input.points)
+                    .verify(&input.edges)
+                    .expect("right");
                 answer(&input, &result)
             });
             assert_eq!(here, there);

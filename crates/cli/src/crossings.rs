@@ -83,7 +83,7 @@ impl Crossings {
         let name = self.input.name();
         let (graph, numbering) = (&file.graph, file.numbering);
         let found = crossings(&graph.points, &graph.edges).map_err(|error| {
-            let error = file.as_numbered(error);
+            let error = file.split_as_numbered(error);
             Failure::Error(format!("{name}: {error}"))
         })?;
         // Standard output holds either the list or a report.

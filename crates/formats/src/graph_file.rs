@@ -1,6 +1,7 @@
 //! A planar straight-line graph as it stands in a file: the graph, what else the file says of its vertices, and how
 //! the file counts.
 
+use sweep_cdt::crossings::SplitError;
 use sweep_cdt::interior::InteriorError;
 use sweep_cdt::{Error, Pslg};
 
@@ -126,6 +127,13 @@ impl<S> GraphFile<S> {
             |vertex| vertex.saturating_add(first.vertex),
             |edge| edge.saturating_add(first.edge),
         )
+    }
+
+    /// An error of [`split`](sweep_cdt::crossings::split) or [`crossings`](sweep_cdt::crossings::crossings()) with
+    /// vertices and edges numbered as in the file.
+    pub fn split_as_numbered(&self, error: SplitError) -> SplitError {
+        let Numbering { vertex, edge, .. } = self.numbering;
+        error.renumbered(|v| v.saturating_add(vertex), |e| e.saturating_add(edge))
     }
 
     /// An error of a domain with its vertices, edges, holes and regions numbered as in the file.

@@ -7,8 +7,8 @@
 //! Cost: that of [`split`], and the pieces times the columns.
 
 use crate::{Column, Coordinate, GraphFile};
-use sweep_cdt::crossings::{Exact, Split, split};
-use sweep_cdt::{Error, Pslg};
+use sweep_cdt::Pslg;
+use sweep_cdt::crossings::{Exact, Split, SplitError, split};
 
 /// What [`GraphFile::split_crossings`] came to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,9 +44,9 @@ impl<S: Coordinate + Exact> GraphFile<S> {
     /// assert_eq!(file.columns[0].values[4], 5.0);
     /// assert_eq!(file.pieces_of, [0, 0, 1, 1]);
     /// assert_eq!((splitting.vertices, splitting.edges), (1, [2, 4]));
-    /// # Ok::<(), sweep_cdt::Error>(())
+    /// # Ok::<(), sweep_cdt::crossings::SplitError>(())
     /// ```
-    pub fn split_crossings(&self) -> Result<(GraphFile<S>, Splitting), Error> {
+    pub fn split_crossings(&self) -> Result<(GraphFile<S>, Splitting), SplitError> {
         let graph = &self.graph;
         let split = split(&graph.points, &graph.edges)?;
         let splitting = Splitting {

@@ -40,7 +40,7 @@ fn is_first(step: &usize) -> bool {
 ///
 /// let mut trace = Trace::default();
 /// Triangulator::new()
-///     .triangulate_observed(&[[0, 0], [3, 0], [0, 2]], &[], |event| trace.events.push(event))?;
+///     .observe(&[[0, 0], [3, 0], [0, 2]], &[], |event| trace.events.push(event))?;
 /// let mut lines = Vec::new();
 /// write_trace(&trace, &mut lines)?;
 /// assert_eq!(read_trace(&String::from_utf8(lines)?)?, trace);

@@ -103,8 +103,7 @@ type Triangles = Result<Vec<[usize; 3]>, Error>;
 /// The triangles, and a digest of all steps.
 fn run<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> (Triangles, u64) {
     let mut steps = FNV;
-    let result = Triangulator::new()
-        .triangulate_observed(points, edges, |event| steps = digest(steps, &event));
+    let result = Triangulator::new().observe(points, edges, |event| steps = digest(steps, &event));
     let triangles = result.map(|run| run.triangulation.triangles().collect());
     (triangles, steps)
 }

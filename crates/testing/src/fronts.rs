@@ -134,7 +134,7 @@ fn observe<S: Scalar>(
     observer: &mut dyn FnMut(Event),
 ) -> Result<Triangulation, Error> {
     let triangulator = Triangulator::new().front(front).heuristics(heuristics);
-    let run = triangulator.triangulate_observed(points, edges, observer)?;
+    let run = triangulator.observe(points, edges, observer)?;
     Ok(run.triangulation)
 }
 
@@ -142,7 +142,7 @@ fn observe<S: Scalar>(
 fn are_equal(here: &Triangulation, there: &Triangulation, edges: usize) -> bool {
     here.triangles().eq(there.triangles())
         && (0..here.len()).all(|t| here.neighbors(t) == there.neighbors(t))
-        && here.constrained_edges().eq(there.constrained_edges())
+        && here.constrained_sides().eq(there.constrained_sides())
         && here.hull().eq(there.hull())
         && here.duplicates().eq(there.duplicates())
         && (0..edges).all(|e| here.edge_chain(e).eq(there.edge_chain(e)))

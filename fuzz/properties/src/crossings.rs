@@ -133,7 +133,7 @@ fn triangulated<S: Measure>(
 ) -> Triangulation {
     assert_eq!(&exact[..points.len()], points, "the points are kept");
     let result = triangulate(&split.points, &split.edges).expect("no pieces cross");
-    let report = result.verify(&split.points, &split.edges);
+    let report = result.with_points(&split.points).verify(&split.edges);
     assert!(report.expect("a right result").is_canonical());
     let answer = found(&result, exact.len(), split.edges.len());
     check_answer(exact, &split.edges, &answer);

@@ -123,7 +123,7 @@ fn assert_same_steps<S: Measure>(
 ) {
     steps.assert_same(points, edges, AnyFront::default(), name);
     if let Ok(result) = &steps.result {
-        let report = result.verify(points, edges);
+        let report = result.with_points(points).verify(edges);
         assert!(
             report.is_ok_and(|report| report.is_canonical()),
             "{name}: verified"

@@ -82,7 +82,7 @@ fn swept(input: &Input) -> (Vec<Event>, Result<Result<Triangulation, Error>, Str
     let events = Arc::new(Mutex::new(Vec::new()));
     let (input, seen) = (input.clone(), Arc::clone(&events));
     let result = within(PATIENCE, move || {
-        let run = Triangulator::new().triangulate_observed(&input.points, &input.edges, |event| {
+        let run = Triangulator::new().observe(&input.points, &input.edges, |event| {
             let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
             if seen.len() < STEPS {
                 seen.push(event);

@@ -96,7 +96,7 @@ fn a_square_is_cut_from_its_upper_left_corner() {
     assert_eq!(result.hull().collect::<Vec<_>>(), [3, 0, 1, 2]);
     let result = triangulate(&square, &[[0, 2]]).unwrap();
     assert_eq!(result.canonical_triangles(), [[0, 1, 2], [0, 2, 3]]);
-    assert_eq!(result.constrained_edges().count(), 1);
+    assert_eq!(result.constrained_sides().count(), 1);
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn an_edge_through_vertices_is_split() {
     let result = triangulate(&points, &[[0, 3], [2, 1]]).unwrap();
     assert_eq!(result.edge_chain(0).collect::<Vec<_>>(), [3, 2, 1, 0]);
     assert_eq!(result.edge_chain(1).collect::<Vec<_>>(), [2, 1]);
-    assert_eq!(result.constrained_edges().count(), 3);
+    assert_eq!(result.constrained_sides().count(), 3);
     assert_eq!(
         result.canonical_triangles(),
         [

@@ -53,7 +53,7 @@ impl Inside {
     /// The domain of a graph.
     pub(crate) fn domain<'a, S: Coordinate>(
         self,
-        graph: &Pslg<S>,
+        graph: &'a Pslg<S>,
         result: &'a Triangulation,
     ) -> Result<Interior<'a>, InteriorError> {
         match self {
@@ -63,7 +63,9 @@ impl Inside {
             Inside::Holes => {
                 let seeds = graph.regions.iter().map(|region| region.seed.clone());
                 let regions: Vec<[S; 2]> = seeds.collect();
-                result.interior_of_seeds(&graph.points, &graph.holes, &regions)
+                result
+                    .with_points(&graph.points)
+                    .interior_of_seeds(&graph.holes, &regions)
             }
         }
     }
@@ -83,7 +85,7 @@ impl InsideArgs {
     pub(crate) fn domain<'a, S: Coordinate>(
         &self,
         name: &str,
-        file: &GraphFile<S>,
+        file: &'a GraphFile<S>,
         result: &'a Triangulation,
     ) -> Result<Option<Interior<'a>>, Failure> {
         let domain = match self.rule(&file.graph) {
@@ -189,7 +191,7 @@ impl Wanted {
         let domain = rule.domain(graph, hull);
         let domain = domain.map_err(|error| given.failure(file.interior_as_numbered(error)))?;
         let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
-        let mut sides: Vec<[usize; 2]> = domain.constrained_edges().map(sorted).collect();
+        let mut sides: Vec<[usize; 2]> = domain.constrained_sides().map(sorted).collect();
         sides.sort_unstable();
         let is_in = |side: &[usize; 2]| sides.binary_search(&sorted(*side)).is_ok();
         let mut edges = Vec::new();

@@ -102,7 +102,7 @@ impl Settings {
         let triangulator = Triangulator::new()
             .front(self.front())
             .heuristics(self.heuristics());
-        let run = triangulator.triangulate_observed(points, edges, observer)?;
+        let run = triangulator.observe(points, edges, observer)?;
         Ok(run.triangulation)
     }
 

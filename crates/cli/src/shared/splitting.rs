@@ -60,7 +60,7 @@ fn divided<S: Coordinate + Exact>(
     file: &GraphFile<S>,
 ) -> Result<(GraphFile<S>, Splitting), Failure> {
     file.split_crossings()
-        .map_err(|error| Failure::Error(format!("{name}: {}", file.as_numbered(error))))
+        .map_err(|error| Failure::Error(format!("{name}: {}", file.split_as_numbered(error))))
 }
 
 /// What was triangulated in place of the input called `name`.

@@ -48,7 +48,7 @@ const MOST_EXACT: usize = 5000;
 /// let graph = Pslg { points, edges: vec![[0, 2]], ..Pslg::default() };
 /// let mut events = Vec::new();
 /// sweep_cdt::Triangulator::new()
-///     .triangulate_observed(&graph.points, &graph.edges, |event| events.push(event))?;
+///     .observe(&graph.points, &graph.edges, |event| events.push(event))?;
 /// let mut page = Vec::new();
 /// StepsPage::new(&graph, &events).write(&mut page)?;
 /// assert!(page.starts_with(b"<!DOCTYPE html>"));

@@ -28,7 +28,7 @@ const NOTE: i64 = 20 * PIXEL;
 /// let graph = Pslg { points, edges: vec![[0, 2]], ..Pslg::default() };
 /// let mut events = Vec::new();
 /// sweep_cdt::Triangulator::new()
-///     .triangulate_observed(&graph.points, &graph.edges, |event| events.push(event))?;
+///     .observe(&graph.points, &graph.edges, |event| events.push(event))?;
 /// let mut sheet = Vec::new();
 /// StepsSheet::new(&graph, &events).steps(5..=10).write(&mut sheet)?;
 /// assert!(sheet.starts_with(b"<svg "));

@@ -26,7 +26,7 @@ const ALL: RangeInclusive<usize> = 1..=usize::MAX;
 fn events(graph: &Pslg<f64>) -> Vec<Event> {
     let mut events = Vec::new();
     Triangulator::new()
-        .triangulate_observed(&graph.points, &graph.edges, |event| events.push(event))
+        .observe(&graph.points, &graph.edges, |event| events.push(event))
         .expect("a correct input");
     events
 }

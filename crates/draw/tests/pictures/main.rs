@@ -59,7 +59,7 @@ fn sheet(steps: RangeInclusive<usize>, most: usize) -> String {
     let graph = graph();
     let mut events = Vec::new();
     Triangulator::new()
-        .triangulate_observed(&graph.points, &graph.edges, |event| events.push(event))
+        .observe(&graph.points, &graph.edges, |event| events.push(event))
         .expect("a correct input");
     let sheet = StepsSheet::new(&graph, &events).steps(steps).most(most);
     text(|out| sheet.write(out))

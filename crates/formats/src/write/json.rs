@@ -90,7 +90,7 @@ fn write_members<S: Coordinate>(
     member(
         out,
         "constrained",
-        sorted_pairs(interior.constrained_edges()),
+        sorted_pairs(interior.constrained_sides()),
     )?;
     member(out, "hull", result.hull())?;
     member(out, "duplicates", result.duplicates())?;

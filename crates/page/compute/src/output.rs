@@ -22,7 +22,7 @@ pub(crate) fn write<S: Coordinate + Exact>(
     wanted: Wanted,
     out: &mut Vec<u8>,
 ) -> Result<(), Box<dyn Error>> {
-    let refused = |file: &GraphFile<S>, error| format!("{name}: {}", file.as_numbered(error));
+    let refused = |file: &GraphFile<S>, error| format!("{name}: {}", file.split_as_numbered(error));
     if let Wanted::Picture = wanted {
         let picture = Picture::new(file, &settings);
         let picture = picture.map_err(|error| refused(file, error))?;
@@ -39,7 +39,7 @@ pub(crate) fn write<S: Coordinate + Exact>(
         Wanted::Result(format) => {
             let format: Output = named(&format)?;
             let result = settings.triangulate(&file.graph, None);
-            let (result, _) = result.map_err(|error| refused(file, error))?;
+            let (result, _) = result.map_err(|error| refused(file, error.into()))?;
             match settings.domain(&file.graph, &result) {
                 None => format.write(file, &result, out)?,
                 Some(domain) => {

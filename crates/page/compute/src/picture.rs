@@ -8,7 +8,7 @@
 use std::io;
 
 use serde::Serialize;
-use sweep_cdt::crossings::{Crossing, Exact, crossings};
+use sweep_cdt::crossings::{Crossing, Exact, SplitError, crossings};
 use sweep_cdt::{Error, Pslg, Stats, Triangulation};
 use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
@@ -75,7 +75,7 @@ impl Picture {
     pub(crate) fn new<S: Coordinate + Exact>(
         file: &GraphFile<S>,
         settings: &Settings,
-    ) -> Result<Picture, Error> {
+    ) -> Result<Picture, SplitError> {
         let graph = &file.graph;
         match settings.triangulate(graph, None) {
             Ok(run) => Ok(Picture::of(graph, file, Some(run), Vec::new(), settings)),
@@ -89,7 +89,7 @@ impl Picture {
                 let picture = Picture::of(graph, &pieces, Some(run), found, settings);
                 Ok(picture.displaced(splitting))
             }
-            Err(error) => Err(error),
+            Err(error) => Err(error.into()),
         }
     }
 

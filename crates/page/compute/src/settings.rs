@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use sweep_cdt::crossings::{Exact, crossings};
+use sweep_cdt::crossings::{Exact, SplitError, crossings};
 use sweep_cdt::front::{AnyFront, HashTable, Linear, SkipList};
 use sweep_cdt::interior::{FillRule, Interior, InteriorError};
 use sweep_cdt::trace::Event;
@@ -16,7 +16,7 @@ impl Settings {
     pub(crate) fn pieces<'a, S: Coordinate + Exact>(
         &self,
         file: &'a GraphFile<S>,
-    ) -> Result<Cow<'a, GraphFile<S>>, Error> {
+    ) -> Result<Cow<'a, GraphFile<S>>, SplitError> {
         let graph = &file.graph;
         if !self.split || crossings(&graph.points, &graph.edges)?.is_empty() {
             return Ok(Cow::Borrowed(file));
@@ -45,9 +45,7 @@ impl Settings {
             });
         let run = match steps {
             None => triangulator.triangulate_with_stats(points, edges)?,
-            Some(steps) => {
-                triangulator.triangulate_observed(points, edges, |event| steps.push(event))?
-            }
+            Some(steps) => triangulator.observe(points, edges, |event| steps.push(event))?,
         };
         Ok((run.triangulation, run.stats))
     }
@@ -55,7 +53,7 @@ impl Settings {
     /// What is inside; nothing, if that is the whole hull.
     pub(crate) fn domain<'a, S: Coordinate>(
         &self,
-        graph: &Pslg<S>,
+        graph: &'a Pslg<S>,
         result: &'a Triangulation,
     ) -> Option<Result<Interior<'a>, InteriorError>> {
         let rule = match self.inside {
@@ -69,7 +67,11 @@ impl Settings {
             Inside::Holes => {
                 let seeds = graph.regions.iter().map(|region| region.seed.clone());
                 let regions: Vec<[S; 2]> = seeds.collect();
-                Some(result.interior_of_seeds(&graph.points, &graph.holes, &regions))
+                Some(
+                    result
+                        .with_points(&graph.points)
+                        .interior_of_seeds(&graph.holes, &regions),
+                )
             }
             Inside::Hull | Inside::Default => None,
         }

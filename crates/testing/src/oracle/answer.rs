@@ -23,7 +23,7 @@ pub struct Answer {
 /// What the crate found for `points` points and `edges` edges, its links checked on the way.
 pub fn found(result: &Triangulation, points: usize, edges: usize) -> Answer {
     check_links(result);
-    let mut constrained: Vec<_> = result.constrained_edges().map(sorted).collect();
+    let mut constrained: Vec<_> = result.constrained_sides().map(sorted).collect();
     constrained.sort_unstable();
     let representatives: Vec<usize> = (0..points).map(|v| result.representative(v)).collect();
     let duplicates: BTreeMap<_, _> = result.duplicates().map(|[v, of]| (v, of)).collect();
