@@ -1,6 +1,6 @@
 //! The certificate of a verification: the files, the counts and the verdict, as JSON.
 //!
-//! The same files give the same bytes: it holds no time, no path and nothing of the machine.
+//! Equal files give equal bytes: it holds no time, no path and nothing of the machine.
 
 use std::io::{self, Write};
 use std::path::Path;

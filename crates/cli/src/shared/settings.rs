@@ -79,7 +79,7 @@ impl Settings {
         }
     }
 
-    /// The same, with every step reported to `observer`.
+    /// Triangulates with every step reported to `observer`.
     pub(crate) fn observe<S: Scalar>(
         &self,
         points: &[[S; 2]],
