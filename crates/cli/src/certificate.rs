@@ -1,13 +1,13 @@
 //! The certificate of a verification: the files, the counts and the verdict, as JSON.
 //!
-//! The same files give the same bytes: it holds no time, no path and nothing of the machine.
+//! Equal files give equal bytes: it holds no time, no path and nothing of the machine.
 
 use std::io::{self, Write};
 use std::path::Path;
 
+use hmac_sha256::Hash;
 use serde::Serialize;
 use serde_json::value::RawValue;
-use sha2::{Digest, Sha256};
 use sweep_cdt::verify::{Depth, Depths};
 use sweep_cdt_formats::{Coordinate, GraphFile, Source, Triangles};
 
@@ -23,7 +23,7 @@ pub(crate) struct Fingerprint {
 impl Fingerprint {
     pub(crate) fn of(source: &Source) -> Fingerprint {
         let name = Path::new(&source.name).file_name();
-        let digits = Sha256::digest(&source.bytes);
+        let digits = Hash::hash(&source.bytes);
         Fingerprint {
             file: name.map_or_else(
                 || source.name.clone(),

@@ -84,13 +84,12 @@ fn wrong_usage(subcommand: &str, message: &str) -> ExitCode {
 
 /// Ends with arguments that were not understood, or with the help.
 fn refused(error: &clap::Error) -> ExitCode {
-    let text = error.to_string();
-    let shown = printable_lines(&text);
-    // Without control characters in the arguments, clap prints in colours.
-    let _ = if shown == text {
-        error.print()
+    let text = printable_lines(&error.to_string());
+    // If the stream is closed, the text has no reader.
+    let _ = if error.use_stderr() {
+        write!(io::stderr(), "{text}")
     } else {
-        write!(io::stderr(), "{shown}")
+        write!(io::stdout(), "{text}")
     };
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }

@@ -69,7 +69,7 @@ impl<'a, S: Scalar> CrossingsPicture<'a, S> {
     /// Writes the picture.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let CrossingsPicture {
             graph, crossings, ..

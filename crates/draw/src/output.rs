@@ -60,7 +60,7 @@ impl Output {
     /// Writes `result`, the triangulation of the graph of `file`.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write<S: Coordinate>(
         self,
         file: &GraphFile<S>,
@@ -76,7 +76,7 @@ impl Output {
     /// Writes the part of a triangulation of the graph of `file` that is inside a domain.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write_interior<S: Coordinate>(
         self,
         file: &GraphFile<S>,

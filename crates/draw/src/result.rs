@@ -77,7 +77,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
     /// Writes the picture.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let ResultPicture {
             graph,

@@ -82,7 +82,7 @@ impl<'a, S: Scalar> ViolationsPicture<'a, S> {
     /// Writes the picture.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let (file, triangles) = (self.file, self.triangles);
         let graph = &file.graph;

@@ -28,7 +28,7 @@ impl<S: Coordinate + Exact> GraphFile<S> {
     /// The graph with its edges [split] where they cross, and what the file says of it.
     ///
     /// # Errors
-    /// Those of [`split`], with vertices and edges by their positions.
+    /// Errors of [`split`], with vertices and edges by their positions.
     ///
     /// ```
     /// use sweep_cdt::Pslg;

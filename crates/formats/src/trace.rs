@@ -48,7 +48,7 @@ fn is_first(step: &usize) -> bool {
 /// ```
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of `out`.
 pub fn write_trace(trace: &Trace, mut out: impl Write) -> io::Result<()> {
     let header = Header {
         format: FORMAT.to_owned(),

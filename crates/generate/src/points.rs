@@ -1,6 +1,6 @@
 //! Points without edges: all over a square, on curves, and made against a search structure.
 //!
-//! Those of the square lie evenly, in clusters, on a lattice, or in rows and columns. What is made against a
+//! The points of the square lie evenly, in clusters, on a lattice, or in rows and columns. What is made against a
 //! structure has a long front, searched at places that it does not expect.
 
 use super::random::Random;

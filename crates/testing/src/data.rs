@@ -43,7 +43,7 @@ impl Input {
         }
     }
 
-    /// The same input with point `order[i]` as point `i`.
+    /// This input with point `order[i]` as point `i`.
     pub fn permuted(&self, order: &[usize]) -> Input {
         let mut place = vec![0; order.len()];
         for (i, &v) in order.iter().enumerate() {
@@ -187,7 +187,7 @@ pub struct Hard {
 }
 
 impl Hard {
-    /// Those of this repository.
+    /// The inputs of this repository.
     pub fn own() -> Vec<Hard> {
         let text = fs::read_to_string(path("tests/data/hard.jsonl")).expect("a readable file");
         let named = |line| {

@@ -55,7 +55,7 @@ pub(crate) fn printable(text: &str) -> String {
     escaped(text, char::is_control)
 }
 
-/// The same for text of several lines.
+/// The text with its control characters but line feeds escaped.
 pub(crate) fn printable_lines(text: &str) -> String {
     escaped(text, |character| {
         character != '\n' && character.is_control()

@@ -35,7 +35,7 @@ impl FileArgument {
         printable(&self.raw_name())
     }
 
-    /// The same, with all its characters.
+    /// The name in reports, with all its characters.
     fn raw_name(&self) -> String {
         match self {
             FileArgument::Standard => "standard input".to_owned(),

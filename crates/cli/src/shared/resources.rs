@@ -5,10 +5,10 @@
 //! is compared with what the limit of the address space (`ulimit -v`) leaves, where Linux tells. The size
 //! is that of measured runs: what takes more can still fail.
 
+use std::io::{self, IsTerminal, Write};
 use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 
 use super::failure::Failure;
@@ -22,7 +22,7 @@ pub(crate) fn memory_of_triangulation(points: usize, edges: usize) -> u64 {
     points as u64 * POINT + edges as u64 * EDGE
 }
 
-/// The same on many threads.
+/// The bytes that a triangulation on many threads takes.
 pub(crate) fn memory_of_bands(points: usize, edges: usize) -> u64 {
     memory_of_triangulation(points, edges) * 3 / 2
 }
@@ -59,13 +59,19 @@ pub(crate) fn limit_threads(threads: NonZeroUsize) -> Result<(), Failure> {
 
 /// Work that takes less time shows no bar.
 const MOMENT: Duration = Duration::from_millis(500);
+/// A bar is drawn no sooner than this after the last time.
+const PAUSE: Duration = Duration::from_millis(50);
+/// The characters of the longest bar.
+const LENGTH: usize = 30;
+/// Room for a line with a bar, in characters; no terminal is taken to be narrower.
+const LINE: usize = 64;
 
 /// A bar that appears late and leaves nothing behind. Where standard error is no terminal it stays
 /// hidden.
 pub(crate) struct Progress {
     work: &'static str,
     since: Instant,
-    bar: Option<ProgressBar>,
+    drawn: Option<Instant>,
 }
 
 impl Progress {
@@ -74,27 +80,49 @@ impl Progress {
         Progress {
             work,
             since: Instant::now(),
-            bar: None,
+            drawn: None,
         }
     }
 
     /// Shows that `done` parts of `all` are done.
     pub(crate) fn show(&mut self, done: usize, all: usize) {
-        if self.since.elapsed() >= MOMENT {
-            let bar = self.bar.get_or_insert_with(|| {
-                let template = format!("{} {{bar:40}} {{percent:>3}} %, {{eta}} to go", self.work);
-                let style = ProgressStyle::with_template(&template).expect("a valid template");
-                ProgressBar::new(all as u64).with_style(style)
-            });
-            bar.set_position(done as u64);
+        let elapsed = self.since.elapsed();
+        let is_due = match self.drawn {
+            None => elapsed >= MOMENT,
+            Some(drawn) => drawn.elapsed() >= PAUSE,
+        };
+        if is_due && io::stderr().is_terminal() {
+            self.drawn = Some(Instant::now());
+            draw(&bar(self.work, elapsed, done, all));
         }
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
+        if self.drawn.is_some() {
+            draw("");
         }
     }
+}
+
+/// The line: the work, a bar, how much is done, and how long the rest will take if it goes on so.
+fn bar(work: &str, elapsed: Duration, done: usize, all: usize) -> String {
+    let share = done as f64 / all.max(1) as f64;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "it is at most the length"
+    )]
+    let length = (share.min(1.0) * LENGTH as f64) as usize;
+    let bar = "#".repeat(length);
+    let percent = 100.0 * share;
+    let left = elapsed.as_secs_f64() * (1.0 / share.max(1e-9) - 1.0);
+    format!("{work} {bar:-<LENGTH$} {percent:>3.0} %, {left:.0} s to go")
+}
+
+/// Draws a line over the one before, and leaves the cursor behind it.
+fn draw(line: &str) {
+    // If standard error is closed, nobody watches.
+    let _ = write!(io::stderr(), "\r{line:LINE$}\r{line}");
 }

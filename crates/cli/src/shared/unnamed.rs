@@ -68,7 +68,7 @@ impl Unnamed {
         }
     }
 
-    /// The same file under a temporary name.
+    /// This file under a temporary name.
     pub(crate) fn named(self) -> io::Result<Named> {
         let folder = folder(&self.path);
         let mut builder = Builder::new();

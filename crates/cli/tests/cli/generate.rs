@@ -3,7 +3,7 @@
 
 use std::fs;
 
-use sha2::{Digest, Sha256};
+use hmac_sha256::Hash;
 use sweep_cdt_generate::KINDS;
 
 use crate::outputs::{assert_refused, read};
@@ -16,7 +16,7 @@ fn generated(arguments: &str) -> String {
 }
 
 fn hash(text: &str) -> String {
-    let digits = Sha256::digest(text.as_bytes());
+    let digits = Hash::hash(text.as_bytes());
     digits[..8]
         .iter()
         .map(|byte| format!("{byte:02x}"))

@@ -99,7 +99,7 @@ pub(super) struct Steps {
 }
 
 impl Steps {
-    /// Those of some events that follow one another.
+    /// The steps of some events that follow one another.
     pub(super) fn new(events: &[Event]) -> Steps {
         let mut steps = Steps::default();
         for event in events {

@@ -130,7 +130,7 @@ impl<'a, S: Scalar> StepsPage<'a, S> {
     /// Writes the page.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let scheme = |at: usize| {
             let colour = |(name, light, dark)| format!("--{name}: {}; ", [light, dark][at]);

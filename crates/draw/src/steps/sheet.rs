@@ -69,7 +69,7 @@ impl<'a, S: Scalar> StepsSheet<'a, S> {
     /// Writes the sheet.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let points = places(&self.graph.points);
         let part = Part::new(self.events, &self.steps, self.most);

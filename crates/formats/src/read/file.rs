@@ -26,7 +26,7 @@ impl Source {
     /// ```
     ///
     /// # Errors
-    /// Those of the system; [`io::ErrorKind::OutOfMemory`] where there is no room for the contents.
+    /// Errors of the system; [`io::ErrorKind::OutOfMemory`] where there is no room for the contents.
     pub fn of_file(name: impl Into<String>, file: &mut File) -> io::Result<Source> {
         let mut bytes = read_in_parts(file)?;
         file.read_to_end(&mut bytes)?;

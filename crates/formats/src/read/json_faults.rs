@@ -90,14 +90,14 @@ pub(super) fn of_triangles(source: &Source, error: &serde_json::Error) -> ReadEr
     found(source, error, find)
 }
 
-/// That a file holds a list in place of an object.
+/// The error that a file holds a list in place of an object.
 pub(super) fn of_list(source: &Source) -> ReadError {
     let message =
         "a list stands where an object with named lists should, such as {\"points\": [...]}";
     ReadError::of_file(&source.name, message)
 }
 
-/// That an edge has an end that does not exist.
+/// The error that an edge has an end that does not exist.
 pub(super) fn of_ends(source: &Source, edges: &[[usize; 2]], count: usize) -> ReadError {
     let from_one = edges
         .as_flattened()
@@ -136,7 +136,7 @@ fn found(
 }
 
 impl<'a> File<'a> {
-    /// That there is no list of this kind.
+    /// The error that there is no list of this kind.
     fn without(&self, kind: &Kind) -> ReadError {
         self.fault(
             self.whole,

@@ -47,7 +47,7 @@ impl<'a> File<'a> {
     }
 }
 
-/// That a file is no JSON, or not all of it. Serde counts lines by line feeds alone.
+/// The error that a file is no JSON, or not all of it. Serde counts lines by line feeds alone.
 pub(super) fn no_json(source: &Source, error: &serde_json::Error) -> ReadError {
     let text = source.text().unwrap_or_default();
     if text.trim_ascii().is_empty() {

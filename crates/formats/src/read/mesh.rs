@@ -20,7 +20,7 @@ pub(super) struct Mesh<'a> {
 pub(super) struct Faces {
     pub(super) lines: Vec<[usize; 2]>,
     pub(super) triangles: Vec<[usize; 3]>,
-    /// That the first face that is no triangle is none.
+    /// The error of the first face that is no triangle.
     other: Option<ReadError>,
 }
 

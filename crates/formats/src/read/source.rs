@@ -161,7 +161,7 @@ pub(super) fn quoted(piece: &[u8]) -> String {
     format!("`{short}{dots}`")
 }
 
-/// That an edge names a vertex which is not there, and what numbers there are.
+/// The message that an edge names a vertex which is not there, and what numbers there are.
 pub(super) fn no_vertex(number: usize, first: usize, count: usize) -> String {
     match count {
         0 => format!("vertex {number} does not exist: there are no vertices"),

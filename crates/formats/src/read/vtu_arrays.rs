@@ -8,11 +8,11 @@
 //! Arrays in `AppendedData` end where the next one begins, and no two begin at the same place: so no byte of a file is
 //! unpacked twice, however the file lies.
 
-use std::io::Read as _;
 use std::ops::Range;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 
 /// Where the numbers of an array stand.
 pub(super) enum Stored {
@@ -144,15 +144,15 @@ fn decoded(text: &[u8]) -> Result<Vec<u8>, String> {
 
 /// Appends what a block is when it is unpacked, which must have this size.
 fn inflate(block: &[u8], size: usize, unpacked: &mut Vec<u8>) -> Result<(), String> {
-    let before = unpacked.len();
     // A byte more than there may be tells a block that is too large.
-    let limit = u64::try_from(size).unwrap_or(u64::MAX).saturating_add(1);
-    let read = flate2::read::ZlibDecoder::new(block)
-        .take(limit)
-        .read_to_end(unpacked);
-    read.map_err(|error| format!("a block is not packed by zlib: {error}"))?;
-    match unpacked.len() - before {
-        there if there == size => Ok(()),
+    match decompress_to_vec_zlib_with_limit(block, size.saturating_add(1)) {
+        Ok(bytes) if bytes.len() == size => {
+            unpacked.extend(bytes);
+            Ok(())
+        }
+        Err(error) if error.status != TINFLStatus::HasMoreOutput => {
+            Err(format!("a block is not packed by zlib: {error}"))
+        }
         _ => Err(format!(
             "a block does not have the {size} bytes that it says"
         )),

@@ -230,7 +230,7 @@ impl<'a> Tokens<'a> {
         self.source.error_in_line(line, message)
     }
 
-    /// That the file ends too early.
+    /// The error that the file ends too early.
     fn end(&self, what: &str) -> ReadError {
         let message = format!("the file ends where {what} should follow");
         ReadError::of_file(&self.source.name, message)

@@ -57,7 +57,7 @@ struct Element {
 /// ```
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of `out`.
 pub fn write_crossings(
     format: CrossingsFormat,
     numbering: Numbering,

@@ -70,7 +70,7 @@ formats! {
 /// ```
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of `out`.
 pub fn write<S: Coordinate>(
     format: OutputFormat,
     file: &GraphFile<S>,
@@ -108,7 +108,7 @@ pub fn write<S: Coordinate>(
 /// ```
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of `out`.
 pub fn write_interior<S: Coordinate>(
     format: OutputFormat,
     file: &GraphFile<S>,
@@ -155,7 +155,7 @@ pub fn write_interior<S: Coordinate>(
 /// ```
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of `out`.
 pub fn write_graph<S: Coordinate>(
     format: InputFormat,
     file: &GraphFile<S>,

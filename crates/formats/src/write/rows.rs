@@ -89,7 +89,7 @@ fn attributes<S>(graph: &Pslg<S>, interior: &Interior<'_>, triangles: &[[usize; 
 /// ```
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of `out`.
 pub fn write_node<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
     writeln!(
         out,

@@ -1,12 +1,10 @@
 //! VTK's XML: what is refused, and why; what is read over; and files that lie about their arrays.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
+use miniz_oxide::deflate::compress_to_vec_zlib;
 use sweep_cdt_formats::{GraphFile, Input, InputFormat, ResultFormat, Source, read, read_result};
 
 /// A file of two points and a line: what the elements `VTKFile` and `Points` say, and what stands behind the piece.
@@ -230,11 +228,7 @@ fn appended_arrays_are_read_and_share_no_bytes() {
 
 /// Blocks of 20 bytes packed by zlib, with a header of this size for each but the last and for the last.
 fn packed(full: u32, last: u32) -> Vec<u8> {
-    let pack = |block: &[u8]| {
-        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
-        encoder.write_all(block).expect("memory takes it");
-        encoder.finish().expect("memory takes it")
-    };
+    let pack = |block: &[u8]| compress_to_vec_zlib(block, 6);
     let blocks: Vec<Vec<u8>> = bytes()[4..].chunks(20).map(pack).collect();
     let size = |block: &Vec<u8>| u32::try_from(block.len()).expect("a small block");
     let sizes = blocks.iter().map(size);

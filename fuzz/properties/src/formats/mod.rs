@@ -31,7 +31,7 @@ use sweep_cdt_testing::{Steps, generators};
 
 /// The first byte, but for half of its bits, of a file of which the second byte says who reads it.
 const OTHERS: u8 = 12;
-/// The same of a file in a form that the crate does not write.
+/// The first byte of a file in a form that the crate does not write.
 const FOREIGN: u8 = 11;
 
 /// A fuzzer makes files of at most so many bytes.

@@ -76,7 +76,7 @@ pub(super) fn wkt(shapes: &[Shape], points: &[[f64; 2]], is_collection: bool, st
     }
 }
 
-/// The same as a collection of geometries, or of features.
+/// The shapes as `GeoJSON`: a collection of geometries, or of features.
 pub(super) fn geojson(
     shapes: &[Shape],
     points: &[[f64; 2]],
