@@ -18,9 +18,9 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Algorithm {
-    /// The sweep. Where it swaps many sides, it goes on with the paper's heuristics. Where it swaps more
-    /// than a budget allows that is linear in its work, it is abandoned, and divide and conquer goes on; with
-    /// edges it begins anew.
+    /// The sweep. Where it swaps many sides, it goes on with the paper's heuristics. Where it swaps more than a budget
+    /// allows that is linear in its work, it is abandoned, and divide and conquer goes on; with edges it begins anew. A
+    /// run whose steps are [observed](crate::Triangulator::observe) sweeps to its end.
     #[default]
     Auto,
     /// The sweep of Domiter and Žalik (2008), to its end and with the heuristics given. Fast on ordinary
@@ -107,6 +107,27 @@ impl Heuristics {
         corners: Corners::Off,
         basins: false,
     };
+}
+
+impl Heuristics {
+    /// These heuristics with this setting of narrow corners.
+    ///
+    /// ```
+    /// use sweep_cdt::{Corners, Heuristics};
+    ///
+    /// let heuristics = Heuristics::FAST.with_corners(Corners::RightAngle).with_basins(true);
+    /// assert_eq!(heuristics, Heuristics::PAPER);
+    /// ```
+    #[must_use]
+    pub const fn with_corners(self, corners: Corners) -> Heuristics {
+        Heuristics { corners, ..self }
+    }
+
+    /// These heuristics with basins filled or not.
+    #[must_use]
+    pub const fn with_basins(self, basins: bool) -> Heuristics {
+        Heuristics { basins, ..self }
+    }
 }
 
 impl Default for Heuristics {

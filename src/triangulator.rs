@@ -102,7 +102,7 @@ impl<'p, F> Triangulator<'p, F> {
         }
     }
 
-    /// Uses this algorithm. [`Triangulator::observe`] always sweeps.
+    /// Uses this algorithm.
     #[must_use]
     pub fn algorithm(mut self, algorithm: Algorithm) -> Self {
         self.settings.algorithm = algorithm;
@@ -211,7 +211,10 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
         self.record(points, edges, None)
     }
 
-    /// The same; also passes every step to `observer` as it happens.
+    /// Triangulates with statistics, and passes every step to `observer` as it happens.
+    ///
+    /// The steps are those of the sweep, which [`Algorithm::Auto`] does not abandon here. The other algorithms pass on
+    /// the steps of their edge events alone; these are no trace that can be replayed.
     ///
     /// # Errors
     /// See [`Error`]; the steps before it have been reported.
@@ -255,8 +258,8 @@ impl<F> Triangulator<'_, F> {
         probe: P,
     ) -> Result<(Triangulation, P), Error> {
         let mut settings = self.settings;
-        if probe.wants_events() {
-            // Only the sweep has steps.
+        if probe.wants_events() && settings.algorithm == Algorithm::Auto {
+            // A trace is that of a sweep to its end.
             settings.algorithm = Algorithm::Sweep;
         }
         let scratch = &mut Scratch::default();
