@@ -1,7 +1,7 @@
 //! Numbers spread over buckets, and a sample of numbers: the sort and the front's hash table use both, the canonical
 //! order of triangles the sample.
 
-use std::iter::successors;
+use core::iter::successors;
 
 /// `x`, measured in buckets, as a bucket index in `0..count`, which is below 2^32; clamps, and NaN goes to 0.
 /// It never decreases where `x` grows.

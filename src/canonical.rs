@@ -9,7 +9,9 @@
 //!
 //! Cost: O(n + v) for n triangles and the highest vertex v, and the sorts.
 
-use std::mem::take;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::mem::take;
 
 use crate::bucket::sampled;
 use crate::ids::narrow;

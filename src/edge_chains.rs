@@ -1,6 +1,7 @@
 //! The vertices along each input edge: noted while the edges are inserted, looked up in the result.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
+use alloc::vec::Vec;
 
 use crate::error::Error;
 use crate::ids::narrow;

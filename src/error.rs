@@ -1,6 +1,6 @@
 //! Why an input is refused. Every error names the offenders by the caller's own indices.
 
-use std::fmt;
+use core::fmt;
 
 /// Why an input is refused, and which of its points and edges are to blame.
 ///
@@ -88,7 +88,7 @@ impl fmt::Display for Error {
     }
 }
 
-impl std::error::Error for Error {}
+impl core::error::Error for Error {}
 
 impl Error {
     /// The error with other numbers for vertices and edges, for callers that count otherwise than from 0.

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::scalar::Scalar;
 use crate::triangulation::Triangulation;
 use crate::triangulator::Triangulator;
+use alloc::vec::Vec;
 
 /// The triangulation of points and edges in other forms than [`triangulate`](crate::triangulate) borrows: tuples, types
 /// of your own, numbers of 32 bits.

@@ -14,7 +14,7 @@
 //! Cost: about n^(1/3) triangles to start from and as many steps for n triangles over points that are spread evenly;
 //! from a triangle near by as many steps as lie between. O(n) at worst.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use crate::ids::TriangleId;
 use crate::mesh::{HalfEdge, next, prev};
@@ -72,7 +72,8 @@ impl<S: Scalar> WithPoints<'_, S> {
         let to = approx(query);
         let distance = |t: usize| {
             let [x, y] = approx(self.corner(t, 0));
-            (x - to[0]).powi(2) + (y - to[1]).powi(2)
+            let [dx, dy] = [x - to[0], y - to[1]];
+            dx * dx + dy * dy
         };
         let root = (1..).find(|root: &usize| root.pow(3) >= self.result.len());
         let step = self.result.len() / root.unwrap_or(1);

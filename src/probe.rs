@@ -3,7 +3,7 @@
 //! There are two probes, so the sweep is compiled twice for each scalar: with `()`, and with an [`Observer`] for all
 //! runs that are counted, whether or not somebody wants the events too.
 
-use std::fmt;
+use core::fmt;
 
 use crate::recorder::{Phase, Recorder};
 use crate::stats::Counters;

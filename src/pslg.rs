@@ -1,6 +1,8 @@
 //! The input as one value: the planar straight-line graph of the paper's introduction (figure 1a), with seeds of holes
 //! and regions.
 
+use alloc::vec::Vec;
+
 /// A planar straight-line graph: what is triangulated, and what of the result counts as inside.
 ///
 /// ```

@@ -6,6 +6,8 @@
 //!
 //! Cost: a byte for each triangle, and a write to it for each triangle made and two for each flip.
 
+use alloc::vec::Vec;
+#[cfg(feature = "std")]
 use std::time::Instant;
 
 use crate::ids::TriangleId;
@@ -43,6 +45,7 @@ enum Cause {
 pub(crate) struct Recorder {
     pub(crate) stats: Stats,
     /// The current phase, and when it began.
+    #[cfg(feature = "std")]
     current: Option<(Phase, Instant)>,
     /// The last cause of each place of a triangle.
     causes: Vec<Cause>,
@@ -54,8 +57,16 @@ pub(crate) struct Recorder {
 }
 
 impl Recorder {
-    /// Ends the current phase and begins the next one.
+    /// Ends the current phase and begins the next one. Without a clock nothing is timed.
     pub(crate) fn clock(&mut self, next: Phase) {
+        #[cfg(feature = "std")]
+        self.tick(next);
+        #[cfg(not(feature = "std"))]
+        let _ = next;
+    }
+
+    #[cfg(feature = "std")]
+    fn tick(&mut self, next: Phase) {
         let has_clock = !cfg!(all(target_family = "wasm", target_os = "unknown"));
         let now = has_clock.then(Instant::now);
         if let (Some((phase, start)), Some(now)) = (self.current, now) {

@@ -11,6 +11,8 @@
 //!
 //! Cost: a sort of the sides.
 
+use alloc::vec;
+use alloc::vec::Vec;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 

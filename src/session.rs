@@ -1,6 +1,6 @@
 //! Many inputs, one after the other, in the same memory.
 
-use std::fmt;
+use core::fmt;
 
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
@@ -61,7 +61,7 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<&Triangulation, Error> {
-        self.scratch.recycle(std::mem::take(&mut self.result));
+        self.scratch.recycle(core::mem::take(&mut self.result));
         let mut search = self.search.take().unwrap_or_else(|| self.front.clone());
         let scratch = &mut self.scratch;
         let (result, ()) = sweep::run(points, edges, self.settings, &mut search, (), scratch)?;

@@ -9,6 +9,8 @@
 use crate::ids::TriangleId;
 use crate::mesh::{HalfEdge, next, prev};
 use crate::triangulation::Triangulation;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// The triangles around each vertex of a [`Triangulation`]; [`Triangulation::vertex_stars`] makes it.
 ///
@@ -74,7 +76,7 @@ impl VertexStars<'_> {
             let after = (!across.is_border()).then(|| across.next());
             after.filter(|&side| Some(side) != first)
         };
-        let sides = std::iter::successors(first, turn);
+        let sides = core::iter::successors(first, turn);
         sides.map(|side| Corner {
             triangle: side.triangle().index(),
             index: side.corner() as usize,

@@ -1,6 +1,6 @@
 //! Numbers about one run: what there was, what was done, how long it took.
 
-use std::time::Duration;
+use core::time::Duration;
 
 use crate::scalar::Stage;
 
@@ -54,7 +54,7 @@ pub struct Stats {
 /// Times as seconds.
 #[cfg(feature = "serde")]
 mod seconds {
-    use std::time::Duration;
+    use core::time::Duration;
 
     use serde::de::{Deserialize, Deserializer, Error};
     use serde::ser::Serializer;

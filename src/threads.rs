@@ -1,7 +1,8 @@
 //! Work on all cores, with the feature `parallel`; on this one without it, or where the system gives no threads.
 
+use alloc::vec::Vec;
 #[cfg(feature = "parallel")]
-use std::error::Error;
+use core::error::Error;
 #[cfg(feature = "parallel")]
 use std::sync::OnceLock;
 

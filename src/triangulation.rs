@@ -1,6 +1,7 @@
 //! The result: triangles, their neighbours, constrained sides, hull, duplicates, and the vertices along each
 //! edge. Everything is an index into the caller's input.
 
+use alloc::vec::Vec;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 

@@ -1,6 +1,8 @@
 //! The call with all its settings.
 
-use std::fmt;
+#[cfg(feature = "parallel")]
+use alloc::boxed::Box;
+use core::fmt;
 
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};

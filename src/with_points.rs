@@ -6,6 +6,7 @@
 use crate::scalar::{Measure, Scalar};
 use crate::triangulation::Triangulation;
 use crate::verify::{Report, Violations, verify};
+use alloc::vec::Vec;
 
 /// A triangulation with the points that were triangulated; [`Triangulation::with_points`] makes it.
 ///

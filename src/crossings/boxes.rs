@@ -19,6 +19,8 @@
 
 use super::error::SplitError;
 use crate::scalar::Scalar;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// A range is not halved if its halves would have fewer boxes.
 const LEAST: usize = 4;

@@ -11,7 +11,8 @@
 //! Cost: O(n log n) for n vertices and pieces, four signs for each vertex in the box of a piece, and some ten
 //! microseconds for each that the piece passes or nearly does.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};

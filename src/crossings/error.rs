@@ -1,6 +1,6 @@
 //! Why edges that cross are not listed, or not split.
 
-use std::fmt;
+use core::fmt;
 
 use crate::error::Error;
 
@@ -46,7 +46,7 @@ impl fmt::Display for SplitError {
     }
 }
 
-impl std::error::Error for SplitError {}
+impl core::error::Error for SplitError {}
 
 impl From<Error> for SplitError {
     fn from(error: Error) -> SplitError {

@@ -28,7 +28,8 @@ mod exact;
 mod split;
 mod vertices;
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;

@@ -34,8 +34,10 @@
 //! Differs from snap rounding: input points stay where they are, and edges that cross nothing are bent only if others
 //! cross.
 
-use std::cmp::Ordering;
-use std::ops::Range;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+use core::ops::Range;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;

@@ -2,8 +2,9 @@
 //!
 //! Cost: O(n log n) comparisons for n points.
 
-use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_rational::BigRational;
 

@@ -2,7 +2,7 @@
 //!
 //! Cost: the search structure's, and an indirect call. The sweep calls the hash table directly here too.
 
-use std::any::Any;
+use core::any::Any;
 
 use super::hash_table::HashTable;
 use super::linear::Linear;

@@ -5,7 +5,7 @@
 //!
 //! Cost: a branch for each call of the hash table; for each call of another structure that, and an indirect call.
 
-use std::fmt;
+use core::fmt;
 
 use super::hash_table::HashTable;
 use super::list::{Front, FrontNode};

@@ -22,8 +22,9 @@
 //! Differs from the paper: an entry stays when its node leaves the front; the search notices it. Intervals may be
 //! cut, quantiles or x-ranks.
 
-use std::any::Any;
-use std::iter::successors;
+use alloc::vec::Vec;
+use core::any::Any;
+use core::iter::successors;
 
 use super::intervals::Intervals;
 use super::list::{Front, FrontNode};

@@ -14,6 +14,7 @@
 use super::work::Tally;
 use super::x_rank_set::XRankSet;
 use crate::bucket::bucket;
+use alloc::vec::Vec;
 
 #[derive(Clone, Debug)]
 pub(super) enum Intervals {

@@ -5,6 +5,7 @@
 //! front never comes back.
 
 use crate::ids::VertexId;
+use alloc::vec::Vec;
 
 /// A vertex of the advancing front, by its rank in the sweep order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -1,6 +1,6 @@
 //! What a search structure for the advancing front must do (section 3.4.1), and when it asks for x-ranks.
 
-use std::any::Any;
+use core::any::Any;
 
 use super::list::{Front, FrontNode};
 

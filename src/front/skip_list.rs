@@ -12,6 +12,8 @@ use super::list::{Front, FrontNode};
 use super::search::{FrontInput, FrontSearch, WalkBudget};
 use super::work::{Tally, Work};
 use crate::ids::narrow;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// A skip list by x: O(log n) expected on any front.
 ///

@@ -8,7 +8,7 @@
 //!
 //! Differs from the paper: it counts nothing.
 
-use std::fmt;
+use core::fmt;
 
 /// What a search structure did in a run. The steps along the front that the sweep takes afterwards are not in it.
 ///

@@ -9,6 +9,8 @@
 //! looked at are counted.
 
 use super::work::Tally;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// A set of x-ranks.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Why a rule says nothing of an input. Every error names the offenders by the caller's own indices.
 
-use std::fmt;
+use core::fmt;
 
 /// Why no domain follows from a rule.
 ///
@@ -96,7 +96,7 @@ impl fmt::Display for InteriorError {
     }
 }
 
-impl std::error::Error for InteriorError {}
+impl core::error::Error for InteriorError {}
 
 impl InteriorError {
     /// The error with other numbers for vertices, edges, holes and regions, for callers that count otherwise than

@@ -18,6 +18,8 @@
 use super::error::InteriorError;
 use crate::Triangulation;
 use crate::ids::narrow;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// The flows of all sides.
 #[derive(Debug)]
@@ -147,7 +149,7 @@ pub(super) fn layers(result: &Triangulation, is_wall: impl Fn(usize, usize) -> b
                 }
             }
         }
-        std::mem::swap(&mut now, &mut next);
+        core::mem::swap(&mut now, &mut next);
         depth += 1;
     }
     complete(depths)

@@ -12,7 +12,9 @@
 //!
 //! Cost: O(n) for n triangles, and that of the location for each seed. Faces take 8 bytes a triangle.
 
-use std::cmp::Ordering;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::error::{InteriorError, Seed};
 use super::labels::{self, Interior};

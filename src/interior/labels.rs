@@ -2,6 +2,8 @@
 
 use crate::Triangulation;
 use crate::canonical::{CanonicalGroups, canonical};
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// Which triangles of a triangulation are inside, and how deep each lies.
 ///

@@ -21,6 +21,7 @@ pub(crate) use triangle::Triangle;
 #[cfg(feature = "parallel")]
 use crate::ids::narrow;
 use crate::ids::{BorderId, TriangleId, VertexId};
+use alloc::vec::Vec;
 
 /// The triangles and the border half-edges.
 #[derive(Debug, Default)]
@@ -273,7 +274,7 @@ impl Mesh {
 
     /// Hands out the triangles, and is empty afterwards.
     pub(crate) fn take_triangles(&mut self) -> Vec<Triangle> {
-        std::mem::take(&mut self.triangles)
+        core::mem::take(&mut self.triangles)
     }
 
     /// Takes the memory of these triangles for those to come.

@@ -5,7 +5,7 @@
 //!
 //! Cost: 7 operations for an orientation, 29 for the in-circle determinant, with the differences.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 /// A number with the three exact operations that determinants take.
 pub(super) trait Arithmetic: Clone + Ord {

@@ -11,8 +11,9 @@
 //! Cost of finding the window: O(n) for n numbers, but for exponents beyond those of doubles: O(n log k) for k
 //! different ones.
 
-use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
+use core::ops::RangeInclusive;
 
 /// The unit roundoff, 2^-53: a sum, difference or product is rounded by at most this part of itself,
 /// unless it underflows.

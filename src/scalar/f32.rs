@@ -1,6 +1,6 @@
 //! `f32`: every value is a double too, so [`f64`](super::f64) decides.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use super::forward::forward;
 use super::{Measure, Scalar};

@@ -12,7 +12,7 @@
 //! 3. Big integers: every finite double is an integer times a power of two. They take microseconds, and are
 //!    needed only if sizes differ by a factor of more than 2^342.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_traits::Zero;

@@ -58,7 +58,7 @@
 //!
 //! Cost: about 2 ns (orientation) and 4 ns (in circle) for exact doubles, three times that for others.
 
-use std::cmp::Ordering::{self, Greater, Less};
+use core::cmp::Ordering::{self, Greater, Less};
 
 use super::doubles::U;
 use super::lanes::Lanes;

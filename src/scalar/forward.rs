@@ -12,7 +12,7 @@ macro_rules! forward {
             a: &[Self; 2],
             b: &[Self; 2],
             c: &[Self; 2],
-        ) -> (::std::cmp::Ordering, $crate::scalar::Stage) {
+        ) -> (::core::cmp::Ordering, $crate::scalar::Stage) {
             let [a, b, c] = [a, b, c].map(|point| point.each_ref().map($convert));
             <$other as $crate::scalar::Scalar>::orient2d(&a, &b, &c)
         }
@@ -22,7 +22,7 @@ macro_rules! forward {
             b: &[Self; 2],
             c: &[Self; 2],
             d: &[Self; 2],
-        ) -> (::std::cmp::Ordering, $crate::scalar::Stage) {
+        ) -> (::core::cmp::Ordering, $crate::scalar::Stage) {
             let [a, b, c, d] = [a, b, c, d].map(|point| point.each_ref().map($convert));
             <$other as $crate::scalar::Scalar>::in_circle(&a, &b, &c, &d)
         }

@@ -3,7 +3,8 @@
 //!
 //! Cost: as for `i64` where the differences fit; some microseconds where they do not.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 

@@ -5,7 +5,8 @@
 //! Cost: 5 to 15 ns for a test. Big integers, for a microsecond, only for in-circle tests with differences
 //! above 2^61.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 

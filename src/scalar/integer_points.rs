@@ -9,7 +9,8 @@
 //!
 //! Cost: some 20 instructions a coordinate; 16 bytes a point where all are kept.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::doubles::{exponent, power};
 use super::wide;

@@ -6,7 +6,7 @@
 //! Cost: an instruction for both lanes. For arrays of two the compiler finds other instructions, a fifth more in the
 //! in-circle test.
 
-use std::ops::{Add, Mul, Sub};
+use core::ops::{Add, Mul, Sub};
 
 use wide::f64x2;
 

@@ -15,7 +15,7 @@
 //!
 //! Cost: a look at a few points; where they lie on such a lattice, one pass over all, or two.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use super::doubles::{exponent, power};
 use super::wide;

@@ -51,7 +51,8 @@ mod scale;
 mod unbounded;
 mod wide;
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 pub use measure::Measure;
 pub(crate) use predicates::{NearTies, Predicates};

@@ -18,9 +18,12 @@
 //! Cost: the filter's 2 to 4 ns for nearly all signs; below it 10 to 30 ns in integers. Integers of all points take 60
 //! instructions a vertex to make and 16 bytes, and save 300 instructions at each near-tie.
 
-use std::cmp::Ordering;
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+#[cfg(not(feature = "std"))]
+use core::cell::OnceCell as Once;
+use core::cmp::Ordering;
+use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+#[cfg(feature = "std")]
+use std::sync::OnceLock as Once;
 
 use super::filter;
 use super::integer_points::IntegerPoints;
@@ -109,7 +112,7 @@ impl<S: Scalar> Predicates<'_, S> {
 #[derive(Debug, Default)]
 pub(crate) struct NearTies {
     count: AtomicUsize,
-    integers: OnceLock<IntegerPoints>,
+    integers: Once<IntegerPoints>,
 }
 
 /// After so many near-ties, and one for so many vertices, integers are made of all.

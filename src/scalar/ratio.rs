@@ -9,7 +9,8 @@
 //!
 //! Cost: a division of 128 bits for an approximation; where the filter decides nothing, a few microseconds.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};

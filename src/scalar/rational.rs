@@ -9,7 +9,8 @@
 //! Cost: six or eight conversions to doubles (20 to 300 ns each), and a few microseconds where the
 //! filter decides nothing.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};

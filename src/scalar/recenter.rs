@@ -15,7 +15,8 @@
 //!
 //! Cost: little to look, and for an axis that is moved n differences and two sorts of doubles.
 
-use std::num::FpCategory;
+use alloc::vec::Vec;
+use core::num::FpCategory;
 
 use super::doubles::{self, exponent, power};
 use super::{Scalar, Scale};

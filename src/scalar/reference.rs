@@ -6,7 +6,8 @@
 //! Cost: a copy of the points for each sign that the filter leaves open, and one of all numbers in
 //! [`as_doubles`](super::Scalar::as_doubles).
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};

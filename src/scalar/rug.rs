@@ -3,7 +3,8 @@
 //! `to_f64` rounds towards zero: monotone, and off by less than one unit in the last place, which is
 //! what [`approx`](Scalar::approx) must be.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;

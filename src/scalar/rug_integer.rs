@@ -3,7 +3,8 @@
 //! `to_f64` and `to_f64_exp` round towards zero: monotone, and off by less than one unit in the last place, which
 //! is what [`approx`](Scalar::approx) and [`difference`](Scalar::difference) must be.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 use rug::Integer;

@@ -23,7 +23,7 @@
 //!
 //! Cost: one pass over the doubles; a few where some are out of range.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use super::doubles::{self, U, exponent, power};
 use super::lattice::Lattice;

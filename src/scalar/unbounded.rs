@@ -5,8 +5,9 @@
 //!
 //! Cost: 7 operations of the number for an orientation, 30 for the in-circle test.
 
-use std::cmp::Ordering;
-use std::ops::{Mul, Sub};
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+use core::ops::{Mul, Sub};
 
 use num_bigint::{BigInt, BigUint, Sign};
 use num_traits::{ToPrimitive, Zero};

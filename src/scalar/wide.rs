@@ -11,7 +11,7 @@
 //!
 //! Cost: about 160 instructions for k = 62, fewer for k = 30.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 /// The sign of the turn from `a` to `b`, two differences to the same point, below 2^62.
 pub(super) fn turn([ax, ay]: [i64; 2], [bx, by]: [i64; 2]) -> Ordering {

@@ -23,7 +23,7 @@
 //!
 //! Differs from the paper: there P-1 and P-2 have coordinates (those of P-2 are misprinted).
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use crate::ids::VertexId;
 

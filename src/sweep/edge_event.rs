@@ -29,8 +29,9 @@
 //! one lower pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are
 //! inserted in an order that lets one turn around the vertex find them all. (The paper takes any order.)
 
-use std::cmp::Ordering::Equal;
-use std::mem::take;
+use alloc::vec::Vec;
+use core::cmp::Ordering::Equal;
+use core::mem::take;
 
 use super::Sweep;
 use super::pending_edges::PendingEdge;

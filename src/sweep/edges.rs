@@ -11,6 +11,7 @@
 use super::vertices::Vertices;
 use crate::error::Error;
 use crate::ids::{VertexId, narrow};
+use alloc::vec::Vec;
 
 /// The input edges at their upper ends.
 #[derive(Debug, Default)]

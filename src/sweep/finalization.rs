@@ -25,7 +25,9 @@
 //! Differs from the paper: the lower hull (figures 15b and c) needs no pass, since sides with an
 //! artificial end are legalized all along (see [`super::artificial`]).
 
-use std::mem::take;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::mem::take;
 
 use super::Sweep;
 use super::flip_limit::inexact_scalar;

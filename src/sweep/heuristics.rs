@@ -38,7 +38,7 @@
 //!
 //! Differs from the paper: it does not say how far a basin is filled. Here it is the upper hull of the
 //! stretch up to the height of the rim.
-use std::cmp::Ordering::{self, Greater, Less};
+use core::cmp::Ordering::{self, Greater, Less};
 
 use super::{NewVertex, Sweep};
 use crate::front::Direction;

@@ -5,8 +5,8 @@
 //!
 //! Differs from the paper: see [`super::vertices`], [`super::edges`] and [`super::artificial`].
 
-use std::mem::take;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::mem::take;
 
 use super::Sweep;
 use super::delaunay::Delaunay;

@@ -60,7 +60,8 @@ mod scratch;
 mod traversal;
 mod vertices;
 
-use std::mem::take;
+use alloc::vec::Vec;
+use core::mem::take;
 
 use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;

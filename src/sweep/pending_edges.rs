@@ -29,8 +29,9 @@
 //!
 //! Cost of the table: O(k + t) to make for k vertices and t triangles, O(k) to renew for k pierced triangles; 4 bytes a
 //! vertex.
-use std::collections::BinaryHeap;
-use std::ops::Range;
+use alloc::collections::BinaryHeap;
+use alloc::vec::Vec;
+use core::ops::Range;
 
 use super::Sweep;
 use crate::error::Error;

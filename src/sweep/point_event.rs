@@ -21,8 +21,9 @@
 //!
 //! Differs from the paper: the left case is the middle case, and then one corner closed.
 
-use std::cmp::Ordering::{Equal, Greater};
-use std::hint::select_unpredictable;
+use alloc::vec::Vec;
+use core::cmp::Ordering::{Equal, Greater};
+use core::hint::select_unpredictable;
 
 use super::heuristics::Obtuse;
 use super::{NewVertex, Sweep};

@@ -11,7 +11,9 @@
 //!
 //! Differs from the paper: it does not say how signs are computed, nor what happens in a tie.
 
-use std::cmp::Ordering::{self, Equal, Greater, Less};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::artificial::{self, Artificial};
 use super::vertices::Vertices;

@@ -18,6 +18,7 @@ use crate::front::Front;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
 use crate::triangulation::Triangulation;
+use alloc::vec::Vec;
 
 /// Arrays for the next run.
 #[derive(Debug, Default)]

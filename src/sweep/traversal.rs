@@ -27,7 +27,8 @@
 //!
 //! Differs from the paper: the traversal changes nothing. The edge event fills the pockets that it finds
 //! and traverses the edge again, now through triangles alone.
-use std::cmp::Ordering::{Equal, Greater, Less};
+use alloc::vec::Vec;
+use core::cmp::Ordering::{Equal, Greater, Less};
 
 use super::Sweep;
 use super::flip_limit::inexact_scalar;

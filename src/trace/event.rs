@@ -4,7 +4,7 @@
 //! (whose own steps [`crate::Counters`] counts). Heuristics change the events, since
 //! they change the steps.
 
-use std::fmt;
+use core::fmt;
 
 /// A vertex as events name it: the input index that stands for it, or an artificial point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -33,7 +33,9 @@ mod whole;
 pub use event::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 pub use whole::Trace;
 
-use std::fmt;
+use alloc::format;
+use alloc::string::String;
+use core::fmt;
 
 /// The version of the events and of the text in which they are written.
 pub const VERSION: u32 = 3;
@@ -62,4 +64,4 @@ impl fmt::Display for BadTrace {
     }
 }
 
-impl std::error::Error for BadTrace {}
+impl core::error::Error for BadTrace {}

@@ -4,8 +4,11 @@
 //! words. Then the event is written again, and the line is refused unless it is the same. So nothing is
 //! read that could not have been written.
 
-use std::fmt;
-use std::io::{self, Write};
+use alloc::format;
+use alloc::string::String;
+use alloc::string::ToString;
+use alloc::vec::Vec;
+use core::fmt;
 
 use super::event::{EdgePosition, Event, Outcome, PointCase, PseudoPolygon, Vertex, Why};
 use super::{BadTrace, VERSION};
@@ -161,7 +164,7 @@ fn header(skipped: usize) -> String {
 }
 
 /// Writes a trace whose first `skipped` steps are left out.
-pub(super) fn write(skipped: usize, events: &[Event], out: &mut impl Write) -> io::Result<()> {
+pub(super) fn write(skipped: usize, events: &[Event], out: &mut impl fmt::Write) -> fmt::Result {
     writeln!(out, "{}", header(skipped))?;
     events.iter().try_for_each(|event| writeln!(out, "{event}"))
 }

@@ -1,5 +1,9 @@
 //! A run's events as one value.
 
+use alloc::format;
+use alloc::vec::Vec;
+use core::fmt;
+#[cfg(feature = "std")]
 use std::io::{self, Write};
 
 use super::event::Event;
@@ -34,13 +38,20 @@ pub struct Trace {
     pub events: Vec<Event>,
 }
 
+impl fmt::Display for Trace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        text::write(self.skipped, &self.events, f)
+    }
+}
+
 impl Trace {
-    /// Writes it as text.
+    /// Writes the trace as text; `to_string` returns the text.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
+    #[cfg(feature = "std")]
     pub fn write_text(&self, mut out: impl Write) -> io::Result<()> {
-        text::write(self.skipped, &self.events, &mut out)
+        write!(out, "{self}")
     }
 
     /// Reads what [`write_text`](Self::write_text) wrote.

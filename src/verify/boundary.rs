@@ -20,7 +20,9 @@
 //!            '--> b -'
 //! ```
 
-use std::cmp::Ordering;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::declared::DeclaredBoundary;
 use super::depth::Depth;
@@ -168,7 +170,7 @@ fn report_concave<S: Measure>(
     let is_simple = || {
         let ends = chain.iter().zip(chain.iter().cycle().skip(1));
         let sides: Vec<[u32; 2]> = ends.map(|(&a, &b)| [a, b]).collect();
-        scanline::inside(&soup.predicates, &sides, std::iter::empty()).is_ok()
+        scanline::inside(&soup.predicates, &sides, core::iter::empty()).is_ok()
     };
     if !wrong.is_empty() && (depths.contains(&None) || !is_simple()) {
         depths.fill(None);

@@ -3,8 +3,9 @@
 //! Two checks take nearly all the time: turns and Delaunay. Both look at one triangle after the other
 //! and change nothing, so that chunks of triangles can be checked in any order, or at the same time.
 
-use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use alloc::vec::Vec;
+use core::ops::Range;
+use core::sync::atomic::{AtomicUsize, Ordering};
 
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;

@@ -15,6 +15,8 @@ use super::report::Record;
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
 use crate::scalar::Scalar;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// The sides of the declared chains, by rank, in the caller's order.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! Check 8: every free side is locally Delaunay; and of how many ties the diagonal is not the canonical
 //! one, which is a count and no violation.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use super::chunks::{Progress, Schedule};
 use super::report::{Findings, Level, Record};

@@ -13,9 +13,10 @@
 //! Cost: some microseconds a fault; so by default only [`MEASURED`] of each 16384 triangles are measured, and as many
 //! turns.
 
-use std::collections::BTreeMap;
-use std::fmt;
-use std::hash::{Hash, Hasher};
+use alloc::collections::BTreeMap;
+use alloc::format;
+use core::fmt;
+use core::hash::{Hash, Hasher};
 
 /// How many depths are measured at a time, unless all are asked for.
 pub(super) const MEASURED: usize = 1000;

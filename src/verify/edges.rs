@@ -19,7 +19,9 @@
 //! Cost: O((n + m) log n) for n sides and m edges. The neighbours of a vertex are sorted by direction when
 //! the first edge passes it.
 
-use std::cmp::Ordering;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::report::Record;
 use super::sides::{Sides, range};
@@ -185,7 +187,7 @@ impl EdgeChains {
         let turn = |v, w| predicates.orient2d([at, v, w], &mut Tally::default());
         let half = |v| predicates.order(at, v);
         let compare = |v, w| half(v).cmp(&half(w)).then_with(|| turn(w, v));
-        if !std::mem::replace(&mut self.sorted[at as usize], true) {
+        if !core::mem::replace(&mut self.sorted[at as usize], true) {
             neighbors.sort_unstable_by(|&v, &w| {
                 let nearer = || match half(v) {
                     Ordering::Less => predicates.order(v, w),

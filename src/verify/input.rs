@@ -5,7 +5,9 @@
 //! hashes of the approximated coordinates: equal points have equal approximations and so equal hashes. Only points
 //! with the same hash are compared exactly: few, apart from true duplicates. Cost: one sort of 64-bit numbers.
 
-use std::cmp::Ordering;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::declared::DeclaredBoundary;
 use super::report::Record;

@@ -13,6 +13,8 @@ use super::sides::Sides;
 use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::Scalar;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// Attributes of triangles, and what they must be; for [`Verifier::regions`](super::Verifier::regions).
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,9 @@
 //! What the verifier answers: counts, the level reached, and the violations if there are any; and how the checks record
 //! it.
 
-use std::fmt;
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::fmt;
 
 use super::depth::{Depth, Depths};
 use super::soup::Tally;
@@ -116,7 +118,7 @@ fn plural(count: usize) -> &'static str {
     if count == 1 { "" } else { "s" }
 }
 
-impl std::error::Error for Violations {}
+impl core::error::Error for Violations {}
 
 /// How good a triangulation is; each level includes those before it. Programs that cut polygons into triangles promise
 /// less than a constrained Delaunay triangulation.

@@ -25,8 +25,9 @@
 //!
 //! Cost: O((n + m) log m) for n points and m sides.
 
-use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::soup::{SoupPredicates, Tally};
 use crate::scalar::Scalar;

@@ -15,7 +15,9 @@
 //! sorted by the other end, and then the two triangles of a side are next to each other. Most buckets hold a
 //! few sides. Cost: three passes, and a binary search for each side that is asked for.
 
-use std::ops::Range;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::ops::Range;
 
 use super::report::Record;
 use super::soup::Soup;

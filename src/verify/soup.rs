@@ -5,8 +5,9 @@
 //! triangles; each distinct point has one rank, whatever number of equal points the caller gave. How the
 //! triangles fit together is for the checks to find out.
 
-use std::cmp::Ordering;
-use std::ops::AddAssign;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+use core::ops::AddAssign;
 
 use crate::scalar::{Measure, NearTies, Predicates, Scalar, Scale, Stage};
 

@@ -1,6 +1,7 @@
 //! Check 2: every triangle turns left, strictly.
 
-use std::cmp::Ordering;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::chunks::{Progress, Schedule};
 use super::report::Record;

@@ -1,6 +1,7 @@
 //! The verifier with its options, and its checks in their order.
 
-use std::fmt;
+use alloc::vec::Vec;
+use core::fmt;
 
 #[cfg(feature = "parallel")]
 use super::chunks::Parallel;

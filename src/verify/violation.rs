@@ -1,8 +1,9 @@
 //! What can be wrong with a triangulation: each violation with its sentence, and the indices in it, collected or
 //! replaced by the numbers of a file.
 
-use std::fmt;
-use std::slice::from_mut;
+use alloc::vec::Vec;
+use core::fmt;
+use core::slice::from_mut;
 
 use super::depth::Depth;
 
@@ -253,7 +254,7 @@ impl fmt::Display for Violation {
     }
 }
 
-impl std::error::Error for Violation {}
+impl core::error::Error for Violation {}
 
 impl Violation {
     /// The name of the class of violation: the variant in lower case with hyphens.

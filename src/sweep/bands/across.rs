@@ -14,6 +14,7 @@ use super::super::Sweep;
 use super::partition::Edge;
 use crate::error::Error;
 use crate::scalar::Scalar;
+use alloc::vec::Vec;
 
 /// Triangles that are looked through, more than two for each vertex: some of the first vertices' triangles are made
 /// late.

@@ -2,7 +2,9 @@
 //!
 //! Cost: that of the sweep.
 
-use std::sync::Arc;
+use alloc::boxed::Box;
+use alloc::sync::Arc;
+use alloc::vec::Vec;
 
 use super::super::divide_and_conquer::SubTriangulation;
 use super::super::initialization::begin;

@@ -6,7 +6,9 @@
 //! Cost: O(n log b) for n points and b bands, divided among the threads, and a sample of the points, sorted. The points
 //! are looked at twice, to count them and to put each where it goes: no list grows or is copied.
 
-use std::slice;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::slice;
 
 use rayon::prelude::*;
 

@@ -20,6 +20,8 @@ use crate::front::{Front, Search};
 use crate::ids::narrow;
 use crate::scalar::Scalar;
 use crate::settings::Settings;
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// Joins the bands, of which there are at least two, into the state of a sweep whose hull is complete. `None` if
 /// that takes too many flips, or where only one thread can say what is wrong.

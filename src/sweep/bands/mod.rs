@@ -18,7 +18,8 @@ mod cut;
 mod join;
 mod partition;
 
-use std::sync::Arc;
+use alloc::sync::Arc;
+use alloc::vec::Vec;
 
 use rayon::prelude::*;
 

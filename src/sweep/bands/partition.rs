@@ -3,8 +3,10 @@
 //!
 //! Cost: O(n) for n points and edges, divided among the threads.
 
-use std::cmp::Reverse;
-use std::sync::atomic::{AtomicU32, Ordering};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Reverse;
+use core::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 

@@ -15,6 +15,8 @@
 
 use crate::bucket::bucket;
 use crate::ids::{BorderId, VertexId, narrow};
+use alloc::vec;
+use alloc::vec::Vec;
 
 /// In place of a neighbour or an arc: there is none.
 const NONE: u32 = u32::MAX;
@@ -153,7 +155,7 @@ impl BeachLine {
     /// All sites from left to right, each with the side to the next one.
     pub(super) fn sites(&self) -> impl Iterator<Item = (VertexId, BorderId)> {
         let next = |&at: &u32| Some(self.arc(at).next).filter(|&next| next != NONE);
-        std::iter::successors(Some(0), next).map(|at| (self.arc(at).site, self.arc(at).border))
+        core::iter::successors(Some(0), next).map(|at| (self.arc(at).site, self.arc(at).border))
     }
 
     fn arc(&self, number: u32) -> &Arc {

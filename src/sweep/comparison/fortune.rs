@@ -27,9 +27,10 @@
 //!
 //! Differs from Fortune: triangles in place of the Voronoi diagram; the exact signs.
 
-use std::cmp::Ordering::{Greater, Less};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use alloc::collections::BinaryHeap;
+use alloc::vec::Vec;
+use core::cmp::Ordering::{Greater, Less};
+use core::cmp::Reverse;
 
 use super::super::Sweep;
 use super::super::delaunay::ChainVertex;

@@ -28,7 +28,8 @@
 //! Differs from Mücke, Saias and Zhu: triangles are drawn in place of vertices, as in Shewchuk's Triangle, which
 //! the paper compares with.
 
-use std::cmp::Ordering::{Equal, Less};
+use alloc::vec::Vec;
+use core::cmp::Ordering::{Equal, Less};
 
 use super::super::Sweep;
 use super::super::delaunay::Delaunay;

@@ -18,7 +18,7 @@ mod fortune;
 mod incremental;
 mod sweep_2005;
 
-use std::cmp::Ordering::Equal;
+use core::cmp::Ordering::Equal;
 
 use super::Sweep;
 use super::delaunay::Delaunay;

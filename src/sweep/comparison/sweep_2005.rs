@@ -25,7 +25,8 @@
 //! Cost: that of the sweep. A point event beyond an end costs one orientation test more than the hull sides that
 //! it sees; all together they are no more than the vertices.
 
-use std::cmp::Ordering::Less;
+use alloc::vec::Vec;
+use core::cmp::Ordering::Less;
 
 use super::super::{NewVertex, Sweep};
 use crate::error::Error;

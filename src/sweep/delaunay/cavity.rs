@@ -23,8 +23,9 @@
 //! Cost: O(k log k) for k pierced triangles, beyond the legalization.
 //!
 //! Differs from the paper: see [`super::fill`].
-use std::cmp::Ordering;
-use std::mem::take;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+use core::mem::take;
 
 use super::Delaunay;
 use super::fill::ChainVertex;

@@ -40,7 +40,8 @@
 //! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right.
 //! In a pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada
 //! 1997), which costs O(k^2).
-use std::cmp::Ordering::Greater;
+use alloc::vec::Vec;
+use core::cmp::Ordering::Greater;
 
 use super::Delaunay;
 use crate::ids::{BorderId, VertexId, narrow};

@@ -6,8 +6,9 @@ mod cavity;
 mod fill;
 mod legalization;
 
-use std::cmp::Ordering;
-use std::mem::take;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+use core::mem::take;
 
 use super::flip_limit::FlipLimit;
 use super::predicates::SweepPredicates;

@@ -18,6 +18,7 @@ use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::scalar::Scalar;
+use alloc::vec::Vec;
 
 impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     /// Encloses the first `vertices` vertices, two or more and all that have been swept, in ghosts with the

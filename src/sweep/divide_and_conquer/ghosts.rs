@@ -14,7 +14,7 @@
 //!
 //! Cost: O(1) for each function.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use super::super::delaunay::Delaunay;
 use super::SubTriangulation;
@@ -97,7 +97,7 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
     /// Ghosts around a hull with these vertices.
     fn ring<const N: usize>(&mut self, hull: [VertexId; N]) -> [HalfEdge; N] {
         let ghosts: [HalfEdge; N] =
-            std::array::from_fn(|i| self.add_ghost(hull[i], hull[(i + 1) % N]));
+            core::array::from_fn(|i| self.add_ghost(hull[i], hull[(i + 1) % N]));
         for i in 0..N {
             self.join_ghosts(ghosts[i], ghosts[(i + 1) % N]);
         }

@@ -6,7 +6,8 @@
 //!
 //! Cost: O(h) for h vertices on the hull.
 
-use std::cmp::Ordering::Greater;
+use alloc::vec::Vec;
+use core::cmp::Ordering::Greater;
 
 use super::super::Sweep;
 use super::super::flip_limit::inexact_scalar;
@@ -51,7 +52,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
             (next != start).then_some(next)
         };
         let most = self.delaunay.mesh.len();
-        let ghosts: Vec<HalfEdge> = std::iter::successors(Some(start), after)
+        let ghosts: Vec<HalfEdge> = core::iter::successors(Some(start), after)
             .take(most + 1)
             .collect();
         if ghosts.len() > most {

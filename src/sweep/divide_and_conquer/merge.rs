@@ -32,7 +32,7 @@
 //! Cost: O(k) for k vertices in both parts. Each step removes a triangle of a part or moves the base, and a
 //! base that climbs never comes back.
 
-use std::cmp::Ordering::{Greater, Less};
+use core::cmp::Ordering::{Greater, Less};
 
 use super::super::delaunay::Delaunay;
 use super::super::flip_limit::inexact_scalar;

@@ -33,6 +33,7 @@ use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::recorder::Phase;
 use crate::scalar::Scalar;
+use alloc::vec::Vec;
 
 /// A triangulated part: vertices that follow each other in sweep order, with ghosts around them.
 #[derive(Clone, Copy, Debug)]

@@ -9,6 +9,7 @@
 
 use crate::bucket::bucket;
 use crate::ids::narrow;
+use alloc::vec::Vec;
 
 /// So few points are sorted fast by comparison.
 pub(super) const FEW: usize = 20;

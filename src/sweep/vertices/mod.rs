@@ -16,6 +16,7 @@ mod sort;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::scalar::{Scalar, Scale, is_in_range, recenter};
+use alloc::vec::Vec;
 pub(super) use sort::SortBuffers;
 
 /// The points with doubles for their coordinates, all on one [`Scale`].

@@ -15,7 +15,9 @@
 //! if all have one y, 132 if nearly all have.
 //!
 //! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
-use std::cmp::Ordering;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::Vertices;
 use super::counting::{CountingSort, FEW, Key, begin};

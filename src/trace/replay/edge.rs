@@ -1,7 +1,11 @@
 //! An edge event in a replay: first its part comes, from the upper end to the first vertex on the edge,
 //! then it is inserted: as the side that is there already, or in place of the triangles that it pierces.
 
-use std::collections::HashSet;
+use alloc::borrow::ToOwned;
+use alloc::collections::BTreeSet;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
 
 use super::super::{EdgePosition, PseudoPolygon, Vertex};
 use super::mesh::{self, Mesh, Side, across};
@@ -25,7 +29,7 @@ struct Hole {
     /// The triangle removed last.
     last: Option<[Vertex; 3]>,
     /// The sides of the removed triangles that were not yet named as borders.
-    sides: HashSet<Side>,
+    sides: BTreeSet<Side>,
     border: Vec<Side>,
     /// The pseudo-polygon that the last border vertex belongs to, and its end.
     polygon: Option<(PseudoPolygon, Vertex)>,
@@ -159,7 +163,7 @@ impl Edge {
 
     pub(super) fn fix(&mut self, part: [Vertex; 2], mesh: &Mesh) -> Result<(), String> {
         let sides = [part, across(part)].map(|side| mesh.has(side));
-        let hole = std::mem::take(&mut self.hole);
+        let hole = core::mem::take(&mut self.hole);
         let is_there = if hole.last.is_none() {
             sides.contains(&true)
         } else {

@@ -4,6 +4,9 @@ use super::super::{Event, Outcome, PointCase, Vertex, Why};
 use super::edge::Edge;
 use super::mesh::sides;
 use super::{Phase, Replay, ensure};
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::string::String;
 
 impl Replay {
     /// Takes a step; `is_due` says whether the ones before required it.

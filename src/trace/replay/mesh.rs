@@ -8,7 +8,11 @@
 //! the front have been added and the vertices that they cover have not yet left it. So segments that
 //! change are listed, and checked when the step is complete.
 
-use std::collections::{HashMap, HashSet};
+use alloc::borrow::ToOwned;
+use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
 
 use super::super::Vertex;
 
@@ -17,9 +21,9 @@ pub(super) type Side = [Vertex; 2];
 
 #[derive(Debug, Default)]
 pub(super) struct Mesh {
-    opposite: HashMap<Side, Vertex>,
+    opposite: BTreeMap<Side, Vertex>,
     /// Constrained sides, in both directions; they stay fixed while no triangle borders on them.
-    fixed: HashSet<Side>,
+    fixed: BTreeSet<Side>,
 }
 
 /// The sides of a triangle.
@@ -96,7 +100,7 @@ impl Mesh {
             .opposite
             .keys()
             .filter(|&&side| !self.has(across(side)));
-        let mut border: HashMap<Vertex, Vertex> = HashMap::new();
+        let mut border: BTreeMap<Vertex, Vertex> = BTreeMap::new();
         for &[a, b] in on_border {
             if border.insert(a, b).is_some() {
                 return Err(format!("the border passes vertex {a} twice"));
@@ -112,7 +116,7 @@ impl Mesh {
         }
 
         // All vertices are corners, the cycle is the whole border, and Euler's formula holds.
-        let corners: HashSet<Vertex> = self.opposite.keys().map(|side| side[0]).collect();
+        let corners: BTreeSet<Vertex> = self.opposite.keys().map(|side| side[0]).collect();
         if let Some(v) = vertices.iter().find(|v| !corners.contains(v)) {
             return Err(format!("vertex {v} is no corner of a triangle"));
         }
@@ -129,8 +133,8 @@ impl Mesh {
 
 #[derive(Debug)]
 pub(super) struct Front {
-    next: HashMap<Vertex, Vertex>,
-    prev: HashMap<Vertex, Vertex>,
+    next: BTreeMap<Vertex, Vertex>,
+    prev: BTreeMap<Vertex, Vertex>,
     /// Left ends of segments that have changed or been covered.
     changed: Vec<Vertex>,
 }
@@ -139,8 +143,8 @@ impl Front {
     /// From P-1 straight to P-2.
     pub(super) fn new() -> Front {
         Front {
-            next: HashMap::from([(Vertex::Left, Vertex::Right)]),
-            prev: HashMap::from([(Vertex::Right, Vertex::Left)]),
+            next: BTreeMap::from([(Vertex::Left, Vertex::Right)]),
+            prev: BTreeMap::from([(Vertex::Right, Vertex::Left)]),
             changed: Vec::new(),
         }
     }
@@ -196,7 +200,7 @@ impl Front {
 
     /// Checks the segments that have changed: a triangle below, none above.
     pub(super) fn settle(&mut self, mesh: &Mesh) -> Result<(), String> {
-        for left in std::mem::take(&mut self.changed) {
+        for left in core::mem::take(&mut self.changed) {
             let Some(right) = self.next(left) else {
                 continue;
             };

@@ -10,7 +10,11 @@ mod edge;
 mod events;
 mod mesh;
 
-use std::collections::{HashMap, HashSet, VecDeque};
+use alloc::borrow::ToOwned;
+use alloc::collections::{BTreeMap, BTreeSet, VecDeque};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
 
 use super::BadTrace;
 use super::event::{Event, Vertex};
@@ -32,7 +36,7 @@ enum Phase {
 struct Replay {
     phase: Phase,
     order: Vec<Vertex>,
-    ranks: HashMap<Vertex, usize>,
+    ranks: BTreeMap<Vertex, usize>,
     swept: usize,
     mesh: Mesh,
     front: Front,
@@ -41,11 +45,11 @@ struct Replay {
     /// The left end of the segment of a left case, whose second triangle is still to come.
     below: Option<Vertex>,
     edge: Option<Edge>,
-    edges: HashSet<u32>,
+    edges: BTreeSet<u32>,
     /// For the ends of each edge that was begun, upper end first, the end of its first part.
-    first_parts: HashMap<[Vertex; 2], Vertex>,
+    first_parts: BTreeMap<[Vertex; 2], Vertex>,
     /// What is left of edges behind a vertex on them: where the rest begins, its lower end, the edge.
-    rests: HashSet<(Vertex, Vertex, u32)>,
+    rests: BTreeSet<(Vertex, Vertex, u32)>,
 }
 
 /// Rebuilds the result.
@@ -78,16 +82,16 @@ impl Replay {
         Replay {
             phase: Phase::Sorting,
             order: Vec::new(),
-            ranks: HashMap::new(),
+            ranks: BTreeMap::new(),
             swept: 0,
             mesh: Mesh::default(),
             front: Front::new(),
             due: VecDeque::new(),
             below: None,
             edge: None,
-            edges: HashSet::new(),
-            first_parts: HashMap::new(),
-            rests: HashSet::new(),
+            edges: BTreeSet::new(),
+            first_parts: BTreeMap::new(),
+            rests: BTreeSet::new(),
         }
     }
 
