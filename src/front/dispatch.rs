@@ -1,11 +1,13 @@
 //! How the sweep calls its search structure, whose type it does not know.
 //!
 //! The sweep is compiled once for each scalar, not once more for each structure: it calls the structure through
-//! `dyn`. Only the default hash table is called directly, so that a run with it has its searches inlined.
+//! `dyn`. Only the default hash table is called directly, so that a run with it has its searches inlined. It is moved
+//! into the sweep for that run, so that no pointer to it must be followed.
 //!
 //! Cost: a branch for each call of the hash table; for each call of another structure that, and an indirect call.
 
 use core::fmt;
+use core::mem::{swap, take};
 
 use super::hash_table::HashTable;
 use super::list::{Front, FrontNode};
@@ -13,8 +15,8 @@ use super::search::{FrontInput, FrontSearch};
 
 /// A search structure that somebody else holds, for one run.
 pub(crate) enum Search<'a> {
-    /// The default.
-    HashTable(&'a mut HashTable),
+    /// The default, and the place that it goes back to.
+    HashTable(HashTable, &'a mut HashTable),
     /// Any other one.
     Other(&'a mut dyn FrontSearch),
 }
@@ -29,13 +31,14 @@ impl<'a> Search<'a> {
             return Search::Other(structure);
         }
         let table = structure.as_any().and_then(|any| any.downcast_mut());
-        Search::HashTable(table.expect("it has just been one"))
+        let home: &mut HashTable = table.expect("it has just been one");
+        Search::HashTable(take(home), home)
     }
 
     /// Calls [`FrontSearch::begin`].
     pub(crate) fn begin(&mut self, input: FrontInput<'_>) {
         match self {
-            Search::HashTable(table) => table.begin(input),
+            Search::HashTable(table, _) => table.begin(input),
             Search::Other(structure) => structure.begin(input),
         }
     }
@@ -44,7 +47,7 @@ impl<'a> Search<'a> {
     #[inline(always)]
     pub(crate) fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         match self {
-            Search::HashTable(table) => table.locate(x, front),
+            Search::HashTable(table, _) => table.locate(x, front),
             Search::Other(structure) => structure.locate(x, front),
         }
     }
@@ -52,7 +55,7 @@ impl<'a> Search<'a> {
     /// Calls [`FrontSearch::wants_ranks`].
     pub(crate) fn wants_ranks(&mut self, steps: usize) -> bool {
         match self {
-            Search::HashTable(table) => table.wants_ranks(steps),
+            Search::HashTable(table, _) => table.wants_ranks(steps),
             Search::Other(structure) => structure.wants_ranks(steps),
         }
     }
@@ -61,17 +64,25 @@ impl<'a> Search<'a> {
     #[inline(always)]
     pub(crate) fn inserted(&mut self, node: FrontNode, x: f64) {
         match self {
-            Search::HashTable(table) => table.inserted(node, x),
+            Search::HashTable(table, _) => table.inserted(node, x),
             Search::Other(structure) => structure.inserted(node, x),
         }
     }
 
-    /// Calls [`FrontSearch::removed`].
+    /// Calls [`FrontSearch::removed`], for which `x` is computed. The default takes no notice of it.
     #[inline(always)]
-    pub(crate) fn removed(&mut self, node: FrontNode, x: f64) {
-        match self {
-            Search::HashTable(table) => table.removed(node, x),
-            Search::Other(structure) => structure.removed(node, x),
+    pub(crate) fn removed(&mut self, node: FrontNode, x: impl FnOnce() -> f64) {
+        if let Search::Other(structure) = self {
+            structure.removed(node, x());
+        }
+    }
+}
+
+impl Drop for Search<'_> {
+    /// The hash table goes back.
+    fn drop(&mut self) {
+        if let Search::HashTable(table, home) = self {
+            swap(table, home);
         }
     }
 }
@@ -79,7 +90,7 @@ impl<'a> Search<'a> {
 impl fmt::Debug for Search<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Search::HashTable(table) => f.debug_tuple("HashTable").field(table).finish(),
+            Search::HashTable(table, _) => f.debug_tuple("HashTable").field(table).finish(),
             Search::Other(_) => f.debug_tuple("Other").finish_non_exhaustive(),
         }
     }
@@ -95,7 +106,7 @@ mod tests {
     #[test]
     fn only_the_default_is_called_directly() {
         let is_direct = |structure: &mut dyn FrontSearch| {
-            matches!(Search::with(structure), Search::HashTable(_))
+            matches!(Search::with(structure), Search::HashTable(..))
         };
         assert!(is_direct(&mut HashTable::default()));
         assert!(!is_direct(&mut HashTable::counting()));

@@ -154,7 +154,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         self.walk_budget.ends(steps)
     }
 
-    #[inline]
+    #[inline(always)]
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         if self.last.rank() >= self.look {
             self.grow(front);

@@ -195,8 +195,9 @@ impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
         self.delaunay.probe.record(Recorder::front_shrinks);
         self.delaunay
             .report(|name| Event::FrontRemove { vertex: name(v) });
-        let x = self.delaunay.predicates.search_x(v);
-        self.search.removed(FrontNode::new(v), x);
+        let predicates = &self.delaunay.predicates;
+        self.search
+            .removed(FrontNode::new(v), || predicates.search_x(v));
     }
 
     /// Fills the front from node `from` to node `to`, both real, up to its upper hull.
