@@ -6,7 +6,7 @@
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::{self, FrontInput, Front, FrontNode, FrontSearch, HashTable, SkipList};
+use sweep_cdt::front::{self, Front, FrontInput, FrontNode, FrontSearch, HashTable, SkipList};
 use sweep_cdt_experiments::fronts::AnyFront;
 use sweep_cdt_experiments::{Contestant, standard};
 
@@ -207,7 +207,7 @@ fn structures() -> Vec<(String, AnyFront)> {
 
 impl Model<'_> {
     fn new(points: &[[f64; 2]]) -> Model<'_> {
-        let domain = FrontInput::new(points);
+        let input = FrontInput::new(points);
         let mut model = Model {
             points,
             inserted: 0,
