@@ -6,13 +6,13 @@ use core::fmt;
 
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
-use crate::probe::{Observer, Probe};
+use crate::probe::Observer;
 use crate::recorder::Recorder;
 use crate::scalar::Scalar;
 use crate::session::Session;
 use crate::settings::{Algorithm, Heuristics, Settings};
 use crate::stats::Stats;
-use crate::sweep::{self, Scratch};
+use crate::sweep::{self, RunProbe, Scratch};
 #[cfg(feature = "parallel")]
 use crate::threads::has_threads;
 use crate::trace::Event;
@@ -252,7 +252,7 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
 
 impl<F> Triangulator<'_, F> {
     /// Triangulates with this search structure.
-    fn run<S: Scalar, P: Probe>(
+    fn run<S: Scalar, P: RunProbe>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],

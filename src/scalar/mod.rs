@@ -55,7 +55,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 pub use measure::Measure;
-pub(crate) use predicates::{NearTies, Predicates};
+pub(crate) use predicates::{ExactPoints, NearTies, Predicates};
 pub use predicates::{filtered_in_circle, filtered_orient2d};
 pub(crate) use rational::integers;
 pub(crate) use recenter::recenter;

@@ -21,6 +21,7 @@
 #[cfg(not(feature = "std"))]
 use core::cell::OnceCell as Once;
 use core::cmp::Ordering;
+use core::fmt;
 use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 #[cfg(feature = "std")]
 use std::sync::OnceLock as Once;
@@ -33,10 +34,48 @@ use super::{Scalar, Stage};
 /// A sign, and the exact stage that decided it; `None` if doubles did.
 pub(crate) type Decision = (Ordering, Option<Stage>);
 
+/// The caller's points, of some [`Scalar`]: the last stage of the ladder.
+///
+/// The sweep asks them through `dyn`, and only where doubles do not decide. So it is compiled once, in this crate, and
+/// not once more for each scalar in the crates that use it.
+pub(crate) trait ExactPoints {
+    /// The order of two points by x.
+    fn compare_x(&self, points: [u32; 2]) -> Ordering;
+
+    /// [`Scalar::orient2d`] of three points.
+    fn orient2d(&self, points: [u32; 3]) -> (Ordering, Stage);
+
+    /// [`Scalar::in_circle`] of four points.
+    fn in_circle(&self, points: [u32; 4]) -> (Ordering, Stage);
+}
+
+impl<S: Scalar> ExactPoints for &[[S; 2]] {
+    fn compare_x(&self, points: [u32; 2]) -> Ordering {
+        let [a, b] = points.map(|i| &self[i as usize][0]);
+        a.compare(b)
+    }
+
+    fn orient2d(&self, points: [u32; 3]) -> (Ordering, Stage) {
+        let [a, b, c] = points.map(|i| &self[i as usize]);
+        S::orient2d(a, b, c)
+    }
+
+    fn in_circle(&self, points: [u32; 4]) -> (Ordering, Stage) {
+        let [a, b, c, d] = points.map(|i| &self[i as usize]);
+        S::in_circle(a, b, c, d)
+    }
+}
+
+impl fmt::Debug for dyn ExactPoints + '_ {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("ExactPoints").finish_non_exhaustive()
+    }
+}
+
 /// The predicates of vertices, which have numbers.
-pub(crate) struct Predicates<'a, S> {
+pub(crate) struct Predicates<'a, E: ?Sized> {
     /// The caller's points.
-    pub(crate) points: &'a [[S; 2]],
+    pub(crate) points: &'a E,
     /// For each vertex its point.
     pub(crate) index: &'a [u32],
     /// For each vertex doubles near its coordinates, on one scale.
@@ -45,7 +84,7 @@ pub(crate) struct Predicates<'a, S> {
     pub(crate) near_ties: &'a NearTies,
 }
 
-impl<S: Scalar> Predicates<'_, S> {
+impl<E: ExactPoints + ?Sized> Predicates<'_, E> {
     /// `Greater` if three vertices turn left.
     #[inline(always)]
     pub(crate) fn orient2d(&self, vertices: [u32; 3]) -> Decision {
@@ -79,7 +118,7 @@ impl<S: Scalar> Predicates<'_, S> {
     /// [`orient2d`](Predicates::orient2d) where the filter for exact doubles does not decide.
     #[inline(always)]
     pub(crate) fn orient2d_below_filter(&self, vertices: [u32; 3]) -> Decision {
-        let exact = || vertices.map(|v| self.exact(v));
+        let exact = || self.points.orient2d(self.inputs(vertices));
         orient2d_below_filter(self.doubles(vertices), self.scale, exact)
     }
 
@@ -91,7 +130,7 @@ impl<S: Scalar> Predicates<'_, S> {
         {
             return (sign, Some(Stage::Integers));
         }
-        let exact = || vertices.map(|v| self.exact(v));
+        let exact = || self.points.in_circle(self.inputs(vertices));
         let note = || self.near_ties.note(self);
         in_circle_below_filter(self.doubles(vertices), self.scale, note, exact)
     }
@@ -101,10 +140,10 @@ impl<S: Scalar> Predicates<'_, S> {
         vertices.map(|v| self.approx[v as usize])
     }
 
-    /// The coordinates of a vertex.
+    /// The points of vertices.
     #[inline(always)]
-    fn exact(&self, v: u32) -> &[S; 2] {
-        &self.points[self.index[v as usize] as usize]
+    fn inputs<const N: usize>(&self, vertices: [u32; N]) -> [u32; N] {
+        vertices.map(|v| self.index[v as usize])
     }
 }
 
@@ -124,7 +163,7 @@ impl NearTies {
     /// count at a time only comes later.
     #[cold]
     #[inline(never)]
-    fn note<S>(&self, of: &Predicates<'_, S>) {
+    fn note<E: ?Sized>(&self, of: &Predicates<'_, E>) {
         let count = self.count.load(Relaxed) + 1;
         self.count.store(count, Relaxed);
         let n = of.index.len();
@@ -142,10 +181,10 @@ impl NearTies {
 
 /// The orientation of points, whose doubles the filter for exact ones has left open.
 #[inline(always)]
-fn orient2d_below_filter<'p, S: Scalar + 'p>(
+fn orient2d_below_filter(
     doubles: [[f64; 2]; 3],
     scale: &Scale,
-    exact: impl FnOnce() -> [&'p [S; 2]; 3],
+    exact: impl FnOnce() -> (Ordering, Stage),
 ) -> Decision {
     let filtered = if scale.is_exact() {
         filter::orient2d_on_lattice(doubles, scale)
@@ -159,8 +198,7 @@ fn orient2d_below_filter<'p, S: Scalar + 'p>(
         let [a, b, c] = &doubles;
         f64::orient2d(a, b, c)
     } else {
-        let [a, b, c] = exact();
-        S::orient2d(a, b, c)
+        exact()
     };
     (sign, Some(stage))
 }
@@ -168,11 +206,11 @@ fn orient2d_below_filter<'p, S: Scalar + 'p>(
 /// The side of a circle on which the last point lies, where the filter for exact doubles has left that open. `note` is
 /// called for a near-tie of doubles.
 #[inline(always)]
-fn in_circle_below_filter<'p, S: Scalar + 'p>(
+fn in_circle_below_filter(
     doubles: [[f64; 2]; 4],
     scale: &Scale,
     note: impl FnOnce(),
-    exact: impl FnOnce() -> [&'p [S; 2]; 4],
+    exact: impl FnOnce() -> (Ordering, Stage),
 ) -> Decision {
     let filtered = if scale.is_exact() {
         filter::in_circle_on_lattice(doubles, scale)
@@ -189,8 +227,7 @@ fn in_circle_below_filter<'p, S: Scalar + 'p>(
         let [a, b, c, d] = &doubles;
         f64::in_circle(a, b, c, d)
     } else {
-        let [a, b, c, d] = exact();
-        S::in_circle(a, b, c, d)
+        exact()
     };
     (sign, Some(stage))
 }
@@ -213,7 +250,7 @@ fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: &Scale) -> boo
 pub fn filtered_orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Ordering {
     let (doubles, scale) = scaled([a, b, c]);
     let filtered = filter::orient2d(doubles, scale);
-    filtered.unwrap_or_else(|| orient2d_below_filter(doubles, &scale, || [a, b, c]).0)
+    filtered.unwrap_or_else(|| orient2d_below_filter(doubles, &scale, || S::orient2d(a, b, c)).0)
 }
 
 /// `Greater` if `d` lies inside the circle through `a`, `b`, `c`, as [`Scalar::in_circle`] says, behind the
@@ -231,7 +268,7 @@ pub fn filtered_in_circle<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2], d: &[S;
     let (doubles, scale) = scaled([a, b, c, d]);
     let filtered = filter::in_circle(doubles, scale);
     filtered.unwrap_or_else(|| {
-        let exact = || [a, b, c, d];
+        let exact = || S::in_circle(a, b, c, d);
         in_circle_below_filter(doubles, &scale, || {}, exact).0
     })
 }

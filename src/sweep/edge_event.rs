@@ -40,13 +40,12 @@ use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::trace::{EdgePosition, Event, Why};
 
 /// So few edges are looked for one by one: that takes no longer than making the triangles around their upper end.
 const FEW: usize = 4;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
         let leftmost = self.leftmost(upper);

@@ -36,14 +36,13 @@ use crate::ids::{BorderId, TriangleId, narrow};
 use crate::mesh::{HalfEdge, Triangle};
 use crate::probe::Probe;
 use crate::recorder::Phase;
-use crate::scalar::Scalar;
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 
 /// So few artificial triangles are sorted by comparison.
 const FEW: usize = 100;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Fills the front up to the upper hull.
     pub(super) fn complete_hull(&mut self) {
         self.delaunay.probe.begin(Phase::Finalization);

@@ -45,7 +45,6 @@ use crate::front::Direction;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::settings::Corners;
 use crate::trace::Why;
 
@@ -117,7 +116,7 @@ impl Angle {
     }
 }
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Closes the corners right and left of `p` while they are narrow.
     #[inline(always)]
     pub(super) fn close_narrow_corners(&mut self, p: NewVertex, obtuse: Obtuse) {
@@ -209,7 +208,7 @@ fn inward(direction: Direction) -> Ordering {
 /// How many nodes the search for the bottom of a basin may pass, and again that for its other end.
 const BASIN_REACH: usize = 32;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Fills the basins that begin right and left of `p`.
     #[inline(always)]
     pub(super) fn fill_basins(&mut self, p: VertexId) {

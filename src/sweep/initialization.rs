@@ -20,21 +20,16 @@ use crate::front::{FrontInput, Search};
 use crate::ids::{BorderId, VertexId, narrow};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::recorder::Phase;
-use crate::scalar::Scalar;
+use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::{Algorithm, Settings};
 use crate::trace::{Event, Why};
 
-/// Sorts and merges the points, lists the edges and makes the first triangle.
-pub(super) fn initialize<'a, S: Scalar, P: Probe>(
-    points: &'a [[S; 2]],
+/// Sorts and merges the points, and lists the edges at their upper ends in `scratch`.
+pub(super) fn initialize<S: Scalar>(
+    points: &[[S; 2]],
     edges: &[[usize; 2]],
-    settings: Settings<'_>,
-    search: Search<'a>,
-    mut probe: P,
     scratch: &mut Scratch,
-) -> Result<Sweep<'a, S, P>, Error> {
-    probe.begin(Phase::Initialization);
+) -> Result<(Vertices, EdgeChainBuilder), Error> {
     // Vertices and edges; too many or wrong ones are refused.
     if points.len() > LIMIT {
         return Err(Error::TooManyPoints {
@@ -58,21 +53,19 @@ pub(super) fn initialize<'a, S: Scalar, P: Probe>(
         .edges
         .set(&vertices, points.len(), edges, &mut ends)?;
     scratch.initialized();
-    let chains = EdgeChainBuilder::new(Arc::new(ends));
-    let sweep = begin(points, vertices, chains, settings, search, probe, scratch);
-    Ok(sweep)
+    Ok((vertices, EdgeChainBuilder::new(Arc::new(ends))))
 }
 
 /// The state with the first triangle of these vertices; `memory` lists their edges.
-pub(super) fn begin<'a, S: Scalar, P: Probe>(
-    points: &'a [[S; 2]],
+pub(super) fn begin<'a, P: Probe>(
+    points: &'a dyn ExactPoints,
     vertices: Vertices,
     chains: EdgeChainBuilder,
     settings: Settings<'_>,
     mut search: Search<'a>,
     probe: P,
     scratch: &mut Scratch,
-) -> Sweep<'a, S, P> {
+) -> Sweep<'a, P> {
     search.begin(FrontInput::new(&vertices.approx));
     // There is an border half-edge for each vertex, the segment of the front that starts there.
     let n = vertices.len();
@@ -100,7 +93,7 @@ pub(super) fn begin<'a, S: Scalar, P: Probe>(
 /// artificial ones.
 pub(super) const LIMIT: usize = HalfEdge::LIMIT / 2 - 4;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Reports the sweep order to the observer.
     fn report_order(&mut self, vertices: usize) {
         if self.delaunay.is_observed() {

@@ -67,9 +67,9 @@ use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
 use crate::front::{Front, FrontNode, FrontSearch, Search};
 use crate::ids::{BorderId, VertexId};
-use crate::probe::Probe;
+use crate::probe::{Observer, Probe};
 use crate::recorder::{Phase, Recorder};
-use crate::scalar::Scalar;
+use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::{Algorithm, Heuristics, Progress, Settings};
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
@@ -81,6 +81,7 @@ use flip_limit::FlipLimit;
 use pending_edges::{PendingEdges, VertexTriangles};
 pub(crate) use scratch::Scratch;
 use traversal::Traversed;
+use vertices::Vertices;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
 const CHECK: u32 = 16;
@@ -88,16 +89,73 @@ const REPORT: u32 = 4096;
 
 /// Runs the three parts of section 3.2, or divide and conquer in place of the first two. The probe
 /// comes back with the result, the memory if it is kept.
-pub(crate) fn run<S: Scalar, P: Probe>(
+///
+/// What follows the initialization knows neither the scalar nor the search structure by type, and there are two probes:
+/// so this crate compiles the sweep twice, and no crate that uses it once more.
+pub(crate) fn run<S: Scalar, P: RunProbe>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     settings: Settings<'_>,
     search: &mut dyn FrontSearch,
+    mut probe: P,
+    scratch: &mut Scratch,
+) -> Result<(Triangulation, P), Error> {
+    probe.begin(Phase::Initialization);
+    let (vertices, chains) = initialization::initialize(points, edges, scratch)?;
+    let search = Search::with(search);
+    P::triangulate(&points, vertices, chains, settings, search, probe, scratch)
+}
+
+/// A probe for which [`triangulate`] is compiled in this crate.
+pub(crate) trait RunProbe: Probe + Sized {
+    /// Calls [`triangulate`].
+    fn triangulate<'a>(
+        points: &'a dyn ExactPoints,
+        vertices: Vertices,
+        chains: EdgeChainBuilder,
+        settings: Settings<'_>,
+        search: Search<'a>,
+        probe: Self,
+        scratch: &mut Scratch,
+    ) -> Result<(Triangulation, Self), Error>;
+}
+
+macro_rules! run_probe {
+    ($($probe:ty),*) => {
+        $(
+            impl RunProbe for $probe {
+                #[inline(never)]
+                fn triangulate<'a>(
+                    points: &'a dyn ExactPoints,
+                    vertices: Vertices,
+                    chains: EdgeChainBuilder,
+                    settings: Settings<'_>,
+                    search: Search<'a>,
+                    probe: Self,
+                    scratch: &mut Scratch,
+                ) -> Result<(Triangulation, Self), Error> {
+                    triangulate(points, vertices, chains, settings, search, probe, scratch)
+                }
+            }
+        )*
+    };
+}
+
+run_probe!((), Observer<'_>);
+
+/// Triangulates the vertices of these points with the edges that `scratch` lists.
+#[inline(always)]
+fn triangulate<'a, P: Probe>(
+    points: &'a dyn ExactPoints,
+    vertices: Vertices,
+    chains: EdgeChainBuilder,
+    settings: Settings<'_>,
+    search: Search<'a>,
     probe: P,
     scratch: &mut Scratch,
 ) -> Result<(Triangulation, P), Error> {
-    let search = Search::with(search);
-    let mut sweep = initialization::initialize(points, edges, settings, search, probe, scratch)?;
+    let mut sweep =
+        initialization::begin(points, vertices, chains, settings, search, probe, scratch);
     sweep.triangulate(settings)?;
     Ok(sweep.finalize(scratch))
 }
@@ -111,8 +169,8 @@ struct NewVertex {
 
 /// The state between two events.
 #[derive(Debug)]
-struct Sweep<'a, S, P> {
-    delaunay: Delaunay<'a, S, P>,
+struct Sweep<'a, P> {
+    delaunay: Delaunay<'a, P>,
     front: Front,
     search: Search<'a>,
     heuristics: Heuristics,
@@ -131,10 +189,10 @@ struct Sweep<'a, S, P> {
     chain: Vec<ChainVertex>,
 }
 
-impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
+impl<'a, P: Probe> Sweep<'a, P> {
     /// These triangles, this front without a vertex on it, and the edges that `memory` lists.
     fn new(
-        delaunay: Delaunay<'a, S, P>,
+        delaunay: Delaunay<'a, P>,
         front: Front,
         chains: EdgeChainBuilder,
         heuristics: Heuristics,
@@ -243,7 +301,7 @@ impl<'a, S: Scalar, P: Probe> Sweep<'a, S, P> {
     }
 }
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Triangulates up to the hull, with all edges, artificial triangles around it.
     fn triangulate(&mut self, settings: Settings<'_>) -> Result<(), Error> {
         let swept = match settings.algorithm {

@@ -38,7 +38,6 @@ use crate::error::Error;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 
 /// What is left of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,7 +57,7 @@ impl PendingEdge {
 /// The pending edges still to be inserted; the one that begins last in sweep order comes first.
 pub(super) type PendingEdges = BinaryHeap<PendingEdge>;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Inserts all pending edges; the hull is complete.
     pub(super) fn insert_pending(&mut self) -> Result<(), Error> {
         let mut list = Vec::new();

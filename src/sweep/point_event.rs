@@ -31,11 +31,10 @@ use crate::front::{Direction, FrontInput, FrontNode, LONG_WALK};
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::settings::Corners;
 use crate::trace::{Event, PointCase, Why};
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Adds vertex `v`, the next one in sweep order.
     pub(super) fn point_event(&mut self, v: VertexId) {
         let p = self.new_vertex(v);

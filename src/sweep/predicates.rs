@@ -19,12 +19,12 @@ use super::artificial::{self, Artificial};
 use super::vertices::Vertices;
 use crate::ids::{VertexId, narrow};
 use crate::probe::Probe;
-use crate::scalar::{NearTies, Predicates, Scalar, filter};
+use crate::scalar::{ExactPoints, NearTies, Predicates, filter};
 
 /// The exact signs, by rank. A probe that the caller passes counts how they were decided.
 #[derive(Debug)]
-pub(super) struct SweepPredicates<'a, S> {
-    points: &'a [[S; 2]],
+pub(super) struct SweepPredicates<'a> {
+    points: &'a dyn ExactPoints,
     pub(super) vertices: Vertices,
     pub(super) artificial: Artificial,
     /// For each vertex its rank from left to right, if the search structure asked for that.
@@ -32,9 +32,9 @@ pub(super) struct SweepPredicates<'a, S> {
     near_ties: NearTies,
 }
 
-impl<'a, S: Scalar> SweepPredicates<'a, S> {
+impl<'a> SweepPredicates<'a> {
     /// The signs of these points, whose sorted and merged vertices are given.
-    pub(super) fn new(points: &'a [[S; 2]], mut vertices: Vertices) -> Self {
+    pub(super) fn new(points: &'a dyn ExactPoints, mut vertices: Vertices) -> Self {
         let artificial = Artificial::beside(vertices.len());
         vertices.approx.extend(artificial::APPROX);
         SweepPredicates {
@@ -70,10 +70,6 @@ impl<'a, S: Scalar> SweepPredicates<'a, S> {
     #[inline(always)]
     pub(super) fn is_artificial(&self, v: VertexId) -> bool {
         self.artificial.contains(v)
-    }
-
-    fn exact(&self, v: VertexId) -> &'a [S; 2] {
-        &self.points[self.vertices.input[v.index()] as usize]
     }
 
     /// Whether a search structure gets ranks for x.
@@ -121,7 +117,10 @@ impl<'a, S: Scalar> SweepPredicates<'a, S> {
             return Equal;
         }
         match self.artificial.compare_x(a, b) {
-            Equal if !self.is_artificial(a) => self.exact(a)[0].compare(&self.exact(b)[0]),
+            Equal if !self.is_artificial(a) => {
+                let inputs = [a, b].map(|v| self.vertices.input_index(v));
+                self.points.compare_x(inputs)
+            }
             order => order,
         }
     }
@@ -250,7 +249,7 @@ impl<'a, S: Scalar> SweepPredicates<'a, S> {
 
     /// The predicates of the real vertices.
     #[inline(always)]
-    fn real(&self) -> Predicates<'_, S> {
+    fn real(&self) -> Predicates<'_, dyn ExactPoints + 'a> {
         Predicates {
             points: self.points,
             index: &self.vertices.input,

@@ -36,7 +36,6 @@ use crate::front::Direction;
 use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::trace::Event;
 
 /// One part of an edge: down to the first vertex on it.
@@ -99,7 +98,7 @@ enum Place {
     End(VertexId),
 }
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Follows the edge from vertex `from` towards `to`, which is lower, to the next vertex on it.
     /// `around` is a side opposite `from`, of any triangle there.
     pub(super) fn traverse(

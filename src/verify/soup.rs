@@ -104,9 +104,9 @@ impl<S: Scalar> SoupPredicates<'_, S> {
     }
 
     #[inline(always)]
-    fn predicates(&self) -> Predicates<'_, S> {
+    fn predicates(&self) -> Predicates<'_, &[[S; 2]]> {
         Predicates {
-            points: self.points,
+            points: &self.points,
             index: &self.vertex,
             approx: &self.approx,
             scale: &self.scale,

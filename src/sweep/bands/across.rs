@@ -13,14 +13,13 @@
 use super::super::Sweep;
 use super::partition::Edge;
 use crate::error::Error;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// Triangles that are looked through, more than two for each vertex: some of the first vertices' triangles are made
 /// late.
 const MORE: usize = 1 << 16;
 
-impl<S: Scalar> Sweep<'_, S, ()> {
+impl Sweep<'_, ()> {
     /// Inserts these edges, numbered in the whole: of each the part down to the first vertex on it. `starts` are the
     /// numbers of the first vertex and the first triangle of each band but the lowest, which has no upper ends.
     pub(super) fn insert_across(

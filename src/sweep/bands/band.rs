@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::front::{FrontSearch, Search};
 use crate::ids::VertexId;
 use crate::mesh::Mesh;
-use crate::scalar::Scalar;
+use crate::scalar::ExactPoints;
 use crate::settings::Settings;
 
 /// A search structure of a band.
@@ -42,16 +42,15 @@ pub(super) struct Swept {
 }
 
 /// The input: what all bands share.
-#[derive(Debug)]
-pub(super) struct Shared<'a, S> {
-    pub(super) points: &'a [[S; 2]],
+pub(super) struct Shared<'a> {
+    pub(super) points: &'a (dyn ExactPoints + Sync),
     /// The ends of each edge as input indices, upper end first.
     pub(super) inputs: Arc<Vec<[u32; 2]>>,
     /// The number of all vertices, which stands for that of the ghosts.
     pub(super) outside: VertexId,
 }
 
-impl<S: Scalar> Shared<'_, S> {
+impl Shared<'_> {
     /// Triangulates a band of at least two vertices with the edges within it.
     pub(super) fn sweep(
         &self,

@@ -18,20 +18,20 @@ use super::band::Swept;
 use super::partition::Edge;
 use crate::front::{Front, Search};
 use crate::ids::narrow;
-use crate::scalar::Scalar;
+use crate::scalar::ExactPoints;
 use crate::settings::Settings;
 use alloc::vec;
 use alloc::vec::Vec;
 
 /// Joins the bands, of which there are at least two, into the state of a sweep whose hull is complete. `None` if
 /// that takes too many flips, or where only one thread can say what is wrong.
-pub(super) fn join<'a, S: Scalar>(
-    points: &'a [[S; 2]],
+pub(super) fn join<'a>(
+    points: &'a dyn ExactPoints,
     bands: Vec<Swept>,
     crossing: Vec<Edge>,
     settings: Settings<'_>,
     search: Search<'a>,
-) -> Option<Sweep<'a, S, ()>> {
+) -> Option<Sweep<'a, ()>> {
     let mut bands = bands.into_iter();
     let lowest = bands.next().expect("there are two bands");
     let (mut mesh, mut vertices, mut chains) = (lowest.mesh, lowest.vertices, lowest.chains);

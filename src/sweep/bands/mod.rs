@@ -28,7 +28,7 @@ use super::scratch::Scratch;
 use super::vertices::ApproxPoints;
 use crate::front::Search;
 use crate::ids::VertexId;
-use crate::scalar::Scalar;
+use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::Settings;
 use crate::triangulation::Triangulation;
 use band::{Band, Shared, Structure, Swept};
@@ -75,12 +75,24 @@ fn triangulate<'f, S: Scalar + Sync>(
     let located = ApproxPoints::new_parallel(points).ok()?;
     let partition = Partition::new(&located, bands.min(MOST));
     drop(located);
+    sweep_bands(&points, points.len(), partition, edges, settings, structure)
+}
+
+/// Sweeps the bands with their edges, and joins them.
+fn sweep_bands<'f>(
+    points: &(dyn ExactPoints + Sync),
+    count: usize,
+    partition: Partition,
+    edges: &[[usize; 2]],
+    settings: impl Fn() -> Settings<'static> + Sync,
+    structure: &mut (dyn FnMut() -> Structure<'f> + Send),
+) -> Option<Triangulation> {
     let (first, last) = (&partition.first, partition.bands.len());
     if last < 2 {
         return None;
     }
-    let edges = partition.split_edges(points.len(), edges)?;
-    if edges.crossing.len() > MANY_ACROSS + points.len() / 8 {
+    let edges = partition.split_edges(count, edges)?;
+    if edges.crossing.len() > MANY_ACROSS + count / 8 {
         return None;
     }
     let shared = Shared {

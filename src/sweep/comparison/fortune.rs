@@ -40,7 +40,6 @@ use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::trace::Why;
 
 /// An arc that will vanish: the height of the sweep line, the arc, and how often its neighbours had changed.
@@ -53,7 +52,7 @@ fn key(height: f64) -> u64 {
     if negative { !bits } else { bits | 1 << 63 }
 }
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Sweeps with a beach line, and then inserts the edges; afterwards the hull is complete. Returns how many
     /// vertices lie within it: all, or none if they all lie on one line or no triangulation has come of it.
     pub(in crate::sweep) fn sweep_beach_line(&mut self) -> Result<usize, Error> {
@@ -73,7 +72,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 }
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// The beach line after all points, and all circles, have been swept; the triangles are in the mesh.
     fn beach_line(&mut self) -> BeachLine {
         let n = self.predicates.vertices.len();

@@ -39,10 +39,9 @@ use crate::error::Error;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::trace::Why;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Triangulates by insertion, and then inserts the edges; afterwards the hull is complete. Returns how many
     /// vertices lie within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn insert_at_random(&mut self) -> Result<usize, Error> {
@@ -72,7 +71,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 }
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// The first two vertices and the first one off their line, with ghosts around them.
     fn triangle_of_first(&mut self, off_line: VertexId) {
         let [a, b] = [0, 1].map(VertexId::at);

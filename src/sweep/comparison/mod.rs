@@ -27,9 +27,8 @@ use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::recorder::Phase;
-use crate::scalar::Scalar;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Begins to triangulate, if not all vertices lie on one line: returns the first one off it.
     fn begin_off_line(&mut self) -> Option<VertexId> {
         let off_line = self.delaunay.first_off_line()?;
@@ -54,7 +53,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 }
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// The first vertex in sweep order that does not lie on the line of the first two, if there is one.
     fn first_off_line(&mut self) -> Option<VertexId> {
         let [a, b] = [0, 1].map(VertexId::new);

@@ -34,7 +34,6 @@ use crate::front::Direction;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::trace::Why;
 
 /// A side of the lower hull.
@@ -62,7 +61,7 @@ impl LowerHull {
     }
 }
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Sweeps the points, and then inserts the edges; afterwards the hull is complete. Returns how many vertices
     /// lie within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn sweep_without_artificial(&mut self) -> Result<usize, Error> {

@@ -32,7 +32,6 @@ use super::fill::ChainVertex;
 use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::sweep::traversal::Traversed;
 use crate::trace::{Event, PseudoPolygon, Why};
 
@@ -67,7 +66,7 @@ impl Seams {
     }
 }
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// Makes the part from `from` to `to` a constrained side; the traversal has just found its `obstacles`.
     /// Returns the side opposite `from` of the triangle to the right of the part.
     pub(in crate::sweep) fn replace_pierced(

@@ -47,7 +47,6 @@ use super::Delaunay;
 use crate::ids::{BorderId, VertexId, narrow};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::trace::Why;
 
 /// A vertex of a chain and the border half-edge from it to the next one (meaningless for the last one).
@@ -67,7 +66,7 @@ const CLOSED_ONE_BY_ONE: usize = 6;
 /// More suspects than these do not wait for the end of the chain.
 const MANY: usize = 4096;
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// Fills the region to the left of `chain` and leaves its hull in `chain`. Sides between a new triangle and
     /// an old one go on the flip stack.
     pub(in crate::sweep) fn fill(&mut self, chain: &mut Vec<ChainVertex>, why: Why) {

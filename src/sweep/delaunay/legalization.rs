@@ -33,11 +33,10 @@ use super::Delaunay;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use crate::sweep::flip_limit::inexact_scalar;
 use crate::trace::{Event, Outcome};
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// Legalizes the outer sides of the fan around a vertex, from triangle `t` to the one whose right end is `last`,
     /// which is returned. The vertex is corner 0 of all of them, and stays it; `near` are its doubles.
     #[inline(always)]

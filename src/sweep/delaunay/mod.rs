@@ -24,9 +24,9 @@ pub(super) use fill::{ChainVertex, ConvexRun};
 
 /// Triangles, exact signs, and the sides that legalization still has to test.
 #[derive(Debug)]
-pub(super) struct Delaunay<'a, S, P> {
+pub(super) struct Delaunay<'a, P> {
     pub(super) mesh: Mesh,
-    pub(super) predicates: SweepPredicates<'a, S>,
+    pub(super) predicates: SweepPredicates<'a>,
     /// Sides that may be illegal.
     pub(super) flip_stack: Vec<HalfEdge>,
     pub(super) flip_limit: FlipLimit,
@@ -37,10 +37,10 @@ pub(super) struct Delaunay<'a, S, P> {
     pub(super) probe: P,
 }
 
-impl<'a, S: crate::scalar::Scalar, P: Probe> Delaunay<'a, S, P> {
+impl<'a, P: Probe> Delaunay<'a, P> {
     /// The triangles of `memory`, with the signs of their vertices. `has_budget` if the work may be abandoned.
     pub(super) fn new(
-        predicates: SweepPredicates<'a, S>,
+        predicates: SweepPredicates<'a>,
         has_budget: bool,
         probe: P,
         scratch: &mut Scratch,

@@ -17,10 +17,9 @@ use super::SubTriangulation;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Encloses the first `vertices` vertices, two or more and all that have been swept, in ghosts with the
     /// vertex `outside`.
     pub(in crate::sweep) fn enclose(

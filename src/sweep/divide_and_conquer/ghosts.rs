@@ -21,9 +21,8 @@ use super::SubTriangulation;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// A ghost for the hull side from `a` to `b`.
     pub(in crate::sweep) fn add_ghost(&mut self, a: VertexId, b: VertexId) -> HalfEdge {
         let ghost = self.predicates.artificial.left;

@@ -14,9 +14,8 @@ use super::super::flip_limit::inexact_scalar;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Replaces the ghosts; the hull side of `start` starts at the lowest vertex.
     pub(in crate::sweep) fn hand_over(&mut self, start: HalfEdge) {
         let ghosts = self.ring_of(start);

@@ -40,7 +40,6 @@ use super::{MergeMode, SubTriangulation};
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
-use crate::scalar::Scalar;
 
 /// The gap between two parts, and what it has come to.
 struct Gap {
@@ -58,7 +57,7 @@ struct Gap {
     steps: usize,
 }
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// Merges two parts; those in `upper` come after those in `lower` in sweep order.
     pub(in crate::sweep) fn merge(
         &mut self,

@@ -32,7 +32,6 @@ use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::recorder::Phase;
-use crate::scalar::Scalar;
 use alloc::vec::Vec;
 
 /// A triangulated part: vertices that follow each other in sweep order, with ghosts around them.
@@ -64,7 +63,7 @@ pub(super) enum MergeMode {
     Stitch,
 }
 
-impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
+impl<P: Probe> Sweep<'_, P> {
     /// Triangulates without sweeping; afterwards the hull is complete, and of each edge the part down to the
     /// first vertex on it is inserted. The first `swept` vertices are kept as they are, with a hull that is
     /// complete; if there are any, two others or more follow, and there are no edges.
@@ -114,7 +113,7 @@ impl<S: Scalar, P: Probe> Sweep<'_, S, P> {
     }
 }
 
-impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
+impl<P: Probe> Delaunay<'_, P> {
     /// Triangulates all vertices from number `first` on, of which there are at least two.
     fn triangulate(&mut self, first: usize) -> SubTriangulation {
         let n = self.predicates.vertices.len();
@@ -145,7 +144,7 @@ impl<S: Scalar, P: Probe> Delaunay<'_, S, P> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::initialization::initialize;
+    use super::super::initialization::{begin, initialize};
     use super::super::scratch::Scratch;
     use crate::front::{HashTable, Search};
     use crate::ids::VertexId;
@@ -164,8 +163,9 @@ mod tests {
         let mut scratch = Scratch::default();
         let mut front = HashTable::default();
         let front = Search::with(&mut front);
-        let sweep = initialize(points, &[], SETTINGS, front, (), &mut scratch);
-        let mut sweep = sweep.expect("valid points");
+        let sorted = initialize(points, &[], &mut scratch);
+        let (vertices, chains) = sorted.expect("valid points");
+        let mut sweep = begin(&points, vertices, chains, SETTINGS, front, (), &mut scratch);
         for v in (1..swept).map(VertexId::at) {
             sweep.point_event(v);
         }

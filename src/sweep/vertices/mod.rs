@@ -104,7 +104,7 @@ pub(super) fn doubles<S: Scalar>(point: &[S; 2]) -> [f64; 2] {
 
 /// The distinct points in sweep order.
 #[derive(Debug, Default)]
-pub(super) struct Vertices {
+pub(crate) struct Vertices {
     /// By rank: doubles for the coordinates, on one [`Scale`]; infinite for what is far outside.
     pub(super) approx: Vec<[f64; 2]>,
     /// By rank: the input index that stands for the vertex.
