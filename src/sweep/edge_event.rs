@@ -1,12 +1,11 @@
 //! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted.
 //!
-//! A vertex on an edge ends one *part* of it and starts the next. The edge event inserts the first part;
-//! the rest of the edge waits until the hull is complete ([`super::pending_edges`]). Where the part runs above
-//! the front, the *pocket* between them is filled (figures 13 and 14). Then the part lies inside the
-//! triangulation. If it is a side already, that is marked as fixed. Otherwise the pierced triangles are
-//! replaced by two pseudo-polygons (figure 12). Overlapping edges share their parts. Where the edges at the
-//! upper end are few and sides already, as most of maps and drawings are, they are found by the numbers of their
-//! ends.
+//! A vertex on an edge ends one *part* of it and starts the next. The edge event inserts the first part; the rest waits
+//! until the hull is complete ([`super::pending_edges`]). Where the part runs above the front, the *pocket* between
+//! them is filled (figures 13 and 14). Then the part lies inside the triangulation. If it is a side already, that side
+//! becomes constrained. Otherwise two pseudo-polygons replace the pierced triangles (figure 12). Overlapping edges
+//! share their parts. Fast path: if at most [`FEW`] edges end here and all are sides already (usual in maps and
+//! drawings), they are found by vertex ids, without predicates.
 //!
 //! ```text
 //!    upper                               A pocket (figure 13): the front runs below the edge, here at
@@ -18,16 +17,16 @@
 //!                    `-c-'
 //! ```
 //!
-//! Why it is right: a pocket lies above the front, so it is empty. It ends at nodes on or above the edge, so
-//! when it is filled, the edge lies inside the triangulation. A new edge blocks views and opens none, so all
-//! sides that it does not pierce remain locally Delaunay.
+//! Why it is right: a pocket lies above the front, so it is empty. It ends at nodes on or above the edge, so once it is
+//! filled, the edge lies inside the triangulation. A new edge blocks views and opens none: sides not pierced stay
+//! locally Delaunay.
 //!
-//! Cost: at most [`FEW`] turns around the upper end by numbers, and one by tests for all edges there. One test for
-//! each node passed and each triangle pierced, or two where a pocket is filled.
+//! Cost: at most [`FEW`] turns around the upper end by vertex ids, and one turn by tests for all edges there. One test
+//! for each node passed and each triangle pierced, or two where a pocket is filled.
 //!
-//! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in
-//! one lower pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are
-//! inserted in an order that lets one turn around the vertex find them all. (The paper takes any order.)
+//! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in one lower
+//! pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are inserted in an order
+//! that lets one turn around the vertex find them all. (The paper takes any order.)
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::Equal;
@@ -42,7 +41,7 @@ use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::trace::{EdgePosition, Event, Why};
 
-/// So few edges are looked for one by one: that takes no longer than making the triangles around their upper end.
+/// The most edges that the fast path looks for, one by one: no slower than making the triangles around the upper end.
 const FEW: usize = 4;
 
 impl<P: Probe> Sweep<'_, P> {
@@ -64,8 +63,8 @@ impl<P: Probe> Sweep<'_, P> {
         Ok(())
     }
 
-    /// Whether the edges whose upper end is `upper` are sides already, and these are listed. `leftmost` is the side
-    /// opposite `upper` of the leftmost triangle there.
+    /// Whether the edges with upper end `upper` are sides already; then `traversed.present` lists these. `leftmost` is
+    /// the side opposite `upper` of the leftmost triangle there.
     #[inline(always)]
     fn find_sides(&mut self, upper: VertexId, leftmost: HalfEdge) -> bool {
         self.traversed.present.clear();
@@ -82,7 +81,7 @@ impl<P: Probe> Sweep<'_, P> {
         true
     }
 
-    /// The side between `v` and the vertex opposite `leftmost`, which is on the front, if there is one.
+    /// The side between `v` and the vertex opposite `leftmost`, a node of the front, if there is one.
     #[inline(always)]
     fn spoke(&self, leftmost: HalfEdge, v: VertexId) -> Option<HalfEdge> {
         let mesh = &self.delaunay.mesh;
@@ -102,7 +101,7 @@ impl<P: Probe> Sweep<'_, P> {
         Some(at.next())
     }
 
-    /// Makes a side that is a whole edge a constrained one.
+    /// Makes a side that is a whole edge constrained.
     #[inline(always)]
     fn constrain_edge(&mut self, upper: VertexId, lower: VertexId, edge: u32, side: HalfEdge) {
         self.delaunay.report(|name| Event::Edge {
@@ -118,7 +117,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.constrain_side([upper, lower], side);
     }
 
-    /// Makes a side between these vertices a constrained one.
+    /// Makes the side between `ends` constrained.
     #[inline(always)]
     fn constrain_side(&mut self, ends: [VertexId; 2], side: HalfEdge) {
         self.delaunay.mesh.constrain(side);
@@ -128,25 +127,23 @@ impl<P: Probe> Sweep<'_, P> {
         });
     }
 
-    /// Inserts the edges of `list` (lower ends and input indices), which run down from `upper`, each to the first vertex
-    /// on it. `around` is a half-edge opposite `upper`. The list is sorted on the way.
+    /// Inserts the edges of `list` (lower ends and input indices), which run down from `upper`, each to the first
+    /// vertex on it. `around` is a half-edge opposite `upper`. Sorts the list.
     pub(super) fn insert_edges(
         &mut self,
         upper: VertexId,
         list: &mut Vec<(VertexId, u32)>,
         mut around: HalfEdge,
     ) -> Result<(), Error> {
-        // An edge of no length needs nothing.
         list.retain(|&(lower, _)| lower != upper);
         if list.len() > 1 {
             list.sort_by(|&(a, _), &(b, _)| {
                 let turn = self.delaunay.orient2d([upper, a, b]);
-                // On one line: the nearer end first, which is the higher one.
+                // On one line: the higher end first.
                 turn.reverse().then_with(|| b.cmp(&a))
             });
-            // Counter-clockwise, but the last one, the rightmost, goes first (with those equal to it). Once
-            // it and the leftmost are in, no pocket is left beside the upper end, and one turn around it
-            // finds all others.
+            // Counter-clockwise, but the rightmost edge (with its equals) goes first. Once it and the leftmost are in,
+            // no pocket is left beside the upper end, and one turn around it finds all others.
             let &(last, _) = list.last().expect("there are two");
             let is_equal = |&&(lower, _): &&(VertexId, u32)| lower == last;
             let equal = list.iter().rev().take_while(is_equal).count();
@@ -178,8 +175,7 @@ impl<P: Probe> Sweep<'_, P> {
         Ok(())
     }
 
-    /// Inserts the part of an edge from its upper end to the first vertex on it, which is returned.
-    /// `around` is a side opposite the upper end; afterwards it is one beside the edge.
+    /// Inserts an edge down to the first vertex on it; returns it. `around`, opposite `upper`, moves beside the edge.
     fn insert_edge(
         &mut self,
         upper: VertexId,
@@ -190,7 +186,7 @@ impl<P: Probe> Sweep<'_, P> {
         let mut part = self.traverse(upper, lower, *around)?;
         self.report_part(upper, part);
         if self.fill_pockets() {
-            // Filling may have flipped the triangle that `around` was a side of.
+            // Filling may have flipped the triangle of `around`.
             if self.delaunay.mesh.opposite(*around) != upper {
                 *around = self.leftmost(upper);
             }
@@ -200,7 +196,6 @@ impl<P: Probe> Sweep<'_, P> {
         Ok(part.end)
     }
 
-    /// Fills the pockets under the part; returns whether there were any.
     fn fill_pockets(&mut self) -> bool {
         let has_pockets = !self.traversed.pockets.is_empty();
         while let Some([from, to]) = self.traversed.pockets.pop() {
@@ -209,7 +204,6 @@ impl<P: Probe> Sweep<'_, P> {
         has_pockets
     }
 
-    /// Reports the position of the part that has just been traversed.
     fn report_part(&mut self, from: VertexId, part: Part) {
         let position = match part.present {
             Some(_) => EdgePosition::Present,
@@ -224,8 +218,7 @@ impl<P: Probe> Sweep<'_, P> {
         });
     }
 
-    /// Makes a part of an edge a constrained side. [`Sweep::traverse`] has just found what is in its way.
-    /// Returns a side opposite its upper end.
+    /// Makes a part that [`Sweep::traverse`] has just found a constrained side. Returns a side opposite its upper end.
     fn insert_part(&mut self, from: VertexId, part: Part) -> HalfEdge {
         if let Some(side) = part.present {
             self.constrain_side([from, part.end], side);
@@ -241,8 +234,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// Names the two input edges that cross: the one being inserted, and the first one of those that
-    /// contain the constrained side.
+    /// Names the two input edges that cross: `edge`, and the first of those that contain the crossed side.
     fn crossing(&mut self, edge: u32, [r, s]: CrossedSide) -> Error {
         let mut crossed = u32::MAX;
         let (low, high) = (r.min(s), r.max(s));

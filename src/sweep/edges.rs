@@ -1,30 +1,24 @@
-//! The input edges at their upper ends (section 3.3, figure 5), and what is left of those that are inserted in
-//! part ([`super::pending_edges`]).
+//! The input edges at their upper ends (section 3.3, figure 5): an edge is listed at its end of higher rank, where the
+//! sweep line has passed all of it. Cost: O(n) for n points and edges, by a counting sort.
 //!
-//! An edge is listed at its end of higher rank, where the sweep line has passed all of it.
-//!
-//! Cost: O(n) for n points and edges, by a counting sort.
-//!
-//! Differs from the paper: the upper end of a horizontal edge is the one with larger x, since it is
-//! swept last. (The paper says the one with smaller x, against its own sort.)
+//! Differs from the paper: the upper end of a horizontal edge is the one with larger x, since it is swept last. (The
+//! paper says the one with smaller x, against its own sort.)
 
 use super::vertices::Vertices;
 use crate::error::Error;
 use crate::ids::{VertexId, narrow};
 use alloc::vec::Vec;
 
-/// The input edges at their upper ends.
 #[derive(Debug, Default)]
 pub(super) struct Edges {
     /// The edges whose upper end is `v` are `list[first[v]..first[v + 1]]`. Empty if there are no edges.
     first: Vec<u32>,
-    /// The lower end and the input index.
+    /// The lower end and the input index of each edge.
     list: Vec<(VertexId, u32)>,
 }
 
 impl Edges {
-    /// Lists the edges of an input of `points` points at their upper ends. Sets `ends` to the ends of each edge,
-    /// upper one first, as input indices of the vertices.
+    /// Lists the edges of an input of `points` points. Sets `ends` to the input indices of their ends, upper first.
     pub(super) fn set(
         &mut self,
         vertices: &Vertices,
@@ -37,7 +31,7 @@ impl Edges {
             self.clear();
             return Ok(());
         }
-        // The memory of the ranks will be that of the list.
+        // The buffer of the ranks will be that of `first`.
         let ranks = &mut self.first;
         ranks.clear();
         ranks.reserve_exact(points + 1);
@@ -57,7 +51,7 @@ impl Edges {
             numbered.map(|(edge, ends)| (narrow(edge), upper_first(ends))),
         );
         if vertices.duplicates.is_empty() {
-            // Each vertex is that of the point which was given.
+            // Each vertex stands for the input point itself.
             for (ends, given) in ends.iter_mut().zip(edges) {
                 let upper = usize::from(ends[1] > ends[0]);
                 *ends = [given[upper], given[1 - upper]].map(narrow);
@@ -70,8 +64,7 @@ impl Edges {
         Ok(())
     }
 
-    /// Lists edges, each with its input index and its ends, upper one first, at the upper ones of so many
-    /// vertices.
+    /// Lists edges at their upper ends. Each comes with its input index and its ends, upper one first.
     pub(super) fn list(
         &mut self,
         vertices: usize,
@@ -87,8 +80,7 @@ impl Edges {
         for (_, [upper, _]) in edges.clone() {
             first[upper.index()] += 1;
         }
-        // Counts become the ends of the ranges. Each edge is put in before the end of its range, which
-        // moves down, so that at last it is the start.
+        // Counts become ends of the ranges. Each edge goes before the end of its range, which moves down to the start.
         let mut sum = 0;
         for count in &mut *first {
             sum += *count;
@@ -117,7 +109,6 @@ impl Edges {
         }
     }
 
-    /// Whether there are no edges.
     pub(super) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
@@ -132,7 +123,6 @@ impl Edges {
         })
     }
 
-    /// Bytes held.
     pub(super) fn heap_bytes(&self) -> usize {
         self.first.capacity() * size_of::<u32>()
             + self.list.capacity() * size_of::<(VertexId, u32)>()

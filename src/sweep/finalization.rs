@@ -1,12 +1,10 @@
 //! Finalization (section 3.5, figure 15): the hull is completed and the artificial triangles are removed.
 //!
-//! The upper hull: one Graham scan fills the front from its first to its last real node
-//! ([`super::delaunay::fill`]). These two are the leftmost and the rightmost vertex, the upper ones of several.
-//!
-//! The lower hull needs no filling: its sides are those between real and artificial triangles. Following
-//! the artificial triangles around P-1 and then around P-2 lists its vertices. Then these
-//! triangles are removed. The others keep the ranks of their vertices. The result has the input index of each, and
-//! looks it up when a triangle is read.
+//! The upper hull: one Graham scan ([`Delaunay::fill`](super::delaunay::Delaunay::fill)) fills the front from its first
+//! to its last real node, the leftmost and the rightmost vertex (the upper ones of several). The lower hull needs no
+//! filling: its sides are those between real and artificial triangles (for why see [`super::artificial`]). Following
+//! the artificial triangles around P-1 and then around P-2 lists its vertices. Then these triangles are removed. The
+//! others keep the ranks of their vertices; input indices are looked up when a triangle of the result is read.
 //!
 //! ```text
 //!            .-'-.     .-'-.           The front from `first` to `last` is filled to the upper hull.
@@ -17,13 +15,10 @@
 //!    P-1 <-----------------------> P-2
 //! ```
 //!
-//! Why it is right: for the upper hull see [`super::delaunay::fill`], for the lower one [`super::artificial`].
+//! Cost: O(h) orientation tests for h nodes of the front. Removing the artificial triangles of a hull of h vertices
+//! takes O(h log h) if it is small, otherwise O(h) and one bit for each triangle. No other triangle is looked at.
 //!
-//! Cost: O(h) orientation tests for h nodes of the front. O(h log h) to remove the artificial triangles of a small hull
-//! of h vertices, O(h) and a bit for each triangle of a large one. No other triangle is looked at.
-//!
-//! Differs from the paper: the lower hull (figures 15b and c) needs no pass, since sides with an
-//! artificial end are legalized all along (see [`super::artificial`]).
+//! Differs from the paper: the lower hull (figures 15b and c) needs no pass: sides to P-1 and P-2 are always legal.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -39,7 +34,7 @@ use crate::recorder::Phase;
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 
-/// So few artificial triangles are sorted by comparison.
+/// The most artificial triangles that are sorted by comparison.
 const FEW: usize = 100;
 
 impl<P: Probe> Sweep<'_, P> {
@@ -102,8 +97,7 @@ impl<P: Probe> Sweep<'_, P> {
         (result, self.delaunay.probe)
     }
 
-    /// Lists all vertices on the hull, counter-clockwise from the leftmost, as input indices, and the artificial
-    /// triangles; puts the hull across the sides of the upper one.
+    /// Lists the hull counter-clockwise from the leftmost vertex, and the artificial triangles; closes the upper hull.
     fn list_hull(&mut self, hull: &mut Vec<u32>, triangles: &mut Vec<TriangleId>) {
         let artificial = self.delaunay.predicates.artificial;
         let (left, right) = (artificial.left, artificial.right);
@@ -143,7 +137,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// Removes these triangles, which are artificial and ascend; the last triangle takes the place of each.
+    /// Removes artificial triangles, which are in ascending order; the last triangle takes the place of each.
     fn remove_artificial(&mut self, triangles: &mut Vec<Triangle>, mut artificial: &[TriangleId]) {
         while let Some((&t, others)) = artificial.split_first() {
             artificial = others;
@@ -152,7 +146,7 @@ impl<P: Probe> Sweep<'_, P> {
                 self.delaunay.report(|name| Event::Removed {
                     vertices: record.vertices().map(name),
                 });
-                // Its neighbours have the hull in its place.
+                // The neighbours get the hull in place of the triangle.
                 for i in 0..3 {
                     relink(triangles, record.twin(i), HalfEdge::HULL);
                 }
@@ -162,7 +156,7 @@ impl<P: Probe> Sweep<'_, P> {
                         relink(triangles, moved.twin(i), HalfEdge::new(t, i));
                     }
                 }
-                // What has come here may be artificial, too.
+                // The triangle moved here may be artificial, too.
                 let from = TriangleId::at(triangles.len());
                 match artificial.split_last() {
                     Some((&last, others)) if last == from => artificial = others,
@@ -173,7 +167,7 @@ impl<P: Probe> Sweep<'_, P> {
     }
 }
 
-/// Sorts distinct triangles with numbers below `count`: a few by comparison, many with a bit for each number.
+/// Sorts distinct triangle numbers below `count`: a few by comparison, many with one bit for each number.
 fn put_in_order(list: &mut Vec<TriangleId>, count: usize) {
     const BITS: usize = u64::BITS as usize;
     if list.len() <= FEW {
@@ -192,7 +186,7 @@ fn put_in_order(list: &mut Vec<TriangleId>, count: usize) {
     }
 }
 
-/// Sets what lies across `side`, if that is the side of a triangle.
+/// Sets the twin of `side`, if that is the side of a triangle.
 fn relink(triangles: &mut [Triangle], side: HalfEdge, twin: HalfEdge) {
     if !side.is_border() {
         triangles[side.triangle().index()].set_twin(side.corner(), twin.constrained_as(side));

@@ -1,5 +1,4 @@
-//! Heuristic (i) of the point event (section 3.4.1, figure 9): narrow corners of the front beside the
-//! new vertex are closed by further triangles.
+//! Heuristic (i) of the point event (section 3.4.1, figure 9): narrow corners beside the new vertex are closed.
 //!
 //! ```text
 //!      p                         p             To the right of p: the angle at `corner` between p
@@ -9,15 +8,13 @@
 //!         corner                   corner      is mirrored.
 //! ```
 //!
-//! Why it is right: angles, in plain floating point, only choose which corners to try. A triangle is made
-//! only where an exact sign says that the corner turns inward, and it lies above the front, where nothing
-//! is. First the outer sides of the new triangle's fan are legalized, then the spoke from `p` to `corner`.
+//! Why it is right: angles, in plain floating point, only choose which corners to try. A triangle is made only where an
+//! exact sign says that the corner turns inward, and it lies above the front, where nothing is. First the outer sides
+//! of the new triangle's fan are legalized, then the spoke from `p` to `corner`. Cost: a test of the angle and one of
+//! the turn for each corner closed, and one more of each on either side of `p`.
 //!
-//! Cost: a test of the angle and one of the turn for each corner closed, and one more of each on either
-//! side of `p`.
-//!
-//! Differs from the paper: angles are compared by dot products; [`Corners::Wide`] goes a little beyond
-//! pi/2, and two settings go further, to compare with.
+//! Differs from the paper: angles are compared by dot products; [`Corners::Wide`] goes a little beyond pi/2, and two
+//! settings go further, to compare with.
 //!
 //! Heuristic (ii) of the point event (section 3.4.1, figure 10): basins are filled.
 //!
@@ -31,13 +28,9 @@
 //!          bottom ---'
 //! ```
 //!
-//! Why it is right: angles and heights, in plain floating point, only choose a stretch of the front. Exact
-//! signs fill it to its upper hull ([`super::delaunay::fill`]).
-//!
-//! Cost: the search passes at most [`BASIN_REACH`] nodes on its way down and as many on its way up: O(1).
-//!
-//! Differs from the paper: it does not say how far a basin is filled. Here it is the upper hull of the
-//! stretch up to the height of the rim.
+//! Why it is right: angles and heights, in plain floating point, only choose two nodes of the front. Exact signs fill
+//! the front between them up to its upper hull ([`Delaunay::fill`](super::delaunay::Delaunay::fill)). Cost: the search
+//! passes at most [`BASIN_REACH`] nodes on its way down and as many on its way up: O(1).
 use core::cmp::Ordering::{self, Greater, Less};
 
 use super::{NewVertex, Sweep};
@@ -54,15 +47,15 @@ const WIDE: f64 = 0.117;
 /// Which obtuse corners may be closed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Obtuse {
-    /// Whether the next one may be, and those after it.
+    /// Whether the next obtuse corner may be closed, and whether all later ones may.
     may_be: bool,
     may_all_be: bool,
-    /// The square of the cosine of the least angle that may not be.
+    /// The square of the cosine of the least angle that is too wide.
     squared_cosine: f64,
 }
 
 impl Obtuse {
-    /// Those of a setting.
+    /// The obtuse corners that a setting allows.
     #[inline(always)]
     pub(super) fn of(corners: Corners) -> Obtuse {
         let one = |may_be, squared_cosine| Obtuse {
@@ -84,14 +77,13 @@ impl Obtuse {
     }
 }
 
-/// An angle at a corner, in plain floating point: its two arms and their dot product.
+/// The angle at a corner, in plain floating point: its two arms and their dot product.
 struct Angle {
     arms: [[f64; 2]; 2],
     dot: f64,
 }
 
 impl Angle {
-    /// That at a corner between two ends.
     #[inline(always)]
     fn at([cx, cy]: [f64; 2], ends: [[f64; 2]; 2]) -> Angle {
         let arms = ends.map(|[x, y]| [x - cx, y - cy]);
@@ -102,13 +94,12 @@ impl Angle {
         }
     }
 
-    /// Whether it is below pi/2.
     #[inline(always)]
     fn is_acute(&self) -> bool {
         self.dot > 0.0
     }
 
-    /// Whether it is below the angle whose cosine has this square. Only for angles that are not acute.
+    /// Whether an angle that is not acute is below the one whose squared cosine is given.
     #[inline(always)]
     fn is_below(&self, squared_cosine: f64) -> bool {
         let [[ax, ay], [bx, by]] = self.arms;
@@ -124,7 +115,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.close_narrow(p, Direction::Left, obtuse);
     }
 
-    /// The same for angles that are compared with the others. It is compiled apart, so that these are constants.
+    /// Closes corners by a setting of comparisons. A function of its own, so that the usual settings are constants.
     #[cfg(feature = "comparison")]
     #[cold]
     #[inline(never)]
@@ -136,8 +127,8 @@ impl<P: Probe> Sweep<'_, P> {
     fn close_narrow(&mut self, p: NewVertex, direction: Direction, mut obtuse: Obtuse) {
         let mut corner = self.front.neighbor(p.id, direction);
         let mut approx_corner = self.delaunay.predicates.approx(corner);
-        // One obtuse corner on either side. Otherwise each new vertex beside a long straight stretch
-        // would close many corners that the next one opens again.
+        // One obtuse corner on either side. Otherwise each new vertex beside a long straight piece of the front would
+        // close many corners that the next vertex opens again.
         loop {
             let far = self.front.neighbor(corner, direction);
             // An artificial end has no corner; the number beyond an end counts as artificial too.
@@ -162,7 +153,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// Covers the node `corner` beside `p`: a triangle of `p`, that node and the one after it, `far`.
+    /// Covers the node `corner` beside `p` by a triangle of `p`, `corner`, and the node after it, `far`.
     #[inline(always)]
     pub(super) fn close_corner(
         &mut self,
@@ -171,8 +162,8 @@ impl<P: Probe> Sweep<'_, P> {
         [corner, far]: [VertexId; 2],
         why: Why,
     ) {
-        // Segments bear the number of their left end. The outer one runs from `corner` to `far`, the
-        // spoke from `p` to `corner`; the new segment runs from `p` to `far`.
+        // Segments bear the number of their left end. The outer one runs from `corner` to `far`, the spoke from `p` to
+        // `corner`; the new segment runs from `p` to `far`.
         let below = |v| self.delaunay.mesh.border_twin(BorderId::segment(v));
         let border = |v| HalfEdge::border(BorderId::segment(v));
         let (vertices, twin) = match direction {
@@ -205,11 +196,10 @@ fn inward(direction: Direction) -> Ordering {
     }
 }
 
-/// How many nodes the search for the bottom of a basin may pass, and again that for its other end.
+/// How many nodes the search for a basin may pass on its way down, and again on its way up.
 const BASIN_REACH: usize = 32;
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Fills the basins that begin right and left of `p`.
     #[inline(always)]
     pub(super) fn fill_basins(&mut self, p: VertexId) {
         for direction in [Direction::Right, Direction::Left] {
@@ -219,8 +209,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// Whether the front falls from `p` over the next two nodes by more than 45 degrees. False if one
-    /// of them is artificial.
+    /// Whether the front falls from `p` over the next two nodes by more than 45 degrees. False if one is artificial.
     #[inline(always)]
     fn falls_away(&self, p: VertexId, direction: Direction) -> bool {
         let first = self.front.neighbor(p, direction);
@@ -232,7 +221,6 @@ impl<P: Probe> Sweep<'_, P> {
         py - y > (px - x).abs()
     }
 
-    /// Fills the basin that begins beside `p`.
     fn fill_basin(&mut self, p: VertexId, direction: Direction) {
         let rim = self.front.neighbor(p, direction);
         let top = self.height(rim);

@@ -1,9 +1,6 @@
-//! Initialization (section 3.3): the vertices in sweep order, the edges at their upper ends, the
-//! artificial points and the first triangle.
-//!
-//! Cost: that of the sort ([`super::vertices::sort`]), and O(n) for n points and edges.
-//!
-//! Differs from the paper: see [`super::vertices`], [`super::edges`] and [`super::artificial`].
+//! Initialization (section 3.3): the vertices in sweep order ([`super::vertices`]), the edges at their upper ends
+//! ([`super::edges`]), the artificial points ([`super::artificial`]) and the first triangle; these files name
+//! differences from the paper. Cost: that of the sort, and O(n) for n points and edges.
 
 use alloc::sync::Arc;
 use core::mem::take;
@@ -30,7 +27,7 @@ pub(super) fn initialize<S: Scalar>(
     edges: &[[usize; 2]],
     scratch: &mut Scratch,
 ) -> Result<(Vertices, EdgeChainBuilder), Error> {
-    // Vertices and edges; too many or wrong ones are refused.
+    // Too many vertices or edges, or wrong ones, are refused.
     if points.len() > LIMIT {
         return Err(Error::TooManyPoints {
             given: points.len(),
@@ -56,7 +53,7 @@ pub(super) fn initialize<S: Scalar>(
     Ok((vertices, EdgeChainBuilder::new(Arc::new(ends))))
 }
 
-/// The state with the first triangle of these vertices; `memory` lists their edges.
+/// The state with the first triangle of `vertices`; `scratch` lists their edges.
 pub(super) fn begin<'a, P: Probe>(
     points: &'a dyn ExactPoints,
     vertices: Vertices,
@@ -67,7 +64,7 @@ pub(super) fn begin<'a, P: Probe>(
     scratch: &mut Scratch,
 ) -> Sweep<'a, P> {
     search.begin(FrontInput::new(&vertices.approx));
-    // There is an border half-edge for each vertex, the segment of the front that starts there.
+    // Each vertex has a border half-edge: the segment of the front that starts there.
     let n = vertices.len();
     scratch.mesh.begin(2 * n + 2, n + 2);
     let predicates = SweepPredicates::new(points, vertices);
@@ -89,12 +86,10 @@ pub(super) fn begin<'a, P: Probe>(
     sweep
 }
 
-/// How many points and how many edges can be numbered: there are twice as many triangles as points, and a few
-/// artificial ones.
+/// How many points, and how many edges, can be numbered: the triangles are twice as many as the points, and a few more.
 pub(super) const LIMIT: usize = HalfEdge::LIMIT / 2 - 4;
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Reports the sweep order to the observer.
     fn report_order(&mut self, vertices: usize) {
         if self.delaunay.is_observed() {
             for v in (0..vertices).map(VertexId::at) {
@@ -104,7 +99,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// The triangle of the first vertex and the artificial points (figure 6).
+    /// Makes the triangle of the first vertex and the artificial points (figure 6).
     pub(super) fn first_triangle(&mut self) {
         let first = VertexId::new(0);
         let artificial = self.delaunay.predicates.artificial;

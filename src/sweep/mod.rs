@@ -1,44 +1,33 @@
 //! The sweep (section 3): initialization, point events and edge events in sweep order, finalization.
 //!
-//! One file is one part of the paper:
-//!
 //! | section | figure | what | file |
 //! |---|---|---|---|
-//! | 3.2 | | the three parts | `mod.rs` |
+//! | 3.2 | | the three parts; the state between two events | `mod.rs` |
 //! | 3.3 | | initialization | [`initialization`] |
-//! | 3.3 | | distinct points in sweep order | [`located`], [`vertices`], [`order`], [`sorted`] |
+//! | 3.3 | | distinct points in sweep order | [`vertices`] |
 //! | 3.3 | 5 | edges at their upper ends | [`edges`] |
 //! | 3.3 | 6 | P-1 and P-2, first triangle | [`artificial`], [`initialization`] |
-//! | 3.4 | | the state between two events | [`state`] (front, edges), [`delaunay`] (triangles, signs) |
 //! | 3.4.1 | 7, 8 | point event: projection, middle and left case | [`point_event`] |
-//! | 3.4.1 (i) | 9 | heuristic: narrow corners, angles below pi/2 | [`narrow_corners`] |
-//! | 3.4.1 (ii) | 10 | heuristic: basins | [`basins`] |
+//! | 3.4.1 (i), (ii) | 9, 10 | heuristics: narrow corners, basins | [`heuristics`] |
 //! | 3.4.2 | | edge event: pockets under the edge, parts of it, constrained sides | [`edge_event`] |
-//! | 3.4.2 (i), (ii) | 11, 13, 14 | triangle and front traversal | [`traversal`], [`obstacles`] |
-//! | 3.4.2 (ii), (iii) | 12 | removed triangles, pseudo-polygons | [`pseudo_polygons`], [`polygons`] |
-//! | 3.4.2, 3.5 | 12, 13, 15a | filling a chain up to its hull | [`chain`], [`corner`], [`stretch`] |
-//! | 2 | 2, 3 | empty circle test and its ties, legalization | [`predicates`], [`legalization`] |
+//! | 3.4.2 (i), (ii) | 11, 13, 14 | triangle and front traversal | [`traversal`] |
+//! | 3.4.2 (ii), (iii) | 12 | removed triangles, pseudo-polygons | [`delaunay`] (`cavity.rs`) |
+//! | 3.4.2, 3.5 | 12, 13, 15a | filling a chain up to its hull | [`delaunay`] (`fill.rs`) |
+//! | 2 | 2, 3 | empty circle test and its ties, legalization | [`predicates`], [`delaunay`] (`legalization.rs`) |
 //! | 3.5 | 15 | finalization | [`finalization`] |
+//! | none | | edges through vertices | [`pending_edges`] |
+//! | none | | when the sweep is abandoned | [`flip_limit`] |
+//! | none | | the net under it: divide and conquer | [`divide_and_conquer`] |
+//! | none | | the sweep on all cores | `bands` (feature `parallel`) |
+//! | none | | other algorithms of section 4, and the sweep of 2005 | `comparison` (feature `comparison`) |
+//! | none | | memory for many runs | [`scratch`] |
 //!
-//! What the paper does not have:
+//! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the settings of the
+//! heuristics [`crate::Heuristics`]. Each file names its differences from the paper.
 //!
-//! | what | file |
-//! |---|---|
-//! | edges through vertices | [`pending_edges`], [`vertex_triangles`] |
-//! | when the sweep is abandoned | [`flip_limit`] |
-//! | the net under it: divide and conquer | [`divide_and_conquer`] |
-//! | the sweep on all cores | `bands` (feature `parallel`) |
-//! | other algorithms of section 4, and the sweep of 2005 | `comparison` (feature `comparison`) |
-//! | memory for many runs | [`scratch`] |
-//!
-//! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the
-//! settings of the heuristics [`crate::Heuristics`].
-//!
-//! Cost: about O(n log n) on ordinary inputs. O(n^2) at worst: on some inputs every algorithm that keeps a
-//! Delaunay triangulation of the points swept so far must make that many flips. Then the sweep is abandoned,
-//! unless the caller forbids it.
-//!
-//! Differs from the paper: each file names its differences.
+//! Cost: about O(n log n) on ordinary inputs. O(n^2) at worst: on some inputs every algorithm that keeps a Delaunay
+//! triangulation of the points swept so far must make that many flips. Then the sweep is abandoned, unless the caller
+//! forbids it.
 
 mod artificial;
 #[cfg(feature = "parallel")]
@@ -87,8 +76,7 @@ use vertices::Vertices;
 const CHECK: u32 = 16;
 const REPORT: u32 = 4096;
 
-/// Runs the three parts of section 3.2, or divide and conquer in place of the first two. The probe
-/// comes back with the result, the memory if it is kept.
+/// Runs the three parts of section 3.2, or divide and conquer in place of the first two. Returns result and probe.
 ///
 /// What follows the initialization knows neither the scalar nor the search structure by type, and there are two probes:
 /// so this crate compiles the sweep twice, and no crate that uses it once more.
@@ -160,7 +148,7 @@ fn triangulate<'a, P: Probe>(
     Ok(sweep.finalize(scratch))
 }
 
-/// A vertex that is being added, with its approximated coordinates, which are looked up once.
+/// A vertex that is being added, with its approximations, which are looked up once.
 #[derive(Clone, Copy, Debug)]
 struct NewVertex {
     id: VertexId,
@@ -177,20 +165,18 @@ struct Sweep<'a, P> {
     edges: Edges,
     /// For the result: the vertices along each edge inserted so far.
     chains: EdgeChainBuilder,
-    /// What is left of edges that pass through vertices.
     pending: PendingEdges,
     /// A triangle of each vertex, once the hull is complete.
     vertex_triangles: VertexTriangles,
-    /// Working memory: lower ends and input indices of the edges being inserted.
+    /// A buffer: lower ends and input indices of the edges being inserted.
     list: Vec<(VertexId, u32)>,
-    /// What the edge being inserted runs into.
     traversed: Traversed,
-    /// Working memory: the stretch of the front being filled.
+    /// A buffer: the nodes of the front being filled.
     chain: Vec<ChainVertex>,
 }
 
 impl<'a, P: Probe> Sweep<'a, P> {
-    /// These triangles, this front without a vertex on it, and the edges that `memory` lists.
+    /// The state with these triangles, an empty front, and the edges that `scratch` lists.
     fn new(
         delaunay: Delaunay<'a, P>,
         front: Front,
@@ -216,7 +202,7 @@ impl<'a, P: Probe> Sweep<'a, P> {
         }
     }
 
-    /// The heuristics of the next point event: those asked for, or the paper's where these flip too much.
+    /// The heuristics of the next point event: the caller's, or the paper's where these flip too much.
     #[inline(always)]
     fn heuristics(&self) -> Heuristics {
         if self.delaunay.flip_limit.is_excessive() {
@@ -226,7 +212,6 @@ impl<'a, P: Probe> Sweep<'a, P> {
         }
     }
 
-    /// A vertex to be added.
     #[inline(always)]
     fn new_vertex(&self, id: VertexId) -> NewVertex {
         let approx = self.delaunay.predicates.approx(id);
@@ -321,13 +306,13 @@ impl<P: Probe> Sweep<'_, P> {
         self.insert_pending()
     }
 
-    /// Sweeps, and completes the hull. Returns how many vertices lie within it: fewer than there are if the
-    /// budget of flips is spent, and none if divide and conquer must begin anew.
+    /// Sweeps, and completes the hull. Returns how many vertices lie within it: fewer than all if the budget of flips
+    /// is spent, and none if divide and conquer must begin anew.
     fn sweep_to_hull(&mut self, progress: Progress<'_>) -> Result<usize, Error> {
         let n = self.delaunay.predicates.vertices.len();
         let swept = self.sweep(progress)?;
         if swept < n {
-            // Parts are merged only where no edges are, and one vertex is no part.
+            // Sub-triangulations are merged only where no edges are, and one vertex is none.
             if !self.edges.is_empty() || swept + 1 == n {
                 return Ok(0);
             }
@@ -340,8 +325,8 @@ impl<P: Probe> Sweep<'_, P> {
         Ok(if is_spent { 0 } else { swept })
     }
 
-    /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Ends
-    /// early when the budget of flips is spent. Returns how many vertices have been swept.
+    /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Returns how many
+    /// vertices have been swept: fewer than all if the budget of flips is spent.
     fn sweep(&mut self, progress: Progress<'_>) -> Result<usize, Error> {
         self.delaunay.probe.begin(Phase::Sweeping);
         let n = self.delaunay.predicates.vertices.len();

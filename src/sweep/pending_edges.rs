@@ -1,8 +1,8 @@
-//! The pending edges of edges that pass through vertices, inserted when the hull is complete.
+//! Pending edges: what is left of edges that pass through vertices, inserted when the hull is complete.
 //!
-//! The edge event (section 3.4.2) inserts an edge down to the first vertex on it. The rest of the edge is an
-//! edge that begins at this vertex. All pending edges that begin at one vertex are inserted together, vertex by
-//! vertex from the last in sweep order to the first, because a rest may leave another one, further down.
+//! The edge event (section 3.4.2) inserts an edge down to the first vertex on it. The rest is an edge that begins at
+//! this vertex. All pending edges that begin at one vertex are inserted together, vertex by vertex from the last in
+//! sweep order to the first, because a pending edge may leave another one, further down.
 //!
 //! ```text
 //!    a   b   c        Three edges through one vertex (a-a', b-b', c-c'). Each edge event inserts its
@@ -14,21 +14,14 @@
 //!    c'  b'  a'
 //! ```
 //!
-//! Why it is right: the insertion of an edge in parts gives the same triangulation in whichever order the
-//! parts come, because there is only one (the canonical rule).
-//!
-//! Cost: O(d + k log k) to find the ways of k pending edges that begin at a vertex with d triangles.
-//!
-//! Differs from the paper: it does not speak of vertices on edges.
+//! Why it is right: the insertion of an edge in parts gives the same triangulation in whichever order the parts come,
+//! because there is only one (the canonical rule). Cost: O(d + k log k) for k edges at a vertex with d triangles.
 //!
 //! While vertices are swept, the front leads to the triangles of the vertex swept last. Once the hull is complete, an
 //! edge may begin at any vertex, and the table [`VertexTriangles`] says where: it has a triangle of each vertex, or of
-//! some that follow each other ([`super::bands`]). It stays right, because the insertion of a part changes only the
-//! triangles that it pierces. The new ones take their places, and each of their vertices is a vertex of a new one
-//! ([`super::delaunay::cavity`]).
-//!
-//! Cost of the table: O(k + t) to make for k vertices and t triangles, O(k) to renew for k pierced triangles; 4 bytes a
-//! vertex.
+//! some that follow each other (`bands`). It stays right, because the insertion of a part changes only the triangles
+//! that it pierces. The new ones take their places, and have all their vertices ([`super::delaunay`]). Cost: O(k + t)
+//! to make for k vertices and t triangles, O(k) to renew for k pierced triangles; 4 bytes a vertex.
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -39,10 +32,10 @@ use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
 use crate::probe::Probe;
 
-/// What is left of an edge.
+/// The rest of an edge behind a vertex on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct PendingEdge {
-    /// The vertex on the edge where the rest begins.
+    /// The vertex on the edge where the pending edge begins.
     pub(super) from: VertexId,
     pub(super) edge: u32,
     pub(super) lower: VertexId,
@@ -54,7 +47,7 @@ impl PendingEdge {
     }
 }
 
-/// The pending edges still to be inserted; the one that begins last in sweep order comes first.
+/// The pending edges; the one that begins last in sweep order comes first.
 pub(super) type PendingEdges = BinaryHeap<PendingEdge>;
 
 impl<P: Probe> Sweep<'_, P> {
@@ -76,7 +69,7 @@ impl<P: Probe> Sweep<'_, P> {
         Ok(())
     }
 
-    /// The side opposite `v` in one of its triangles. If the table does not know one, that of all vertices is made.
+    /// A half-edge opposite `v`. Makes the table of all vertices if the present one has no triangle of `v`.
     pub(super) fn side_opposite(&mut self, v: VertexId) -> HalfEdge {
         if let Some(side) = self.vertex_triangles.at(v) {
             return side;
@@ -88,8 +81,7 @@ impl<P: Probe> Sweep<'_, P> {
     }
 }
 
-/// For each vertex from number `first` on the side opposite it in one of its triangles, or nothing. Empty until it
-/// is made.
+/// A half-edge opposite each vertex from rank `first` on, or nothing: the vertex triangles table. Empty until made.
 #[derive(Debug, Default)]
 pub(super) struct VertexTriangles {
     first: usize,
@@ -97,7 +89,7 @@ pub(super) struct VertexTriangles {
 }
 
 impl VertexTriangles {
-    /// Makes the table of these vertices, and finds them in these triangles.
+    /// Makes the table of these vertices by looking through these triangles.
     pub(super) fn make(&mut self, mesh: &Mesh, vertices: Range<usize>, triangles: Range<usize>) {
         self.clear();
         self.first = vertices.start;
@@ -107,24 +99,22 @@ impl VertexTriangles {
         }
     }
 
-    /// Forgets the table.
     pub(super) fn clear(&mut self) {
         self.opposite.clear();
     }
 
-    /// How many vertices are listed.
     pub(super) fn len(&self) -> usize {
         self.opposite.len()
     }
 
-    /// The side opposite `v` in one of its triangles, if the table knows one.
+    /// A half-edge opposite `v`, if the table has one.
     pub(super) fn at(&self, v: VertexId) -> Option<HalfEdge> {
         let place = v.index().checked_sub(self.first)?;
         let side = *self.opposite.get(place)?;
         (side != HalfEdge::NOTHING).then_some(side)
     }
 
-    /// Notes new triangles in these places, if the table has been made.
+    /// Notes the new triangles in these places, if the table has been made.
     pub(super) fn renew(&mut self, mesh: &Mesh, places: &[TriangleId]) {
         if self.len() > 0 {
             for &t in places {
@@ -142,7 +132,6 @@ impl VertexTriangles {
         }
     }
 
-    /// Bytes held.
     pub(super) fn heap_bytes(&self) -> usize {
         self.opposite.capacity() * size_of::<HalfEdge>()
     }

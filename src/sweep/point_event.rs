@@ -1,9 +1,8 @@
 //! The point event (section 3.4.1): the new vertex joins the front.
 //!
-//! Its vertical projection `P_Q` falls on a segment of the front: strictly inside (middle case, figure 7)
-//! or on the left end (left case, figure 8). The segment and the vertex make a triangle. The left case
-//! makes a second one, since two vertices one above the other cannot both stay on the front. Then the
-//! heuristics add triangles: [`super::heuristics`] (figure 9) and [`super::heuristics`] (figure 10).
+//! The vertical projection `P_Q` of the vertex falls on a segment of the front: strictly inside (middle case, figure 7)
+//! or on the left end (left case, figure 8). The segment and the vertex make a triangle. The left case makes a second
+//! one, since of two vertices one above the other only one is on the front. Then come the [`super::heuristics`].
 //!
 //! ```text
 //!   middle case:     p                left case:     p           In both cases: triangle p, left, right.
@@ -14,12 +13,9 @@
 //!                                                left = P_Q
 //! ```
 //!
-//! Why it is right: the vertex comes after all others in sweep order, so it lies strictly above the
-//! segment under it, and no test of orientation is needed.
-//!
-//! Cost: a search, a few walk steps, and a constant number of triangles and flips on average.
-//!
-//! Differs from the paper: the left case is the middle case, and then one corner closed.
+//! Why it is right: the vertex comes after all others in sweep order, so it lies strictly above the segment under it,
+//! and no test of orientation is needed. Cost: a search, a few walk steps, and a constant number of triangles and flips
+//! on average. Differs from the paper: the left case is the middle case, and then one corner closed.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater};
@@ -43,7 +39,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.apply_heuristics(p);
     }
 
-    /// Joins `p` to the front on the segment that starts at `left`; `is_above` if it lies above that.
+    /// Joins `p` to the front on the segment that starts at `left`; `is_above` if `p` is straight above `left`.
     #[inline(always)]
     pub(super) fn add_above(&mut self, p: NewVertex, left: VertexId, is_above: bool) {
         let right = self.front.next(left);
@@ -78,7 +74,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// The triangles that the heuristics add beside `p`, the node of the front swept last.
+    /// Adds the triangles of the heuristics beside `p`, the node of the front swept last.
     #[inline(always)]
     pub(super) fn apply_heuristics(&mut self, p: NewVertex) {
         let heuristics = self.heuristics();
@@ -97,8 +93,8 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// The left end of the front segment under the projection of `p`: the last node whose x is at most
-    /// that of `p`, and whether it is equal. The search structure says where to start.
+    /// The segment under the projection of `p`, by its left end: the last node whose x is at most that of `p`, and
+    /// whether the two x are equal. The search structure says where to start.
     #[inline(always)]
     pub(super) fn segment_under(&mut self, p: NewVertex) -> (VertexId, bool) {
         let predicates = &self.delaunay.predicates;
@@ -108,7 +104,7 @@ impl<P: Probe> Sweep<'_, P> {
             self.front.contains(start),
             "the search structure named a node off the front"
         );
-        // Whether the first step goes left is as good as random: it is taken without a branch.
+        // Whether the first step goes left is as good as random, so it is taken without a branch.
         let start = start.vertex();
         let is_beyond = predicates.approx(start)[0] > p.approx[0];
         let mut at = select_unpredictable(is_beyond, self.front.prev(start), start);
@@ -138,7 +134,7 @@ impl<P: Probe> Sweep<'_, P> {
         (at, order == Equal)
     }
 
-    /// Tells the search structure of a long walk, and gives it ranks instead of x if it asks for them.
+    /// Tells the search structure of a long walk, and gives it x-ranks instead of x if it asks for them.
     #[cold]
     fn report_walk(&mut self, steps: usize) {
         let predicates = &mut self.delaunay.predicates;

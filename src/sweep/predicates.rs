@@ -1,15 +1,11 @@
-//! The decisions of the sweep as exact signs, with vertices named by rank; the empty circle test of section
-//! 2 (figures 2 and 3) is [`SweepPredicates::must_flip`].
+//! The predicates of the sweep: exact signs, with vertices named by rank. The empty circle test of section 2 (figures 2
+//! and 3) is [`SweepPredicates::must_flip`]. The floating-point [`filter`] decides most signs from doubles.
+//! [`Predicates`] decide the others exactly. Rules decide the tests with an artificial point ([`super::artificial`]).
 //!
-//! **Stages.** The floating-point [`filter`] decides most signs from doubles. [`Predicates`] decide the others
-//! exactly. Rules decide the tests with an artificial point ([`super::artificial`]).
-//!
-//! **Canonical rule.** Where four points lie on one circle, the side stays that ends at the leftmost of
-//! them (the upper one of two). This is the sign of the in-circle test after each point, lifted to the
-//! paraboloid, is lowered by a symbolic amount, the leftmost one most of all (a pulling triangulation). So
-//! there is one Delaunay triangulation, and Lawson's flips still end.
-//!
-//! Differs from the paper: it does not say how signs are computed, nor what happens in a tie.
+//! **Canonical rule.** Where four points lie on one circle, the side stays that ends at the leftmost of them (the upper
+//! one of two); the paper leaves this open. This is the sign of the in-circle test after each point, lifted to the
+//! paraboloid, is lowered by a symbolic amount, the leftmost one most of all (a pulling triangulation). So there is one
+//! Delaunay triangulation, and Lawson's flips still end.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -27,13 +23,13 @@ pub(super) struct SweepPredicates<'a> {
     points: &'a dyn ExactPoints,
     pub(super) vertices: Vertices,
     pub(super) artificial: Artificial,
-    /// For each vertex its rank from left to right, if the search structure asked for that.
+    /// For each vertex its x-rank, from left to right, if the search structure asked for x-ranks.
     x_ranks: Vec<u32>,
     near_ties: NearTies,
 }
 
 impl<'a> SweepPredicates<'a> {
-    /// The signs of these points, whose sorted and merged vertices are given.
+    /// The predicates of sorted and merged `vertices` of these points.
     pub(super) fn new(points: &'a dyn ExactPoints, mut vertices: Vertices) -> Self {
         let artificial = Artificial::beside(vertices.len());
         vertices.approx.extend(artificial::APPROX);
@@ -46,19 +42,19 @@ impl<'a> SweepPredicates<'a> {
         }
     }
 
-    /// The approximated coordinates of a vertex; infinite x and NaN for an artificial one.
+    /// The approximations of a vertex; infinite x and NaN for an artificial one.
     #[inline(always)]
     pub(super) fn approx(&self, v: VertexId) -> [f64; 2] {
         self.vertices.approx[v.index()]
     }
 
-    /// What a search structure gets for the x of a vertex.
+    /// The key that a search structure gets for a vertex: its x, or its x-rank.
     #[inline(always)]
     pub(super) fn search_x(&self, v: VertexId) -> f64 {
         self.search_x_approx(v, self.approx(v))
     }
 
-    /// What a search structure gets for the x of a vertex with these approximated coordinates.
+    /// The key that a search structure gets for a vertex with these approximations.
     #[inline(always)]
     pub(super) fn search_x_approx(&self, v: VertexId, approx: [f64; 2]) -> f64 {
         match self.x_ranks.get(v.index()) {
@@ -72,7 +68,6 @@ impl<'a> SweepPredicates<'a> {
         self.artificial.contains(v)
     }
 
-    /// Whether a search structure gets ranks for x.
     pub(super) fn has_x_ranks(&self) -> bool {
         !self.x_ranks.is_empty()
     }
@@ -93,7 +88,7 @@ impl<'a> SweepPredicates<'a> {
         self.compare_x_approx(a, b, self.approx(b))
     }
 
-    /// Order by x where `b` has these approximated coordinates.
+    /// Order by x where `b` has these approximations.
     #[inline(always)]
     pub(super) fn compare_x_approx(
         &self,
@@ -111,7 +106,7 @@ impl<'a> SweepPredicates<'a> {
         }
     }
 
-    /// Order by x of vertices whose approximated x are equal.
+    /// Order by x of vertices whose approximations of x are equal.
     fn compare_equal_x(&self, a: VertexId, b: VertexId) -> Ordering {
         if self.vertices.scale.is_injective() {
             return Equal;
@@ -132,7 +127,7 @@ impl<'a> SweepPredicates<'a> {
         self.orient2d_approx([a, b, c], approx, probe)
     }
 
-    /// `Greater` if the vertices, all real, with these approximated coordinates turn left.
+    /// `Greater` if three real vertices with these approximations turn left.
     #[inline(always)]
     pub(super) fn orient2d_approx(
         &self,
@@ -149,7 +144,6 @@ impl<'a> SweepPredicates<'a> {
         }
     }
 
-    /// The orientation test where the filter for exact doubles does not decide.
     #[cold]
     #[inline(never)]
     fn orient2d_exact(&self, vertices: [VertexId; 3], probe: &mut impl Probe) -> Ordering {
@@ -164,8 +158,7 @@ impl<'a> SweepPredicates<'a> {
         sign
     }
 
-    /// On which side of the ray from `from` towards `to` the vertex `v` is: `Greater` for the left.
-    /// `to` is real and of lower rank than `from`; `v` may be artificial.
+    /// The side of ray `from`-`to` that `v` is on: `Greater` for left. `to` is real and lower; `v` may be artificial.
     pub(super) fn side(
         &self,
         [from, to]: [VertexId; 2],
@@ -183,8 +176,7 @@ impl<'a> SweepPredicates<'a> {
         }
     }
 
-    /// Whether the side `a`-`b` between the counter-clockwise triangle `p`, `a`, `b` and the vertex `q`
-    /// across it must be flipped (figure 3).
+    /// Whether side `a`-`b` of the counter-clockwise triangle `p`, `a`, `b` must be flipped to `p`-`q` (figure 3).
     #[inline(always)]
     pub(super) fn must_flip(
         &self,
@@ -203,7 +195,6 @@ impl<'a> SweepPredicates<'a> {
         }
     }
 
-    /// The test of a side where the filter for exact doubles does not decide.
     #[cold]
     #[inline(never)]
     fn must_flip_exact(
@@ -233,8 +224,7 @@ impl<'a> SweepPredicates<'a> {
         }
     }
 
-    /// On which side of the circle through the first three the last vertex lies, all real, where the filter for
-    /// exact doubles does not decide: `Greater` for inside.
+    /// Which side of the circle through the first three the last vertex is on, all real: `Greater` for inside.
     fn in_circle_exact(&self, vertices: [VertexId; 4], probe: &mut impl Probe) -> Ordering {
         let decision = self
             .real()
@@ -247,7 +237,6 @@ impl<'a> SweepPredicates<'a> {
         sign
     }
 
-    /// The predicates of the real vertices.
     #[inline(always)]
     fn real(&self) -> Predicates<'_, dyn ExactPoints + 'a> {
         Predicates {
@@ -259,7 +248,6 @@ impl<'a> SweepPredicates<'a> {
         }
     }
 
-    /// Bytes of the arrays that grow with the input.
     pub(super) fn heap_bytes(&self) -> usize {
         self.vertices.heap_bytes() + self.near_ties.heap_bytes()
     }

@@ -1,13 +1,9 @@
-//! The memory that one run leaves for the next.
+//! Scratch: the memory that one run leaves for the next.
 //!
-//! A run takes its arrays from a [`Scratch`]. If that is kept, the run puts them back at its end, with whatever
-//! they hold: the next run clears what it takes. Otherwise the memory is empty at the start, and what only the
-//! initialization works with is freed at its end.
-//!
-//! Cost: nothing for a single run. A run that finds memory of its size neither asks the system for pages nor
-//! frees any.
-//!
-//! Differs from the paper: it does not speak of memory.
+//! A run takes its buffers from a [`Scratch`]. If that is kept, the run puts them back at its end with whatever they
+//! hold: the next run clears what it takes, and if the sizes suffice, it neither asks the system for pages nor frees
+//! any. Otherwise the scratch is empty at the start, costs nothing, and buffers that only the initialization needs are
+//! freed at its end.
 
 use super::delaunay::{ChainVertex, ConvexRun, Polygons};
 use super::edges::Edges;
@@ -20,18 +16,16 @@ use crate::mesh::{HalfEdge, Mesh};
 use crate::triangulation::Triangulation;
 use alloc::vec::Vec;
 
-/// Arrays for the next run.
+/// Buffers for the next run.
 #[derive(Debug, Default)]
 pub(crate) struct Scratch {
     pub(super) is_kept: bool,
-    /// Working memory of the sort.
     pub(super) sort: SortBuffers,
-    /// The vertices.
     pub(super) vertices: Vertices,
     /// The edges: their list, and their ends as input indices.
     pub(super) edges: Edges,
     pub(super) ends: Vec<[u32; 2]>,
-    /// The state between two events, and its working memory.
+    /// The state between two events, and its buffers.
     pub(super) mesh: Mesh,
     pub(super) front: Option<Front>,
     pub(super) flip_stack: Vec<HalfEdge>,
@@ -47,7 +41,7 @@ pub(crate) struct Scratch {
 }
 
 impl Scratch {
-    /// Memory for many runs, none of it taken yet.
+    /// A scratch for many runs, without buffers yet.
     pub(crate) fn kept() -> Scratch {
         Scratch {
             is_kept: true,
@@ -55,14 +49,14 @@ impl Scratch {
         }
     }
 
-    /// The initialization is over.
+    /// Frees the buffers that only the initialization needs, unless they are kept.
     pub(super) fn initialized(&mut self) {
         if !self.is_kept {
             self.sort = SortBuffers::default();
         }
     }
 
-    /// The front of so many vertices before the first of them.
+    /// An empty front for `vertices` vertices.
     pub(super) fn take_front(&mut self, vertices: usize) -> Front {
         match self.front.take() {
             Some(mut front) => {
@@ -73,7 +67,7 @@ impl Scratch {
         }
     }
 
-    /// Takes back a result that nobody needs any more.
+    /// Takes back the buffers of a result that nobody needs any more.
     pub(crate) fn recycle(&mut self, result: Triangulation) {
         self.mesh.reuse(result.triangles);
         self.hull = result.hull;

@@ -1,10 +1,9 @@
-//! Traversal along an edge (section 3.4.2, figures 11 to 14): finds the triangles that the edge pierces,
-//! and where it runs above the front.
+//! Traversal of an edge (section 3.4.2, figures 11 to 14): the triangles it pierces, and where it runs above the front.
 //!
-//! From a vertex the edge leaves into one of the triangles around it (figure 11) or, if the vertex is on
-//! the front, into the gap above the front. It passes from triangle to triangle; it may leave through a
-//! front segment, run above the front, and enter the triangles again. A *part* of the edge ends at the
-//! first vertex that it meets: its lower end, or a vertex on it. There the next part starts.
+//! From a vertex the edge leaves into one of the triangles around it (figure 11) or, if the vertex is on the front,
+//! into the gap above the front. It passes from triangle to triangle; it may leave through a front segment, run above
+//! the front, and enter the triangles again. A *part* of the edge ends at the first vertex that it meets: its lower
+//! end, or a vertex on it. There the next part starts.
 //!
 //! ```text
 //!    upper --.__                            A mixed edge event (figure 14). The dots are the edge, the
@@ -18,15 +17,13 @@
 //!                          `-c     ` . lower
 //! ```
 //!
-//! Why it is right: every step is decided by the exact side of one vertex. The front is x-monotone and
-//! the lower end lies on it or under it, so a walk below the edge comes to a vertex on or above the edge.
-//! Artificial triangles lie outside the convex hull and are never pierced. If a constrained side is in the way,
-//! two input edges cross.
+//! Why it is right: every step is decided by the exact side of one vertex. The front is x-monotone and the lower end
+//! lies on it or under it, so a walk below the edge comes to a vertex on or above the edge. Artificial triangles lie
+//! outside the convex hull and are never pierced. If a constrained side is in the way, two input edges cross.
 //!
-//! Cost: the degree of the first vertex, and one test for each triangle pierced or node passed.
-//!
-//! Differs from the paper: the traversal changes nothing. The edge event fills the pockets that it finds
-//! and traverses the edge again, now through triangles alone.
+//! Cost: the degree of the first vertex, and one test for each triangle pierced or node passed. Differs from the paper:
+//! the traversal changes nothing. The edge event fills the pockets found and traverses the edge again, in triangles
+//! alone.
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater, Less};
 
@@ -38,38 +35,36 @@ use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::trace::Event;
 
-/// One part of an edge: down to the first vertex on it.
+/// A part of an edge: down to the first vertex on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
-    /// The vertex where it ends.
+    /// The vertex where the part ends.
     pub(super) end: VertexId,
-    /// A side opposite the vertex where it starts.
+    /// A half-edge opposite the vertex where the part starts.
     pub(super) start: HalfEdge,
-    /// The side that the part is, if it is a side already; otherwise it pierces triangles or pockets.
+    /// The side that the part is already, if any; otherwise it pierces triangles or pockets.
     pub(super) present: Option<HalfEdge>,
 }
 
 /// Both vertices of a constrained side that the edge would cross.
 pub(super) type CrossedSide = [VertexId; 2];
 
-/// What is in the way of a part.
+/// The triangles, sides and pockets in the way of a part.
 #[derive(Debug, Default)]
 pub(super) struct Traversed {
     /// The pierced triangles, from the upper end down.
     pub(super) pierced: Vec<TriangleId>,
-    /// The sides of pierced triangles on the border of the pseudo-polygon left of the part, from the
-    /// upper end down.
+    /// The pierced triangles' sides on the border of the left pseudo-polygon, from the upper end down.
     pub(super) left: Vec<HalfEdge>,
-    /// Those on the border of the one right of it.
+    /// The sides on the border of the pseudo-polygon right of the part.
     pub(super) right: Vec<HalfEdge>,
-    /// For each pocket under the part the two nodes where it begins and ends, left one first.
+    /// For each pocket under the part its first and last node, left one first.
     pub(super) pockets: Vec<[VertexId; 2]>,
     /// The sides that edges with one upper end are already, so that nothing is in their way.
     pub(super) present: Vec<HalfEdge>,
 }
 
 impl Traversed {
-    /// Forgets what was in the way of the part before.
     pub(super) fn begin_part(&mut self) {
         self.pierced.clear();
         self.left.clear();
@@ -79,28 +74,24 @@ impl Traversed {
 
 /// How an edge leaves a vertex.
 enum Departure {
-    /// Along a side of the triangulation.
     Along(Part),
-    /// Into a triangle, across this side of it, opposite the vertex.
+    /// Into a triangle, across its side opposite the vertex.
     Into(HalfEdge),
-    /// Above the front.
     Above,
 }
 
-/// How far a part has come.
+/// How far a traversal has come.
 enum Place {
     /// Entering a triangle across this side of it.
     HalfEdge(HalfEdge),
-    /// Above the front. It left the triangles across the segment between these nodes; both are the start
-    /// of the part if that begins above the front.
+    /// Above the front, after crossing the segment between these nodes; both are the start of a part that begins there.
     Front([VertexId; 2]),
-    /// At the vertex that ends it.
+    /// At the vertex that ends the part.
     End(VertexId),
 }
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Follows the edge from vertex `from` towards `to`, which is lower, to the next vertex on it.
-    /// `around` is a side opposite `from`, of any triangle there.
+    /// Follows the edge from `from` down towards `to` to the next vertex on it. `around` is a side opposite `from`.
     pub(super) fn traverse(
         &mut self,
         from: VertexId,
@@ -128,7 +119,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// The side opposite `v`, which is on the front, of the leftmost triangle there.
+    /// The side opposite `v`, a node of the front, of the leftmost triangle there.
     pub(super) fn leftmost(&self, v: VertexId) -> HalfEdge {
         let segment = BorderId::segment(self.front.prev(v));
         self.delaunay.mesh.border_twin(segment).next()
@@ -137,7 +128,7 @@ impl<P: Probe> Sweep<'_, P> {
     /// Turns counter-clockwise around `from` to where the edge leaves (figure 11).
     fn depart(&mut self, from: VertexId, to: VertexId, around: HalfEdge) -> Departure {
         let mut at = around;
-        // The side of the edge that `a` is on, where the triangle before has already tested it.
+        // The side of the edge that `a` is on, if the triangle before has tested it.
         let mut known = None;
         // No vertex has more triangles around it than there are.
         for _ in 0..self.delaunay.mesh.len() {
@@ -176,7 +167,7 @@ impl<P: Probe> Sweep<'_, P> {
         inexact_scalar()
     }
 
-    /// Pierces the first triangle; `side` is the one opposite the vertex where the part starts.
+    /// Pierces the first triangle, across its side opposite the vertex where the part starts.
     fn enter(&mut self, side: HalfEdge) -> Result<Place, CrossedSide> {
         self.traversed.pierced.push(side.triangle());
         self.traversed.right.push(side.prev());
@@ -184,7 +175,6 @@ impl<P: Probe> Sweep<'_, P> {
         self.leave(side)
     }
 
-    /// Leaves a triangle across one of its sides.
     fn leave(&mut self, side: HalfEdge) -> Result<Place, CrossedSide> {
         let twin = self.delaunay.mesh.twin(side);
         if twin.is_constrained() {
@@ -209,8 +199,7 @@ impl<P: Probe> Sweep<'_, P> {
         if self.traversed.pierced.len() > self.delaunay.mesh.len() {
             inexact_scalar();
         }
-        // The edge leaves across one of the other two sides; the remaining one borders on the left or the
-        // right pseudo-polygon. At the end of the part both do.
+        // The edge leaves across one of the other two sides; the third borders on a pseudo-polygon. At the end both do.
         self.traversed.pierced.push(entry.triangle());
         if side != Less {
             self.traversed.left.push(entry.prev());

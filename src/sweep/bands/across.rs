@@ -1,27 +1,25 @@
 //! The edges from band to band, inserted when the hull is complete.
 //!
-//! Each begins at its upper end, so a triangle must be found there. Most of these edges are short and begin near
-//! the bottom of a band. The triangles of a band were made in the order of its vertices, and a flip leaves them in
-//! their places. So those of its first vertices are among its first triangles, and these are looked through. For
-//! a vertex that is not found there the table of all vertices is made ([`super::super::vertex_triangles`]).
+//! An edge begins at its upper end, so a triangle must be found there. Most of these edges are short and begin near the
+//! bottom of a band. A band's triangles were made in the order of its vertices, and flips leave them in their places.
+//! So triangles of its first vertices are among its first triangles, and only these are searched. If a vertex is not
+//! found there, the vertex triangles table of all vertices is made ([`super::super::pending_edges`]).
 //!
-//! Why it is right: a table is made after the last flip, and renewed where triangles are replaced.
-//!
-//! Cost: O(m log m) to sort m edges. For each band O(k) where the highest upper end is its k-th vertex, and
-//! [`MORE`]; or once O(n) for all n vertices. And the insertions.
+//! Why it is right: a table is made after the last flip, and renewed where triangles are replaced. Cost, besides the
+//! insertions: O(m log m) to sort m edges; for each band O(k) where the highest upper end is its k-th vertex, and
+//! [`MORE`]; or once O(n) for all n vertices.
 
 use super::super::Sweep;
 use super::partition::Edge;
 use crate::error::Error;
 use alloc::vec::Vec;
 
-/// Triangles that are looked through, more than two for each vertex: some of the first vertices' triangles are made
-/// late.
+/// Triangles searched beyond two for each vertex: some triangles of the first vertices are made late.
 const MORE: usize = 1 << 16;
 
 impl Sweep<'_, ()> {
-    /// Inserts these edges, numbered in the whole: of each the part down to the first vertex on it. `starts` are the
-    /// numbers of the first vertex and the first triangle of each band but the lowest, which has no upper ends.
+    /// Inserts edges whose ends are numbered in the whole, each down to the first vertex on it. `starts` has the first
+    /// vertex and the first triangle of each band but the lowest, in which no such edge has its upper end.
     pub(super) fn insert_across(
         &mut self,
         mut edges: Vec<Edge>,

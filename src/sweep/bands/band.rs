@@ -1,6 +1,4 @@
-//! One band: swept as if it were all there is, and then enclosed in ghosts.
-//!
-//! Cost: that of the sweep.
+//! One band: swept as if it were all there is, and then enclosed in ghosts. Cost: that of the sweep.
 
 use alloc::boxed::Box;
 use alloc::sync::Arc;
@@ -19,15 +17,15 @@ use crate::mesh::Mesh;
 use crate::scalar::ExactPoints;
 use crate::settings::Settings;
 
-/// A search structure of a band.
+/// The search structure of a band.
 pub(crate) type Structure<'f> = Box<dyn FrontSearch + Send + 'f>;
 
 /// A band before the sweep.
 pub(super) struct Band<'f> {
     pub(super) vertices: Vertices,
-    /// Lists of the edges within it.
+    /// Lists of the edges within the band.
     pub(super) edges: Vec<Vec<Edge>>,
-    /// The number of its first vertex in the whole.
+    /// The rank of the band's first vertex in the whole.
     pub(super) first: usize,
     pub(super) search: Structure<'f>,
 }
@@ -46,7 +44,7 @@ pub(super) struct Shared<'a> {
     pub(super) points: &'a (dyn ExactPoints + Sync),
     /// The ends of each edge as input indices, upper end first.
     pub(super) inputs: Arc<Vec<[u32; 2]>>,
-    /// The number of all vertices, which stands for that of the ghosts.
+    /// The number of all vertices, which is also the number of the ghosts' common vertex.
     pub(super) outside: VertexId,
 }
 
@@ -65,7 +63,7 @@ impl Shared<'_> {
         let n = vertices.len();
         let mut scratch = Scratch::default();
         if first == 0 {
-            // The triangles of the others will follow.
+            // Room for the triangles of the other bands, too.
             scratch.mesh.reserve(2 * self.outside.index());
         }
         scratch.edges.list(n, edges.iter().flatten().copied());

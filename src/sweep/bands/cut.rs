@@ -1,10 +1,8 @@
-//! The bands: the points between two heights, `y` as a double.
+//! Cutting the points into bands: all points between two heights, `y` as a double.
 //!
-//! Why it is right: doubles never fall where the coordinate grows, and equal coordinates have equal doubles. So
-//! the bands follow each other in sweep order, and equal points are in one band.
-//!
-//! Cost: O(n log b) for n points and b bands, divided among the threads, and a sample of the points, sorted. The points
-//! are looked at twice, to count them and to put each where it goes: no list grows or is copied.
+//! Why it is right: doubles never fall where the coordinate grows, and equal coordinates have equal doubles. So the
+//! bands follow each other in sweep order, and equal points are in one band. Cost: O(n log b) for n points and b bands,
+//! divided among the threads, and a sorted sample. Two passes count and place the points: no list grows or is copied.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -16,11 +14,11 @@ use super::super::vertices::ApproxPoints;
 use crate::ids::narrow;
 use crate::scalar::Scalar;
 
-/// How many points are looked at to cut the others into bands of equal size.
+/// How many points are sampled to find bands of equal size.
 const SAMPLE: usize = 1 << 14;
-/// A prime from one point of the sample to the next, so that it finds no pattern in the order of the points.
+/// The step between sampled points: a prime, so that the sample finds no pattern in the order of the points.
 const STRIDE: usize = 1_000_000_007;
-/// Points, or edges, that a thread puts into bands at a time.
+/// How many points, or edges, a thread puts into bands at a time.
 pub(super) const CHUNK: usize = 1 << 15;
 
 /// The input indices of the points in each band, from the lowest band to the highest; some may be empty.
@@ -31,7 +29,7 @@ pub(super) fn cut<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize)
     let count = |chunk| cutter.count(chunk, bands);
     let counts: Vec<Vec<usize>> = (0..chunks).into_par_iter().map(count).collect();
 
-    // The part of each band that each chunk fills.
+    // The portion of each band that each chunk fills.
     let size = |band: usize| counts.iter().map(|counts| counts[band]).sum();
     let mut inputs: Vec<Vec<u32>> = (0..bands).map(|band| vec![0; size(band)]).collect();
     let mut pending: Vec<&mut [u32]> = inputs.iter_mut().map(Vec::as_mut_slice).collect();
@@ -48,7 +46,6 @@ pub(super) fn cut<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize)
     inputs
 }
 
-/// The points, and the heights between the bands.
 struct Cutter<'a, S> {
     located: &'a ApproxPoints<'a, S>,
     pivots: Vec<f64>,
@@ -64,7 +61,7 @@ impl<S: Scalar> Cutter<'_, S> {
         counts
     }
 
-    /// Puts the points of a chunk into its part of each band.
+    /// Puts the points of a chunk into its portion of each band.
     fn fill(&self, chunk: usize, mut parts: Vec<slice::IterMut<'_, u32>>) {
         for (input, band) in self.points(chunk) {
             *parts[band].next().expect("it has been counted") = input;

@@ -1,12 +1,9 @@
-//! The bands become one triangulation: their meshes one after the other, the gaps between them closed, and the
-//! edges from band to band inserted.
+//! Joining the bands: their meshes are put together, the gaps closed, and the edges from band to band inserted.
 //!
-//! Why it is right: where no edges are, the merge of divide and conquer gives the one triangulation of both
-//! parts. Where there are some, it zips the gap up, and legalization leads to the same from any triangulation
-//! that has the edges (the canonical rule). After that an edge is inserted as into any triangulation.
-//!
-//! Cost: O(n) to move n triangles and vertices, O(h) for each gap between hulls of h vertices, and the flips. The
-//! flips may be many, so they have a budget ([`super::super::flip_limit`]).
+//! Why it is right: without edges, the merge of divide and conquer gives the one triangulation of both bands. With
+//! edges, it stitches the gap, and legalization leads to the one triangulation from any other that has the edges (the
+//! canonical rule). Then an edge is inserted as into any triangulation. Cost: O(n) to move n triangles and vertices,
+//! O(h) for each gap between hulls of h vertices, and flips up to a budget ([`super::super::flip_limit`]).
 
 use super::super::Sweep;
 use super::super::delaunay::Delaunay;
@@ -23,8 +20,7 @@ use crate::settings::Settings;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Joins the bands, of which there are at least two, into the state of a sweep whose hull is complete. `None` if
-/// that takes too many flips, or where only one thread can say what is wrong.
+/// Joins two bands or more into a sweep whose hull is complete. `None` after too many flips, or where an edge is wrong.
 pub(super) fn join<'a>(
     points: &'a dyn ExactPoints,
     bands: Vec<Swept>,

@@ -1,16 +1,12 @@
 //! Bands: the sweep on all cores.
 //!
-//! The points are cut into bands by their heights ([`cut`], [`partition`]). Each band is swept by a thread of its own,
-//! with the edges that run within it ([`band`]). Then ghosts enclose it, neighbouring bands are merged
-//! as in divide and conquer, and the edges from band to band are inserted ([`join`], [`across`]).
+//! The points are cut into bands by their heights ([`cut`], [`partition`]). A thread sweeps each band, with the edges
+//! that run within it ([`band`]), and encloses it in ghosts. Then neighbouring bands are merged as in divide and
+//! conquer, and the edges from band to band are inserted ([`join`], [`across`]).
 //!
-//! Why it is right: there is one triangulation of the points and edges (the canonical rule), and every step
-//! leads to that of what has been joined so far.
-//!
-//! Cost: that of the sweep, divided among the threads, and O(n) to join n vertices. One thread alone
-//! legalizes along the gaps and inserts the edges from band to band.
-//!
-//! Differs from the paper: it knows one thread.
+//! Why it is right: the points and edges have one triangulation (the canonical rule), and every step leads to the one
+//! of all that has been joined so far. Cost: that of the sweep, divided among the threads, and O(n) to join n vertices.
+//! One thread alone legalizes along the gaps and inserts the edges from band to band.
 
 mod across;
 mod band;
@@ -34,15 +30,13 @@ use crate::triangulation::Triangulation;
 use band::{Band, Shared, Structure, Swept};
 use partition::Partition;
 
-/// More bands are of no use: each takes some memory for each chunk of points.
+/// The greatest number of bands of any use: each band takes some memory for each chunk of points.
 const MOST: usize = 256;
-/// One thread inserts the edges from band to band. If there are more than these, and than one more for every
-/// eight points, bands are no gain.
+/// How many edges from band to band, beyond one for every eight points, make bands no gain: one thread inserts them.
 const MANY_ACROSS: usize = 10_000;
 
-/// Triangulates in so many bands, at least two, each with a search structure of its own, on the current rayon pool,
-/// without reports of progress. `None`
-/// where only [`super::run`] can say what is wrong, or is as fast.
+/// Triangulates in `bands` bands, at least two, each with a search structure of its own, on the current rayon pool and
+/// without reports of progress. `None` where only [`super::run`] can say what is wrong, or is as fast.
 pub(crate) fn run<'f, S: Scalar + Sync>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
@@ -56,8 +50,8 @@ pub(crate) fn run<'f, S: Scalar + Sync>(
         heuristics,
         progress: None,
     };
-    // On threads of the pool from here on. Otherwise this one would wake them for each step, and some systems start
-    // a thread that wakes on the core of the one that woke it.
+    // All else runs on threads of the pool. Otherwise this thread would wake them for each step, and some systems start
+    // a woken thread on the core of the thread that woke it.
     rayon::scope(move |_| triangulate(points, edges, settings, structure, bands))
 }
 
@@ -68,7 +62,7 @@ fn triangulate<'f, S: Scalar + Sync>(
     structure: &mut (dyn FnMut() -> Structure<'f> + Send),
     bands: usize,
 ) -> Option<Triangulation> {
-    // The bands have a few triangles more, all together, than one sweep.
+    // All bands together have a few triangles more than one sweep.
     if points.len() + bands > LIMIT || edges.len() > LIMIT {
         return None;
     }

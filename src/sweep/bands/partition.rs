@@ -1,6 +1,4 @@
-//! The sorted vertices of all bands, before they are swept: their numbers in the whole, and which edges run
-//! within each band.
-//!
+//! The sorted vertices of all bands before the sweep: their numbers in the whole, and which edges run within each band.
 //! Cost: O(n) for n points and edges, divided among the threads.
 
 use alloc::vec;
@@ -19,11 +17,11 @@ use crate::scalar::Scalar;
 #[derive(Debug)]
 pub(super) struct Partition {
     pub(super) bands: Vec<Vertices>,
-    /// For each band the number of its first vertex in the whole, and at last the number of all vertices.
+    /// For each band the rank of its first vertex in the whole; then the number of all vertices.
     pub(super) first: Vec<usize>,
 }
 
-/// An edge: its number in the input, and both ends, upper one first.
+/// An edge: its input index, and both ends, upper one first.
 pub(super) type Edge = (u32, [VertexId; 2]);
 
 /// The edges, by where they run.
@@ -31,9 +29,9 @@ pub(super) type Edge = (u32, [VertexId; 2]);
 pub(super) struct SplitEdges {
     /// The input indices that stand for the ends of each edge, upper end first.
     pub(super) inputs: Vec<[u32; 2]>,
-    /// For each band lists of the edges within it, their ends numbered in the band.
+    /// For each band lists of the edges within it; ends are numbered in the band.
     pub(super) local: Vec<Vec<Vec<Edge>>>,
-    /// The edges from band to band, their ends numbered in the whole.
+    /// The edges from band to band; ends are numbered in the whole.
     pub(super) crossing: Vec<Edge>,
 }
 
@@ -46,7 +44,7 @@ impl Partition {
             .map(|(band, inputs)| {
                 let mut vertices = Vertices::default();
                 if band == 0 {
-                    // The others will follow here.
+                    // Room for the vertices of the other bands, too.
                     vertices.reserve(located.points.len());
                 }
                 let inputs = inputs.iter().copied();
@@ -67,7 +65,7 @@ impl Partition {
         Partition { bands, first }
     }
 
-    /// Sorts out the edges. `None` if an end is no point.
+    /// Splits the edges into those within a band and those from band to band. `None` if an end is no point.
     pub(super) fn split_edges(&self, points: usize, edges: &[[usize; 2]]) -> Option<SplitEdges> {
         let mut sorted = SplitEdges {
             inputs: vec![[0; 2]; edges.len()],
@@ -96,8 +94,7 @@ impl Partition {
         Some(sorted)
     }
 
-    /// Sorts out a chunk of edges: lists those within each band, and those from band to band. Sets `inputs` to the
-    /// input indices of their ends.
+    /// Splits a chunk of edges: lists those within each band and those from band to band, and sets `inputs`.
     fn lists<'a>(
         &self,
         ranks: &[AtomicU32],
@@ -127,7 +124,7 @@ impl Partition {
         (local, crossing)
     }
 
-    /// For each of so many points the number of its vertex in the whole.
+    /// For each of `points` points the rank of its vertex in the whole.
     fn ranks(&self, points: usize) -> Vec<AtomicU32> {
         let ranks: Vec<AtomicU32> = (0..points).into_par_iter().map(|_| 0.into()).collect();
         let rank = |input: u32| &ranks[input as usize];
@@ -143,12 +140,12 @@ impl Partition {
         ranks
     }
 
-    /// The band of a vertex, which is numbered in the whole.
+    /// The band of a vertex that is numbered in the whole.
     fn band(&self, v: VertexId) -> usize {
         self.first.partition_point(|&first| first <= v.index()) - 1
     }
 
-    /// The input index that stands for a vertex, which is numbered in the whole.
+    /// The input index of a vertex that is numbered in the whole.
     fn input(&self, v: VertexId) -> u32 {
         let band = self.band(v);
         self.bands[band].input[v.index() - self.first[band]]

@@ -1,40 +1,33 @@
-//! The beach line of Fortune's sweep (Fortune 1987): the sites whose parabolas are seen from the sweep line, from
-//! left to right.
+//! The beach line of Fortune's sweep (1987): the sites whose parabolas the sweep line sees, from left to right.
 //!
 //! The points that are nearer to a site than to the sweep line lie below a parabola. The upper border of all these
-//! regions is the beach line. A site may have several *arcs* of it. A new site cuts the arc below it in two, and
-//! gets its own arc between. Where an arc shrinks to nothing, the circle through its site and those of its
-//! neighbours touches the sweep line.
+//! regions is the beach line. A site may have several *arcs* of it. A new site cuts the arc below it in two, and gets
+//! its own arc between. Where an arc shrinks to nothing, the circle through its site and those of its neighbours
+//! touches the sweep line. Everything is computed in plain floating point, and decides nothing: see [`super::fortune`].
 //!
-//! All is computed in plain floating point, and decides nothing: see [`super::fortune`].
-//!
-//! Cost: a look into a table with about sqrt(n) intervals of x, and a walk from there, of O(1) arcs where points
-//! are evenly spread.
-//!
-//! No differences: Fortune's program has such a table, too.
+//! Cost: a look into a table of O(sqrt(n)) intervals of x, and a walk, of O(1) arcs where points are evenly spread.
 
 use crate::bucket::bucket;
 use crate::ids::{BorderId, VertexId, narrow};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// In place of a neighbour or an arc: there is none.
+/// The number of no arc, in place of a neighbour.
 const NONE: u32 = u32::MAX;
 
-/// A stretch of the beach line.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
     site: VertexId,
-    /// The side from this site to that of the next arc, free above.
+    /// The border half-edge from this site to that of the next arc, free above.
     border: BorderId,
     prev: u32,
     next: u32,
-    /// How often its neighbours have changed.
+    /// How often the arc's neighbours have changed.
     changes: u32,
     is_gone: bool,
 }
 
-/// All arcs, by number; those that are gone keep theirs.
+/// All arcs, by number; an arc that is gone keeps its number.
 #[derive(Debug)]
 pub(super) struct BeachLine {
     arcs: Vec<Arc>,
@@ -45,7 +38,7 @@ pub(super) struct BeachLine {
 }
 
 impl BeachLine {
-    /// One arc, of the first of these sites.
+    /// A beach line of one arc, that of the first site.
     pub(super) fn new(sites: &[[f64; 2]]) -> BeachLine {
         let finite = sites.iter().map(|site| site[0]).filter(|x| x.is_finite());
         let (least, most) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| {
@@ -69,7 +62,7 @@ impl BeachLine {
         }
     }
 
-    /// The arc below a new site, and the steps of the walk to it.
+    /// The arc below a new site `p`, and the number of steps walked to it.
     pub(super) fn below(&mut self, p: [f64; 2], sites: &[[f64; 2]]) -> (u32, u64) {
         let place = bucket((p[0] - self.least) * self.per_x, self.found.len());
         let mut at = self.found[place];
@@ -97,8 +90,7 @@ impl BeachLine {
         (at, steps)
     }
 
-    /// Cuts an arc in two, with an arc of `p` between; `open` is both sides of the side to `p`. Returns the arc
-    /// on the right.
+    /// Cuts an arc in two around one of `p`; `border` stands for both halves of the side to `p`. Returns the right arc.
     pub(super) fn cut(&mut self, arc: u32, p: VertexId, border: BorderId) -> u32 {
         let whole = *self.arc(arc);
         let [middle, right] = [0, 1].map(|i| narrow(self.arcs.len() + i));
@@ -122,8 +114,7 @@ impl BeachLine {
         right
     }
 
-    /// Removes an arc that is neither the first nor the last; `open` is the side between its neighbours, which
-    /// are returned.
+    /// Removes an inner arc; `border` is the side between its neighbours, which are returned.
     pub(super) fn remove(&mut self, arc: u32, border: BorderId) -> [u32; 2] {
         let Arc { prev, next, .. } = *self.arc(arc);
         self.arcs[arc as usize].is_gone = true;
@@ -133,26 +124,26 @@ impl BeachLine {
         [prev, next]
     }
 
-    /// The neighbours of an arc have changed; returns how often.
+    /// Notes that the neighbours of an arc have changed; returns how often they have.
     pub(super) fn change(&mut self, arc: u32) -> u32 {
         let arc = &mut self.arcs[arc as usize];
         arc.changes += 1;
         arc.changes
     }
 
-    /// Whether an arc is there, and has the neighbours that it had after so many changes.
+    /// Whether an arc is there, with the neighbours that it had after `changes` changes.
     pub(super) fn is_as_after(&self, arc: u32, changes: u32) -> bool {
         !self.arc(arc).is_gone && self.arc(arc).changes == changes
     }
 
-    /// The sites of an arc and its neighbours, each with the side to the next one; `None` at either end.
+    /// The sites of an arc and its neighbours, each with the side to the next site; `None` for the first and last arc.
     pub(super) fn corner(&self, arc: u32) -> Option<[(VertexId, BorderId); 3]> {
         let Arc { prev, next, .. } = *self.arc(arc);
         let is_inner = prev != NONE && next != NONE;
         is_inner.then(|| [prev, arc, next].map(|i| (self.arc(i).site, self.arc(i).border)))
     }
 
-    /// All sites from left to right, each with the side to the next one.
+    /// All sites from left to right, each with the side to the next site.
     pub(super) fn sites(&self) -> impl Iterator<Item = (VertexId, BorderId)> {
         let next = |&at: &u32| Some(self.arc(at).next).filter(|&next| next != NONE);
         core::iter::successors(Some(0), next).map(|at| (self.arc(at).site, self.arc(at).border))
@@ -163,8 +154,7 @@ impl BeachLine {
     }
 }
 
-/// Whether the new site `p`, which the sweep line has reached, lies right of the place where the arc of `a` gives
-/// way to that of `b`.
+/// Whether the new site `p`, on the sweep line, lies right of the point where the arc of `a` gives way to that of `b`.
 fn is_right(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> bool {
     let [[ax, ay], [bx, by]] = [a, b].map(|site| [p[0] - site[0], p[1] - site[1]]);
     // The circle through b that touches the sweep line at p is smaller.

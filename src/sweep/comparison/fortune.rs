@@ -1,5 +1,4 @@
-//! Fortune's sweep line (1987), the paper's F-S: the beach line moves up over the points, and a triangle is made
-//! where an arc vanishes.
+//! Fortune's sweep line (1987), the paper's F-S: the beach line moves up; where an arc vanishes, a triangle is made.
 //!
 //! ```text
 //!           p                            The *chain* runs through the sites of the arcs, from left to right.
@@ -8,24 +7,23 @@
 //!     b      `--- c      `- b -'         a and c: the triangle a, b, c is made, and b leaves the chain.
 //! ```
 //!
-//! Which arc lies below a site, and when an arc vanishes, are signs of parabolas and of circles against the sweep
-//! line. They are not among those of a [`Scalar`], and do not follow from them. So, as in the paper's comparison,
-//! floating point chooses ([`super::beach_line`]). Exact signs judge what comes of it:
+//! Which arc lies below a site, and when an arc vanishes, are signs of parabolas, and of circles against the sweep
+//! line. A [`Scalar`] has no such signs, and they do not follow from those it has. So, as in the paper's comparison,
+//! floating point chooses ([`super::beach_line`]). Exact predicates judge the outcome:
 //! - a triangle is made only where the chain turns strictly left, so all triangles are counter-clockwise;
-//! - when no such corner is left, the chain must be a convex polygon around the points: its sites rise in sweep
-//!   order and then fall, no corner turns left, and the lowest and the highest turn strictly right;
+//! - when no such corner is left, the chain must be a convex polygon around the points: its sites rise in sweep order
+//!   and then fall, no corner turns left, and the lowest and the highest turn strictly right;
 //! - then all sides are legalized. Few must be flipped: ties, and where floating point chose wrong.
 //!
-//! Why it is right: triangles are joined to the chain at whole sides, so together they are a disk. Its boundary
-//! is a convex polygon, and all its triangles are counter-clockwise. So each point of the polygon is covered once:
-//! that is a triangulation. Legalization leads to the same from any triangulation. Where the chain is no convex
-//! polygon, divide and conquer begins anew: where many points are nearly on a line, such as along the sides of a
-//! hexagon, or where doubles are infinite.
+//! Why it is right: triangles are joined to the chain at whole sides, so together they are a disk. Its boundary is a
+//! convex polygon, and all its triangles are counter-clockwise. So each point of the polygon is covered once: this is a
+//! triangulation. Legalization leads to the same result from any triangulation. Where the chain is no convex polygon,
+//! divide and conquer begins anew: where many points are nearly on a line, such as along the sides of a hexagon, or
+//! where doubles are infinite.
 //!
-//! Cost: O(n log n) for n points that are evenly spread. The walks along the beach line, and the flips where
-//! floating point chooses wrong, may be O(n^2) for others.
-//!
-//! Differs from Fortune: triangles in place of the Voronoi diagram; the exact signs.
+//! Cost: O(n log n) for n points that are evenly spread; for others the walks along the beach line, and the flips where
+//! floating point chooses wrong, may be O(n^2). Differs from Fortune: triangles in place of the Voronoi diagram; exact
+//! predicates.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
@@ -42,10 +40,10 @@ use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::trace::Why;
 
-/// An arc that will vanish: the height of the sweep line, the arc, and how often its neighbours had changed.
+/// An arc that will vanish: the key of the sweep line's height, the arc, and how often its neighbours had changed.
 type Vanishing = Reverse<(u64, u32, u32)>;
 
-/// A number that grows with the height.
+/// A key that grows with the height.
 fn key(height: f64) -> u64 {
     let bits = height.to_bits();
     let negative = bits >> 63 == 1;
@@ -53,8 +51,8 @@ fn key(height: f64) -> u64 {
 }
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Sweeps with a beach line, and then inserts the edges; afterwards the hull is complete. Returns how many
-    /// vertices lie within it: all, or none if they all lie on one line or no triangulation has come of it.
+    /// Sweeps with a beach line, and then inserts the edges; afterwards the hull is complete. Returns how many vertices
+    /// lie within it: all, or none if all lie on one line or the sweep led to no triangulation.
     pub(in crate::sweep) fn sweep_beach_line(&mut self) -> Result<usize, Error> {
         let n = self.delaunay.predicates.vertices.len();
         if self.begin_off_line().is_none() {
@@ -73,7 +71,7 @@ impl<P: Probe> Sweep<'_, P> {
 }
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// The beach line after all points, and all circles, have been swept; the triangles are in the mesh.
+    /// Sweeps all points and circles. Returns the beach line; the triangles are in the mesh.
     fn beach_line(&mut self) -> BeachLine {
         let n = self.predicates.vertices.len();
         let mut line = BeachLine::new(&self.predicates.vertices.approx[..n]);
@@ -88,7 +86,6 @@ impl<P: Probe> Delaunay<'_, P> {
             }
             let (left, steps) = line.below(site, &self.predicates.vertices.approx);
             self.probe.count(|c| c.front_steps += steps);
-            // Both sides of the side to p are one border half-edge.
             let right = line.cut(left, p, self.mesh.add_border());
             for arc in [left, right] {
                 self.foresee(arc, &mut line, &mut events);
@@ -100,7 +97,7 @@ impl<P: Probe> Delaunay<'_, P> {
         line
     }
 
-    /// Notes when an arc with new neighbours will vanish, if it will.
+    /// Notes when an arc with new neighbours will vanish, if ever.
     fn foresee(&mut self, arc: u32, line: &mut BeachLine, events: &mut BinaryHeap<Vanishing>) {
         let changes = line.change(arc);
         if let Some(corner) = line.corner(arc) {
@@ -133,8 +130,7 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Whether the chain of all sites is a convex polygon, from the lowest site on the left up and on the right
-    /// down to it, with a triangle at each side.
+    /// Whether the chain of all sites, from the lowest one, is a convex polygon with a triangle at each side.
     fn is_convex(&mut self, line: &BeachLine) -> bool {
         let chain: Vec<VertexId> = line.sites().map(|(site, _)| site).collect();
         let sides = chain.len() - 1;
@@ -160,7 +156,7 @@ impl<P: Probe> Delaunay<'_, P> {
         })
     }
 
-    /// Ghosts around the chain of all sites. Returns that of the hull side that starts at the lowest.
+    /// Puts ghosts around the chain of all sites. Returns the ghost of the hull side that starts at the lowest.
     fn ghosts_around(&mut self, line: &BeachLine) -> HalfEdge {
         let chain: Vec<_> = line.sites().collect();
         let mut ghosts = Vec::with_capacity(chain.len());

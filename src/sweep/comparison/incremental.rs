@@ -1,5 +1,4 @@
-//! Randomized incremental insertion, the paper's M-INC: points in random order, located by jump and walk (Mücke,
-//! Saias and Zhu 1996), and legalized by Lawson's flips.
+//! Randomized incremental insertion, the paper's M-INC: jump and walk (Mücke, Saias and Zhu 1996), then Lawson's flips.
 //!
 //! The triangulation begins with the first two vertices in sweep order and the first one off their line. Ghosts
 //! surround it ([`super::super::divide_and_conquer`]), so a vertex outside the hull is inserted like one within.
@@ -12,21 +11,19 @@
 //!    or until a ghost is reached.                              b----------c       b----------c
 //! ```
 //!
-//! Why the walk ends: lifted to the paraboloid, and lowered where four lie on one circle ([`super::super::predicates`]),
-//! the triangulation is a convex surface. Where the walk crosses a side, the plane of the triangle beyond it lies
-//! higher above the new vertex than that of the one before. So no triangle is visited twice.
+//! Why the walk ends: lifted to the paraboloid, and lowered where four points lie on one circle
+//! ([`super::super::predicates`]), the triangulation is a convex surface. Crossing a side, the walk enters a triangle
+//! whose plane lies higher above the new vertex than that of the triangle left. So none is visited twice.
 //!
-//! Why the insertion is right: the triangle found becomes three. All other sides were legal, so only those
-//! opposite the new vertex can be illegal, and [`Delaunay::legalize_fan`] flips them. A vertex on a side makes a
-//! triangle without area there. It lies inside the circle beyond that side, so the side is flipped. On the hull
-//! the triangle found is the ghost, and the triangle without area lies on the inner side. A ghost is flipped
-//! where its hull side has the vertex strictly outside: by the rule for a side with an artificial end.
+//! Why the insertion is right: the triangle found becomes three. All other sides were legal, so only those opposite the
+//! new vertex can be illegal, and [`Delaunay::legalize_fan`] flips them. A vertex on a side makes a triangle without
+//! area there. The vertex lies inside the circle beyond that side, so the side is flipped. On the hull the triangle
+//! found is the ghost, and the triangle without area lies on the inner side. A ghost is flipped where its hull side has
+//! the vertex strictly outside, by the rule for a side with an artificial end.
 //!
-//! Cost: expected O(n^(4/3)) for n points that are evenly spread: O(n^(1/3)) draws and steps for each, and a
-//! constant number of flips for any points. Where points crowd, the walks are longer: O(n) each at worst.
-//!
-//! Differs from Mücke, Saias and Zhu: triangles are drawn in place of vertices, as in Shewchuk's Triangle, which
-//! the paper compares with.
+//! Cost: expected O(n^(4/3)) for n points that are evenly spread: O(n^(1/3)) draws and steps for each, and a constant
+//! number of flips for any points. Where points crowd, the walks are longer: O(n) each at worst. Differs from Mücke,
+//! Saias and Zhu: triangles are drawn in place of vertices, as in Shewchuk's Triangle, which the paper compares with.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Less};
@@ -42,8 +39,7 @@ use crate::probe::Probe;
 use crate::trace::Why;
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Triangulates by insertion, and then inserts the edges; afterwards the hull is complete. Returns how many
-    /// vertices lie within it: all, or none if they all lie on one line.
+    /// Inserts points, then edges, and completes the hull. Returns the number of vertices, or 0 if all lie on one line.
     pub(in crate::sweep) fn insert_at_random(&mut self) -> Result<usize, Error> {
         let n = self.delaunay.predicates.vertices.len();
         let Some(off_line) = self.begin_off_line() else {
@@ -72,7 +68,7 @@ impl<P: Probe> Sweep<'_, P> {
 }
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// The first two vertices and the first one off their line, with ghosts around them.
+    /// Makes the triangle of the first two vertices and the first one off their line, with ghosts around it.
     fn triangle_of_first(&mut self, off_line: VertexId) {
         let [a, b] = [0, 1].map(VertexId::at);
         let corners = if self.orient2d([a, b, off_line]) == Less {
@@ -83,14 +79,14 @@ impl<P: Probe> Delaunay<'_, P> {
         self.triangle(corners);
     }
 
-    /// Of so many triangles drawn at random, the one nearest to `p` by its first vertex, in plain floating point.
+    /// Of `draws` triangles drawn at random, the one whose first vertex is nearest to `p`, in plain floating point.
     fn nearest_of(&self, draws: usize, p: VertexId, random: &mut Random) -> TriangleId {
         let [px, py] = self.predicates.approx(p);
         let mut nearest = (f64::INFINITY, TriangleId::new(0));
         for _ in 0..draws {
             let t = TriangleId::at(random.below(self.mesh.len()));
             let [x, y] = self.predicates.approx(self.mesh.get(t).vertex(0));
-            // No number for the vertex of the ghosts.
+            // NaN for the vertex of the ghosts.
             let square = (x - px) * (x - px) + (y - py) * (y - py);
             if square < nearest.0 {
                 nearest = (square, t);
@@ -99,10 +95,9 @@ impl<P: Probe> Delaunay<'_, P> {
         nearest.1
     }
 
-    /// The triangle with `p` in it or on its border, or the ghost of a hull side that has `p` strictly outside or
-    /// on it.
+    /// The triangle with `p` in it or on its border, or the ghost of a hull side with `p` on it or strictly outside.
     fn walk(&mut self, start: TriangleId, p: VertexId) -> TriangleId {
-        // The side crossed last, as one of the triangle entered. At first none is.
+        // The side crossed last, as a side of the triangle entered. At first there is none.
         let inner = self.hull_side(start).map(|side| self.mesh.twin(side));
         let mut entered = inner.unwrap_or(HalfEdge::new(start, 0));
         let mut tested = 0;
@@ -136,7 +131,7 @@ impl<P: Probe> Delaunay<'_, P> {
         sides.find(|&side| self.predicates.is_artificial(self.mesh.opposite(side)))
     }
 
-    /// Makes three of triangle `t`, around `p`, and legalizes them.
+    /// Splits triangle `t` at `p` into three, and legalizes them.
     fn insert(&mut self, p: VertexId, t: TriangleId) {
         let [a, b, c] = self.mesh.get(t).vertices();
         let [_, ca, ab] = [0, 1, 2].map(|i| HalfEdge::new(t, i));

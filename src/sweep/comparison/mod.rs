@@ -1,6 +1,5 @@
-//! The algorithms that the paper compares its sweep with (section 4), on the same mesh, with the same signs and
-//! counters. Divide and conquer is not among them: it is the net under the sweep
-//! ([`super::divide_and_conquer`]).
+//! The algorithms that the paper compares its sweep with (section 4), on the same mesh, with the same predicates and
+//! counters. Divide and conquer is not among them: it is the net under the sweep ([`super::divide_and_conquer`]).
 //!
 //! | the paper's | what | file |
 //! |---|---|---|
@@ -8,10 +7,9 @@
 //! | F-S | Fortune's sweep line | [`fortune`], [`beach_line`] |
 //! | section 3.1 | the sweep without artificial points | [`sweep_2005`] |
 //!
-//! Each triangulates the points. Then the edges are inserted one by one (Anglada 1997) by the code of the edge
-//! event, in the order of the sweep. So the results are the same, and of several crossings the same is found.
-//!
-//! Points on one line have no triangle to begin with, and divide and conquer links them up.
+//! Each algorithm triangulates the points. Then the code of the edge event inserts the edges one by one (Anglada 1997)
+//! in sweep order. So the results are the same, and of several crossings the same one is found. Points on one line have
+//! no triangle to begin with: divide and conquer links them up.
 
 mod beach_line;
 mod fortune;
@@ -29,7 +27,7 @@ use crate::probe::Probe;
 use crate::recorder::Phase;
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Begins to triangulate, if not all vertices lie on one line: returns the first one off it.
+    /// Begins the phase of sweeping, unless all vertices lie on one line. Returns the first vertex off the line.
     fn begin_off_line(&mut self) -> Option<VertexId> {
         let off_line = self.delaunay.first_off_line()?;
         self.delaunay.probe.begin(Phase::Sweeping);
@@ -44,8 +42,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay.mesh.reset_borders(n + 2);
     }
 
-    /// Inserts the edges where ghosts surround all vertices, whose number is returned; the hull side of `start`
-    /// starts at the lowest vertex.
+    /// Inserts the edges where ghosts surround all vertices; returns the number of these. For `start` see `hand_over`.
     fn finish_from_ghosts(&mut self, start: HalfEdge) -> Result<usize, Error> {
         self.hand_over(start);
         self.insert_all()?;

@@ -1,8 +1,6 @@
 //! The sweep of Žalik (2005), without the artificial points P-1 and P-2 (section 3.1, figure 4): all triangles are
-//! real, and the lower hull is kept beside the advancing front.
-//!
-//! A point event whose projection falls on the front is that of the sweep. Beyond an end of the front, or above
-//! it, come the cases that P-1 and P-2 are there to avoid:
+//! real, and the lower hull is kept beside the advancing front. A point event whose projection falls on the front is
+//! that of the sweep. Beyond an end of the front, or above it, come the cases that P-1 and P-2 are there to avoid:
 //!
 //! ```text
 //!    inner --- end . . . . p       inner . . . . . p     On the left the sides end-u1 and u1-u2 are seen from
@@ -13,17 +11,17 @@
 //!            u2 .                      u1                front all is mirrored.
 //! ```
 //!
-//! Why it is right: the hull is convex and `p` is not in it, so the sides that `p` has strictly outside
-//! follow each other from `end` down. With `p` they make triangles. If there is none, `p` lies above the line of
-//! the last side or on it, and the front at `end` lies above that line. So the corner between `inner`, `end` and
-//! `p` turns strictly inward, and it is closed. After either case every side of front and hull has a triangle.
+//! Why it is right: the hull is convex and `p` is not in it, so the sides that have `p` strictly outside follow each
+//! other from `end` down. With `p` they make triangles. If there is none, `p` lies above the line of the last side or
+//! on it, and the front at `end` lies above that line. So the corner between `inner`, `end` and `p` turns strictly
+//! inward, and is closed. After either case every side of front and hull has a triangle.
 //!
-//! The first triangle: Žalik distinguishes six cases. Here the vertices up to the first one off the line of the
-//! first two are swept with P-1 and P-2. The front is filled to its hull, and then the artificial triangles go.
-//! They come back when the points are triangulated, because the edges and the result are made with them.
+//! The first triangle: Žalik distinguishes six cases. Here the vertices up to the first one off the line of the first
+//! two are swept with P-1 and P-2, the front is filled to its hull, and then the artificial triangles go. They come
+//! back when the points are triangulated, because the edges and the result are made with them.
 //!
-//! Cost: that of the sweep. A point event beyond an end costs one orientation test more than the hull sides that
-//! it sees; all together they are no more than the vertices.
+//! Cost: that of the sweep. A point event beyond an end costs one orientation test more than the hull sides that it
+//! sees; all together they are no more than the vertices.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::Less;
@@ -36,12 +34,11 @@ use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::trace::Why;
 
-/// A side of the lower hull.
 #[derive(Clone, Copy, Debug)]
 struct HullSide {
     lower: VertexId,
     upper: VertexId,
-    /// What its triangle borders on.
+    /// The border half-edge that the side's triangle borders on.
     border: BorderId,
 }
 
@@ -62,8 +59,8 @@ impl LowerHull {
 }
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Sweeps the points, and then inserts the edges; afterwards the hull is complete. Returns how many vertices
-    /// lie within it: all, or none if they all lie on one line.
+    /// Sweeps the points, and then inserts the edges; afterwards the hull is complete. Returns how many vertices lie
+    /// within it: all, or none if they all lie on one line.
     pub(in crate::sweep) fn sweep_without_artificial(&mut self) -> Result<usize, Error> {
         let n = self.delaunay.predicates.vertices.len();
         let Some(off_line) = self.begin_off_line() else {
@@ -98,7 +95,7 @@ impl<P: Probe> Sweep<'_, P> {
         Ok(n)
     }
 
-    /// The last real node of the front.
+    /// The last real node of the front in a direction.
     fn end(&self, direction: Direction) -> VertexId {
         let artificial = self.delaunay.predicates.artificial;
         match direction {
@@ -107,7 +104,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// The lower hull of what has been swept, once the artificial triangles are removed.
+    /// Removes the artificial triangles; returns the lower hull of the vertices swept.
     fn take_lower_hull(&mut self) -> LowerHull {
         let mut hull = LowerHull::default();
         for ghost in self.lower_ghosts() {
@@ -138,7 +135,7 @@ impl<P: Probe> Sweep<'_, P> {
         let sides = hull.beside(direction);
         let end = self.end(direction);
         let border = self.delaunay.mesh.add_border();
-        // Segments of the front bear the number of their left end.
+        // A segment of the front bears the number of its left end.
         let (before, segment) = match direction {
             Direction::Left => (self.delaunay.predicates.artificial.left, p.id),
             Direction::Right => (end, end),
@@ -173,7 +170,7 @@ impl<P: Probe> Sweep<'_, P> {
         });
     }
 
-    /// Whether `p` has a side of the hull strictly outside.
+    /// Whether `p` lies strictly outside a side of the hull.
     fn sees(&mut self, p: VertexId, direction: Direction, side: HullSide) -> bool {
         let [from, to] = match direction {
             Direction::Left => [side.upper, side.lower],
@@ -182,8 +179,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay.orient2d([from, to, p]) == Less
     }
 
-    /// Closes the corner at `end`, which was the end of the front and is now below it; the triangle borders on
-    /// `open`.
+    /// Closes the corner at `end`, the front's former end, now below it; the triangle borders on `border`.
     fn close_end(&mut self, p: NewVertex, direction: Direction, end: VertexId, border: BorderId) {
         let inner = match direction {
             Direction::Left => self.front.next(end),
@@ -206,7 +202,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay.legalize_fan(t, p.approx, vertices[2]);
     }
 
-    /// Artificial triangles below the lower hull.
+    /// Puts artificial triangles below the lower hull.
     fn enclose_lower_hull(&mut self, hull: &LowerHull) {
         // Counter-clockwise: down on the left, up on the right.
         let left = hull

@@ -1,5 +1,5 @@
-//! Pseudo-polygons (section 3.4.2, figure 12): the triangles that an edge pierces are removed, and the
-//! two polygons left and right of it are triangulated.
+//! Pseudo-polygons (section 3.4.2, figure 12): the triangles that an edge pierces are removed, and the two polygons
+//! left and right of it are triangulated. If only two triangles are pierced, their common side is swapped.
 //!
 //! ```text
 //!            from                 The edge runs from `from` down to `to` (dotted). Seen along it, the
@@ -14,15 +14,8 @@
 //!            to                   two border half-edges are joined to each other.
 //! ```
 //!
-//! Where the edge pierces two triangles only, both pseudo-polygons are triangles, and nothing is to be filled: the side
-//! between the two is swapped for the edge.
-//!
-//! Why it is right: the new triangles are legalized among themselves. The sides on the border were legal
-//! and remain so, because the edge blocks views and opens none.
-//!
-//! Cost: O(k log k) for k pierced triangles, beyond the legalization.
-//!
-//! Differs from the paper: see [`super::fill`].
+//! Why it is right: the new triangles are legalized among themselves. The sides on the border were legal and remain so,
+//! because the edge blocks views and opens none. Cost: O(k log k) for k pierced triangles, beyond the legalization.
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::mem::take;
@@ -35,7 +28,6 @@ use crate::probe::Probe;
 use crate::sweep::traversal::Traversed;
 use crate::trace::{Event, PseudoPolygon, Why};
 
-/// Both pseudo-polygons of an edge.
 #[derive(Debug, Default)]
 pub(in crate::sweep) struct Polygons {
     pub(in crate::sweep) right: Vec<ChainVertex>,
@@ -43,20 +35,19 @@ pub(in crate::sweep) struct Polygons {
     pub(in crate::sweep) seams: Seams,
 }
 
-/// The border half-edges on the border of both pseudo-polygons.
+/// The border half-edges of both pseudo-polygons, and the sides to which they will be joined.
 #[derive(Debug, Default)]
 pub(in crate::sweep) struct Seams {
     /// The pierced triangles, ascending.
     pub(in crate::sweep) pierced: Vec<TriangleId>,
-    /// Each with what lies across it.
+    /// Each border half-edge with its twin outside.
     pub(in crate::sweep) outer: Vec<(BorderId, HalfEdge)>,
-    /// Hanging edges: the pierced triangle's side, what lies across, and the border half-edge in its place.
+    /// Hanging edges: the pierced triangle's side, its twin, and the border half-edge in its place.
     pub(in crate::sweep) hanging: Vec<(HalfEdge, HalfEdge, BorderId)>,
 }
 
 impl Seams {
-    /// Begins with these pierced triangles, which are needed until the borders are known; then their places are used
-    /// again.
+    /// Begins with these pierced triangles, whose records are needed until all border half-edges are made.
     pub(in crate::sweep) fn begin(&mut self, pierced: &[TriangleId]) {
         self.pierced.clear();
         self.pierced.extend_from_slice(pierced);
@@ -67,8 +58,7 @@ impl Seams {
 }
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Makes the part from `from` to `to` a constrained side; the traversal has just found its `obstacles`.
-    /// Returns the side opposite `from` of the triangle to the right of the part.
+    /// Makes the part just traversed a side. Returns the side opposite `from` of the triangle on its right.
     pub(in crate::sweep) fn replace_pierced(
         &mut self,
         from: VertexId,
@@ -86,7 +76,6 @@ impl<P: Probe> Delaunay<'_, P> {
         } else {
             self.replace_many([from, to], polygons, traversed)
         };
-        // The two triangles at the edge are joined across it.
         self.mesh.connect(right.constrain(), left);
         self.report(|name| Event::Fixed {
             side: [from, to].map(name),
@@ -95,7 +84,7 @@ impl<P: Probe> Delaunay<'_, P> {
         right.prev()
     }
 
-    /// Reports and counts the triangles that will be replaced.
+    /// Reports and counts the pierced triangles.
     fn note_pierced(&mut self, pierced: &[TriangleId]) {
         self.probe.count(|c| c.pierced += pierced.len() as u64);
         for &t in pierced {
@@ -106,7 +95,7 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Replaces two triangles. Returns the sides at the edge, left and right.
+    /// Replaces two triangles. Returns the two sides at the edge, left and right.
     fn replace_two(
         &mut self,
         [from, to]: [VertexId; 2],
@@ -132,14 +121,13 @@ impl<P: Probe> Delaunay<'_, P> {
         })
     }
 
-    /// Replaces any number of triangles. Returns the sides at the edge, left and right.
+    /// Replaces any number of triangles. Returns the two sides at the edge, left and right.
     fn replace_many(
         &mut self,
         [from, to]: [VertexId; 2],
         [left_polygon, right_polygon]: [PseudoPolygon; 2],
         traversed: &Traversed,
     ) -> [HalfEdge; 2] {
-        // The pierced triangles go, and leave two chains of border half-edges.
         let kept = self.mesh.border_count();
         let mut polygons = take(&mut self.polygons);
         let Polygons { right, left, seams } = &mut polygons;
@@ -158,7 +146,7 @@ impl<P: Probe> Delaunay<'_, P> {
         sides
     }
 
-    /// Replaces these sides of pierced triangles by `chain`, of border half-edges, which ends at `last`.
+    /// Replaces the given sides of pierced triangles by border half-edges: a `chain` that ends at `last`.
     fn border<'s>(
         &mut self,
         chain: &mut Vec<ChainVertex>,
@@ -189,7 +177,6 @@ impl<P: Probe> Delaunay<'_, P> {
         );
     }
 
-    /// Reports the vertices of a pseudo-polygon.
     fn report_border(
         &mut self,
         polygon: PseudoPolygon,
@@ -205,7 +192,7 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Makes an border half-edge for a side of a pierced triangle that borders on a pseudo-polygon.
+    /// Makes a border half-edge for a side of a pierced triangle that borders on a pseudo-polygon.
     fn add_border_of(&mut self, inner: HalfEdge, seams: &mut Seams) -> BorderId {
         let border = self.mesh.add_border();
         let outer = self.mesh.twin(inner);
@@ -217,7 +204,7 @@ impl<P: Probe> Delaunay<'_, P> {
         border
     }
 
-    /// Joins the new triangles to what lies outside, or to each other across hanging edges.
+    /// Joins the new triangles to their neighbours outside, or to each other across hanging edges.
     fn close_seams(&mut self, seams: &mut Seams) {
         for &(border, outer) in &seams.outer {
             self.mesh.connect(self.mesh.border_twin(border), outer);

@@ -1,45 +1,39 @@
-//! Fills a chain of border half-edges up to its hull: pockets and basins of the front, the upper hull
-//! (figure 15a), and pseudo-polygons (figures 12 and 13).
+//! Filling a chain up to its hull: pockets, basins, upper hull (figure 15a), pseudo-polygons (figures 12 and 13).
 //!
-//! A chain is a polyline of border half-edges with the empty region to its left. Where it turns left, a triangle
-//! can close the corner. Graham's scan closes corners until no left turn remains. What is left of the
-//! front, or of a stretch of it, is its upper hull; what is left of a pseudo-polygon is the constrained
-//! edge.
+//! A chain is a polyline of border half-edges with the empty region to its left. Where it turns left, a triangle can
+//! close the corner. Graham's scan closes corners until no left turn remains. What is left of a piece of the front is
+//! its upper hull; what is left of a pseudo-polygon is the constrained edge.
 //!
 //! ```text
 //!    0 . . .       empty region             6    The chain runs from 0 to 6. At 1 to 4 it turns left,
 //!     \      . . . . . .                 _-'     and with the chord 0-5 (dotted) these corners make
 //!      \           chord . . . . .    _-'        a convex polygon: a *convex run*, which is closed as a
-//!       1                        . 5-'           whole. At 5 the chain turns right, so the stretch
-//!        `-_                    _-'              ends there. Now the chain runs 0-5-6 and turns left
-//!           2-_              _-4                 at 5, so that corner is closed next.
+//!       1                        . 5-'           whole. At 5 the chain turns right, so the run ends
+//!        `-_                    _-'              there. Now the chain runs 0-5-6 and turns left at 5,
+//!           2-_              _-4                 so that corner is closed next.
 //!              `--_      _--'
 //!                  `-3--'
 //! ```
 //!
-//! Why it is right: chains of the front are x-monotone, and a pseudo-polygon is weakly visible from its
-//! constrained edge. In both, every corner that turns strictly left is an ear, and it stays one when other
-//! corners are cut off (Toussaint and Avis 1982). At the free end of a hanging edge the chain turns back by
-//! 180 degrees. That is no left turn, so triangles come to both sides of the edge. A vertex that the chain
-//! visits twice is two corners.
+//! Why it is right: chains of the front are x-monotone, and a pseudo-polygon is weakly visible from its constrained
+//! edge. In both, every corner that turns strictly left is an ear, and stays one when other corners are cut off
+//! (Toussaint and Avis 1982). At the free end of a hanging edge the chain turns back by 180 degrees, which is no left
+//! turn: triangles come to both sides of the edge. A vertex that the chain visits twice is two corners.
 //!
-//! Corners of a long convex run must not be closed one after the other: along a parabola that makes
-//! a fan, which each new corner flips anew, a quadratic number of flips. So a maximal convex run is
-//! closed as a whole. Its vertices are inserted in random order, each into the polygon of those before it
-//! (Chew 1990). Chains of a few corners, as most pockets and pseudo-polygons are, cannot flip much, and drawing an order
-//! costs more: their corners are closed one by one.
+//! Corners of a long convex run must not be closed one after the other: along a parabola each new corner would flip the
+//! whole fan of those before it, O(k^2) flips. So a maximal convex run is closed as a whole: its vertices are inserted
+//! in random order, each into the polygon of those before it (Chew 1990). Chains of a few corners, like most pockets
+//! and pseudo-polygons, cannot flip much, and drawing an order costs more: their corners are closed one by one.
 //!
-//! Which triangle does a corner make when it is inserted? To find out, the corners are first taken out of the polygon
-//! in reverse order, and each one keeps its two neighbours among those left. Inserted in order, each corner makes a
-//! triangle with these two. A long run is inserted in rounds, each as large as all before it and from left to right
-//! (Amenta, Choi and Rote 2003): the corners of a round are chosen at random, and corners near each other in memory
-//! follow each other.
+//! Each inserted corner makes a triangle with its two neighbours of that moment. To find these, all corners are first
+//! taken out of the polygon in reverse order, and each keeps the two that it has then. A long run is inserted in
+//! rounds, each as large as all before it and from left to right (Amenta, Choi and Rote 2003): a round has random
+//! corners, but visits memory in order.
 //!
 //! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex runs.
 //!
-//! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right.
-//! In a pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada
-//! 1997), which costs O(k^2).
+//! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right. In a
+//! pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada 1997), in O(k^2).
 use alloc::vec::Vec;
 use core::cmp::Ordering::Greater;
 
@@ -49,26 +43,23 @@ use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 use crate::trace::Why;
 
-/// A vertex of a chain and the border half-edge from it to the next one (meaningless for the last one).
-///
-/// If a triangle borders on the border half-edge from outside, closing the corner joins it to the new triangle,
-/// and their common side goes on the flip stack. If none does, the border half-edge stays, and the new triangle
-/// borders on it.
+/// A vertex of a chain and the border half-edge from it to the next one (meaningless for the last one). If that border
+/// half-edge has a triangle outside, closing the corner joins it to the new triangle, and their common side goes on the
+/// flip stack. Otherwise the border half-edge stays, and the new triangle borders on it.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::sweep) struct ChainVertex {
     pub(in crate::sweep) vertex: VertexId,
     pub(in crate::sweep) border: BorderId,
 }
 
-/// The corners of a chain of at most so many vertices are closed one by one.
+/// Chains of at most this many vertices are closed one corner at a time.
 const CLOSED_ONE_BY_ONE: usize = 6;
 
-/// More suspects than these do not wait for the end of the chain.
+/// A flip stack of more than this many sides does not wait for the end of the chain.
 const MANY: usize = 4096;
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Fills the region to the left of `chain` and leaves its hull in `chain`. Sides between a new triangle and
-    /// an old one go on the flip stack.
+    /// Fills the region left of `chain`, and leaves its hull. Sides between new and old triangles go on the flip stack.
     pub(in crate::sweep) fn fill(&mut self, chain: &mut Vec<ChainVertex>, why: Why) {
         let before = chain.len();
         self.flip_limit.grant_for_chain(before);
@@ -90,7 +81,7 @@ impl<P: Probe> Delaunay<'_, P> {
             {
                 ahead += 1;
             }
-            // The stretch becomes one side, from its first to its last corner; the last is scanned again.
+            // The run becomes one side. Its last corner is scanned again.
             done -= 1;
             chain[done - 1].border = match chain[start..=ahead] {
                 [a, b, c] => self.fill_ear([a, b, c], why),
@@ -104,9 +95,9 @@ impl<P: Probe> Delaunay<'_, P> {
         self.orient2d([a.vertex, b.vertex, c.vertex]) == Greater
     }
 
-    /// Whether the stretch with its chord, a strictly convex polygon, stays one with one more corner.
+    /// Whether a convex run with its chord, a strictly convex polygon, stays one with one more corner.
     fn stays_convex(&mut self, corners: &[ChainVertex], corner: ChainVertex) -> bool {
-        // In a stretch of three, `second` and `a` are the same corner.
+        // In a run of three, `second` and `a` are the same corner.
         let [first, second] = [corners[0], corners[1]];
         let [a, b] = [corners[corners.len() - 2], corners[corners.len() - 1]];
         self.turns_left(a, b, corner)
@@ -137,7 +128,7 @@ impl<P: Probe> Delaunay<'_, P> {
         chord
     }
 
-    /// What lies across the side from `corner` for a triangle above it.
+    /// The twin that a new triangle gets at the side from `corner`.
     fn outer_side(&self, corner: ChainVertex) -> HalfEdge {
         if self.mesh.has_border_twin(corner.border) {
             self.mesh.border_twin(corner.border)
@@ -146,7 +137,7 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Triangulates the convex polygon of the stretch; returns the border half-edge that closes it.
+    /// Triangulates the polygon of a convex run; returns the border half-edge that closes it.
     fn fill_convex_run(&mut self, corners: &[ChainVertex], why: Why) -> BorderId {
         self.convex_run.draw(corners.len());
         self.mesh.reserve_borders(2 * corners.len());
@@ -162,7 +153,7 @@ impl<P: Probe> Delaunay<'_, P> {
             }
             for (from, to) in [(v, u), (u, w)] {
                 let border = corners[from as usize].border;
-                // A side of the chain on which nothing borders keeps its number.
+                // A side of the chain without a triangle outside keeps its number.
                 let is_last = to == from + 1 && !self.mesh.has_border_twin(border);
                 self.convex_run.borders[from as usize] = if is_last {
                     border
@@ -178,7 +169,7 @@ impl<P: Probe> Delaunay<'_, P> {
             self.legalize();
         }
 
-        // The triangles on the sides of the chain are joined to those outside.
+        // The triangles on the sides of the chain are joined to their neighbours outside.
         for (k, corner) in corners[..corners.len() - 1].iter().enumerate() {
             let (border, outer) = (self.convex_run.borders[k], corner.border);
             if border != outer {
@@ -198,7 +189,7 @@ impl<P: Probe> Delaunay<'_, P> {
     }
 }
 
-/// A run of at most so many corners is inserted in one round: they are near each other in any order.
+/// Runs of at most this many corners are inserted in one round: they are near each other in any order.
 const IN_ONE_ROUND: usize = 4096;
 
 /// Marsaglia's xorshift: the same numbers in every run and on every machine.
@@ -218,7 +209,6 @@ impl Random {
         self.0 as usize % n
     }
 
-    /// Puts a list into random order.
     pub(in crate::sweep) fn shuffle<T>(&mut self, list: &mut [T]) {
         for i in (1..list.len()).rev() {
             list.swap(i, self.below(i + 1));
@@ -226,12 +216,12 @@ impl Random {
     }
 }
 
-/// Positions are those in the stretch.
+/// A convex run. A position is an index into the run.
 #[derive(Debug, Default)]
 pub(in crate::sweep) struct ConvexRun {
     /// The inner positions in order of insertion.
     pub(in crate::sweep) order: Vec<u32>,
-    /// For each position its neighbours among those inserted before it.
+    /// For each position its neighbours among the positions inserted before it.
     prev: Vec<u32>,
     next: Vec<u32>,
     /// The border half-edge from each position inserted to its next one.
@@ -239,14 +229,13 @@ pub(in crate::sweep) struct ConvexRun {
 }
 
 impl ConvexRun {
-    /// Draws a random order of insertion for the inner ones of so many positions; it depends on their number
-    /// alone.
+    /// Draws a random order of insertion for the inner ones of `corners` positions; it depends on their number alone.
     pub(in crate::sweep) fn draw(&mut self, corners: usize) {
         let len = narrow(corners);
         self.order.clear();
         self.order.extend(1..len - 1);
         Random::new().shuffle(&mut self.order);
-        // The last half of them from left to right, then the half before, and so on.
+        // The last half from left to right, then the half before, and so on.
         let mut end = self.order.len();
         while end > IN_ONE_ROUND {
             self.order[end / 2..end].sort_unstable();

@@ -1,15 +1,14 @@
-//! Legalization (section 2, figures 2 and 3): sides that violate the empty circle property are swapped,
-//! and their neighbours tested in turn, until none violates it.
+//! Legalization (section 2, figures 2 and 3): sides that violate the empty circle property are swapped, and their
+//! neighbours tested in turn, until none violates it.
 //!
-//! Why it is right: a side stays if it is a border or constrained, or if it passes the exact test of
-//! [`SweepPredicates::must_flip`](super::super::predicates::SweepPredicates::must_flip). A flip makes suspects of the four sides
-//! around the flipped one. When no suspect is left, every free side is locally Delaunay, and then the whole
-//! triangulation is constrained Delaunay (Lee and Lin 1986; Chew 1989). The flips end, because each one
-//! lowers the lifted surface, ties included (canonical rule).
+//! Why it is right: a side stays if it is a border or constrained, or if it passes the exact test
+//! [`SweepPredicates::must_flip`](super::super::predicates::SweepPredicates::must_flip). A flip puts the four sides
+//! around the flipped one on the flip stack. When the stack is empty, every free side is locally Delaunay, and then the
+//! whole triangulation is constrained Delaunay (Lee and Lin 1986; Chew 1989). The flips end, because each one lowers
+//! the lifted surface, ties included (canonical rule).
 //!
-//! There are two forms. Around a *new* vertex `p` only the *outer* sides of its triangles, those opposite
-//! `p`, can be illegal. A flip gives `p` one more triangle, so one walk around `p` is enough. `p` is corner 0 of every
-//! triangle on the way, so that no corner must be looked for:
+//! There are two forms. Around a *new* vertex `p` only the *outer* sides of its triangles, those opposite `p`, can be
+//! illegal. A flip gives `p` one more triangle, so one walk is enough; `p` is corner 0 of all, so none is looked for:
 //!
 //! ```text
 //!            p                            p               The walk goes through the fan of triangles
@@ -22,13 +21,11 @@
 //!         q                              q
 //! ```
 //!
-//! Everywhere else a flip stack is tested until it is empty. (When the sweep is about to be abandoned,
-//! the suspects are forgotten, and what is kept of it is legalized as a whole; see [`super::super::flip_limit`].)
+//! Everywhere else the sides on the flip stack are tested until it is empty. When the sweep is abandoned, the stack is
+//! dropped, and all triangles kept are legalized ([`super::super::flip_limit`]).
 //!
-//! Cost: a test for each triangle of the fan and two for each flip; up to four for a flip elsewhere. A
-//! new vertex needs a constant number of flips on average (section 2).
-//!
-//! Differs from the paper: loops, where the paper recurses.
+//! Cost: a test for each triangle of the fan and two for each flip; up to four for a flip elsewhere. A new vertex needs
+//! a constant number of flips on average (section 2). Differs from the paper: loops, where the paper recurses.
 use super::Delaunay;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
@@ -37,8 +34,8 @@ use crate::sweep::flip_limit::inexact_scalar;
 use crate::trace::{Event, Outcome};
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Legalizes the outer sides of the fan around a vertex, from triangle `t` to the one whose right end is `last`,
-    /// which is returned. The vertex is corner 0 of all of them, and stays it; `near` are its doubles.
+    /// Legalizes the outer sides of the fan around a vertex with these `approx`, from triangle `t` to the one whose
+    /// right end is `last`, which is returned. The vertex is corner 0 of all of them, before and after.
     #[inline(always)]
     pub(in crate::sweep) fn legalize_fan(
         &mut self,
@@ -64,7 +61,7 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Legalizes one side, and then the sides that its flip makes suspect.
+    /// Legalizes one side, and then the sides that its flip puts on the flip stack.
     #[inline(always)]
     pub(in crate::sweep) fn legalize_side(&mut self, side: HalfEdge) {
         if self.is_illegal(side) {
@@ -73,7 +70,7 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Tests the suspects until none is left, or until the budget of flips is spent.
+    /// Tests the sides on the flip stack until none is left, or until the budget of flips is spent.
     pub(in crate::sweep) fn legalize(&mut self) {
         while let Some(suspect) = self.flip_stack.pop() {
             if self.flip_limit.is_spent() {
@@ -89,7 +86,7 @@ impl<P: Probe> Delaunay<'_, P> {
     /// Legalizes all sides, or stops when the budget of flips is spent.
     pub(in crate::sweep) fn legalize_all(&mut self) {
         for t in (0..self.mesh.len()).map(TriangleId::at) {
-            // Each side from the lower of its two triangles.
+            // Each side from the lower-numbered of its two triangles.
             let sides = [0, 1, 2].map(|i| HalfEdge::new(t, i)).into_iter();
             let mesh = &self.mesh;
             let is_first = |&side: &HalfEdge| {
@@ -101,7 +98,6 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Swaps a side and makes the four sides around it suspects.
     #[inline(always)]
     fn flip_and_stack(&mut self, side: HalfEdge) {
         let twin = self.flip(side);
@@ -109,7 +105,7 @@ impl<P: Probe> Delaunay<'_, P> {
         self.flip_stack.extend(around);
     }
 
-    /// Swaps a side; returns the one that lay across it.
+    /// Swaps a side; returns its twin of before.
     #[inline(always)]
     fn flip(&mut self, side: HalfEdge) -> HalfEdge {
         self.report_flip(side);
@@ -128,7 +124,6 @@ impl<P: Probe> Delaunay<'_, P> {
         self.count_flip([side, twin], ends);
     }
 
-    /// Reports a flip that is about to be made.
     #[inline(always)]
     fn report_flip(&mut self, side: HalfEdge) {
         if self.is_observed() {
@@ -140,7 +135,7 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Counts a flip of these sides, which made a side with these ends.
+    /// Counts a flip of two half-edges, which made a side between `p` and `q`.
     #[inline(always)]
     fn count_flip(&mut self, sides: [HalfEdge; 2], [p, q]: [VertexId; 2]) {
         self.probe.count(|c| c.flips += 1);
@@ -159,7 +154,7 @@ impl<P: Probe> Delaunay<'_, P> {
         self.is_illegal_from(approx, side)
     }
 
-    /// The same, where the vertex opposite the side has these doubles.
+    /// Whether a side may and must be flipped, where `approx` belongs to the vertex opposite.
     #[inline(always)]
     fn is_illegal_from(&mut self, approx: [f64; 2], side: HalfEdge) -> bool {
         let (record, i) = (self.mesh.get(side.triangle()), side.corner());

@@ -1,7 +1,5 @@
-//! The triangles and the exact signs: the part of the state that knows neither the front nor the edges.
-//!
-//! Legalization ([`super::legalization`]) and the filling of chains ([`super::delaunay::fill`]) need no more than
-//! this. The state of the whole sweep ([`super`]) contains it and adds the front and the edges.
+//! The triangles and the predicates: the part of the state that knows neither the front nor the edges. Legalization
+//! ([`legalization`]) and the filling of chains ([`fill`]) need no more; [`super`] adds the rest.
 mod cavity;
 mod fill;
 mod legalization;
@@ -22,23 +20,22 @@ pub(super) use cavity::Polygons;
 pub(super) use fill::Random;
 pub(super) use fill::{ChainVertex, ConvexRun};
 
-/// Triangles, exact signs, and the sides that legalization still has to test.
+/// Triangles, predicates, and the sides that legalization still has to test.
 #[derive(Debug)]
 pub(super) struct Delaunay<'a, P> {
     pub(super) mesh: Mesh,
     pub(super) predicates: SweepPredicates<'a>,
-    /// Sides that may be illegal.
     pub(super) flip_stack: Vec<HalfEdge>,
     pub(super) flip_limit: FlipLimit,
-    /// Working memory of the chains, kept from one to the next.
+    /// Buffers of [`Delaunay::fill`].
     pub(super) convex_run: ConvexRun,
-    /// The same of pseudo-polygons.
+    /// Buffers of [`Delaunay::replace_pierced`].
     pub(super) polygons: Polygons,
     pub(super) probe: P,
 }
 
 impl<'a, P: Probe> Delaunay<'a, P> {
-    /// The triangles of `memory`, with the signs of their vertices. `has_budget` if the work may be abandoned.
+    /// The triangles of `scratch`, with the predicates of their vertices. `has_budget` if the work may be abandoned.
     pub(super) fn new(
         predicates: SweepPredicates<'a>,
         has_budget: bool,
@@ -57,7 +54,6 @@ impl<'a, P: Probe> Delaunay<'a, P> {
         }
     }
 
-    /// Adds a triangle to the mesh.
     #[inline(always)]
     pub(super) fn add_triangle(
         &mut self,
@@ -80,7 +76,7 @@ impl<'a, P: Probe> Delaunay<'a, P> {
         P::RECORDS && self.probe.wants_events()
     }
 
-    /// Reports a step to the observer, if there is one; vertices get their names in `event`.
+    /// Reports a step to the observer, if there is one; `event` gets a function that names vertices.
     #[inline(always)]
     pub(super) fn report(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
         if self.is_observed() {
@@ -88,7 +84,6 @@ impl<'a, P: Probe> Delaunay<'a, P> {
         }
     }
 
-    /// Passes a step on to the observer.
     #[cold]
     #[inline(never)]
     fn pass_on(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
@@ -107,7 +102,7 @@ impl<'a, P: Probe> Delaunay<'a, P> {
         self.predicates.orient2d(vertices, &mut self.probe)
     }
 
-    /// The same where these are their doubles.
+    /// `Greater` if three real vertices with these approximations turn left.
     #[inline(always)]
     pub(super) fn orient2d_approx(
         &mut self,

@@ -1,5 +1,5 @@
-//! From the state of a sweep whose hull is complete to a part with ghosts around it: the inverse of
-//! [`hand_over`](super::hand_over).
+//! From the state of a sweep whose hull is complete to a sub-triangulation with ghosts around it, in O(h) for h
+//! vertices on the hull: the inverse of [`hand_over`](super::hand_over).
 //!
 //! ```text
 //!         first . u . last            The artificial triangles follow the lower hull counter-clockwise: first
@@ -8,8 +8,6 @@
 //!        \               /            gives way to the vertex of all ghosts. The upper hull, which is what is
 //!          lowest . . . b             left of the front, gets new ghosts.
 //! ```
-//!
-//! Cost: O(h) for h vertices on the hull.
 
 use super::super::Sweep;
 use super::super::flip_limit::inexact_scalar;
@@ -20,8 +18,7 @@ use crate::probe::Probe;
 use alloc::vec::Vec;
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Encloses the first `vertices` vertices, two or more and all that have been swept, in ghosts with the
-    /// vertex `outside`.
+    /// Encloses the `vertices` vertices swept, two or more, in ghosts with the vertex `outside`.
     pub(in crate::sweep) fn enclose(
         &mut self,
         vertices: usize,
@@ -42,13 +39,12 @@ impl<P: Probe> Sweep<'_, P> {
         part
     }
 
-    /// The artificial triangles of the lower hull as ghosts, counter-clockwise; the one between those of P-1
-    /// and those of P-2 retires.
+    /// The artificial triangles of the lower hull as ghosts, counter-clockwise; the one with both P-1 and P-2 retires.
     pub(in crate::sweep) fn lower_ghosts(&mut self) -> Vec<HalfEdge> {
         let artificial = self.delaunay.predicates.artificial;
         let mesh = &mut self.delaunay.mesh;
         let mut ghosts = Vec::new();
-        // What lies across, seen from the triangle before; first from the front.
+        // The twin, seen from the triangle before; first from the front.
         let mut side = mesh.border_twin(BorderId::segment(artificial.left));
         while !side.is_border() {
             // The hull has no more sides than there are triangles.
@@ -67,7 +63,7 @@ impl<P: Probe> Sweep<'_, P> {
         ghosts
     }
 
-    /// New ghosts for the upper hull, from right to left.
+    /// Adds ghosts for the upper hull, from right to left.
     fn add_upper_ghosts(&mut self, ghosts: &mut Vec<HalfEdge>) {
         let artificial = self.delaunay.predicates.artificial;
         let mut at = self.front.prev(artificial.right);

@@ -1,18 +1,15 @@
-//! Ghosts: triangles outside the hull of a part, which make its triangulation a closed surface.
-//!
-//! Each hull side has one ghost. Its third vertex is the same for all; P-1 stands for it, though here it is
-//! no point at all. A ghost is named by the side that it has in common with the hull.
+//! Ghosts: triangles outside the hull of a sub-triangulation, which make it a closed surface. Each hull side has one.
+//! All ghosts share their third vertex; P-1 stands for it, though here it is no point at all. A ghost is named by the
+//! side that it has in common with the hull. Each function costs O(1).
 //!
 //! ```text
-//!             G                   The hull side runs from a to b, counter-clockwise around the part. The
+//!             G                   The hull side runs from a to b, counter-clockwise around the hull. The
 //!           / | \                 ghost is the triangle G, b, a. The ghost *before* it has the hull side
 //!         /   |   \               that ends at a, the one *after* it the hull side that starts at b.
 //!       /  b--|--a  \
-//!      / after|before\            A part whose vertices all lie on one line has no triangle. Its hull runs
-//!        part         \           along the line and back, with a ghost on either side.
+//!      / after|before\            If all vertices lie on one line, there is no triangle. The hull runs
+//!       inside        \           along the line and back, with a ghost on either side.
 //! ```
-//!
-//! Cost: O(1) for each function.
 
 use core::cmp::Ordering;
 
@@ -23,7 +20,7 @@ use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// A ghost for the hull side from `a` to `b`.
+    /// Adds a ghost for the hull side from `a` to `b`.
     pub(in crate::sweep) fn add_ghost(&mut self, a: VertexId, b: VertexId) -> HalfEdge {
         let ghost = self.predicates.artificial.left;
         let t = self.mesh.add([ghost, b, a], [HalfEdge::NOTHING; 3]);
@@ -51,7 +48,7 @@ impl<P: Probe> Delaunay<'_, P> {
         self.mesh.connect(before.prev(), after.next());
     }
 
-    /// Two or three vertices, number `from` to `to` (exclusive) in sweep order.
+    /// The sub-triangulation of two or three vertices, with ranks `from` to `to` (exclusive).
     pub(super) fn leaf(&mut self, from: usize, to: usize) -> SubTriangulation {
         let v = [from, from + 1, to - 1].map(VertexId::at);
         if to - from == 2 {
@@ -85,7 +82,7 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// A triangle with its ghosts; the hull side of the first one starts at its first vertex.
+    /// Adds a triangle and its ghosts; the hull side of the first ghost starts at `a`.
     pub(in crate::sweep) fn triangle(&mut self, [a, b, c]: [VertexId; 3]) -> [HalfEdge; 3] {
         let ghosts = self.ring([a, b, c]);
         let t = self.mesh.add([c, a, b], ghosts);
@@ -93,7 +90,7 @@ impl<P: Probe> Delaunay<'_, P> {
         ghosts
     }
 
-    /// Ghosts around a hull with these vertices.
+    /// Adds ghosts around a hull with these vertices.
     fn ring<const N: usize>(&mut self, hull: [VertexId; N]) -> [HalfEdge; N] {
         let ghosts: [HalfEdge; N] =
             core::array::from_fn(|i| self.add_ghost(hull[i], hull[(i + 1) % N]));

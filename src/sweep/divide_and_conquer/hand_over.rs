@@ -1,10 +1,8 @@
-//! From ghosts to the state of a sweep whose hull is complete.
+//! From ghosts to the state of a sweep whose hull is complete, in O(h) for h vertices on the hull.
 //!
-//! Ghosts of the lower hull become artificial triangles: left of the lowest vertex with P-1, right of it with
-//! P-2. Between them comes the triangle of the lowest vertex with both. The ghosts of the upper hull make way
-//! for the front. See the figures of [`super::super::artificial`] and [`super::super::finalization`].
-//!
-//! Cost: O(h) for h vertices on the hull.
+//! Ghosts of the lower hull become artificial triangles: left of the lowest vertex with P-1, right of it with P-2.
+//! Between them comes the triangle of the lowest vertex with both. The ghosts of the upper hull make way for the front.
+//! See the figures of [`super::super::artificial`] and [`super::super::finalization`].
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::Greater;
@@ -60,7 +58,7 @@ impl<P: Probe> Sweep<'_, P> {
         ghosts
     }
 
-    /// The front takes the place of these ghosts, which run from right to left, from `last` on.
+    /// Puts the front in place of the ghosts `upper`, which run from right to left, from `last` on.
     fn open_upper_hull(&mut self, upper: &[HalfEdge], last: VertexId) {
         let artificial = self.delaunay.predicates.artificial;
         self.front.link(last, artificial.left);
@@ -75,8 +73,7 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// Artificial triangles take the place of these ghosts: those `left` of the lowest vertex, which run down
-    /// to it, and those `right` of it, which run up to the last vertex of the front.
+    /// Makes ghosts artificial triangles: `left` ones run down to the `lowest` vertex, `right` ones up to `last`.
     pub(in crate::sweep) fn close_lower_hull(
         &mut self,
         left: &[HalfEdge],

@@ -1,36 +1,33 @@
-//! The merge of two parts (Guibas and Stolfi 1985, section 5).
+//! The merge of two sub-triangulations (Guibas and Stolfi 1985, section 5).
 //!
-//! All vertices of the upper part come after those of the lower one in sweep order, so a line separates
-//! them. The figure turns it upright: the lower part is on the left, the upper one on the right.
+//! All vertices of the upper sub-triangulation come after those of the lower one in sweep order, so a line separates
+//! the two. The figure turns it upright: the lower one is on the left, the upper one on the right.
 //!
 //! ```text
-//!      l2 . . . . . r2      The *base* l-r starts as the side of the common hull below both parts. It
-//!      |\   right  /|       climbs: the next triangle is l, r, l2 or l, r, r2, where l2 and r2 are the
+//!      l2 . . . . . r2      The *base* l-r starts as the side of the common hull below both. It climbs:
+//!      |\   right  /|       the next triangle is l, r, l2 or l, r, r2, where l2 and r2 are the
 //!      | \   gap  / |       neighbours of l and r on the hulls that face the gap. The one is made whose
 //!      |  \      /  |       circle does not contain the other vertex. Before that, sides l-l2 whose
 //!   L  |   l----r   |  R    triangle in L contains r in its circle are removed; likewise in R.
 //!      |  /      \  |       When neither l2 nor r2 lies above the base, it is the side of the common hull
-//!                           above both parts.
+//!                           above both.
 //! ```
 //!
 //! Why it is right: both tests ask whether a side of a quadrilateral must be flipped
-//! ([`SweepPredicates::must_flip`](super::super::predicates::SweepPredicates::must_flip)): l-l2 between r and the vertex
-//! behind it, and r-l2 between l and r2. So the canonical rule decides ties here as in the sweep. That is the sign for points
-//! which are lifted and lowered by symbolic amounts, where no four lie on one circle, and for these Guibas
-//! and Stolfi's proof holds.
+//! ([`SweepPredicates::must_flip`](super::super::predicates::SweepPredicates::must_flip)): l-l2 between r and the
+//! vertex behind it, and r-l2 between l and r2. So the canonical rule decides ties as in the sweep: by the sign for
+//! points lifted and lowered by symbolic amounts. No four of these lie on one circle, so the proof of 1985 holds.
 //!
-//! In triangles: to remove a hull side is to flip it, between its triangle and its ghost; two ghosts come of
-//! it. To make a triangle is to replace the third vertex of a ghost by the other end of the base. So a merge
-//! adds two triangles to the mesh, the ghosts of the first and the last base.
+//! In triangles: to remove a hull side is to flip it, between its triangle and its ghost, which makes two ghosts. To
+//! make a triangle is to replace the third vertex of a ghost by the other end of the base. So a merge adds two
+//! triangles to the mesh, the ghosts of the first and the last base.
 //!
-//! Where sides may be constrained, none is removed, and the gap is *zipped* up: of the two triangles above the base
-//! one is made, as before. Both hulls are convex and a line separates them. So if r2 lies in the triangle l,
-//! r, l2, it lies in its circle, and the other triangle is made. Likewise l2. Hence the triangles fill the gap
-//! without overlap. All their sides go on the flip stack, and legalization does the rest
-//! ([`super::super::delaunay::legalization`]).
+//! Where sides may be constrained, none is removed, and the gap is *stitched*: one of the two triangles above the base
+//! is made, as before. Both hulls are convex and a line separates them. So if r2 lies in the triangle l, r, l2, it lies
+//! in its circle, and the other triangle is made; likewise l2. Hence the triangles fill the gap without overlap. All
+//! their sides go on the flip stack, and legalization does the rest ([`Delaunay::legalize`]).
 //!
-//! Cost: O(k) for k vertices in both parts. Each step removes a triangle of a part or moves the base, and a
-//! base that climbs never comes back.
+//! Cost: O(k) for k vertices in both: each step removes a triangle or moves the base, which only climbs.
 
 use core::cmp::Ordering::{Greater, Less};
 
@@ -41,24 +38,23 @@ use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::probe::Probe;
 
-/// The gap between two parts, and what it has come to.
+/// The gap between two sub-triangulations while it is being closed.
 struct Gap {
-    /// The base, from the left to the right part.
+    /// The ends of the base, in the left and in the right sub-triangulation.
     l: VertexId,
     r: VertexId,
     /// The base as a side of the triangle below it.
     base: HalfEdge,
-    /// The ghosts at the gap: of the hull side that starts at `l`, and of the one that ends at `r`. Their
-    /// sides at `l` and at `r` border on nothing.
+    /// The ghosts at the gap, of the hull sides from `l` and to `r`. Their sides at `l` and `r` border on nothing.
     left: HalfEdge,
     right: HalfEdge,
     mode: MergeMode,
-    /// Steps that a merge may still take.
+    /// How many steps the merge may still take.
     steps: usize,
 }
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Merges two parts; those in `upper` come after those in `lower` in sweep order.
+    /// Merges two sub-triangulations; vertices of `upper` come after those of `lower` in sweep order.
     pub(in crate::sweep) fn merge(
         &mut self,
         lower: SubTriangulation,
@@ -81,7 +77,7 @@ impl<P: Probe> Delaunay<'_, P> {
             left,
             right,
             mode,
-            // No merge takes as many steps as there are triangles, ghosts included.
+            // A merge takes fewer steps than there are triangles, ghosts included.
             steps: 2 * self.mesh.len(),
         };
         self.mesh.detach(left.next());
@@ -98,11 +94,9 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// The ghosts beside the first base: of the hull side that ends at its left end, and of the one that
-    /// starts at its right end.
+    /// The ghosts beside the first base: of the hull sides that end at its left end and start at its right end.
     fn tangent(&mut self, lower: SubTriangulation, upper: SubTriangulation) -> [HalfEdge; 2] {
-        // The last vertex on the left and the first on the right see each other. From there both ends go
-        // down while the neighbour lies below the base.
+        // The last vertex on the left sees the first on the right. Both ends go down while a neighbour is lower.
         let (mut before, mut after) = (self.before(lower.last), upper.first);
         for _ in 0..2 * self.mesh.len() {
             let ([l2, l], [r, r2]) = (self.ends(before), self.ends(after));
@@ -117,8 +111,7 @@ impl<P: Probe> Delaunay<'_, P> {
         inexact_scalar()
     }
 
-    /// Makes the triangle above the base, which becomes its other side to the other part. Returns whether
-    /// there was one to make.
+    /// Makes the triangle above the base, and moves the base up to its other side. Returns whether there was one.
     fn climb(&mut self, gap: &mut Gap) -> bool {
         let l2 = self.left_candidate(gap);
         let r2 = self.right_candidate(gap);
@@ -128,7 +121,6 @@ impl<P: Probe> Delaunay<'_, P> {
             (None, Some(_)) => true,
             (Some(l2), Some(r2)) => self.must_flip([gap.l, gap.r, l2], r2),
         };
-        // Its ghost becomes the triangle.
         let outer = if is_right { gap.right } else { gap.left };
         self.probe.record(|r| r.merged(outer.triangle()));
         if gap.mode == MergeMode::Stitch {
@@ -155,7 +147,7 @@ impl<P: Probe> Delaunay<'_, P> {
         true
     }
 
-    /// The neighbour of `l` above the base, once the sides that must go are gone.
+    /// The neighbour of `l` above the base, after the sides that must go have been removed.
     fn left_candidate(&mut self, gap: &mut Gap) -> Option<VertexId> {
         let [_, mut l2] = self.ends(gap.left);
         if self.orient2d([gap.l, gap.r, l2]) != Greater {
@@ -173,7 +165,7 @@ impl<P: Probe> Delaunay<'_, P> {
         Some(l2)
     }
 
-    /// The same on the right.
+    /// The neighbour of `r` above the base, after the sides that must go have been removed.
     fn right_candidate(&mut self, gap: &mut Gap) -> Option<VertexId> {
         let [mut r2, _] = self.ends(gap.right);
         if self.orient2d([gap.l, gap.r, r2]) != Greater {
@@ -183,7 +175,7 @@ impl<P: Probe> Delaunay<'_, P> {
             && let Some(behind) = self.behind(gap.right)
             && self.must_flip([gap.l, gap.r, r2], behind)
         {
-            // Here the ghost keeps the end at r.
+            // The ghost keeps the end at r.
             self.mesh.flip(gap.right);
             r2 = behind;
             gap.step();
@@ -205,7 +197,6 @@ impl<P: Probe> Delaunay<'_, P> {
 }
 
 impl Gap {
-    /// Counts a step.
     fn step(&mut self) {
         if self.steps == 0 {
             inexact_scalar();

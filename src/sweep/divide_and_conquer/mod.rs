@@ -1,23 +1,19 @@
-//! Divide and conquer: the Delaunay triangulation of the points in O(n log n) whatever they are (Lee and
-//! Schachter 1980; Guibas and Stolfi 1985), and then the edges one by one (Anglada 1997). The paper compares
-//! its sweep with both (section 4). Here they are the net under the sweep, and an oracle of its results.
+//! Divide and conquer: the Delaunay triangulation of the points in O(n log n) whatever they are (Lee and Schachter
+//! 1980; Guibas and Stolfi 1985), and then the edges one by one (Anglada 1997). The paper compares its sweep with both
+//! (section 4). Here they are the net under the sweep, and an oracle of its results.
 //!
-//! The vertices in sweep order are cut into leaves of two or three. Neighbouring parts are merged
-//! ([`merge`]) until one is left. Mesh, signs and rules are those of the sweep, so the result is the same.
-//! Outside the hull of a part lie *ghosts* ([`ghosts`]), and in the end the artificial triangles and the
-//! front take their place ([`hand_over`]): then the state is that of a sweep whose hull is complete.
+//! The vertices in sweep order are cut into leaves of two or three. Neighbouring sub-triangulations are merged
+//! ([`merge`]) until one is left. Mesh, predicates and rules are those of the sweep, so the result is the same. Outside
+//! the hull of a sub-triangulation lie *ghosts* ([`ghosts`]). In the end the artificial triangles and the front take
+//! their place ([`hand_over`]): then the state is that of a sweep whose hull is complete. The code of the edge event
+//! inserts the edges in sweep order, so that of several crossings the same one is found. Cost of the edges: see
+//! [`super::edge_event`] and [`super::pending_edges`].
 //!
-//! The edges are inserted in the order of the sweep by the code of the edge event, so that of several crossings
-//! the same one is found.
+//! A sweep that is abandoned leaves its lower vertices triangulated. If there are no edges, ghosts enclose them as a
+//! sub-triangulation ([`enclose`]). With edges all begins anew: no constrained side may go.
 //!
-//! A sweep that is abandoned leaves its lower vertices triangulated. Where no edges are, ghosts enclose them
-//! ([`enclose`]), and they are one of the parts. With edges all begins anew, since no constrained side may be removed.
-//!
-//! Cost: O(n log n) for n points; for the edges see [`super::edge_event`] and [`super::pending_edges`].
-//!
-//! Differs from Guibas and Stolfi: triangles with ghosts in place of a quad-edge structure (after Shewchuk
-//! 1996); a loop with a stack in place of the recursion; ties follow the canonical rule; halves are divided
-//! by y, because the vertices are sorted so.
+//! Differs from Guibas and Stolfi: triangles with ghosts in place of a quad-edge structure (after Shewchuk 1996); a
+//! loop with a stack in place of the recursion; ties follow the canonical rule; halves are divided by y.
 
 mod enclose;
 mod ghosts;
@@ -34,17 +30,17 @@ use crate::probe::Probe;
 use crate::recorder::Phase;
 use alloc::vec::Vec;
 
-/// A triangulated part: vertices that follow each other in sweep order, with ghosts around them.
+/// A sub-triangulation: vertices that follow each other in sweep order, with ghosts around them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SubTriangulation {
-    /// The ghost of the hull side that starts at its first vertex in sweep order.
+    /// The ghost of the hull side that starts at the first vertex in sweep order.
     pub(super) first: HalfEdge,
-    /// The ghost of the hull side that starts at its last vertex.
+    /// The ghost of the hull side that starts at the last vertex.
     pub(super) last: HalfEdge,
 }
 
 impl SubTriangulation {
-    /// The same part where all triangles are numbered higher by so much.
+    /// The sub-triangulation after the numbers of all triangles have grown by `triangles`.
     #[cfg(feature = "parallel")]
     pub(super) fn moved(self, triangles: u32) -> SubTriangulation {
         SubTriangulation {
@@ -54,19 +50,19 @@ impl SubTriangulation {
     }
 }
 
-/// How the gap between two parts is closed ([`merge`]).
+/// How the gap between two sub-triangulations is closed ([`merge`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum MergeMode {
-    /// Sides of the parts that must go are removed. No side may be constrained.
+    /// Sides that must go are removed. No side may be constrained.
     Delete,
     /// All sides stay, and those that may be illegal now go on the flip stack.
     Stitch,
 }
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Triangulates without sweeping; afterwards the hull is complete, and of each edge the part down to the
-    /// first vertex on it is inserted. The first `swept` vertices are kept as they are, with a hull that is
-    /// complete; if there are any, two others or more follow, and there are no edges.
+    /// Triangulates without sweeping, and inserts each edge down to the first vertex on it; afterwards the hull is
+    /// complete. The first `swept` vertices keep their triangles, whose hull is complete. If there are any, two other
+    /// vertices or more follow, and there are no edges.
     pub(super) fn divide_and_conquer(&mut self, swept: usize) -> Result<(), Error> {
         self.delaunay.probe.begin(Phase::Sweeping);
         let n = self.delaunay.predicates.vertices.len();
@@ -93,8 +89,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.insert_all()
     }
 
-    /// Inserts all edges in sweep order, where the hull is complete: of each the part down to the first
-    /// vertex on it.
+    /// Inserts all edges in sweep order, each down to the first vertex on it; the hull is complete.
     pub(in crate::sweep) fn insert_all(&mut self) -> Result<(), Error> {
         if self.edges.is_empty() {
             return Ok(());
@@ -114,7 +109,7 @@ impl<P: Probe> Sweep<'_, P> {
 }
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Triangulates all vertices from number `first` on, of which there are at least two.
+    /// Triangulates all vertices from rank `first` on, of which there are at least two.
     fn triangulate(&mut self, first: usize) -> SubTriangulation {
         let n = self.predicates.vertices.len();
         let mut parts: Vec<(u32, SubTriangulation)> = Vec::new();
@@ -123,7 +118,7 @@ impl<P: Probe> Delaunay<'_, P> {
             // The last leaf has three vertices if their number is odd.
             let to = if from + 3 == n { n } else { from + 2 };
             let mut part = self.leaf(from, to);
-            // Parts of equal height are merged, as in the addition of binary numbers.
+            // Merge sub-triangulations of equal height, as in the addition of binary numbers.
             let mut height = 0;
             while let Some(&(other, before)) = parts.last()
                 && other == height
@@ -158,7 +153,7 @@ mod tests {
         progress: None,
     };
 
-    /// The triangulation whose sweep is abandoned after so many vertices.
+    /// The triangulation after a sweep that is abandoned after `swept` vertices.
     fn after(swept: usize, points: &[[f64; 2]]) -> Triangulation {
         let mut scratch = Scratch::default();
         let mut front = HashTable::default();

@@ -1,20 +1,16 @@
-//! Points sorted by a key of one coordinate, by counting: a step of the sort of section 3.3 ([`super::vertices::sort`]).
+//! Counting sort by a key of one coordinate: a step of [`super::sort`] (section 3.3; the paper sorts by comparison).
 //!
 //! Why it is right: no key decreases where the coordinate grows. So points of different keys are in order, and what is
-//! left to sort are runs of one key.
-//!
-//! Cost: O(n) for n points, and up to 44 bytes for each.
-//!
-//! Differs from the paper: it sorts by comparison.
+//! left to sort are runs of one key. Cost: O(n) for n points, and up to 44 bytes for each.
 
 use crate::bucket::bucket;
 use crate::ids::narrow;
 use alloc::vec::Vec;
 
-/// So few points are sorted fast by comparison.
+/// At most so many points are sorted by comparison, which is fast.
 pub(super) const FEW: usize = 20;
 
-/// A point: its approximated coordinates and its input index.
+/// A point: its approximation and its input index.
 pub(super) type Key = ([f64; 2], u32);
 
 /// Sites sorted by a key of one coordinate.
@@ -22,17 +18,16 @@ pub(super) type Key = ([f64; 2], u32);
 pub(super) struct CountingSort {
     pub(super) sites: Vec<Key>,
     axis: usize,
-    /// Where the sites of each key end.
+    /// The end of each key's range of sites.
     ends: Vec<u32>,
     /// A coordinate `x` has key `(x - low) * factor`.
     low: f64,
     factor: f64,
-    /// Working memory: the key of each site.
     keys: Vec<u32>,
 }
 
 impl CountingSort {
-    /// Takes these sites, sorted by a key of one coordinate: two to four keys for each site.
+    /// Takes these sites and sorts them by a key of one coordinate: two to four keys for each site.
     pub(super) fn set(&mut self, sites: impl ExactSizeIterator<Item = Key> + Clone, axis: usize) {
         let n = sites.len();
         self.axis = axis;
@@ -86,8 +81,7 @@ fn key(site: &Key, axis: usize, (low, factor): (f64, f64), keys: usize) -> usize
     bucket((site.0[axis] - low) * factor, keys)
 }
 
-/// Turns the number of items of each kind into where the first of them goes. When each has been put there and
-/// has moved that on by one, it is where they end.
+/// Exclusive prefix sum: counts become start offsets. After scattering, each offset is the end of its range.
 pub(super) fn begin(counts: &mut [u32]) {
     let mut sum = 0;
     for count in counts {
@@ -96,7 +90,6 @@ pub(super) fn begin(counts: &mut [u32]) {
     }
 }
 
-/// The least and the largest of some numbers.
 fn extremes(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
     numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
         (x.min(low), x.max(high))

@@ -1,14 +1,11 @@
 //! The vertices (section 3.3): the distinct points in sweep order.
 //!
-//! Every distinct point gets its *rank* in that order. All that follows works on ranks, so that points
-//! swept one after the other are near each other in memory.
+//! Every distinct point gets its *rank* in that order. All that follows works on ranks, so that points swept one after
+//! the other are near each other in memory. Cost: a few passes over the points, and the sort ([`sort`]).
 //!
-//! [`ApproxPoints`] are the points as doubles, all on one scale: what the sort and the filter see of them. Doubles of
-//! moderate size that are the coordinates are not stored once more. Where the numbers of another scalar are such doubles,
-//! up to one factor ([`Scalar::as_doubles`]), these doubles stand for the numbers in all that follows, exact stages
-//! included.
-//!
-//! Cost: a few passes over the points, and the sort ([`sort`]).
+//! [`ApproxPoints`] are the points as doubles on one scale: what the sort and the filter see. Doubles of moderate size
+//! that are the coordinates are not stored once more. Where the numbers of another scalar are such doubles, up to one
+//! factor ([`Scalar::as_doubles`]), the doubles stand for the numbers from then on, exact stages included.
 
 mod counting;
 mod sort;
@@ -28,16 +25,15 @@ pub(super) struct ApproxPoints<'a, S> {
     pub(super) scale: Scale,
 }
 
-/// How many points are looked at together.
+/// How many points are tested together.
 const FEW: usize = 64;
 
 impl<'a, S: Scalar> ApproxPoints<'a, S> {
-    /// Finds doubles and scale of the points.
     pub(super) fn new(points: &'a [[S; 2]]) -> Result<ApproxPoints<'a, S>, Error> {
         ApproxPoints::find(points, || are_plain(points))
     }
 
-    /// The same, on all threads of the current pool where nothing is stored.
+    /// Finds doubles and scale on all threads of the current pool, where nothing is stored.
     #[cfg(feature = "parallel")]
     pub(super) fn new_parallel(points: &'a [[S; 2]]) -> Result<ApproxPoints<'a, S>, Error>
     where
@@ -47,7 +43,7 @@ impl<'a, S: Scalar> ApproxPoints<'a, S> {
         ApproxPoints::find(points, || points.par_chunks(64 * FEW).all(are_plain))
     }
 
-    /// `are_plain` tells whether all points are.
+    /// Finds doubles and scale; `are_plain` says whether [`are_plain`] holds for all points.
     fn find(
         points: &'a [[S; 2]],
         are_plain: impl FnOnce() -> bool,
@@ -89,14 +85,14 @@ impl<'a, S: Scalar> ApproxPoints<'a, S> {
 
 /// Whether the doubles of these points need no factor; then they are finite, too.
 fn are_plain<S: Scalar>(points: &[[S; 2]]) -> bool {
-    // All of a few, without branches between them.
+    // A few points at once, without branches between them.
     points.chunks(FEW).all(|few| {
         let are_plain = few.iter().map(|point| is_in_range(doubles(point)));
         are_plain.fold(true, |all, is_plain| all & is_plain)
     })
 }
 
-/// The doubles of a point whose coordinates they are.
+/// The doubles that are the coordinates of a point.
 #[inline(always)]
 pub(super) fn doubles<S: Scalar>(point: &[S; 2]) -> [f64; 2] {
     [point[0].approx(), point[1].approx()]
@@ -105,7 +101,7 @@ pub(super) fn doubles<S: Scalar>(point: &[S; 2]) -> [f64; 2] {
 /// The distinct points in sweep order.
 #[derive(Debug, Default)]
 pub(crate) struct Vertices {
-    /// By rank: doubles for the coordinates, on one [`Scale`]; infinite for what is far outside.
+    /// By rank: the approximations, doubles on one [`Scale`]; infinite for what is far outside.
     pub(super) approx: Vec<[f64; 2]>,
     /// By rank: the input index that stands for the vertex.
     pub(super) input: Vec<u32>,
@@ -115,8 +111,7 @@ pub(crate) struct Vertices {
 }
 
 impl Vertices {
-    /// Sorts and merges the points with these input indices, which ascend; their number was checked. The arrays of
-    /// `vertices` and `buffers` are used again.
+    /// Sorts and merges the points `inputs`, ascending and of checked number. Reuses arrays of `vertices`, `buffers`.
     pub(super) fn new<S: Scalar>(
         approx: &ApproxPoints<'_, S>,
         inputs: impl ExactSizeIterator<Item = u32> + Clone,
@@ -125,7 +120,7 @@ impl Vertices {
     ) -> Vertices {
         let points = approx.points;
         vertices.scale = approx.scale;
-        // One of two, so that the sort need not ask for each point where its doubles are.
+        // Two calls, so that the sort need not ask for each point where its doubles are.
         match &approx.stored[..] {
             [] => sort::sort(
                 points,
@@ -145,14 +140,14 @@ impl Vertices {
         vertices
     }
 
-    /// Makes room for so many points and the two artificial ones.
+    /// Makes room for `points` points and the two artificial ones.
     #[cfg(feature = "parallel")]
     pub(super) fn reserve(&mut self, points: usize) {
         self.approx.reserve_exact(points + 2);
         self.input.reserve_exact(points);
     }
 
-    /// Adds vertices that come after all of these in sweep order.
+    /// Appends vertices that come after all of these in sweep order.
     #[cfg(feature = "parallel")]
     pub(super) fn append(&mut self, mut others: Vertices) {
         self.approx.append(&mut others.approx);
@@ -161,17 +156,16 @@ impl Vertices {
         self.duplicates.sort_unstable();
     }
 
-    /// How many there are, without the artificial ones.
+    /// How many vertices there are, without the artificial ones.
     pub(super) fn len(&self) -> usize {
         self.input.len()
     }
 
-    /// The input index that stands for vertex `v`.
     pub(super) fn input_index(&self, v: VertexId) -> u32 {
         self.input[v.index()]
     }
 
-    /// Sets `ranks` to the ranks of the vertices of so many input points.
+    /// Sets `ranks` to the rank of each of `points` input points.
     pub(super) fn rank(&self, points: usize, ranks: &mut Vec<u32>) {
         ranks.clear();
         ranks.resize(points, 0);
@@ -183,7 +177,6 @@ impl Vertices {
         }
     }
 
-    /// Bytes held.
     pub(super) fn heap_bytes(&self) -> usize {
         self.approx.capacity() * size_of::<[f64; 2]>() + self.input.capacity() * size_of::<u32>()
     }

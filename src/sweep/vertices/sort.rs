@@ -1,20 +1,17 @@
 //! The sweep order of section 3.3: by y, then x, exactly.
 //!
-//! The points are spread over *buckets* of y, each of some hundred points, or some thousand where there are
-//! millions. A bucket is sorted by a finer key of y, by counting ([`super::vertices::counting`]). A long run of one key is sorted
-//! again by counting, by a still finer key, and a long row of equal y by a key of x. In a short row each point goes
-//! where as many come before it. What still has one key is sorted by exact comparison. Then equal points merge into the
-//! one with the lowest input index.
+//! The points are spread over *buckets* of y, each of some hundred points, or some thousand where there are millions. A
+//! bucket is sorted by a finer key of y, by counting ([`super::counting`]). A long run of one key is sorted again by
+//! counting, by a still finer key, and a long row of equal y by a key of x. In a short row each point goes where as
+//! many points come before it. The rest is sorted by exact comparison. Equal points merge into the one of lowest index.
 //!
-//! Why it is right: no key decreases where its coordinate grows, so points of different keys are in order, and
-//! equal points have one key. In a sorted run they are neighbours, and the lowest index comes first.
+//! Why it is right: no key decreases where its coordinate grows, so points of different keys are in order, and equal
+//! points have one key. In a sorted run they are neighbours, and the lowest index comes first.
 //!
-//! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst. A bucket fits in the
-//! cache, so that what follows is fast. For a moment it takes up to 44 bytes for each point of the largest
-//! bucket, as much for each point of the longest run, and for each of the longest row within a run: 88 bytes a point
-//! if all have one y, 132 if nearly all have.
-//!
-//! Differs from the paper: it sorts by comparison, and does not say what becomes of equal points.
+//! Cost: O(n) where the points spread over y, but for a few far away; O(n log n) at worst. A bucket fits in the cache.
+//! Buffers: 44 bytes for each point of the largest bucket, again for each point of the longest run, and of the longest
+//! row in a run: 88 bytes a point if all have one y, at worst 132. Differs from the paper: the paper sorts by
+//! comparison, and does not say what becomes of equal points.
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -25,27 +22,26 @@ use crate::bucket::{bucket, sampled};
 use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
 
-/// About so many points have one bucket, and there are no more buckets than this.
+/// The mean number of points in a bucket, and the largest number of buckets.
 const BUCKET: usize = 256;
 const BUCKETS: usize = 1024;
-/// One of so many points is looked at to find the range of y, and at most so many are.
+/// One of how many points is sampled to find the range of y, and how many at most.
 const SAMPLE: (usize, usize) = (16, 1024);
-/// What is outside the middle half of them by more than this many times its height is far outside.
+/// Samples beyond the middle half of them by more than this many times its height are far outside.
 const REACH: f64 = 8.0;
 
-/// Working memory of the sort.
 #[derive(Debug, Default)]
 pub(in crate::sweep) struct SortBuffers {
-    /// Where the points of each bucket end.
+    /// The end of each bucket's range of points.
     ends: Vec<u32>,
-    /// A bucket, a long run of one key in it, and a long row of one y in that.
+    /// A bucket, a long run of one key in it, and a long row of one y in the run.
     bucket: CountingSort,
     run: CountingSort,
     row: CountingSort,
 }
 
-/// Sorts and merges the points with these input indices, which ascend, into `vertices`; `approx` gives the approximated
-/// coordinates of a point by its input index. The arrays of `vertices` get room for the two artificial points.
+/// Sorts and merges the points with these input indices, which ascend, into `vertices`; `approx` gives the
+/// approximations of a point by its input index. The arrays of `vertices` get room for the two artificial points.
 pub(super) fn sort<S: Scalar>(
     points: &[[S; 2]],
     inputs: impl ExactSizeIterator<Item = u32> + Clone,
@@ -101,7 +97,7 @@ pub(super) fn sort<S: Scalar>(
                 sites.copy_from_slice(&run.sites);
             }
         });
-        // What is equal has one key. The others move up to what is kept.
+        // Equal points have one key. The others move up to those kept.
         let mut last: Option<Key> = None;
         for &site in &bucket.sites {
             match last {
@@ -122,14 +118,13 @@ pub(super) fn sort<S: Scalar>(
     vertices.duplicates.sort_unstable();
 }
 
-/// Whether all have the same y, as those in a row of a lattice have.
+/// Whether all sites have one y, like a row of a lattice.
 fn is_row(sites: &[Key]) -> bool {
     let first = sites.first().map(|site| site.0[1]);
     sites.iter().all(|site| Some(site.0[1]) == first)
 }
 
-/// Sorts up to [`FEW`] sites of one y by x, without a branch: each goes where as many come before it. Equal ones keep
-/// their order, which is that of the input.
+/// Sorts up to [`FEW`] sites of one y by x, without a branch: each goes where as many come before it. Stable.
 fn sort_few(sites: &mut [Key]) {
     let n = sites.len();
     let mut xs = [0.0; FEW];
@@ -146,7 +141,7 @@ fn sort_few(sites: &mut [Key]) {
     sites.copy_from_slice(&sorted[..n]);
 }
 
-/// Exact sweep order of two sites.
+/// The exact sweep order of two sites.
 fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Key, b: &Key) -> Ordering {
     let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
         Some(order) if order.is_ne() || scale.is_injective() => order,
@@ -155,7 +150,7 @@ fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Key, b: &Key) -> Orde
     axis(1).then_with(|| axis(0))
 }
 
-/// Puts the points into `vertices` by buckets of y, whose ends are noted.
+/// Spreads the points over buckets of y in `vertices`, and sets the `ends` of the buckets.
 fn spread(
     inputs: impl ExactSizeIterator<Item = u32> + Clone,
     approx: impl Fn(u32) -> [f64; 2],
@@ -197,7 +192,7 @@ fn spread(
     }
 }
 
-/// Makes an array so long, with room for some more. New memory is not touched: it is zero.
+/// Sets the length of an array, with room for `more`. New memory is not touched: it is zero.
 fn resize<T: Clone + Default>(array: &mut Vec<T>, length: usize, more: usize) {
     if array.capacity() < length + more {
         *array = vec![T::default(); length + more];
@@ -205,10 +200,8 @@ fn resize<T: Clone + Default>(array: &mut Vec<T>, length: usize, more: usize) {
     array.resize(length, T::default());
 }
 
-/// The range over which buckets are spread: that of a sample, but for what is far outside its middle half.
-///
-/// A few points far away, such as "no data" points, would leave all others with one bucket. What is beyond
-/// the range shares the first or last one.
+/// The range over which buckets are spread: that of a sample, without what is far outside its middle half. A few points
+/// far away, such as "no data" points, would otherwise leave all others in one bucket. Others share an outer bucket.
 fn range(
     inputs: &(impl ExactSizeIterator<Item = u32> + Clone),
     y: impl Fn(u32) -> f64,
@@ -267,8 +260,7 @@ mod tests {
         buffers
     }
 
-    /// Three rows whose y have one key, among points spread far. A row has each point twice, and then one just left
-    /// of it.
+    /// Three rows whose y have one key, among points spread far. A row has each point twice, and one just left of it.
     #[test]
     fn long_rows_within_a_run_are_in_order() {
         let little = 2_f64.powi(-40);
