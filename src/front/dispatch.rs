@@ -1,9 +1,6 @@
-//! How the sweep calls its search structure, whose type it does not know.
-//!
-//! The sweep is compiled once for each scalar, not once more for each structure: it calls the structure through
-//! `dyn`. Only the default hash table is called directly, so that a run with it has its searches inlined.
-//!
-//! Cost: a branch for each call of the hash table; for each call of another structure that, and an indirect call.
+//! How the sweep calls its search structure: through `dyn`, so that it is compiled once for each scalar, not once more
+//! for each structure. Only the default hash table is called directly, so that its searches are inlined. Cost: a branch
+//! for each call, and an indirect call for every structure but the default hash table.
 
 use core::fmt;
 
@@ -11,16 +8,14 @@ use super::hash_table::HashTable;
 use super::list::{Front, FrontNode};
 use super::search::{FrontInput, FrontSearch};
 
-/// A search structure that somebody else holds, for one run.
+/// The search structure of one run, which the caller holds.
 pub(crate) enum Search<'a> {
-    /// The default.
     HashTable(&'a mut HashTable),
-    /// Any other one.
     Other(&'a mut dyn FrontSearch),
 }
 
 impl<'a> Search<'a> {
-    /// Uses this structure, which may turn out to be the default one.
+    /// Uses this structure, which may turn out to be the default hash table.
     pub(crate) fn with(structure: &'a mut dyn FrontSearch) -> Search<'a> {
         let is_default = structure
             .as_any()
@@ -32,7 +27,6 @@ impl<'a> Search<'a> {
         Search::HashTable(table.expect("it has just been one"))
     }
 
-    /// Calls [`FrontSearch::begin`].
     pub(crate) fn begin(&mut self, input: FrontInput<'_>) {
         match self {
             Search::HashTable(table) => table.begin(input),
@@ -40,7 +34,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::locate`].
     #[inline(always)]
     pub(crate) fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         match self {
@@ -49,7 +42,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::wants_ranks`].
     pub(crate) fn wants_ranks(&mut self, steps: usize) -> bool {
         match self {
             Search::HashTable(table) => table.wants_ranks(steps),
@@ -57,7 +49,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::inserted`].
     #[inline(always)]
     pub(crate) fn inserted(&mut self, node: FrontNode, x: f64) {
         match self {
@@ -66,7 +57,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::removed`].
     #[inline(always)]
     pub(crate) fn removed(&mut self, node: FrontNode, x: f64) {
         match self {
@@ -90,8 +80,7 @@ mod tests {
     use super::{FrontSearch, HashTable, Search};
     use crate::front::{AnyFront, Linear, SkipList};
 
-    /// The default hash table is, alone and in an [`AnyFront`], as the speed of the default call needs it; no other
-    /// structure is.
+    /// The speed of the default call needs the direct calls, of the hash table alone and in an [`AnyFront`].
     #[test]
     fn only_the_default_is_called_directly() {
         let is_direct = |structure: &mut dyn FrontSearch| {
