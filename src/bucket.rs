@@ -1,10 +1,8 @@
-//! Numbers spread over buckets, and a sample of numbers: the sort and the front's hash table use both, the canonical
-//! order of triangles the sample.
+//! Buckets and samples of numbers. The sort and the front's hash table use both, the canonical order the sample.
 
 use core::iter::successors;
 
-/// `x`, measured in buckets, as a bucket index in `0..count`, which is below 2^32; clamps, and NaN goes to 0.
-/// It never decreases where `x` grows.
+/// The bucket of `x`, which is measured in buckets, in `0..count` (below 2^32). Clamps, and NaN goes to 0. Monotone.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -15,8 +13,7 @@ pub(crate) fn bucket(x: f64, count: usize) -> usize {
     (x as u32 as usize).min(count - 1)
 }
 
-/// So many of `n` numbers, or all if there are fewer. They are at multiples of the golden ratio, which fall into
-/// no step with the rows of a lattice.
+/// `size` of `n` numbers, or all if there are fewer, at multiples of the golden ratio: out of step with any lattice.
 pub(crate) fn sampled(n: usize, size: usize) -> impl Iterator<Item = usize> {
     let fractions = successors(Some(0_u32), |at| Some(at.wrapping_add(0x9E37_79B9)));
     let spread = fractions.map(move |at| ((u64::from(at) * n as u64) >> 32) as usize);

@@ -1,13 +1,10 @@
 //! Triangles in canonical order: each begins with its lowest vertex, and the list is sorted.
 //!
-//! The triangles of each chunk are put in order by *groups* of lowest vertices, and then those of each group, from
-//! all chunks, by the vertices. So most that is written at random lies in the cache. Last, the few triangles that
-//! begin with the same vertex are sorted. Chunks and groups are shared out to all cores.
+//! Each chunk is put in order by *groups* of lowest vertices, then each group, from all chunks, by lowest vertex, so
+//! most random writes stay in cache. Last, triangles with the same lowest vertex are sorted. All cores share the work.
 //!
 //! Why it is right: groups follow each other in the order of the vertices. Where the sample misses high vertices, the
-//! last group has them all, which costs time only.
-//!
-//! Cost: O(n + v) for n triangles and the highest vertex v, and the sorts.
+//! last group has them all, which costs time only. Cost: O(n + v) for n triangles and highest vertex v, and the sorts.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -17,18 +14,16 @@ use crate::bucket::sampled;
 use crate::ids::narrow;
 use crate::threads::on_all_cores;
 
-/// Triangles of a chunk.
 const CHUNK: usize = 1 << 16;
-/// How many groups there are if there are several chunks. Fewer would each be too large for the cache; more would
-/// scatter the triangles of a chunk too widely.
+/// How many groups several chunks have. Fewer would not fit in the cache; more would scatter a chunk too widely.
 const GROUPS: usize = 256;
-/// How many triangles there are in the sample that tells how high vertices are.
+/// How many triangles are in the sample that tells how high vertices are.
 const SAMPLE: usize = 1 << 10;
 
 /// A triangle whose first vertex is the lowest.
 type Listed = [u32; 3];
 
-/// The triangles of a chunk by groups, and where each group begins, and the last one ends.
+/// The triangles of a chunk by groups, where each group begins, and where the last one ends.
 #[derive(Debug)]
 struct Chunk {
     list: Vec<Listed>,
@@ -38,8 +33,8 @@ struct Chunk {
 /// The triangles of a [`Triangulation`](crate::Triangulation) in canonical order, group by group: for programs that
 /// write many triangles and need not hold the whole list.
 ///
-/// [`Triangulation::canonical_groups`](crate::Triangulation::canonical_groups) makes them. One group after the other
-/// is the list of [`canonical_triangles`](crate::Triangulation::canonical_triangles).
+/// [`Triangulation::canonical_groups`](crate::Triangulation::canonical_groups) makes them. One group after the other is
+/// the list of [`canonical_triangles`](crate::Triangulation::canonical_triangles).
 ///
 /// ```
 /// let points = [[0, 0], [3, 0], [3, 2], [0, 2]];
@@ -52,13 +47,12 @@ struct Chunk {
 #[derive(Debug)]
 pub struct CanonicalGroups {
     chunks: Vec<Chunk>,
-    /// How many triangles each group has.
     sizes: Vec<usize>,
-    /// A group has two to the power of `bits` vertices; the last one has all that are higher, too.
+    /// A group has two to the power of `bits` vertices; the last group has all higher ones, too.
     bits: u32,
 }
 
-/// `count` triangles in canonical order; `triangle` tells each by its number.
+/// `count` triangles in canonical order; `triangle` gives each by its number.
 pub(crate) fn canonical(
     count: usize,
     triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
@@ -77,7 +71,6 @@ pub(crate) fn canonical(
 }
 
 impl CanonicalGroups {
-    /// `count` triangles; `triangle` tells each by its number.
     pub(crate) fn new(
         count: usize,
         triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
@@ -113,7 +106,7 @@ impl CanonicalGroups {
         list
     }
 
-    /// Puts the triangles of a group in canonical order into `list`, which has their number.
+    /// Puts the triangles of a group in canonical order into `list`, which is as long.
     fn sort(&self, group: usize, list: &mut [[usize; 3]]) {
         let listed = self.chunks.iter().flat_map(|chunk| chunk.of_group(group));
         by_vertex(listed, group << self.bits, list);
@@ -157,7 +150,7 @@ fn by_vertex<'a>(
     }
 }
 
-/// Where those of each kind begin if they are put in order, and where the last ones end.
+/// Exclusive prefix sum: where the items of each kind begin, once in order, and where the last ones end.
 fn begins(kinds: impl Iterator<Item = usize>, count: usize) -> Vec<usize> {
     let mut begins = vec![0; count + 1];
     for kind in kinds {
@@ -169,7 +162,7 @@ fn begins(kinds: impl Iterator<Item = usize>, count: usize) -> Vec<usize> {
     begins
 }
 
-/// The same triangle, its lowest vertex first. Without branches, which the processor could not predict.
+/// The triangle with its lowest vertex first; without branches, which the processor could not predict.
 fn lowest_first([a, b, c]: Listed) -> Listed {
     let first = usize::from((b < a) & (b < c)) + 2 * usize::from((c < a) & (c < b));
     let twice = [a, b, c, a, b];
@@ -181,8 +174,8 @@ mod tests {
     use super::{CHUNK, SAMPLE, canonical, narrow};
     use crate::bucket::sampled;
 
-    /// Against the same triangles turned and sorted as a whole: none, a few, and several chunks, of vertices that
-    /// are spread evenly, few, or all low but for some that are in no sample.
+    /// Against triangles turned and sorted as a whole: none, a few, and several chunks, of vertices that are spread
+    /// evenly, few, or all low but for some that are in no sample.
     #[test]
     fn as_turned_and_sorted() {
         for count in [0, 1, 2, 5, CHUNK - 1, CHUNK, CHUNK + 1, 3 * CHUNK + 17] {

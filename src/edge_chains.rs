@@ -6,15 +6,15 @@ use alloc::vec::Vec;
 use crate::error::Error;
 use crate::ids::narrow;
 
-/// How many vertices the edges may pass through, all together; the tests of this file need less memory.
+/// How many vertices all edges together may pass through; the tests of this file need less memory.
 const LIMIT: usize = if cfg!(test) { 1 << 10 } else { 1 << 28 };
 
-/// What the insertion of the edges notes. Vertices are input indices.
+/// The notes of the insertion of edges. Vertices are input indices.
 #[derive(Debug, Default)]
 pub(crate) struct EdgeChainBuilder {
     /// The ends of each edge, upper end first.
     ends: Arc<Vec<[u32; 2]>>,
-    /// `(edge, vertex)` for each vertex inside an edge; those of one edge from its upper to its lower end.
+    /// `(edge, vertex)` for each vertex inside an edge; for one edge from its upper to its lower end.
     passed: Vec<(u32, u32)>,
     /// `(edge, of)` for each edge equal to one that was inserted before.
     equal: Vec<(u32, u32)>,
@@ -25,14 +25,12 @@ pub(crate) struct EdgeChainBuilder {
 pub(crate) struct EdgeChains {
     /// The ends of each edge (representatives), upper end first.
     ends: Vec<[u32; 2]>,
-    /// `(edge, from, to)`: the vertices inside the edge are `inside[from..to]`; by edge, only edges
-    /// that have some. Equal edges have the same range.
+    /// `(edge, from, to)`, sorted: the vertices inside the edge are `inside[from..to]`. Equal edges share a range.
     split: Vec<(u32, u32, u32)>,
     inside: Vec<u32>,
 }
 
 impl EdgeChainBuilder {
-    /// No vertex inside any edge yet.
     pub(crate) fn new(ends: Arc<Vec<[u32; 2]>>) -> EdgeChainBuilder {
         EdgeChainBuilder {
             ends,
@@ -40,29 +38,26 @@ impl EdgeChainBuilder {
         }
     }
 
-    /// Forgets all but the ends.
     pub(crate) fn clear(&mut self) {
         self.passed.clear();
         self.equal.clear();
     }
 
-    /// Whether the input has no edges.
     #[cfg(feature = "parallel")]
     pub(crate) fn is_empty(&self) -> bool {
         self.ends.is_empty()
     }
 
-    /// Whether two edges have the same ends.
     pub(crate) fn are_equal(&self, a: u32, b: u32) -> bool {
         self.ends[a as usize] == self.ends[b as usize]
     }
 
-    /// Edge `edge` equals edge `of`, which has been inserted.
+    /// Notes that `edge` equals edge `of`, which has been inserted.
     pub(crate) fn share(&mut self, edge: u32, of: u32) {
         self.equal.push((edge, of));
     }
 
-    /// Edge `edge` passes through `vertex`, after those noted before.
+    /// Notes that `edge` passes through `vertex`, after the vertices noted before.
     pub(crate) fn pass(&mut self, edge: u32, vertex: u32) -> Result<(), Error> {
         if self.passed.len() == LIMIT {
             return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
@@ -71,7 +66,6 @@ impl EdgeChainBuilder {
         Ok(())
     }
 
-    /// Adds the notes on other edges of the same input.
     #[cfg(feature = "parallel")]
     pub(crate) fn append(&mut self, mut other: EdgeChainBuilder) -> Result<(), Error> {
         if self.passed.len() + other.passed.len() > LIMIT {
@@ -82,7 +76,6 @@ impl EdgeChainBuilder {
         Ok(())
     }
 
-    /// The chains, when all edges are inserted.
     pub(crate) fn finish(mut self) -> EdgeChains {
         // A stable sort: the vertices of each edge stay in order.
         self.passed.sort_by_key(|&(edge, _)| edge);
@@ -108,7 +101,6 @@ impl EdgeChainBuilder {
         }
     }
 
-    /// Bytes held.
     pub(crate) fn heap_bytes(&self) -> usize {
         self.ends.capacity() * size_of::<[u32; 2]>()
             + (self.passed.capacity() + self.equal.capacity()) * size_of::<(u32, u32)>()
@@ -116,7 +108,7 @@ impl EdgeChainBuilder {
 }
 
 impl EdgeChains {
-    /// Those of edges with these vertices along them, at least one each; `None` if that is too much.
+    /// The chains of edges with these vertices along them, at least one each; `None` if they are too many.
     #[cfg(feature = "serde")]
     pub(crate) fn of(lists: &[Vec<u32>]) -> Option<EdgeChains> {
         let inside: usize = lists.iter().map(|list| list.len().saturating_sub(2)).sum();
@@ -138,20 +130,15 @@ impl EdgeChains {
         Some(chains)
     }
 
-    /// The memory of the ends.
     pub(crate) fn into_ends(self) -> Vec<[u32; 2]> {
         self.ends
     }
 
-    /// How many edges there are.
     pub(crate) fn len(&self) -> usize {
         self.ends.len()
     }
 
     /// The ends of edge `e`, upper end first.
-    ///
-    /// # Panics
-    /// If there is no edge `e`.
     pub(crate) fn ends(&self, e: usize) -> [u32; 2] {
         self.ends[e]
     }

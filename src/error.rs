@@ -1,12 +1,11 @@
-//! Why an input is refused. Every error names the offenders by the caller's own indices.
+//! Why an input is refused.
 
 use core::fmt;
 
 /// Why an input is refused, and which of its points and edges are to blame.
 ///
-/// All indices are positions in the slices that the caller passed, counted from 0. Everything that is
-/// not listed here is accepted: duplicate points and edges, edges of no length, edges through
-/// vertices, edges that overlap, and inputs with no triangle at all.
+/// All indices are positions in the caller's slices, from 0. Everything else is accepted: duplicate points and edges,
+/// edges of no length, edges through vertices, edges that overlap, and inputs with no triangle at all.
 ///
 /// ```
 /// use sweep_cdt::{triangulate, Error};
@@ -21,20 +20,19 @@ use core::fmt;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Error {
-    /// A coordinate of this point is NaN or infinite.
+    /// A coordinate of a point is NaN or infinite.
     NonFiniteCoordinate {
         /// The first such point.
         vertex: usize,
     },
-    /// An end of this edge is not the index of a point.
+    /// An end of an edge is not the index of a point.
     EdgeOutOfRange {
         /// The first such edge.
         edge: usize,
-        /// Its end that is out of range (the first one of two).
+        /// The end that is out of range (the first one of two).
         vertex: usize,
     },
-    /// Two edges cross at a point inside both of them that is not a vertex. [`crossings`](crate::crossings) lists all
-    /// that do, and splits them.
+    /// Two edges cross at a point inside both that is no vertex. [`crossings`](crate::crossings) lists and splits all.
     CrossingEdges {
         /// The two edges, lower index first.
         edges: [usize; 2],
@@ -53,8 +51,7 @@ pub enum Error {
         /// How many there may be.
         limit: usize,
     },
-    /// The edges pass through more vertices than can be held, each edge counted with each vertex inside it.
-    /// Equal edges count once.
+    /// More vertices inside edges than can be held, each counted for each edge; equal edges count once.
     TooManyVerticesOnEdges {
         /// How many there may be.
         limit: usize,

@@ -1,11 +1,7 @@
-//! Numbers of vertices, triangles and border half-edges: 32 bits each, and a type for each, so that the compiler
-//! keeps them apart.
-//!
-//! [`narrow`] is the one place where a count or position becomes 32 bits wide; the size of the input
-//! was checked before.
+//! Numbers of vertices, triangles and border half-edges: 32 bits each, and a type for each, so that the compiler keeps
+//! them apart. [`narrow`] alone makes a count or position 32 bits wide; the size of the input was checked before.
 
-/// A vertex: its rank in the sweep order, or an artificial point after all of them. In a result, where
-/// ranks are of no more use, the index of the input point.
+/// A vertex: its rank in the sweep order, or an artificial point above. In a result, a position in its `vertices`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct VertexId(u32);
 
@@ -13,11 +9,10 @@ pub(crate) struct VertexId(u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct TriangleId(u32);
 
-/// An border half-edge: a segment of the advancing front, or a side that borders on an empty polygon.
+/// A border half-edge: a segment of the advancing front, or a side of an empty polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct BorderId(u32);
 
-/// A count or position in 32 bits.
 #[inline(always)]
 pub(crate) fn narrow(n: usize) -> u32 {
     u32::try_from(n).expect("the input's size was checked")
@@ -60,7 +55,6 @@ impl BorderId {
         BorderId(v.0)
     }
 
-    /// The left end of the segment of the front that this is.
     #[inline(always)]
     pub(crate) const fn left_end(self) -> VertexId {
         VertexId(self.0)

@@ -1,7 +1,7 @@
-//! Points and edges in the forms that other programs have them in: tuples, types of one's own, numbers of 32 bits.
+//! Points and edges in other forms: tuples, types of one's own, numbers of 32 bits.
 //!
 //! [`triangulate`](crate::triangulate) and all methods borrow `[[S; 2]]` and `[[usize; 2]]`, and copy nothing.
-//! [`triangulate_from`] copies everything that becomes an array of two to these.
+//! [`triangulate_from`] copies all that becomes such an array.
 
 use crate::error::Error;
 use crate::scalar::Scalar;
@@ -9,8 +9,7 @@ use crate::triangulation::Triangulation;
 use crate::triangulator::Triangulator;
 use alloc::vec::Vec;
 
-/// The triangulation of points and edges in other forms than [`triangulate`](crate::triangulate) borrows: tuples, types
-/// of your own, numbers of 32 bits.
+/// [`triangulate`](crate::triangulate) for points and edges in other forms: tuples, own types, 32-bit numbers.
 ///
 /// A point is anything that becomes `[S; 2]`: an array, a tuple, a type of your own. An edge is anything that becomes
 /// two numbers, of any type that becomes `usize` or fails to.

@@ -47,17 +47,15 @@ pub use triangulation::Triangulation;
 pub use triangulator::{Run, Triangulator};
 pub use with_points::WithPoints;
 
-/// The constrained Delaunay triangulation of `points` with `edges`, by the sweep-line algorithm of
-/// Domiter and Žalik (2008).
+/// The constrained Delaunay triangulation of `points` with `edges`, by the sweep line of Domiter and Žalik (2008).
 ///
-/// `points` are `[x, y]` in any [`Scalar`](scalar::Scalar); `edges` are pairs of positions in `points`. They
-/// may come in any order, with duplicates. Edges may share ends, overlap, pass through points or have no
-/// length. Fewer than three distinct points, or points that all lie on one line, give no triangles. For a
-/// choice of front and heuristics, progress and statistics see [`Triangulator`].
+/// `points` are `[x, y]` in any [`Scalar`](scalar::Scalar); `edges` are pairs of positions in `points`. They may come
+/// in any order, with duplicates. Edges may share ends, overlap, pass through points or have no length. Fewer than
+/// three distinct points, or points all on one line, give no triangles. [`Triangulator`] has settings and statistics.
 ///
 /// # Errors
-/// [`Error`] names the offender: a coordinate that is not finite, an edge with an end that is no point,
-/// two edges that cross, or what is too many: points, or vertices on edges.
+/// [`Error`] names the offender: a coordinate that is not finite, an edge with an end that is no point, two edges that
+/// cross, or what is too many: points, or vertices on edges.
 ///
 /// ```
 /// let points = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]];

@@ -1,18 +1,18 @@
 //! Where a point lies in a triangulation: jump and walk (Mücke, Saias and Zhu 1999), with exact signs.
 //!
-//! The walk starts at the nearest triangle of a sample, or at one that the caller names. From each triangle it goes on
-//! across a side that has the point on its other side, until there is none.
+//! The walk starts at the nearest triangle of a sample, or at one that the caller names. It leaves each triangle across
+//! a side that has the point on its other side, until there is none.
 //!
-//! Why it is right: a triangle is left only across a side that has the point strictly on its other side, by an exact
-//! sign. Where there is no such side the triangle holds the point, and the signs that are zero tell the side or the
-//! corner. Where nothing is across, the point is outside: the hull is convex. Doubles choose only where the walk starts.
+//! Why it is right: an exact sign says that the point is strictly on the other side of each side that the walk crosses.
+//! Where there is no such side the triangle holds the point, and the signs that are zero tell the side or the corner.
+//! Where nothing is across, the point is outside: the hull is convex. Doubles choose only where the walk starts.
 //!
-//! Why it ends: where edges keep triangles from being Delaunay, a walk may come back to where it was. So the side that
-//! is tried first is drawn at random in each triangle (Devillers, Pion and Teillaud 2001), which lets no walk go round
-//! for ever. If one takes more steps than there are triangles, all of them are looked at instead. So are few triangles.
+//! Why it ends: where edges keep triangles from being Delaunay, a walk may come back to where it was. So the side tried
+//! first is drawn at random in each triangle (Devillers, Pion and Teillaud 2001), which lets no walk go round for ever.
+//! If a walk takes more steps than there are triangles, or there are few, all are looked at instead.
 //!
-//! Cost: about n^(1/3) triangles to start from and as many steps for n triangles over points that are spread evenly;
-//! from a triangle near by as many steps as lie between. O(n) at worst.
+//! Cost: for n triangles over points spread evenly, about n^(1/3) triangles to start from and as many steps; from a
+//! triangle near by as many steps as lie between. O(n) at worst.
 
 use core::cmp::Ordering;
 
@@ -28,16 +28,16 @@ const FEW: usize = 6;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Location {
-    /// Inside this triangle.
+    /// Inside a triangle.
     Triangle(usize),
-    /// Inside a side, opposite this corner of this triangle: of the lower number, where it has two.
+    /// Inside a side of a triangle: of the two triangles beside it, the one with the lower number.
     Side {
         /// The triangle.
         triangle: usize,
-        /// The side of it: 0, 1 or 2.
+        /// The side, opposite this corner: 0, 1 or 2.
         side: usize,
     },
-    /// At this vertex: the lowest of several equal points.
+    /// At a vertex: the lowest of several equal points.
     Vertex(usize),
     /// Outside of the hull. If there are no triangles, everything is.
     Outside,
@@ -82,8 +82,8 @@ impl<S: Scalar> WithPoints<'_, S> {
         self.locate_from(query, start.unwrap_or(0))
     }
 
-    /// Where a point lies, from a triangle near by: the triangle of the last point, where points come in some order. A
-    /// triangle that does not exist counts as the first one.
+    /// Where a point lies, by a walk from a triangle near by, such as the triangle of the last point. A triangle that
+    /// does not exist counts as the first one.
     ///
     /// # Panics
     /// If there are fewer points than were triangulated.
@@ -141,7 +141,6 @@ impl<S: Scalar> WithPoints<'_, S> {
         None
     }
 
-    /// Looks at all triangles.
     fn look(&self, query: &[S; 2]) -> Location {
         let holds = |t: &usize| (0..3).all(|side| self.turns(query, *t)(side).is_ge());
         match (0..self.result.len()).find(holds) {
@@ -156,7 +155,6 @@ impl<S: Scalar> WithPoints<'_, S> {
         move |side| filtered_orient2d(corner(next(side)), corner(prev(side)), query)
     }
 
-    /// The vertex at a corner of a triangle, and its point.
     fn vertex(&self, t: usize, corner: u32) -> usize {
         self.result
             .input_index(self.result.triangles[t].vertex(corner))
@@ -166,7 +164,7 @@ impl<S: Scalar> WithPoints<'_, S> {
         &self.points[self.vertex(t, corner)]
     }
 
-    /// The place in a triangle of a point with these turns from its sides, none of them to the right.
+    /// The location of a point in a triangle, by its turns from the sides, none of them to the right.
     fn at(&self, t: usize, turns: [Ordering; 3]) -> Location {
         let [a, b, c] = turns.map(Ordering::is_eq);
         let vertex = |i| Location::Vertex(self.vertex(t, i));
@@ -183,7 +181,7 @@ impl<S: Scalar> WithPoints<'_, S> {
                 side: lower.corner() as usize,
             }
         };
-        // On two sides it is where they meet, opposite the third one.
+        // A point on two sides is where they meet, opposite the third one.
         match [a, b, c] {
             [false, false, false] => Location::Triangle(t),
             [true, false, false] => side(0),

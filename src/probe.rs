@@ -1,7 +1,5 @@
-//! How the sweep is observed: counters, clocks and events, which cost nothing when nobody observes.
-//!
-//! There are two probes, so the sweep is compiled twice for each scalar: with `()`, and with an [`Observer`] for all
-//! runs that are counted, whether or not somebody wants the events too.
+//! How the sweep is observed: counters, clocks and events, which cost nothing when nobody observes. The sweep is
+//! compiled twice for each scalar: with `()`, and with an [`Observer`] for counted runs, with or without events.
 
 use core::fmt;
 
@@ -9,12 +7,11 @@ use crate::recorder::{Phase, Recorder};
 use crate::stats::Counters;
 use crate::trace::Event;
 
-/// Receives what the sweep did; `()` receives nothing and compiles to nothing.
+/// Receives the counts and events of the sweep; `()` receives nothing and compiles to nothing.
 pub(crate) trait Probe {
     /// Whether anything is recorded, and events may be received.
     const RECORDS: bool;
 
-    /// Whether events are received.
     #[inline(always)]
     fn wants_events(&self) -> bool {
         false
@@ -23,15 +20,13 @@ pub(crate) trait Probe {
     /// A part of the algorithm (section 3.2) begins.
     fn begin(&mut self, _phase: Phase) {}
 
-    /// Adds to the counters.
     #[inline(always)]
     fn count(&mut self, _add: impl FnOnce(&mut Counters)) {}
 
-    /// Records what is more than a number.
+    /// Records more than a count.
     #[inline(always)]
     fn record(&mut self, _record: impl FnOnce(&mut Recorder)) {}
 
-    /// One step.
     #[inline(always)]
     fn event(&mut self, _event: Event) {}
 }
@@ -44,7 +39,6 @@ impl Probe for () {
 #[derive(Default)]
 pub(crate) struct Observer<'o> {
     pub(crate) recorder: Recorder,
-    /// Takes each event.
     pub(crate) events: Option<&'o mut dyn FnMut(Event)>,
 }
 

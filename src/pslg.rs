@@ -1,9 +1,8 @@
-//! The input as one value: the planar straight-line graph of the paper's introduction (figure 1a), with seeds of holes
-//! and regions.
+//! The input as one value: the planar straight-line graph (figure 1a), with seeds of holes and regions.
 
 use alloc::vec::Vec;
 
-/// A planar straight-line graph: what is triangulated, and what of the result counts as inside.
+/// A planar straight-line graph: the input to triangulate, and what of the result counts as inside.
 ///
 /// ```
 /// use sweep_cdt::Pslg;
@@ -43,8 +42,8 @@ impl<S> Default for Pslg<S> {
 /// A region of a [`Pslg`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Region<S> {
-    /// A point in it.
+    /// A point in the region.
     pub seed: [S; 2],
-    /// The number that its triangles bear.
+    /// The number that the triangles of the region bear.
     pub attribute: f64,
 }

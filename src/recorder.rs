@@ -1,9 +1,5 @@
-//! How the statistics of a run are recorded: clocks, counters, the length of the front, and a tag for each
-//! triangle that says what made it.
-//!
-//! A triangle keeps its tag until it is flipped or removed, so the tags of the last triangles say what of the work
-//! of each kind survives.
-//!
+//! How the statistics of a run are recorded: clocks, counters, the length of the front, and a tag for each triangle
+//! that says what made it, until it is flipped or removed. So the last tags say what of the work of each kind survives.
 //! Cost: a byte for each triangle, and a write to it for each triangle made and two for each flip.
 
 use alloc::vec::Vec;
@@ -25,7 +21,7 @@ pub(crate) enum Phase {
     Finished,
 }
 
-/// What made a triangle: a field of [`ByCause`].
+/// The cause of a triangle: a field of [`ByCause`].
 #[derive(Clone, Copy, Debug)]
 enum Cause {
     First,
@@ -40,14 +36,13 @@ enum Cause {
     Flip,
 }
 
-/// Statistics as they are recorded.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Recorder {
     pub(crate) stats: Stats,
     /// The current phase, and when it began.
     #[cfg(feature = "std")]
     current: Option<(Phase, Instant)>,
-    /// The last cause of each place of a triangle.
+    /// The last cause of each place in the mesh.
     causes: Vec<Cause>,
     /// Vertices on the front.
     front: u64,
@@ -81,7 +76,6 @@ impl Recorder {
         self.current = now.map(|now| (next, now));
     }
 
-    /// A step of the sweep made a triangle.
     pub(crate) fn made(&mut self, t: TriangleId, why: Why) {
         let counters = &self.stats.counters;
         let cause = match why {
@@ -98,7 +92,7 @@ impl Recorder {
         self.tag(t, cause);
     }
 
-    /// Divide and conquer made a triangle.
+    /// Counts a triangle made by divide and conquer.
     pub(crate) fn merged(&mut self, t: TriangleId) {
         self.tag(t, Cause::DivideAndConquer);
     }
@@ -116,7 +110,7 @@ impl Recorder {
         self.causes[t.index()] = cause;
     }
 
-    /// A flip made two triangles of two.
+    /// Counts a flip, which replaces two triangles by two.
     pub(crate) fn flipped(&mut self, sides: [HalfEdge; 2]) {
         self.stats.counters.made.flips += 2;
         for t in sides.map(HalfEdge::triangle) {
@@ -138,7 +132,6 @@ impl Recorder {
         (self.tests_before, self.flips_before) = (tests, flips);
     }
 
-    /// A vertex joins the front.
     pub(crate) fn front_grows(&mut self) {
         let counters = &mut self.stats.counters;
         counters.front_lengths += self.front;
@@ -146,15 +139,14 @@ impl Recorder {
         counters.longest_front = counters.longest_front.max(self.front);
     }
 
-    /// A vertex leaves the front.
     pub(crate) fn front_shrinks(&mut self) {
         self.front = self.front.saturating_sub(1);
     }
 
-    /// So many triangles are left; these, which ascend, are artificial.
+    /// Counts the triangles that survive: those of the first `triangles` that are not `artificial`, an ascending list.
     pub(crate) fn survived(&mut self, triangles: usize, artificial: &[TriangleId]) {
         self.end_legalization();
-        // The artificial ones around the hull are the last to come: never were there more.
+        // The artificial triangles around the hull are the last to come: never were there more triangles.
         debug_assert!(
             self.causes.len() <= triangles,
             "a place of a triangle is gone"
@@ -167,7 +159,6 @@ impl Recorder {
         }
     }
 
-    /// All statistics of a run, with the sizes of its input and result.
     pub(crate) fn finish(self, points: usize, edges: usize, result: &Triangulation) -> Stats {
         Stats {
             points,
@@ -181,7 +172,6 @@ impl Recorder {
 }
 
 impl Cause {
-    /// Its field.
     fn of(self, numbers: &mut ByCause) -> &mut u64 {
         match self {
             Cause::First => &mut numbers.first,

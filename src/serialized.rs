@@ -1,15 +1,14 @@
 //! A triangulation as data, and back (feature `serde`).
 //!
-//! Written are the triangles, hull, duplicates and chains; all else follows from them. Geometry is not
-//! written, and is not looked at when data is read: [`WithPoints::verify`] does that.
+//! The triangles, hull, duplicates and chains are written; all else follows from them. Geometry is not written, and is
+//! not looked at when data is read: [`WithPoints::verify`](crate::WithPoints::verify) does that.
 //!
-//! Why what is read is as good as what was made: the triangles must be joined side to side into one disk whose border
-//! is the hull. That is so if no two lie to the left of one side, each can be reached from the first, the sides with
+//! Why data read is as good as a result made: the triangles must be joined side to side into one disk whose border is
+//! the hull. That is so if no two lie to the left of one side, each can be reached from the first, the sides with
 //! nothing across are those of the hull, which passes no vertex twice, and the numbers of vertices, sides and triangles
 //! obey Euler's formula. (A surface of triangles with one border has v - e + f at most 1, and 1 only if it is a disk; a
-//! vertex at which two fans meet costs one more.) Duplicates must be in order, each chain a row of sides.
-//!
-//! Cost: a sort of the sides.
+//! vertex at which two fans meet costs one more.) Duplicates must be in order, each chain a row of sides. Cost: a sort
+//! of the sides.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -21,13 +20,12 @@ use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh, Triangle};
 use crate::triangulation::Triangulation;
 
-/// What is written.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Triangulation", deny_unknown_fields)]
 struct Parts {
     triangles: Vec<[usize; 3]>,
     hull: Vec<usize>,
-    /// Each with its representative.
+    /// Each duplicate with its representative.
     duplicates: Vec<[usize; 2]>,
     /// The vertices along each edge.
     edges: Vec<Vec<usize>>,
@@ -53,7 +51,6 @@ impl<'de> Deserialize<'de> for Triangulation {
     }
 }
 
-/// What is wrong with data.
 type Fault = &'static str;
 
 fn require(holds: bool, otherwise: Fault) -> Result<(), Fault> {
@@ -108,12 +105,11 @@ impl Parts {
     }
 }
 
-/// The results of a function for all of a list.
 fn all<T, U>(list: &[T], of: impl Fn(&T) -> Result<U, Fault>) -> Result<Vec<U>, Fault> {
     list.iter().map(of).collect()
 }
 
-/// The number of a vertex in 32 bits, as far as there may be points.
+/// The number of a vertex in 32 bits, if there may be so many points.
 fn number(v: usize) -> Result<u32, Fault> {
     let number = u32::try_from(v).ok();
     let number = number.filter(|_| v < HalfEdge::LIMIT / 2);
@@ -154,20 +150,19 @@ impl Sides {
         place.ok().map(|place| self.0[place].1)
     }
 
-    /// Whether a side starts at this vertex.
     fn start_at(&self, v: u32) -> bool {
         let place = self.0.partition_point(|&([a, _], _)| a < v);
         self.0.get(place).is_some_and(|&([a, _], _)| a == v)
     }
 
-    /// The vertices at which they start, ascending.
+    /// The vertices at which sides start, ascending.
     fn starts(&self) -> Vec<u32> {
         let mut starts: Vec<u32> = self.0.iter().map(|&([a, _], _)| a).collect();
         starts.dedup();
         starts
     }
 
-    /// The triangles, with the places of their corners in `vertices`, each with what lies across its sides.
+    /// The triangles, with the positions of their corners in `vertices`, and their twins.
     fn linked(&self, corners: &[[u32; 3]], vertices: &[u32]) -> Vec<Triangle> {
         let place = |v: u32| VertexId::at(vertices.partition_point(|&other| other < v));
         let mut mesh = Mesh::default();
@@ -182,7 +177,7 @@ impl Sides {
         triangles
     }
 
-    /// Whether the triangles are a disk with this border.
+    /// Refuses triangles that are no disk with this border.
     fn expect_disk(&self, triangles: &[Triangle], hull: &[u32]) -> Result<(), Fault> {
         let is_border =
             |ends: [u32; 2]| self.find(ends).is_some() && self.find([ends[1], ends[0]]).is_none();
@@ -208,14 +203,14 @@ impl Sides {
         }
         let vertices = self.0.chunk_by(|a, b| a.0[0] == b.0[0]).count();
         let sides = (self.0.len() + border) / 2;
-        // Without a border a sphere with two of its points made one would have as many of each.
+        // Without a border, a sphere with two of its points made one would have as many of each.
         let is_disk = border > 0
             && reached.len() == triangles.len()
             && vertices + triangles.len() == sides + 1;
         require(is_disk, "the triangles are no disk")
     }
 
-    /// Marks a side as a piece of an edge. Without triangles there are none.
+    /// Marks a side as a piece of an edge. Without triangles there are no sides.
     fn constrain(&self, [a, b]: [u32; 2], triangles: &mut [Triangle]) -> Result<(), Fault> {
         let found = [self.find([a, b]), self.find([b, a])];
         let is_side = found.iter().any(Option::is_some) || triangles.is_empty();

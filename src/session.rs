@@ -11,11 +11,11 @@ use crate::triangulation::Triangulation;
 
 /// Triangulates one input after the other, and keeps its memory from each to the next.
 ///
-/// [`Triangulator::session`](crate::Triangulator::session) makes one; its results are those of
-/// [`Triangulator::triangulate`](crate::Triangulator::triangulate). Once the memory is as large as the inputs
-/// need, a call allocates next to nothing. That saves a sixth of the instructions for a polygon of ten points,
-/// and a fifth of the time for a million points, whose pages the system need not clear again. Until the
-/// session is dropped it keeps what the largest input needed, about 100 bytes a point.
+/// [`Triangulator::session`](crate::Triangulator::session) makes a session; its results are those of
+/// [`Triangulator::triangulate`](crate::Triangulator::triangulate). Once the memory is as large as the inputs need, a
+/// call allocates next to nothing. That saves a sixth of the instructions for a polygon of ten points, and a fifth of
+/// the time for a million points, whose pages the system need not clear again. A session keeps what the largest input
+/// needed, about 100 bytes a point, until it is dropped.
 ///
 /// ```
 /// let mut session = sweep_cdt::Triangulator::new().session();
@@ -32,7 +32,7 @@ pub struct Session<'p, F = HashTable> {
     settings: Settings<'p>,
     /// The search structure as it was given.
     front: F,
-    /// The one that the last run has left.
+    /// The search structure as the last run left it.
     search: Option<F>,
     scratch: Scratch,
     result: Triangulation,
@@ -51,8 +51,7 @@ impl<'p, F> Session<'p, F> {
 }
 
 impl<F: FrontSearch + Clone> Session<'_, F> {
-    /// The constrained Delaunay triangulation of `points` with `edges`, as [`crate::triangulate`]. It is
-    /// overwritten by the next call; clone what you want to keep.
+    /// The constrained Delaunay triangulation of `points` with `edges`. The next call overwrites it; clone it to keep.
     ///
     /// # Errors
     /// See [`Error`]. The call after an error allocates most of the memory anew.

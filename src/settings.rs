@@ -1,5 +1,5 @@
-//! Settings of a run, which change the work and never the result: which algorithm triangulates, and which
-//! triangles a point event adds beyond the necessary ones (section 3.4.1, figures 9 and 10).
+//! Settings of a run, which change the work and never the result: the algorithm, and the triangles that a point event
+//! adds beyond the necessary ones (section 3.4.1, figures 9 and 10).
 
 /// The algorithm. All give the same result; they differ in time.
 ///
@@ -18,23 +18,23 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Algorithm {
-    /// The sweep. Where it swaps many sides, it goes on with the paper's heuristics. Where it swaps more than a budget
-    /// allows that is linear in its work, it is abandoned, and divide and conquer goes on; with edges it begins anew. A
-    /// run whose steps are [observed](crate::Triangulator::observe) sweeps to its end.
+    /// The sweep. Where it flips many sides, it goes on with the paper's heuristics. Where it flips more than a budget
+    /// linear in its work, it is abandoned: divide and conquer goes on or, with edges, begins anew. A run whose steps
+    /// are [observed](crate::Triangulator::observe) sweeps to its end.
     #[default]
     Auto,
-    /// The sweep of Domiter and Žalik (2008), to its end and with the heuristics given. Fast on ordinary
-    /// inputs; O(n^2) on some, such as the outline of a square with nothing inside.
+    /// The sweep of Domiter and Žalik (2008), to its end and with the heuristics given. Fast on ordinary inputs; O(n^2)
+    /// on some, such as the outline of a square with nothing inside.
     Sweep,
-    /// Divide and conquer for the points (Lee and Schachter 1980; Guibas and Stolfi 1985), then the edges
-    /// one by one (Anglada 1997): O(n log n) for the points, whatever they are.
+    /// Divide and conquer for the points (Lee and Schachter 1980; Guibas and Stolfi 1985), then the edges one by one
+    /// (Anglada 1997): O(n log n) for the points, whatever they are.
     DivideAndConquer,
-    /// Randomized incremental insertion with jump and walk for the points (Mücke, Saias and Zhu 1996), then the
-    /// edges one by one (Anglada 1997): the paper's M-INC, for comparison. Expected O(n^(4/3)) for n points that
-    /// are evenly spread; O(n^2) on some inputs.
+    /// Randomized incremental insertion with jump and walk for the points (Mücke, Saias and Zhu 1996), then the edges
+    /// one by one (Anglada 1997): the paper's M-INC, for comparison. Expected O(n^(4/3)) if points are evenly spread,
+    /// O(n^2) on some inputs.
     #[cfg(feature = "comparison")]
     Incremental,
-    /// Fortune's sweep line (1987) for the points, then the edges one by one: the paper's F-S, for comparison. Its
+    /// Fortune's sweep line (1987) for the points, then the edges one by one: the paper's F-S, for comparison. The
     /// beach line is kept in floating point; exact signs judge what comes of it. O(n^2) on some inputs.
     #[cfg(feature = "comparison")]
     Fortune,
@@ -44,13 +44,11 @@ pub enum Algorithm {
     Sweep2005,
 }
 
-/// Settings of the two heuristics of the point event: they change the work, never the result.
+/// The two heuristics of the point event, which change the work, never the result.
 ///
-/// Without them the front undulates, and many badly shaped triangles are made and flipped later.
-/// Both test angles in plain floating point; whether a triangle may be made at all is decided exactly.
-///
-/// [`Algorithm::Auto`] begins with them. Where they flip more than four sides a vertex for a while, it goes on
-/// with [`Heuristics::PAPER`] until that is over.
+/// Without heuristics the front undulates, and many badly shaped triangles are made and flipped later. Both test angles
+/// in floating point; whether a triangle may be made at all is decided exactly. [`Algorithm::Auto`] begins with them.
+/// Where they flip over four sides a vertex for a while, [`Heuristics::PAPER`] replaces them for that time.
 ///
 /// ```
 /// use sweep_cdt::{Heuristics, Triangulator};
@@ -64,11 +62,11 @@ pub enum Algorithm {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Heuristics {
-    /// Which corners of the front beside the new vertex are narrow enough to be closed by a further
-    /// triangle: the angle between a new triangle's side and the next front segment (figure 9).
+    /// The corners of the front beside the new vertex that are narrow enough to be closed by a further triangle, by the
+    /// angle between a new triangle's side and the next front segment (figure 9).
     pub corners: Corners,
-    /// Whether basins are filled: stretches of the front that fall away from the new point more
-    /// steeply than 45 degrees, an angle of more than 3pi/4 with the upward vertical (figure 10).
+    /// Whether basins are filled: parts of the front that fall away from the new point more steeply than 45 degrees, an
+    /// angle of more than 3pi/4 with the upward vertical (figure 10).
     pub basins: bool,
 }
 
@@ -80,13 +78,13 @@ pub enum Corners {
     Off,
     /// Below pi/2, the paper's angle.
     RightAngle,
-    /// Below pi/2, and on either side one of up to 110 degrees, which measured fastest.
+    /// Below pi/2, and on either side one corner of up to 110 degrees: the fastest measured.
     Wide,
-    /// Below pi/2, and on either side one obtuse corner whose cosine, squared, is below so many sixteenths: 1 for
-    /// 104 degrees, 4 for 120, 8 for 3pi/4. To compare with.
+    /// Below pi/2, and on either side one obtuse corner whose squared cosine is below so many sixteenths: 1 for 104
+    /// degrees, 4 for 120, 8 for 3pi/4. For comparison.
     #[cfg(feature = "comparison")]
     OneUpTo(u8),
-    /// The same, and all such obtuse corners.
+    /// Below pi/2, and all obtuse corners whose squared cosine is below so many sixteenths.
     #[cfg(feature = "comparison")]
     AllUpTo(u8),
 }
@@ -110,7 +108,7 @@ impl Heuristics {
 }
 
 impl Heuristics {
-    /// These heuristics with this setting of narrow corners.
+    /// Changes the setting of narrow corners.
     ///
     /// ```
     /// use sweep_cdt::{Corners, Heuristics};
@@ -123,7 +121,7 @@ impl Heuristics {
         Heuristics { corners, ..self }
     }
 
-    /// These heuristics with basins filled or not.
+    /// Changes whether basins are filled.
     #[must_use]
     pub const fn with_basins(self, basins: bool) -> Heuristics {
         Heuristics { basins, ..self }
@@ -136,10 +134,9 @@ impl Default for Heuristics {
     }
 }
 
-/// Called as `progress(swept, vertices)` at intervals.
+/// A function that is called as `progress(swept, vertices)` at intervals.
 pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;
 
-/// What the caller chooses, beside the search structure.
 #[derive(Clone, Copy)]
 pub(crate) struct Settings<'p> {
     pub(crate) algorithm: Algorithm,

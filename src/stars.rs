@@ -1,10 +1,8 @@
 //! The triangles around each vertex, counter-clockwise.
 //!
-//! Why it is right: for each vertex one triangle is kept. If the vertex is on the hull it is the one that has nothing
-//! across its clockwise side there, so that turning counter-clockwise finds all of them; else any of them does, and
-//! turning ends where it began.
-//!
-//! Cost: one pass over the triangles, and 4 bytes a vertex. Each step around a vertex reads one triangle.
+//! Why it is right: one triangle is kept for each vertex. At a vertex on the hull it is the one with nothing across its
+//! clockwise side there, so turning counter-clockwise finds all triangles. At others turning ends where it began. Cost:
+//! one pass over the triangles, and 4 bytes a vertex. Each step around a vertex reads one triangle.
 
 use crate::ids::TriangleId;
 use crate::mesh::{HalfEdge, next, prev};
@@ -27,7 +25,7 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug)]
 pub struct VertexStars<'a> {
     result: &'a Triangulation,
-    /// For each vertex the side opposite it in its first triangle.
+    /// For each vertex the half-edge opposite it in its first triangle.
     first: Vec<HalfEdge>,
 }
 
@@ -36,7 +34,7 @@ pub struct VertexStars<'a> {
 pub struct Corner {
     /// The triangle, by number.
     pub triangle: usize,
-    /// Which of its vertices: 0, 1 or 2.
+    /// The position of the vertex in the triangle: 0, 1 or 2.
     pub index: usize,
 }
 
@@ -64,15 +62,15 @@ impl Triangulation {
 impl VertexStars<'_> {
     /// The corners of triangles at vertex `v`, counter-clockwise.
     ///
-    /// At a vertex on the hull the first triangle has its clockwise side there on the hull. A number that is no vertex of
-    /// a triangle has no corners. A duplicate has the corners of its representative.
+    /// At a vertex on the hull the first triangle has its clockwise side there on the hull. A number that is no vertex
+    /// of a triangle has no corners; a duplicate has those of its representative.
     pub fn star(&self, v: usize) -> impl Iterator<Item = Corner> + Clone + '_ {
         let first = self.first.get(self.result.representative(v)).copied();
         let first = first.filter(|&side| side != HalfEdge::NO_TRIANGLE);
         let turn = move |side: &HalfEdge| {
             let corner = next(side.corner());
             let across = self.result.triangles[side.triangle().index()].twin(corner);
-            // The vertex follows the side that both have.
+            // The vertex follows the side that both triangles have.
             let after = (!across.is_border()).then(|| across.next());
             after.filter(|&side| Some(side) != first)
         };

@@ -4,11 +4,10 @@ use core::time::Duration;
 
 use crate::scalar::Stage;
 
-/// What one run of the sweep met and did.
+/// The statistics of a run: what it met and did.
 ///
-/// All but the times are the same for every run on the same input with the same settings. Where the
-/// platform has no clock (`wasm32-unknown-unknown`) the times are zero. With the feature `serde` it is
-/// serialized (`serde`) by the names of its fields, times in seconds.
+/// All but the times are the same for every run on the same input with the same settings. Times are zero without a
+/// clock (no feature `std`, or `wasm32-unknown-unknown`). The feature `serde` writes fields by name, times in seconds.
 ///
 /// ```
 /// use sweep_cdt::Triangulator;
@@ -42,16 +41,14 @@ pub struct Stats {
     /// Time of the finalization (section 3.5; table 2).
     #[cfg_attr(feature = "serde", serde(with = "seconds"))]
     pub finalization: Duration,
-    /// Whether divide and conquer made the result, because it was asked for or because the sweep was
-    /// abandoned. Then times and counters hold the work of both.
+    /// Whether divide and conquer made the result. After an abandoned sweep times and counters hold the work of both.
     pub is_divided: bool,
-    /// Bytes of the largest arrays held at one time, beyond the input.
+    /// The most bytes that the largest arrays held at one time, beyond the input.
     pub memory: usize,
     /// The work done.
     pub counters: Counters,
 }
 
-/// Times as seconds.
 #[cfg(feature = "serde")]
 mod seconds {
     use core::time::Duration;
@@ -103,7 +100,7 @@ pub struct Counters {
     pub symbolic: u64,
     /// In-circle tests that found four points on one circle.
     pub cocircular: u64,
-    /// Sides that the legalization tested, fixed ones included.
+    /// Sides that the legalization tested, constrained ones included.
     pub legalization_tests: u64,
     /// Sides swapped by the legalization.
     pub flips: u64,
@@ -111,12 +108,12 @@ pub struct Counters {
     pub most_tests: u64,
     /// The most flips from one triangle made to the next.
     pub most_flips: u64,
-    /// Steps along the front after the search structure's answer (3.4.1). Without a front, steps of the
-    /// walk from triangle to triangle or along the beach line.
+    /// Steps along the front after the search structure's answer (3.4.1). Without a front, steps of the walk from
+    /// triangle to triangle or along the beach line.
     pub front_steps: u64,
     /// Point events (3.4.1): vertices that joined the front after the first one.
     pub point_events: u64,
-    /// The sum of the front's lengths at all point events, in vertices: those on it before the new one.
+    /// The sum of the front's lengths at all point events, in vertices, without the new one.
     pub front_lengths: u64,
     /// The most vertices on the front.
     pub longest_front: u64,
@@ -130,7 +127,7 @@ pub struct Counters {
     pub pierced: u64,
     /// Triangles made, artificial ones included.
     pub made: ByCause,
-    /// Of these, the triangles of the result: neither flipped nor removed since.
+    /// Triangles made that are in the result: neither flipped nor removed since.
     pub survived: ByCause,
 }
 
@@ -141,7 +138,7 @@ pub struct Counters {
 pub struct ByCause {
     /// The first triangle, which is artificial (figure 6).
     pub first: u64,
-    /// On the segment under the new vertex (figure 7). Of an algorithm to compare with: all that its points make.
+    /// On the segment under the new vertex (figure 7). For other algorithms: all that their points make.
     pub middle: u64,
     /// The second triangle of the left case (figure 8).
     pub left: u64,
@@ -157,7 +154,7 @@ pub struct ByCause {
     pub hull: u64,
     /// By divide and conquer.
     pub divide_and_conquer: u64,
-    /// By flips, each of which makes two of two (figure 3).
+    /// Made by flips; each replaces two triangles by two (figure 3).
     pub flips: u64,
 }
 
@@ -216,7 +213,6 @@ impl Counters {
         mean(self.front_lengths, self.point_events)
     }
 
-    /// Counts an orientation test that this stage decided.
     pub(crate) fn count_orient2d(&mut self, stage: Stage) {
         *match stage {
             Stage::Integers => &mut self.orient2d_integers,
@@ -226,7 +222,6 @@ impl Counters {
         } += 1;
     }
 
-    /// Counts an in-circle test that this stage decided.
     pub(crate) fn count_in_circle(&mut self, stage: Stage) {
         *match stage {
             Stage::Integers => &mut self.in_circle_integers,
@@ -237,7 +232,7 @@ impl Counters {
     }
 }
 
-/// A mean, 0 of nothing.
+/// A mean; 0 of nothing.
 fn mean(sum: u64, count: u64) -> f64 {
     sum as f64 / count.max(1) as f64
 }

@@ -1,4 +1,4 @@
-//! Work on all cores, with the feature `parallel`; on this one without it, or where the system gives no threads.
+//! Work on all cores with the feature `parallel`; on one without it, or where the system gives no threads.
 
 use alloc::vec::Vec;
 #[cfg(feature = "parallel")]
@@ -6,7 +6,7 @@ use core::error::Error;
 #[cfg(feature = "parallel")]
 use std::sync::OnceLock;
 
-/// The same work on many parts. The results are in the order of the parts.
+/// Does the same work on many parts. The results are in the order of the parts.
 pub fn on_all_cores<P: Send, T: Send>(
     parts: Vec<P>,
     work: impl Fn(P) -> T + Sync + Send,
@@ -24,8 +24,8 @@ pub fn on_all_cores<P: Send, T: Send>(
 pub fn has_threads() -> bool {
     static GLOBAL: OnceLock<bool> = OnceLock::new();
     let make = || {
-        // The global pool can be tried once only. Where there are no threads at all it is left alone, so
-        // that others get the one that rayon makes without any.
+        // The global pool can be tried once only. Where there are no threads at all it is left alone, so that others
+        // get the one that rayon makes without any.
         let one = std::thread::Builder::new().spawn(|| ());
         let has_one = one.is_ok_and(|thread| thread.join().is_ok());
         // An error without a source says that there is a pool already.

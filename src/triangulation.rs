@@ -1,5 +1,4 @@
-//! The result: triangles, their neighbours, constrained sides, hull, duplicates, and the vertices along each
-//! edge. Everything is an index into the caller's input.
+//! The result: triangles, neighbours, constrained sides, hull, duplicates, and chains of edges, by input indices.
 
 use alloc::vec::Vec;
 #[cfg(feature = "parallel")]
@@ -12,12 +11,12 @@ use crate::mesh::{self, HalfEdge, Triangle};
 
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
 ///
-/// Triangles are numbered `0..len()`, in the order in which the sweep left them; as a *set* they are
-/// the same for every order of the input, front, scalar and heuristic setting, and
-/// [`canonical_triangles`](Triangulation::canonical_triangles) lists them in an order that is the same
-/// too. The vertices of a triangle run counter-clockwise. HalfEdge `i` of a triangle lies opposite its
-/// vertex `i`. Of equal input points only the one with the lowest index, their
-/// [`representative`](Triangulation::representative), occurs in triangles, hull and chains.
+/// Triangles are numbered `0..len()`, in the order in which the sweep left them. As a *set* they are the same for every
+/// order of the input, front, scalar and heuristic setting; [`canonical_triangles`](Triangulation::canonical_triangles)
+/// lists them in an order that is the same too. The vertices of a triangle run counter-clockwise; side `i` lies
+/// opposite vertex `i`. Of equal input points only the one with the lowest index, their
+/// [`representative`](Triangulation::representative), occurs in triangles, hull and chains. Methods panic if there is
+/// no triangle `t`, side `side` (0, 1 or 2) or edge `e`.
 ///
 /// ```
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0], [2.0, 1.0]];
@@ -30,10 +29,9 @@ use crate::mesh::{self, HalfEdge, Triangle};
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Triangulation {
-    /// Their vertices are places in `vertices`.
+    /// The triangles; their vertices are positions in `vertices`.
     pub(crate) triangles: Vec<Triangle>,
-    /// The input index of each vertex, by rank. Looked up when a triangle is read: a pass over all triangles would
-    /// take longer.
+    /// The input index of each vertex, by rank. Looked up when a triangle is read: a pass over all would take longer.
     pub(crate) vertices: Vec<u32>,
     pub(crate) hull: Vec<u32>,
     /// `(vertex, representative)` of each duplicate, by vertex.
@@ -53,9 +51,6 @@ impl Triangulation {
     }
 
     /// The vertices of triangle `t`, counter-clockwise.
-    ///
-    /// # Panics
-    /// If there is no triangle `t`.
     pub fn triangle(&self, t: usize) -> [usize; 3] {
         self.corners(&self.triangles[t])
     }
@@ -65,9 +60,8 @@ impl Triangulation {
         self.triangles.iter().map(|triangle| self.corners(triangle))
     }
 
-    /// The triangles in one order for all runs on the same input: each begins with its lowest vertex,
-    /// and the list is sorted. With the feature `parallel` long lists are made on all threads of the current rayon
-    /// pool.
+    /// The triangles in one order for all runs on the same input: each begins with its lowest vertex, and the list is
+    /// sorted. With the feature `parallel` long lists are made on all threads of the current rayon pool.
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
         canonical(self.len(), |t| self.triangle(t))
     }
@@ -78,37 +72,26 @@ impl Triangulation {
     }
 
     /// The triangle across side `side` (0, 1 or 2) of triangle `t`, or `None` on the hull.
-    ///
-    /// # Panics
-    /// If there is no triangle `t` or `side` is above 2.
     pub fn neighbor(&self, t: usize, side: usize) -> Option<usize> {
         let twin = self.twin(t, side);
         (!twin.is_border()).then(|| twin.triangle().index())
     }
 
     /// The triangles across the three sides of triangle `t`.
-    ///
-    /// # Panics
-    /// If there is no triangle `t`.
     pub fn neighbors(&self, t: usize) -> [Option<usize>; 3] {
         [0, 1, 2].map(|side| self.neighbor(t, side))
     }
 
     /// Whether side `side` of triangle `t` is an input edge or a piece of one.
-    ///
-    /// # Panics
-    /// If there is no triangle `t` or `side` is above 2.
     pub fn is_constrained(&self, t: usize, side: usize) -> bool {
         self.twin(t, side).is_constrained()
     }
 
-    /// The sides that are input edges or pieces of them, each once, as pairs of vertices (the triangle
-    /// that lists it lies to the left).
+    /// The sides that are input edges or pieces of them, each once: pairs of vertices, with the triangle on the left.
     pub fn constrained_sides(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
         (0..self.len()).flat_map(|t| self.constrained_sides_of(t))
     }
 
-    /// Those of them that triangle `t` lists.
     fn constrained_sides_of(&self, t: usize) -> impl Iterator<Item = [usize; 2]> + '_ {
         let triangle = &self.triangles[t];
         (0..3).filter_map(move |side| {
@@ -120,9 +103,8 @@ impl Triangulation {
         })
     }
 
-    /// The vertices on the border of the convex hull, counter-clockwise, from the leftmost one (the
-    /// upper one of several); those inside a straight stretch are listed too. Empty if there is no
-    /// triangle.
+    /// The vertices on the border of the convex hull, counter-clockwise, from the leftmost one (the upper one of
+    /// several), with those inside a straight part. Empty if there is no triangle.
     pub fn hull(&self) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
         self.hull.iter().map(|&v| v as usize)
     }
@@ -142,12 +124,8 @@ impl Triangulation {
             .map(|&(vertex, of)| [vertex as usize, of as usize])
     }
 
-    /// The vertices along input edge `e` as representatives, from its upper end (the one that is last
-    /// by y, then x) to its lower end: two, or more where vertices lie on the edge, or one where its
-    /// ends are equal. Each two that follow each other are a side of the triangulation.
-    ///
-    /// # Panics
-    /// If there is no edge `e`.
+    /// The vertices along input edge `e` as representatives, from its upper end (last by y, then x) to its lower end:
+    /// two, more if vertices lie on the edge, one if its ends are equal. Neighbours in the chain form sides.
     pub fn edge_chain(&self, e: usize) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
         let [upper, lower] = self.chains.ends(e);
         let inside = self.chains.inside(e);
@@ -159,7 +137,6 @@ impl Triangulation {
         })
     }
 
-    /// The input index of a vertex of a triangle.
     #[inline]
     pub(crate) fn input_index(&self, v: VertexId) -> usize {
         self.vertices[v.index()] as usize
@@ -170,7 +147,6 @@ impl Triangulation {
         triangle.vertices().map(|v| self.input_index(v))
     }
 
-    /// What lies across a side.
     fn twin(&self, t: usize, side: usize) -> HalfEdge {
         assert!(side < 3, "a triangle has sides 0, 1 and 2");
         self.triangles[t].twin(narrow(side))
@@ -200,7 +176,7 @@ impl Triangulation {
             .map(|triangle| self.corners(triangle))
     }
 
-    /// What [`constrained_sides`](Triangulation::constrained_edges) lists, on all threads of the current rayon pool.
+    /// [`constrained_sides`](Triangulation::constrained_sides), on all threads of the current rayon pool.
     pub fn par_constrained_sides(&self) -> impl ParallelIterator<Item = [usize; 2]> + Clone + '_ {
         let numbers = (0..self.len()).into_par_iter();
         numbers.flat_map_iter(|t| self.constrained_sides_of(t))

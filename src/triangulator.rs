@@ -18,13 +18,11 @@ use crate::threads::has_threads;
 use crate::trace::Event;
 use crate::triangulation::Triangulation;
 
-/// So many points are worth a band of their own.
+/// A band has at least so many points.
 #[cfg(feature = "parallel")]
 const LEAST: usize = 50_000;
 
-/// Triangulates with the front, heuristics and progress report of your choice, any number of times.
-///
-/// The settings change the work, never the result.
+/// Triangulates with the settings of your choice, any number of times. They change the work, never the result.
 ///
 /// ```
 /// use sweep_cdt::front::SkipList;
@@ -52,7 +50,7 @@ pub struct Triangulator<'p, F = HashTable> {
 pub struct Run<F> {
     /// The result.
     pub triangulation: Triangulation,
-    /// What the run met and did.
+    /// The statistics of the run.
     pub stats: Stats,
     /// The search structure, with whatever it counted.
     pub front: F,
@@ -91,9 +89,8 @@ impl<F: fmt::Debug> fmt::Debug for Triangulator<'_, F> {
 }
 
 impl<'p, F> Triangulator<'p, F> {
-    /// Uses another search structure for the advancing front: a value of it, with its parameters.
-    ///
-    /// Each run works on a clone of the value, and returns it in [`Run::front`].
+    /// Uses another search structure for the advancing front, with its parameters. Each run works on a clone of
+    /// `front`, and returns the clone in [`Run::front`].
     #[must_use]
     pub fn front<G: FrontSearch + Clone>(self, front: G) -> Triangulator<'p, G> {
         Triangulator {
@@ -111,7 +108,7 @@ impl<'p, F> Triangulator<'p, F> {
         self
     }
 
-    /// Uses these heuristics; see there what [`Algorithm::Auto`] makes of them.
+    /// Uses these heuristics; [`Heuristics`] says what [`Algorithm::Auto`] makes of them.
     #[must_use]
     pub fn heuristics(mut self, heuristics: Heuristics) -> Self {
         self.settings.heuristics = heuristics;
@@ -128,22 +125,21 @@ impl<'p, F> Triangulator<'p, F> {
 
 #[cfg(feature = "parallel")]
 impl<F: FrontSearch + Clone + Send> Triangulator<'_, F> {
-    /// Cuts the points into so many bands, from bottom to top, for
-    /// [`triangulate_parallel`](Triangulator::triangulate_parallel).
-    ///
-    /// Left out, there is one for each thread, but none for fewer than 50,000 points. There are at most 256.
+    /// Cuts the points into `bands` bands, from bottom to top, for
+    /// [`triangulate_parallel`](Triangulator::triangulate_parallel). By default there is one for each thread, but none
+    /// has fewer than 50,000 points. There are at most 256.
     #[must_use]
     pub fn bands(mut self, bands: usize) -> Self {
         self.bands = Some(bands);
         self
     }
 
-    /// The same as [`triangulate`](Triangulator::triangulate), on all threads of the current rayon pool.
+    /// [`triangulate`](Triangulator::triangulate) on all threads of the current rayon pool.
     ///
-    /// The points are cut into bands, which are swept at the same time and then joined. The result is the
-    /// same, but for the numbers of the triangles. At its peak it takes up to half more memory. No progress is
-    /// reported. Few points are triangulated on one thread. Where edges cross, where many run from band to band, or
-    /// where it would take too many flips to join the bands, one thread begins anew.
+    /// The points are cut into bands, which are swept at the same time and then joined. The result is the same, but for
+    /// the numbers of the triangles. The call takes up to half more memory at its peak, and reports no progress. Few
+    /// points are triangulated on one thread. Where edges cross, where many run from band to band, or where joining the
+    /// bands would take too many flips, one thread begins anew.
     ///
     /// # Errors
     /// See [`Error`]; the same as on one thread.
@@ -164,7 +160,7 @@ impl<F: FrontSearch + Clone + Send> Triangulator<'_, F> {
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<Triangulation, Error> {
-        // Without threads of its own rayon panics.
+        // Rayon panics where it cannot start its threads.
         if has_threads() {
             let most = rayon::current_num_threads();
             let bands = self.bands.unwrap_or(most.min(points.len() / LEAST));
@@ -196,12 +192,12 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
         Ok(triangulation)
     }
 
-    /// The same for many inputs, one after the other, in the same memory.
+    /// Triangulates many inputs, one after the other, in the same memory.
     pub fn session(self) -> Session<'p, F> {
         Session::new(self.settings, self.front)
     }
 
-    /// The same, with statistics; counting costs a few per cent of the time.
+    /// [`triangulate`](Triangulator::triangulate) with statistics; counting costs a few per cent of the time.
     ///
     /// # Errors
     /// See [`Error`].
@@ -216,7 +212,7 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
     /// Triangulates with statistics, and passes every step to `observer` as it happens.
     ///
     /// The steps are those of the sweep, which [`Algorithm::Auto`] does not abandon here. The other algorithms pass on
-    /// the steps of their edge events alone; these are no trace that can be replayed.
+    /// the steps of their edge events alone, which are no trace that can be replayed.
     ///
     /// # Errors
     /// See [`Error`]; the steps before it have been reported.
@@ -229,7 +225,6 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
         self.record(points, edges, Some(&mut observer))
     }
 
-    /// Triangulates with statistics, and passes the steps on if they are wanted.
     fn record<S: Scalar>(
         &self,
         points: &[[S; 2]],
@@ -251,7 +246,6 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
 }
 
 impl<F> Triangulator<'_, F> {
-    /// Triangulates with this search structure.
     fn run<S: Scalar, P: RunProbe>(
         &self,
         points: &[[S; 2]],
@@ -261,7 +255,7 @@ impl<F> Triangulator<'_, F> {
     ) -> Result<(Triangulation, P), Error> {
         let mut settings = self.settings;
         if probe.wants_events() && settings.algorithm == Algorithm::Auto {
-            // A trace is that of a sweep to its end.
+            // A trace shows a sweep to its end.
             settings.algorithm = Algorithm::Sweep;
         }
         let scratch = &mut Scratch::default();

@@ -1,7 +1,5 @@
-//! A triangulation with its points: what asks for coordinates.
-//!
-//! A [`Triangulation`] holds indices alone. [`Triangulation::with_points`] borrows the points once, and the view locates,
-//! verifies, and finds the interior of seeds.
+//! A triangulation with its points. A [`Triangulation`] holds indices alone. [`Triangulation::with_points`] borrows the
+//! points once, and the view locates, verifies, and finds the interior of seeds.
 
 use crate::scalar::{Measure, Scalar};
 use crate::triangulation::Triangulation;
@@ -37,7 +35,7 @@ impl<S> Clone for WithPoints<'_, S> {
 impl<S> Copy for WithPoints<'_, S> {}
 
 impl Triangulation {
-    /// The triangulation with its points, which are those that were triangulated.
+    /// The triangulation with `points`, which are those that were triangulated.
     pub fn with_points<'a, S: Scalar>(&'a self, points: &'a [[S; 2]]) -> WithPoints<'a, S> {
         WithPoints {
             result: self,
@@ -47,10 +45,8 @@ impl Triangulation {
 }
 
 impl<S: Measure> WithPoints<'_, S> {
-    /// Checks the triangulation with the exact verifier, which shares the signs of [`crate::scalar`] (filter and exact
-    /// predicates) with the sweep and nothing else.
-    ///
-    /// `edges` are those that were triangulated; see [`mod@crate::verify`] for what is proved.
+    /// Checks the triangulation with the exact verifier, which shares only the signs of [`crate::scalar`] (filter and
+    /// exact predicates) with the sweep. `edges` are those triangulated; [`mod@crate::verify`] says what is proved.
     ///
     /// # Errors
     /// [`Violations`]: what is wrong, up to a limit. There are none for the input that this is the result of.

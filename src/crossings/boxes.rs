@@ -1,8 +1,8 @@
 //! Upright boxes, and which of them meet: pairs of edges that may cross, and vertices that a piece may pass.
 //!
-//! The boxes stand in an order in which neighbours lie near each other, and each range of that order that is halved
-//! again and again has a box around its boxes (a tree of boxes, in an array). Who looks for the boxes that meet a
-//! given one passes over all ranges whose box does not.
+//! The boxes are in an order in which neighbours are near each other. The order is halved repeatedly, and each range
+//! has a box around its boxes (a tree in an array). A search for boxes that meet a given one skips ranges whose box
+//! does not.
 //!
 //! ```text
 //!           1                The ranges by number. Range k has the halves 2k and 2k + 1, so that the one to
@@ -10,12 +10,10 @@
 //!     4   5   6   7
 //! ```
 //!
-//! Why it is right: boxes are made of doubles near the coordinates, which are monotone ([`Scalar::approx`]), and
-//! are only compared. So boxes of what has a point in common meet, however large, small or close the coordinates
-//! are. A range that is passed over holds no box that meets the given one.
-//!
-//! Cost: O(n log n) to build, with one selection for each range; for each search O(log n) where boxes are spread,
-//! and all that it finds.
+//! Why it is right: boxes are made of approximations, which are monotone ([`Scalar::approx`]), and are only compared.
+//! So edges and cells with a point in common have boxes that meet, however large, small or close the coordinates are. A
+//! range that is skipped holds no box that meets the given one. Cost: O(n log n) to build, with one selection for each
+//! range; for each search O(log n) where boxes are spread, and all that it finds.
 
 use super::error::SplitError;
 use crate::scalar::Scalar;
@@ -39,13 +37,11 @@ impl Bounds {
         high: [f64::NEG_INFINITY; 2],
     };
 
-    /// The box around two points.
     pub(super) fn of<S: Scalar>(points: [&[S; 2]; 2]) -> Bounds {
         let [a, b] = points.map(|point| point.each_ref().map(S::approx));
         Bounds { low: a, high: a }.and(Bounds { low: b, high: b })
     }
 
-    /// The box around two boxes.
     fn and(self, other: Bounds) -> Bounds {
         Bounds {
             low: [0, 1].map(|i| self.low[i].min(other.low[i])),
@@ -57,25 +53,23 @@ impl Bounds {
         (0..2).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
     }
 
-    /// Its middle along an axis, as far as doubles tell: it is used to sort only.
+    /// The middle along an axis, as far as doubles tell: it is used to sort only.
     fn middle(&self, axis: usize) -> f64 {
         self.low[axis] / 2.0 + self.high[axis] / 2.0
     }
 }
 
-/// Boxes in their tree.
 #[derive(Debug)]
 pub(super) struct Boxes {
-    /// Each box with its position in the list that was given, in the order of the tree.
+    /// Each box with its position in the list given, in the order of the tree.
     list: Vec<(usize, Bounds)>,
     /// The box around each range, by number.
     around: Vec<Bounds>,
-    /// How often the whole is halved.
+    /// How often the order is halved.
     height: u32,
 }
 
 impl Boxes {
-    /// The tree of these boxes.
     pub(super) fn new(list: impl Iterator<Item = Bounds>) -> Boxes {
         let list: Vec<(usize, Bounds)> = list.enumerate().collect();
         let height = (list.len() / LEAST).checked_ilog2().unwrap_or(0);
@@ -101,7 +95,7 @@ impl Boxes {
         boxes
     }
 
-    /// Where a range begins and ends in the order.
+    /// Where a range begins and ends.
     fn range(&self, number: usize) -> (usize, usize) {
         let depth = number.ilog2();
         let place = number - (1 << depth);
@@ -124,7 +118,7 @@ impl Boxes {
         Ok(())
     }
 
-    /// The positions of the boxes that meet this one.
+    /// The positions of the boxes that meet `bounds`.
     pub(super) fn meeting(&self, bounds: &Bounds) -> Vec<usize> {
         let mut found = Vec::new();
         let all = self.search(0, bounds, |one| {
@@ -135,8 +129,7 @@ impl Boxes {
         found
     }
 
-    /// Passes each box from position `first` of the order on that meets this one to `report`, until that returns an
-    /// error.
+    /// Passes each box that meets `bounds`, from position `first` on, to `report`, until that returns an error.
     fn search(
         &self,
         first: usize,
@@ -157,7 +150,7 @@ impl Boxes {
                     report(*one)?;
                 }
             }
-            // The range to the right of this one, or of the smallest one around it that has such a neighbour.
+            // The range to the right of this one, or of the smallest range around it that has such a neighbour.
             number = (number >> number.trailing_ones()) + 1;
             if number == 1 {
                 return Ok(());

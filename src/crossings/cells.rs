@@ -1,15 +1,14 @@
-//! Which vertices a piece passes: those to which a point of it is rounded.
+//! The vertices that a piece passes: those to which a point of it is rounded.
 //!
-//! The *cell* of a vertex is what is rounded to it: an upright box, half of the way to the numbers around it in x
-//! and y. Its sides belong to it where a number halfway is rounded to the vertex. Of a fraction it is the point
-//! alone.
+//! The *cell* of a vertex is all that is rounded to it: an upright box, half of the way to the next numbers in x and y.
+//! A side belongs to it where a number halfway is rounded to the vertex. The cell of a fraction is the point alone.
 //!
-//! Why it is right: a piece passes where a part of it is in the cell along x, a part along y, and these parts have
-//! something in common. Each is a range of fractions. Before that four exact signs exclude most vertices: if all
-//! corners of a box around the cell lie on one side of the piece, it does not pass.
+//! Why it is right: a piece passes if the part of it in the cell along x and the part along y have something in common.
+//! Both are ranges of fractions. Before that four exact signs exclude most vertices: if all corners of a box around the
+//! cell lie on one side of the piece, it does not pass.
 //!
 //! Cost: O(n log n) for n vertices and pieces, four signs for each vertex in the box of a piece, and some ten
-//! microseconds for each that the piece passes or nearly does.
+//! microseconds for each vertex that the piece passes or nearly does.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -21,7 +20,7 @@ use super::boxes::{Bounds, Boxes};
 use super::exact::Exact;
 use crate::scalar::{Scalar, filtered_orient2d};
 
-/// Each of the pieces, by its position, with each of the vertices, none of them its end, that it passes.
+/// Pairs of a piece, by its position, and a vertex, none of its ends, that it passes.
 pub(super) fn passed<S: Exact>(
     points: &[[S; 2]],
     pieces: &[[usize; 2]],
@@ -57,7 +56,7 @@ fn corners<S: Exact>(point: &[S; 2]) -> [[S; 2]; 4] {
     ]
 }
 
-/// Whether not all of these lie on one side of a piece.
+/// Whether the corners do not all lie on one side of a piece.
 fn may_pass<S: Scalar>([a, b]: [&[S; 2]; 2], corners: &[[S; 2]; 4]) -> bool {
     let turns = corners
         .each_ref()
@@ -67,7 +66,7 @@ fn may_pass<S: Scalar>([a, b]: [&[S; 2]; 2], corners: &[[S; 2]; 4]) -> bool {
         .all(|side| turns.iter().any(|turn| turn != side))
 }
 
-/// A part of a piece: from where to where, each with whether that place belongs to it.
+/// A part of a piece: from where to where, each with whether that end belongs to the part.
 type Part = [(BigRational, bool); 2];
 
 /// Whether a piece passes through the cell of a point.
@@ -77,7 +76,7 @@ fn passes<S: Exact>([a, b]: [&[S; 2]; 2], point: &[S; 2]) -> bool {
         let Some([first, last]) = part([&a[i], &b[i]], &point[i]) else {
             return false;
         };
-        // Of two ranges that begin at one place the one without it begins later.
+        // Of two ranges that begin at one place, the one without it begins later.
         from = match from.0.cmp(&first.0) {
             Ordering::Less => first,
             Ordering::Equal => (first.0, from.1 && first.1),
@@ -92,8 +91,7 @@ fn passes<S: Exact>([a, b]: [&[S; 2]; 2], point: &[S; 2]) -> bool {
     from.0 < to.0 || from.0 == to.0 && from.1 && to.1
 }
 
-/// The part of the way from `a` to `b`, 0 to 1, where a coordinate is rounded to `value`; beyond both ends too.
-/// `None` if it is nowhere.
+/// The part of the way from `a` to `b`, 0 to 1 or beyond, where a coordinate is rounded to `value`; `None` if nowhere.
 fn part<S: Exact>([a, b]: [&S; 2], value: &S) -> Option<Part> {
     let middle = value.to_fraction();
     let cell = value.around().map(|other| {

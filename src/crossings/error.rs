@@ -17,7 +17,7 @@ use crate::error::Error;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum SplitError {
-    /// A point or an edge is wrong: a coordinate that is not finite, or an end of an edge that is no point.
+    /// A coordinate is not finite, or an end of an edge is no point.
     Input(Error),
     /// More pairs of edges cross than can be listed.
     TooManyCrossings {

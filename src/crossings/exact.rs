@@ -1,12 +1,10 @@
-//! Coordinates as fractions, and back; and where two lines meet.
+//! Coordinates as fractions, and back; the point where two lines meet.
 //!
-//! Why it is right: every finite double is a fraction whose denominator is a power of two. The point where two
-//! lines meet is computed in whole numbers, over one denominator for all four points, and made a fraction in lowest
-//! terms at the end. Rounding is to the nearest double, and of two that are equally near to the one whose last bit
-//! is zero (`num-rational`), subnormal ones included. So it is monotone, and a fraction that is a double stays as
-//! it is.
-//!
-//! Cost: some microseconds for a point; more where exponents differ much.
+//! Why it is right: every finite double is a fraction whose denominator is a power of two. The point where two lines
+//! meet is computed in whole numbers, over one denominator for all four points, and reduced at the end. A fraction is
+//! rounded to the nearest double, and of two that are equally near to the one whose last bit is zero (`num-rational`),
+//! subnormal ones included. So rounding is monotone, and a fraction that is a double stays as it is. Cost: some
+//! microseconds for a point; more where exponents differ much.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -26,16 +24,14 @@ use crate::scalar::{Scalar, integers};
 /// assert_eq!(1.0.around(), [1.0 - f64::EPSILON / 2.0, 1.0 + f64::EPSILON]);
 /// ```
 pub trait Exact: Scalar + Clone {
-    /// The value; asked for finite ones only.
+    /// The value of a finite coordinate.
     fn to_fraction(&self) -> BigRational;
 
-    /// The value of this type that is nearest to a fraction between two values of this type.
-    ///
-    /// It must not fall where the fraction grows, and must be the fraction if that is a value of this type.
+    /// The value of this type nearest to a fraction that lies between two of them. It must not fall where the fraction
+    /// grows, and must equal the fraction if that is a value of this type.
     fn nearest(fraction: &BigRational) -> Self;
 
-    /// The nearest values below and above; twice the value itself, if every fraction is a value. Where there is none
-    /// above or below, the value itself stands for it.
+    /// The nearest values below and above; the value itself where there is none, or if every fraction is a value.
     fn around(&self) -> [Self; 2];
 }
 
@@ -67,14 +63,14 @@ impl Exact for BigRational {
     }
 }
 
-/// How far values of this size are apart, away from zero: a unit in the last place. Zero, if every fraction is a value.
+/// The distance to the next value away from zero: a unit in the last place. Zero, if every fraction is a value.
 pub(super) fn spacing<S: Exact>(value: &S) -> BigRational {
     let [below, above] = value.around().map(|x| x.to_fraction());
     let value = value.to_fraction();
     (above - &value).max(value - below)
 }
 
-/// The point where the line through the first two points meets that through the others. They are not parallel.
+/// The point where the line through the first two points meets the line through the others, not parallel to it.
 pub(super) fn meeting<S: Exact>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> [BigRational; 2] {
     let points = [a, b, c, d].map(|point| point.each_ref().map(S::to_fraction));
     let ([a, b, c, d], unit) = integers(points.each_ref());
@@ -88,11 +84,10 @@ pub(super) fn meeting<S: Exact>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> [BigRati
     })
 }
 
-/// How far a point is from the line through two others, which differ: along the axis or the diagonal that is shortest
-/// where `units` are the lengths along x and y that count as 1. Zero if these are zero.
-///
-/// That is the least d so that a point of the line differs by at most d units from the point in each coordinate. With w
-/// from a point of the line to the point, and v along the line, it is |v × w| / (|v.x| u.y + |v.y| u.x).
+/// The distance of a point from the line through two others, which differ: the least d so that a point of the line
+/// differs by at most d units from the point in each coordinate, where `units` are the lengths along x and y that count
+/// as 1. Zero if these are zero. With w from a point of the line to the point, and v along the line, the distance is
+/// `|v × w| / (|v.x| u.y + |v.y| u.x)`, along the axis or the diagonal that is shortest in units.
 pub(super) fn distance<S: Exact>(
     point: &[S; 2],
     [a, b]: [&[S; 2]; 2],

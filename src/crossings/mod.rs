@@ -1,9 +1,9 @@
-//! Edges that cross: all pairs of them, and the same edges split where they cross.
+//! All pairs of edges that cross, and edges split where they cross.
 //!
 //! A triangulation takes no edges that cross at a point that is no vertex (the paper says nothing of them), and
 //! [`Error::CrossingEdges`](crate::Error::CrossingEdges) names one such pair. [`crossings`] lists all pairs, each with
-//! its exact point, and [`split`] makes vertices of these points. Edges that touch or cross at a vertex, pass through vertices, overlap
-//! or have no length are no errors, and are not listed.
+//! its exact point, and [`split`] makes vertices of these points. Edges that touch or cross at a vertex, pass through
+//! vertices, overlap or have no length are no errors, and are not listed.
 //!
 //! | | file |
 //! |---|---|
@@ -13,13 +13,13 @@
 //! | the points that round to a vertex, and whether a piece passes there | `cells` |
 //! | edges split at their crossings, exactly or rounded | `split` |
 //!
-//! Why it is right: boxes of two edges that cross have a point in common, so that no pair is left out. Each pair is
-//! decided by four exact signs: the ends of each edge lie on different sides of the other one. Then the edges have one
-//! point in common, inside both. It is computed as a pair of fractions, and is listed unless a vertex equals it.
+//! Why it is right: boxes of two edges that cross have a point in common, so no pair is left out. Four exact signs
+//! decide each pair: the ends of each edge lie on different sides of the other one. Then the edges have one point in
+//! common, inside both. It is computed as a pair of fractions, and is listed unless a vertex equals it.
 //!
-//! Cost: O((n + k) log n) for n edges of which k pairs have boxes that meet, plus some microseconds for each pair that
-//! crosses. For edges that are short beside the whole, or far apart, k is about as many as cross. At worst, where
-//! all boxes meet (long parallel diagonals), k is n²/2. A crossing of doubles takes some 300 bytes.
+//! Cost: O((n + k) log n) for n edges with k pairs of boxes that meet, plus some microseconds for each crossing. If
+//! edges are short beside the whole, or far apart, k is about the number of crossings. At worst, where all boxes meet
+//! (long parallel diagonals), k is n²/2. A crossing of doubles takes some 300 bytes.
 
 mod boxes;
 mod cells;
@@ -50,9 +50,9 @@ const LIMIT: usize = if cfg!(test) { 100 } else { 1 << 22 };
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Crossing {
-    /// The two edges by their positions in the list of edges, lower one first.
+    /// The positions of the two edges in the list of edges, lower one first.
     pub edges: [usize; 2],
-    /// The point inside both, exactly.
+    /// The exact point inside both.
     pub point: [BigRational; 2],
 }
 
@@ -66,11 +66,11 @@ impl Crossing {
 
 /// All pairs of `edges` that cross at a point that is none of `points`, sorted.
 ///
-/// There are none for exactly those inputs that [`triangulate`](crate::triangulate) does not refuse with
+/// An input has none if and only if [`triangulate`](crate::triangulate) does not refuse it with
 /// [`Error::CrossingEdges`](crate::Error::CrossingEdges). An edge that is given twice has its crossings twice.
 ///
 /// # Errors
-/// [`SplitError`]: a coordinate that is not finite, an edge with an end that is no point, or more than 4,194,304 crossings.
+/// [`SplitError`]: a coordinate is not finite, an edge has an end that is no point, or over 4,194,304 pairs cross.
 ///
 /// ```
 /// let points = [[0.0, 0.0], [3.0, 1.0], [0.0, 1.0], [3.0, 0.0], [9.0, 9.0]];
@@ -90,7 +90,7 @@ pub fn crossings<S: Exact>(
     find(points, &vertices, edges)
 }
 
-/// The same for edges whose ends exist, among points that are finite.
+/// Finds the crossings of edges whose ends exist, among points that are finite.
 fn find<S: Exact>(
     points: &[[S; 2]],
     vertices: &Vertices<S>,
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn more_crossings_than_can_be_held_are_an_error() {
-        // So many rows and ten columns.
+        // A grid of `rows` rows and ten columns.
         let grid = |rows: u32| {
             let row = |i| [[-1.0, f64::from(i)], [10.0, f64::from(i)]];
             let column = |i| [[f64::from(i), -1.0], [f64::from(i), f64::from(rows)]];

@@ -1,10 +1,9 @@
 //! Edges split where they cross, so that the crossing points become vertices.
 //!
-//! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the
-//! scalar (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices of edges
-//! that it passes ([`cells`](super::cells)), the new ones among them. A piece that is bent so may cross others,
-//! which the next round finds. The end is reached when none cross: then the pieces are an input that has a
-//! triangulation.
+//! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the scalar
+//! (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices of edges that it
+//! passes ([`cells`](super::cells)), the new ones among them. A piece that is bent so may cross others, which the next
+//! round finds. When none cross, the pieces are an input that has a triangulation.
 //!
 //! ```text
 //!      a     d                 a     d
@@ -15,24 +14,21 @@
 //!      c     b                  c   b
 //! ```
 //!
-//! *Why it ends.* Rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a chain
-//! never turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common, so
-//! each round gives some chain a new vertex, and there are only so many numbers in a box. Numbers with equal
-//! spacing need one round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing
-//! crosses. Doubles are closer to each other near zero, which may take more. A limit of [`ROUNDS`] turns what would
-//! take too long into an error.
+//! *Why it ends.* Rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a chain never
+//! turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common, so each
+//! round gives some chain a new vertex, and there are only so many numbers in a box. Evenly spaced numbers need one
+//! round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing crosses. Doubles are closer
+//! to each other near zero, which may take more rounds. More than [`ROUNDS`] are an error.
 //!
-//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a place
-//! that becomes a vertex by its rounding, and the points between two vertices by a mean of what these move by. All
-//! vertices lie in the box of the edge, so a *unit* of an edge, along x or y, is the distance of the numbers around
-//! the larger one (in size) of its ends' coordinates. A vertex is `d` units away from its edge if some point of the
-//! edge differs from it by at most `d` units in each coordinate, and `d` is the least such number. The
-//! [`displacement`](Split::displacement) is the greatest of them. It is at most half the number of rounds.
+//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a crossing
+//! point by its rounding, and the points between two vertices by a mean of what these move by. All vertices lie in the
+//! box of the edge, so a *unit* of an edge, along x or y, is the distance of the numbers around the larger one (in
+//! size) of its ends' coordinates. A vertex is `d` units away from its edge if `d` is the least number such that some
+//! point of the edge differs from the vertex by at most `d` units in each coordinate. The greatest of these distances
+//! is the [`displacement`](Split::displacement), at most half the number of rounds.
 //!
-//! Cost: that of finding the crossings and of finding the vertices that pieces pass, in each round.
-//!
-//! Differs from snap rounding: input points stay where they are, and edges that cross nothing are bent only if others
-//! cross.
+//! Cost: in each round, that of finding the crossings and the vertices that pieces pass. Differs from snap rounding:
+//! input points stay where they are, and edges that cross nothing are bent only if others cross.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -52,22 +48,21 @@ use crate::triangulation::Triangulation;
 /// After so many rounds edges must not cross any more.
 const ROUNDS: usize = 100;
 
-/// An input whose edges are split where they cross: [`points`](Split::points) and [`edges`](Split::edges) are what
-/// is to be triangulated.
+/// An input whose edges are split where they cross: triangulate [`points`](Split::points) with [`edges`](Split::edges).
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Split<S> {
     /// The points given, and then those where edges cross, each once.
     pub points: Vec<[S; 2]>,
-    /// The pieces of the edges, as positions in `points`: those of one edge follow each other from its first end to its
-    /// second. Of equal points the first one stands for all.
+    /// The pieces of the edges, as positions in `points`; the pieces of one edge follow each other from its first end
+    /// to its second. Of equal points the first one stands for all.
     pub edges: Vec<[usize; 2]>,
-    /// For each piece the edge that it is a piece of. Each edge has at least one.
+    /// For each piece its edge. Each edge has at least one piece.
     pub pieces_of: Vec<usize>,
     /// How many rounds of splitting and rounding it took: none if no edges cross, one if nothing is rounded.
     pub rounds: usize,
-    /// By how many units in the last place an edge moved at most; zero if nothing is rounded. A unit is the distance of
-    /// the numbers around the largest coordinate of the edge, along x and y each. At most half of `rounds`.
+    /// How many units in the last place an edge moved at most: zero if nothing is rounded, at most half of `rounds`. A
+    /// unit is the distance of the numbers around the largest coordinate of the edge, along x and y each.
     pub displacement: f64,
 }
 
@@ -78,8 +73,8 @@ impl<S> Split<S> {
         first(e)..first(e + 1)
     }
 
-    /// The vertices along edge `e`, from its first end to its second, in the triangulation of the pieces: where they
-    /// cross others, and where they pass through vertices. One, where the ends are equal.
+    /// The vertices along edge `e` in the triangulation of the pieces, from its first end to its second, with those
+    /// where it crosses others and those that it passes through. A single vertex, if the ends are equal.
     ///
     /// # Panics
     /// If there is no edge `e`, or if `result` is that of other edges.
@@ -88,8 +83,7 @@ impl<S> Split<S> {
     }
 }
 
-/// The vertices along `pieces`, a range of the `edges` that were triangulated, each of which begins where the piece
-/// before it ends.
+/// The vertices along `pieces`, a range of the triangulated `edges`, each of which begins where the last ends.
 ///
 /// # Panics
 /// If the range is empty, or `edges` are not those of the result.
@@ -105,11 +99,12 @@ pub fn joined(pieces: Range<usize>, edges: &[[usize; 2]], result: &Triangulation
     chain
 }
 
-/// The same edges, split where they cross at points that are none of `points`; these become vertices.
+/// Splits edges where they cross at points that are none of `points`; these become vertices.
 ///
 /// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, each edge goes
-/// through all vertices of edges to which a point of it is rounded, and what then crosses is split again, until
-/// nothing does. So [`triangulate`](crate::triangulate) does not refuse the result with [`Error::CrossingEdges`](crate::Error::CrossingEdges).
+/// through all vertices of edges to which a point of it is rounded, and edges that then cross are split again, until
+/// none do. So [`triangulate`](crate::triangulate) does not refuse the result with
+/// [`Error::CrossingEdges`](crate::Error::CrossingEdges).
 ///
 /// # Errors
 /// [`SplitError`]: as [`crossings`](super::crossings()), or that edges still cross after 100 rounds.
@@ -155,7 +150,7 @@ pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<
         }
         on_edges.sort_unstable();
         on_edges.dedup();
-        // Each piece with a vertex that it goes through from now on.
+        // Each piece with a vertex that it passes.
         let mut cuts = passed(&points, &pieces, &on_edges);
         cuts.sort_unstable_by(|&(piece, v), &(other, w)| {
             let along = || along(&points, pieces[piece], v, w);
@@ -181,7 +176,7 @@ fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// The order of two vertices along a piece. Neither x nor y turns back along it, so that comparing both is enough.
+/// The order of two vertices along a piece. Neither x nor y turns back along it, so comparing both is enough.
 fn along<S: Exact>(points: &[[S; 2]], [a, b]: [usize; 2], v: usize, w: usize) -> Ordering {
     let compare = |v: usize, w: usize, i: usize| points[v][i].compare(&points[w][i]);
     let forward = |i: usize| match compare(a, b, i) {
@@ -191,7 +186,7 @@ fn along<S: Exact>(points: &[[S; 2]], [a, b]: [usize; 2], v: usize, w: usize) ->
     forward(0).then_with(|| forward(1))
 }
 
-/// A chain with the new vertices of its pieces. The cuts are sorted by their pieces, and along them.
+/// A chain with the new vertices of its pieces. The cuts are sorted by piece, and along each piece.
 fn cut(chain: &[usize], pieces: &[[usize; 2]], cuts: &[(usize, usize)]) -> Vec<usize> {
     let mut longer = vec![chain[0]];
     for pair in chain.windows(2) {

@@ -1,6 +1,4 @@
-//! Which points are equal: of equal ones the first stands for all, as in a [`crate::Triangulation`].
-//!
-//! Cost: O(n log n) comparisons for n points.
+//! Equal points: the first stands for all, as in a [`crate::Triangulation`]. Cost: O(n log n) comparisons for n points.
 
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
@@ -11,7 +9,7 @@ use num_rational::BigRational;
 use super::exact::Exact;
 use crate::error::Error;
 
-/// A place as a key.
+/// A point as a key.
 #[derive(Clone, Debug)]
 struct Place<S>([S; 2]);
 
@@ -36,7 +34,7 @@ impl<S: Exact> PartialEq for Place<S> {
 
 impl<S: Exact> Eq for Place<S> {}
 
-/// The different places of points, each with the first point there.
+/// The distinct points, each with its first index.
 #[derive(Debug)]
 pub(super) struct Vertices<S> {
     at: BTreeMap<Place<S>, usize>,
@@ -44,7 +42,7 @@ pub(super) struct Vertices<S> {
 }
 
 impl<S: Exact> Vertices<S> {
-    /// Those of points that are finite.
+    /// Finds the distinct points, which must be finite.
     pub(super) fn new(points: &[[S; 2]]) -> Result<Vertices<S>, Error> {
         let is_finite = |point: &[S; 2]| point.iter().all(S::is_finite);
         if let Some(vertex) = points.iter().position(|point| !is_finite(point)) {
@@ -60,7 +58,6 @@ impl<S: Exact> Vertices<S> {
         })
     }
 
-    /// Refuses edges with an end that is no point.
     pub(super) fn check(&self, edges: &[[usize; 2]]) -> Result<(), Error> {
         for (edge, ends) in edges.iter().enumerate() {
             if let Some(&vertex) = ends.iter().find(|&&vertex| vertex >= self.points) {
@@ -70,13 +67,13 @@ impl<S: Exact> Vertices<S> {
         Ok(())
     }
 
-    /// Whether a point equals this exactly.
+    /// Whether a point equals `point` exactly.
     pub(super) fn has(&self, point: &[BigRational; 2]) -> bool {
         let near = Place(point.each_ref().map(S::nearest));
         self.at.contains_key(&near) && near.0.each_ref().map(S::to_fraction) == *point
     }
 
-    /// The first point that equals this one; it is added to `points` if there is none.
+    /// The first point that equals `point`; it is added to `points` if there is none.
     pub(super) fn number(&mut self, point: [S; 2], points: &mut Vec<[S; 2]>) -> usize {
         *self.at.entry(Place(point)).or_insert_with_key(|place| {
             points.push(place.0.clone());

@@ -1,6 +1,4 @@
-//! Any of the crate's search structures, chosen when the program runs.
-//!
-//! Cost: the search structure's, and an indirect call. The sweep calls the hash table directly here too.
+//! Any of the crate's search structures, chosen at run time: an indirect call more, except for the hash table.
 
 use core::any::Any;
 
@@ -53,7 +51,7 @@ impl AnyFront {
             .find(|front| front.name() == name)
     }
 
-    /// The name of its kind.
+    /// The name of the structure's kind.
     pub fn name(&self) -> &'static str {
         match self {
             AnyFront::HashTable(_) => "hash",
@@ -62,7 +60,6 @@ impl AnyFront {
         }
     }
 
-    /// The structure itself.
     fn structure(&mut self) -> &mut dyn FrontSearch {
         match self {
             AnyFront::HashTable(structure) => structure,
@@ -78,7 +75,7 @@ impl Default for AnyFront {
     }
 }
 
-// All functions of the trait: one that is left out would be that of a structure that does without it.
+// All functions are forwarded: a default of the trait would stand for a structure that does without it.
 impl FrontSearch for AnyFront {
     fn begin(&mut self, input: FrontInput<'_>) {
         self.structure().begin(input);

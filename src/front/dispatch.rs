@@ -1,10 +1,6 @@
-//! How the sweep calls its search structure, whose type it does not know.
-//!
-//! The sweep is compiled once for each scalar, not once more for each structure: it calls the structure through
-//! `dyn`. Only the default hash table is called directly, so that a run with it has its searches inlined. It is moved
-//! into the sweep for that run, so that no pointer to it must be followed.
-//!
-//! Cost: a branch for each call of the hash table; for each call of another structure that, and an indirect call.
+//! How the sweep calls its search structure: through `dyn`, so that it is compiled once for each scalar, not once more
+//! for each structure. Only the default hash table is called directly, so that its searches are inlined. Cost: a branch
+//! for each call, and an indirect call for every structure but the default hash table.
 
 use core::fmt;
 use core::mem::{swap, take};
@@ -13,16 +9,14 @@ use super::hash_table::HashTable;
 use super::list::{Front, FrontNode};
 use super::search::{FrontInput, FrontSearch};
 
-/// A search structure that somebody else holds, for one run.
+/// The search structure of one run, which the caller holds.
 pub(crate) enum Search<'a> {
-    /// The default, and the place that it goes back to.
     HashTable(HashTable, &'a mut HashTable),
-    /// Any other one.
     Other(&'a mut dyn FrontSearch),
 }
 
 impl<'a> Search<'a> {
-    /// Uses this structure, which may turn out to be the default one.
+    /// Uses this structure, which may turn out to be the default hash table.
     pub(crate) fn with(structure: &'a mut dyn FrontSearch) -> Search<'a> {
         let is_default = structure
             .as_any()
@@ -35,7 +29,6 @@ impl<'a> Search<'a> {
         Search::HashTable(take(home), home)
     }
 
-    /// Calls [`FrontSearch::begin`].
     pub(crate) fn begin(&mut self, input: FrontInput<'_>) {
         match self {
             Search::HashTable(table, _) => table.begin(input),
@@ -43,7 +36,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::locate`].
     #[inline(always)]
     pub(crate) fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         match self {
@@ -52,7 +44,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::wants_ranks`].
     pub(crate) fn wants_ranks(&mut self, steps: usize) -> bool {
         match self {
             Search::HashTable(table, _) => table.wants_ranks(steps),
@@ -60,7 +51,6 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::inserted`].
     #[inline(always)]
     pub(crate) fn inserted(&mut self, node: FrontNode, x: f64) {
         match self {
@@ -69,7 +59,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Calls [`FrontSearch::removed`], for which `x` is computed. The default takes no notice of it.
+
     #[inline(always)]
     pub(crate) fn removed(&mut self, node: FrontNode, x: impl FnOnce() -> f64) {
         if let Search::Other(structure) = self {
@@ -101,8 +91,7 @@ mod tests {
     use super::{FrontSearch, HashTable, Search};
     use crate::front::{AnyFront, Linear, SkipList};
 
-    /// The default hash table is, alone and in an [`AnyFront`], as the speed of the default call needs it; no other
-    /// structure is.
+    /// The speed of the default call needs the direct calls, of the hash table alone and in an [`AnyFront`].
     #[test]
     fn only_the_default_is_called_directly() {
         let is_direct = |structure: &mut dyn FrontSearch| {

@@ -1,26 +1,19 @@
-//! The paper's structure (section 3.4.1, after Žalik 2005): a hash table over intervals of x.
+//! The paper's hash table over intervals of x (section 3.4.1, after Žalik 2005). Each interval remembers the node
+//! inserted in it last. A search looks into the interval of x and, if that is empty or its node has left the front,
+//! into those on either side. The node found is usually near: most nodes leave when one beside them joins the front.
 //!
-//! Every interval remembers the node that was inserted in it last. A search looks into the interval of x.
-//! If that is empty or its node has left the front, the search looks into the intervals on either side. The
-//! node found is usually near: most nodes leave the front when one beside them joins it.
-//!
-//! Cost: O(1) expected for a search. There are sqrt(n) intervals, about as many as the front has vertices
-//! where the points are spread evenly, and a single one for a few points. Points that are swept one after
-//! another may crowd in some of them, as those of clusters do; then there are up to eight times as many. A dense
-//! cluster in a wide domain would crowd a few of many equal intervals all the way; then the intervals end at
-//! quantiles of the points, and finding one takes O(log n). A sample of the points shows both beforehand.
+//! Cost: O(1) expected for a search. There are sqrt(n) intervals, about as many as the front has vertices if points are
+//! spread evenly, and a single one for a few points. If points swept one after another crowd in some intervals, as
+//! those of clusters do, there are up to eight times as many. If the sample of the points is badly skewed, as by a
+//! dense cluster in a wide domain, the intervals end at quantiles of the sample, and finding one takes O(log n).
 //!
 //! A front may be far longer than sqrt(n): that of a row, or of edges that hang down from one vertex. So the table
-//! grows as hash tables do: where the front has more than eight nodes for each of its equal intervals, every one is cut
-//! into four, and each of these remembers what the one remembered. The nodes are counted each time that half as many
-//! vertices again have joined the front, which takes O(n) in all.
+//! grows: when the front has more than eight nodes for each equal interval, each interval is cut into four, which
+//! inherit its node. Nodes are counted each time that half as many vertices again have joined the front, O(n) in all.
+//! When long walks add up to more than a few steps a vertex, the table asks for the x-ranks of all vertices and
+//! searches among these ([`XRankSet`]). So a search costs O(log n) at worst, averaged over a run.
 //!
-//! Where walks are long nevertheless, they are told to the table. When they add up to more than a few steps a
-//! vertex, it asks for the x-ranks of all vertices from left to right and searches among these ([`XRankSet`]). So a
-//! search costs O(log n) at worst, averaged over a run.
-//!
-//! Differs from the paper: an entry stays when its node leaves the front; the search notices it. Intervals may be
-//! cut, quantiles or x-ranks.
+//! Differs from the paper: an entry outlives its node, as the search notices; intervals are cut, quantiles or x-ranks.
 
 use alloc::vec::Vec;
 use core::any::Any;
@@ -34,31 +27,29 @@ use super::x_rank_set::XRankSet;
 use crate::bucket::sampled;
 
 /// Intervals of x that remember their last insertion: O(1) expected, O(log n) at worst. The default.
-///
-/// `HashTable<Work>` counts its work, and is made by [`HashTable::counting`].
+/// [`HashTable::counting`] makes a `HashTable<Work>`, which counts its work.
 #[derive(Clone, Debug)]
 pub struct HashTable<T = ()> {
     intervals: Intervals,
-    /// The node inserted last in each interval; the left end of the front, which is never inserted, for none.
+    /// The node inserted last in each interval; if there is none, the left end of the front, which is never inserted.
     table: Vec<FrontNode>,
     last: FrontNode,
-    /// The nodes of the front are counted when the last one inserted has this rank or a later one.
+    /// Once the node inserted last has this rank or a later one, the nodes of the front are counted.
     look: usize,
-    /// The x that was searched last, and its interval.
     searched: (f64, usize),
     walk_budget: WalkBudget,
     tally: T,
 }
 
-/// Fewer vertices have one interval, for their front is short.
+/// Inputs with fewer vertices have one interval, for their front is short.
 const FEW: usize = 24;
-/// How many intervals are searched on either side before the last node inserted is taken.
+/// How many intervals are searched on either side before the node inserted last is taken.
 const REACH: usize = 16;
-/// How many nodes of the front there may be for each interval.
+/// How many nodes the front may have for each interval.
 const LOAD: usize = 8;
-/// Into how many an interval is cut when there are more.
+/// Into how many an interval is cut when the front has more nodes.
 const PARTS: usize = 4;
-/// How many points a sample has for each interval, and at most.
+/// How many points the sample has for each interval, and how many at most.
 const SAMPLE: [usize; 2] = [2, 4096];
 
 impl Default for HashTable {
@@ -68,7 +59,7 @@ impl Default for HashTable {
 }
 
 impl HashTable {
-    /// One that counts its work.
+    /// A hash table that counts its work.
     pub fn counting() -> HashTable<Work> {
         HashTable::with(Work::default())
     }
@@ -94,8 +85,7 @@ impl<T: Tally> HashTable<T> {
         }
     }
 
-    /// Counts the nodes of the front, and cuts the intervals until there are enough for them. Quantiles and x-ranks
-    /// stay as they are.
+    /// Counts the nodes of the front, and cuts equal intervals until there are enough. Quantiles and x-ranks stay.
     #[cold]
     #[inline(never)]
     fn grow(&mut self, front: &Front) {
@@ -113,7 +103,6 @@ impl<T: Tally> HashTable<T> {
         self.hold();
     }
 
-    /// Counts the memory held now.
     fn hold(&mut self) {
         let bytes = size_of_val(&self.table[..]) + self.intervals.bytes();
         self.tally.count(|work| work.hold::<u8>(bytes));
@@ -170,7 +159,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
             return node;
         }
         if let Intervals::Ranks(places) = &mut self.intervals {
-            // What has left the front is forgotten on the way.
+            // Nodes that have left the front are forgotten on the way.
             while let Some(place) = places.last_up_to(at, tally) {
                 if let Some(node) = live(self.table[place], tally) {
                     return node;
@@ -191,7 +180,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
     fn inserted(&mut self, node: FrontNode, x: f64) {
         let tally = &mut self.tally;
         tally.count(|work| work.updates += 1);
-        // The place of a new vertex has just been searched.
+        // A new vertex has just been located.
         let at = match self.searched {
             (searched, at) if searched.total_cmp(&x).is_eq() => at,
             _ => self.intervals.number(x, self.table.len(), tally),
@@ -212,7 +201,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
 mod tests {
     use super::{Front, FrontInput, FrontNode, FrontSearch, HashTable, Work};
 
-    /// XRankSet that were asked for lead to the very node, and an entry of a node that has left is passed.
+    /// With x-ranks a search finds the very node, and passes over entries of nodes that have left the front.
     #[test]
     fn with_places_no_step_is_left() {
         const COUNT: usize = 200;
@@ -222,7 +211,7 @@ mod tests {
         assert!(!table.wants_ranks(4 * COUNT), "as many steps are borne");
         assert!(table.wants_ranks(1));
 
-        // Every other vertex is on the front, at the place of its rank.
+        // Every other vertex is on the front. The x-rank of a vertex is its rank.
         let places: Vec<[f64; 2]> = (0..COUNT).map(|place| [place as f64, 0.0]).collect();
         table.begin(FrontInput::new(&places));
         let mut front = Front::new(COUNT);
@@ -244,7 +233,6 @@ mod tests {
             assert_eq!(table.locate(place as f64, &front), last.expect("0 is"));
         }
 
-        // The next run begins with x again.
         table.begin(FrontInput::new(&equal));
         assert_eq!(format!("{table:?}"), {
             let mut new = HashTable::default();
@@ -253,8 +241,7 @@ mod tests {
         });
     }
 
-    /// Twenty-four vertices at the left ends of the intervals 0, 1, 2 and 4 of five, four of which join the front;
-    /// each entry looked at is counted.
+    /// Twenty-four vertices begin the intervals 0, 1, 2 and 4 of five. Four join the front; each look is counted.
     #[test]
     fn looks_are_counted() {
         let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [4.0, 0.0]].repeat(6);
@@ -278,19 +265,19 @@ mod tests {
         assert_eq!(table.locate(1.0, &front), nodes[1]);
         expected.visited += 1;
         assert_eq!(table.work(), expected);
-        // Its node has left: then the neighbour on the left is looked at.
+        // The node has left: its left neighbour is looked at.
         front.remove(nodes[1]);
         assert_eq!(table.locate(1.0, &front), nodes[0]);
         expected.visited += 2;
         assert_eq!(table.work(), expected);
 
-        // With x-ranks the words of the set count, one for up to 64 x-ranks, and so does what was counted before.
+        // With x-ranks the words of the set count, one for up to 64 x-ranks, and earlier counts stay.
         assert!(table.wants_ranks(1000));
         table.begin(FrontInput::new(&points));
         table.inserted(nodes[2], 2.0);
         assert_eq!(table.locate(3.0, &front), nodes[2]);
         expected.updates += 1;
-        // The word changed; the empty entry of the place, the word, and the entry found.
+        // The word changed; the empty entry of the x-rank, the word, and the entry found.
         expected.visited += 1 + 3;
         expected.bytes = entries.max(24 * size_of::<FrontNode>() as u64 + 8);
         assert_eq!(table.work(), expected);
@@ -303,8 +290,8 @@ mod tests {
         assert_eq!(table.work(), begun, "another run");
     }
 
-    /// A front of 10,000 nodes in a row, with 201 intervals at first: these are cut twice, and each node that joined later
-    /// is found near its place. Where every other node leaves, they are cut once.
+    /// A front of 10,000 nodes in a row has 201 intervals at first, which are cut twice; each node that joined later is
+    /// found near its place. If every other node leaves, the intervals are cut once.
     #[test]
     fn a_long_front_has_more_intervals() {
         const NODES: usize = 10_000;

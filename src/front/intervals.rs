@@ -1,15 +1,14 @@
-//! The intervals of x of the [hash table](super::hash_table), chosen by a sample of the points, or by place.
+//! The intervals of x of the [hash table](super::hash_table), chosen by a sample of the points, or by x-rank.
 //!
-//! They have equal widths where the sample spreads evenly over them; then finding one takes a few
-//! instructions. Otherwise they end at quantiles of the sample, so that each holds as many points as the
-//! others, and finding one takes O(log n). The equal ones span all but the outermost of the sample: points
-//! far away, or at infinity, fall in the first or last one and make none of the others wider. Where neither
-//! helps, the table asks for x-ranks, and each of them is an interval.
+//! If the sample spreads evenly, the intervals have equal widths, and finding one takes a few instructions. They span
+//! all but the outermost of the sample: points far away, or at infinity, fall in the first or last interval and widen
+//! no other. Otherwise the intervals end at quantiles of the sample, so that each holds as many points, and finding one
+//! takes O(log n). If neither helps, the table asks for x-ranks, and each of them is an interval.
 //!
-//! The whole sample may spread evenly where the front does not: clusters side by side and one above the other crowd
-//! it here at one height and there at another. So the sample is also looked at slab by slab, and the equal intervals
-//! are narrower by as much as it is crowded in them. (A million points in clusters: 1.1 steps along the front in
-//! place of 4.1.) More of them than that would be empty, or hold a node that has left the front.
+//! The sample may spread evenly as a whole where the front does not: clusters side by side and one above the other
+//! crowd it here at one height and there at another. So the sample is also cut into slabs, and the equal intervals
+//! become narrower by the crowding within slabs. (A million points in clusters: 1.1 steps along the front in place of
+//! 4.1.) More intervals would be empty, or hold a node that has left the front.
 
 use super::work::Tally;
 use super::x_rank_set::XRankSet;
@@ -20,9 +19,9 @@ use alloc::vec::Vec;
 pub(super) enum Intervals {
     /// `x` lies in interval number `(x - low) * factor`.
     Equal { low: f64, factor: f64 },
-    /// They end at these x, ascending; the last one has no end.
+    /// The intervals end at these x, ascending; the last one has no end.
     Quantiles(Vec<f64>),
-    /// `x` is a place, with an interval of its own; the set of those that have had a node.
+    /// `x` is an x-rank, with an interval of its own; the set of x-ranks that have had a node.
     Ranks(XRankSet),
 }
 
@@ -34,24 +33,23 @@ impl Default for Intervals {
 
 /// One of this many points of the sample may be far away at either end.
 const OUTERMOST: usize = 64;
-/// Quantiles are taken where a point shares its interval with so many times as many as if all held equally many.
+/// Quantiles are taken if the [crowding](Intervals::crowding) is at least this.
 const CROWDED: usize = 4;
-/// A smaller sample is not divided into slabs.
+/// A smaller sample is not cut into slabs.
 const FEW: usize = 4 * SLAB;
-/// So many points of the sample, one above the other, are a slab.
+/// How many points of the sample, one above the other, are a slab.
 const SLAB: usize = 64;
 /// How many times as many equal intervals there are at most.
 const FINEST: usize = 8;
 
 impl Intervals {
-    /// About so many intervals, and how many they are, for points of which these ranks are a sample; `x` is that of
-    /// a rank.
+    /// About `count` intervals, and how many they are. `ranks` are a sample of the points; `x` is the x of a rank.
     pub(super) fn new(
         mut ranks: Vec<usize>,
         x: impl Fn(usize) -> f64,
         count: usize,
     ) -> (Intervals, usize) {
-        // Only one of equal x is on the front.
+        // Of equal x only one is on the front.
         let sorted = |ranks: &[usize]| {
             let mut sample: Vec<f64> = ranks.iter().map(|&v| x(v)).collect();
             sample.sort_unstable_by(f64::total_cmp);
@@ -73,7 +71,7 @@ impl Intervals {
         (Intervals::equal(&sample, finer * count), finer * count)
     }
 
-    /// Equal ones over the range of the sample, as its inner part would have it.
+    /// Equal intervals over the range of the sample, or less if its inner part suggests so.
     fn equal(sample: &[f64], count: usize) -> Intervals {
         let [Some(&low), Some(&high)] = [sample.first(), sample.last()] else {
             return Intervals::Equal {
@@ -83,7 +81,7 @@ impl Intervals {
         };
         let outer = sample.len() / OUTERMOST;
         let [first, last] = [sample[outer], sample[sample.len() - 1 - outer]];
-        // What an even spread has outside.
+        // The width of what an even spread has outside the inner part, on either side.
         let margin = (last - first) / (OUTERMOST - 2) as f64;
         let (low, high) = (low.max(first - margin), high.min(last + margin));
         let factor = count as f64 / (high - low);
@@ -93,8 +91,7 @@ impl Intervals {
         }
     }
 
-    /// Equal ones become so many times as narrow, and there are so many times as many. Others stay. Returns whether
-    /// they have changed.
+    /// Cuts each equal interval into `times` ones. Returns false for others, which stay.
     pub(super) fn divide(&mut self, times: usize) -> bool {
         let Intervals::Equal { factor, .. } = self else {
             return false;
@@ -103,8 +100,8 @@ impl Intervals {
         true
     }
 
-    /// With how many times as many points a point shares its interval as if all held equally many, each of these
-    /// samples for itself; x ascending, none of them twice.
+    /// Crowding: the mean number of points that share a point's interval, as a multiple of the uniform case. Averaged
+    /// over all samples; each is sorted without duplicates.
     fn crowding(&self, samples: &[impl AsRef<[f64]>], count: usize) -> usize {
         let number = |x| self.number(x, count, &mut ());
         let pairs = |sample: &[f64]| -> usize {
@@ -118,7 +115,7 @@ impl Intervals {
         pairs * count / all.max(1)
     }
 
-    /// The number of the interval of `x` among `count`; counts the comparisons.
+    /// The number of the interval of `x` among `count`; tallies the comparisons.
     #[inline(always)]
     pub(super) fn number(&self, x: f64, count: usize, tally: &mut impl Tally) -> usize {
         match self {
@@ -131,7 +128,6 @@ impl Intervals {
         }
     }
 
-    /// Bytes held.
     pub(super) fn bytes(&self) -> usize {
         match self {
             Intervals::Equal { .. } => 0,
@@ -147,8 +143,7 @@ mod tests {
     use crate::bucket::sampled;
     use crate::front::Work;
 
-    /// Twenty clusters side by side, one above the other: each slab of the sample crowds one or two of them, though all
-    /// together they spread evenly.
+    /// Twenty clusters side by side, one above the other, crowd each slab, though all together spread evenly.
     #[test]
     fn clusters_have_more_intervals() {
         let count = |x: fn(usize) -> f64| {
@@ -160,7 +155,7 @@ mod tests {
         assert_eq!([count(even), count(clustered)], [201, 603]);
     }
 
-    /// Two clusters need quantiles, whose ends are compared by halves: sixteen ends between seventeen intervals.
+    /// Two clusters need quantiles, found by bisection: sixteen ends between seventeen intervals.
     #[test]
     fn comparisons_of_quantiles_are_counted() {
         let x = |i: usize| (i / 128) as f64 + (i % 128) as f64 * 1e-9;
@@ -172,7 +167,6 @@ mod tests {
         assert!(!intervals.divide(4), "they cannot be cut");
     }
 
-    /// An interval that is cut into four is all of these.
     #[test]
     fn the_parts_of_an_interval_are_side_by_side() {
         let x = |i: usize| i as f64;

@@ -1,11 +1,10 @@
-//! No structure at all: the walk starts where the last vertex joined the front.
-//!
-//! Cost: O(n) for a search at worst; a step or two where each point comes next to the one before.
+//! No structure at all: the walk starts where the last vertex joined the front. Cost: O(n) for a search at worst; a
+//! step or two where each point comes next to the one before.
 
 use super::list::{Front, FrontNode};
 use super::search::{FrontInput, FrontSearch};
 
-/// Starts at the node inserted last: O(n). It shows what [`FrontSearch`] requires.
+/// Starts at the node inserted last: O(n). Shows what [`FrontSearch`] requires.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Linear {
     last: Option<FrontNode>,

@@ -1,8 +1,5 @@
-//! The front itself: which vertices are on it, and their neighbours left and right.
-//!
-//! The front is strictly x-monotone and every vertex is on it at most once, so a vertex is its own
-//! node: segment `v` of the front runs from vertex `v` to the next one. A vertex that has left the
-//! front never comes back.
+//! The vertices of the front, and their neighbours left and right. The front is strictly x-monotone, so a vertex is its
+//! own node: segment `v` runs from vertex `v` to the next one. A vertex that has left the front never comes back.
 
 use crate::ids::VertexId;
 use alloc::vec::Vec;
@@ -16,10 +13,7 @@ impl FrontNode {
         FrontNode(vertex)
     }
 
-    /// The vertex of this rank, for tests of a structure.
-    ///
-    /// # Panics
-    /// If the rank does not fit in 32 bits.
+    /// The vertex of this rank, to test a structure with. Panics if the rank does not fit in 32 bits.
     pub fn from_rank(rank: usize) -> Self {
         FrontNode(VertexId::at(rank))
     }
@@ -34,15 +28,14 @@ impl FrontNode {
     }
 }
 
-/// A direction along the front. What happens to the left of a vertex is the mirror image of what
-/// happens to its right; functions that take a `Direction` are written once for both.
+/// A direction along the front. The two are mirror images: functions that take a `Direction` are written once for both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Direction {
     Left,
     Right,
 }
 
-/// In place of a neighbour: there is none. Above all other numbers, artificial vertices included.
+/// No neighbour: a number above all others, artificial vertices included.
 const NONE: VertexId = VertexId::new(u32::MAX);
 
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +53,8 @@ impl Neighbors {
 
 /// The advancing front: which vertices are on it, and their neighbours left and right.
 ///
-/// The sweep keeps the one that a structure gets to see. To test a structure alone, keep one by hand:
+/// The sweep shows its front to the search structure. To test a structure alone, keep a front by hand. Methods panic if
+/// a node that they are given is none of the vertices.
 ///
 /// ```
 /// use sweep_cdt::front::{FrontInput, Front, FrontNode, FrontSearch, SkipList};
@@ -88,10 +82,7 @@ pub struct Front {
 }
 
 impl Front {
-    /// The front of `vertices` vertices before the first of them: P-1 and P-2 only.
-    ///
-    /// # Panics
-    /// If the vertices and these two cannot be numbered in 32 bits.
+    /// The front before the first of `vertices` vertices: P-1 and P-2 only. Panics if these exceed 32 bits.
     pub fn new(vertices: usize) -> Front {
         let mut front = Front {
             nodes: Vec::new(),
@@ -101,7 +92,7 @@ impl Front {
         front
     }
 
-    /// Becomes [`Front::new`] of so many vertices.
+    /// Becomes [`Front::new`] of `vertices` vertices.
     pub(crate) fn begin(&mut self, vertices: usize) {
         let (left_end, right_end) = (VertexId::at(vertices), VertexId::at(vertices + 1));
         self.left_end = left_end;
@@ -122,39 +113,27 @@ impl Front {
     }
 
     /// Whether a node is on the front now.
-    ///
-    /// # Panics
-    /// If there is no such vertex.
     pub fn contains(&self, node: FrontNode) -> bool {
         let Neighbors { prev, next } = self.nodes[node.rank()];
         prev != NONE || next != NONE
     }
 
     /// The node to the right of one on the front; `None` after the right end.
-    ///
-    /// # Panics
-    /// If there is no such vertex.
     pub fn after(&self, node: FrontNode) -> Option<FrontNode> {
         let next = self.nodes[node.rank()].next;
         (next != NONE).then_some(FrontNode(next))
     }
 
     /// The node to the left of one on the front; `None` before the left end.
-    ///
-    /// # Panics
-    /// If there is no such vertex.
     pub fn before(&self, node: FrontNode) -> Option<FrontNode> {
         let prev = self.nodes[node.rank()].prev;
         (prev != NONE).then_some(FrontNode(prev))
     }
 
-    /// Puts `node` between `left` and the node to the right of it.
-    ///
-    /// The front knows no coordinates: the caller sees to it that x ascends from left to right.
+    /// Puts `node` between `left` and the node to the right of it. The caller sees to it that x ascends.
     ///
     /// # Panics
-    /// If `node` is none of the vertices or on the front already, or `left` is not on the front or its
-    /// right end.
+    /// If `node` is no vertex or is on the front already, or if `left` is not on the front or is its right end.
     pub fn insert(&mut self, node: FrontNode, left: FrontNode) {
         assert!(node < self.left_end(), "there is no such vertex");
         assert!(!self.contains(node), "the node is on the front already");
@@ -165,10 +144,7 @@ impl Front {
         self.link(node.0, left.0);
     }
 
-    /// Takes `node` off.
-    ///
-    /// # Panics
-    /// If `node` is not on the front or one of its ends.
+    /// Takes `node` off the front. Panics if it is not there, or is an end.
     pub fn remove(&mut self, node: FrontNode) {
         assert!(
             node < self.left_end() && self.contains(node),
@@ -177,7 +153,7 @@ impl Front {
         self.unlink(node.0);
     }
 
-    /// The neighbour of a vertex on the front; a number above all others beyond an end.
+    /// The neighbour of `v`, which is on the front; [`NONE`] beyond an end.
     #[inline(always)]
     pub(crate) fn neighbor(&self, v: VertexId, direction: Direction) -> VertexId {
         match direction {
@@ -196,7 +172,7 @@ impl Front {
         self.nodes[v.index()].prev
     }
 
-    /// [`Front::insert`] for the sweep, which knows that it may.
+    /// [`Front::insert`] without checks.
     #[inline(always)]
     pub(crate) fn link(&mut self, v: VertexId, left: VertexId) {
         let right = self.next(left);
@@ -208,7 +184,7 @@ impl Front {
         self.nodes[right.index()].prev = v;
     }
 
-    /// [`Front::remove`] for the sweep, which knows that it may.
+    /// [`Front::remove`] without checks.
     #[inline(always)]
     pub(crate) fn unlink(&mut self, v: VertexId) {
         let Neighbors { prev, next } = self.nodes[v.index()];
@@ -217,7 +193,6 @@ impl Front {
         self.nodes[next.index()].prev = prev;
     }
 
-    /// Bytes held.
     pub(crate) fn heap_bytes(&self) -> usize {
         self.nodes.capacity() * size_of::<Neighbors>()
     }

@@ -1,9 +1,8 @@
-//! The advancing front (sections 3.1 and 3.4.1): a doubly linked list of vertices from P-1 to P-2, and
-//! the search structures that find a place in it.
+//! The advancing front (sections 3.1 and 3.4.1): a list of vertices from P-1 to P-2, doubly linked, and its searches.
 //!
-//! A search structure ([`FrontSearch`]) names *some* vertex of the front, good or bad. The sweep walks
-//! on from there by exact comparisons until it stands on the segment under the new point. So a
-//! structure cannot make a result wrong, only slow, and all structures give the same trace.
+//! A search structure ([`FrontSearch`]) names *some* vertex of the front, good or bad. The sweep walks on from there by
+//! exact comparisons until it stands on the segment under the new point. So a structure cannot make a result wrong,
+//! only slow, and all structures give the same trace.
 //!
 //! | structure | finds a place in | good for |
 //! |---|---|---|
@@ -11,18 +10,14 @@
 //! | [`SkipList`] | O(log n) expected | comparison |
 //! | [`Linear`] | O(n) | showing what a structure must do |
 //!
-//! Structures know x as a double, which may tell too little: crowded, equal or infinite. One whose answers
-//! lead to long walks may ask for *x-ranks* instead: the numbers of the vertices from left to right, by exact
-//! comparison ([`FrontSearch::wants_ranks`]). The first two do; the costs above are averages over a run.
+//! A structure knows x as a double, which may tell too little: crowded, equal or infinite. If its answers lead to long
+//! walks, it may ask for *x-ranks* instead: the numbers of the vertices from left to right, by exact comparison
+//! ([`FrontSearch::wants_ranks`]). [`HashTable`] and [`SkipList`] do; their costs above are averages over a run.
 //!
-//! [`AnyFront`] is one of the three, chosen by name when the program runs.
+//! [`AnyFront`] is one of the three, chosen by name at run time. `HashTable::counting` and `SkipList::counting` count
+//! their work ([`Work`]). To test a structure without a sweep, make a [`Front`] and a [`FrontInput`] by hand.
 //!
-//! `HashTable::counting` and `SkipList::counting` are the same structures with counts of their work ([`Work`]).
-//!
-//! A structure can be tested without a sweep: [`Front`], [`FrontNode`] and [`FrontInput`] can be made and
-//! changed by hand.
-//!
-//! Differs from the paper: the paper's structure is the hash table; the others are for comparison.
+//! Differs from the paper: the paper has the hash table only; the others are for comparison.
 
 mod any;
 mod dispatch;

@@ -1,17 +1,17 @@
-//! What a search structure for the advancing front must do (section 3.4.1), and when it asks for x-ranks.
+//! The duties of a search structure for the advancing front (section 3.4.1), and when it asks for x-ranks.
 
 use core::any::Any;
 
 use super::list::{Front, FrontNode};
 
-/// What a search structure may know of the vertices before the sweep starts.
+/// All that a search structure may know of the vertices before the sweep starts.
 #[derive(Clone, Copy, Debug)]
 pub struct FrontInput<'a> {
     approx: &'a [[f64; 2]],
 }
 
 impl<'a> FrontInput<'a> {
-    /// The domain of vertices with these coordinates `[x, y]`, by rank in the sweep order.
+    /// The vertices with these approximate coordinates `[x, y]`, by rank in the sweep order.
     pub fn new(approx: &'a [[f64; 2]]) -> Self {
         FrontInput { approx }
     }
@@ -26,32 +26,26 @@ impl<'a> FrontInput<'a> {
         self.approx.is_empty()
     }
 
-    /// The x of the vertex of this rank: a double near the coordinate. Like every `x` that [`FrontSearch`]
-    /// gets, it may be scaled by a power of two, and it may be infinite.
-    ///
-    /// # Panics
-    /// If there is no such vertex.
+    /// The approximate x of the vertex of this rank. Like every `x` that a [`FrontSearch`] gets, it may be scaled by a
+    /// power of two, or infinite. Panics if there is no such vertex.
     pub fn x(&self, rank: usize) -> f64 {
         self.approx[rank][0]
     }
 }
 
-/// A walk of more than this many steps from where a structure sent it is reported to the structure.
+/// The sweep reports walks of more than this many steps to the structure whose answer began them.
 pub const LONG_WALK: usize = 32;
 
 /// A structure that finds a place on the advancing front near a given x.
 ///
-/// [`locate`](FrontSearch::locate) does the work. The other functions report what happens to the front,
-/// and may be left out; so may [`wants_ranks`](FrontSearch::wants_ranks), by which a structure can ask for better
-/// keys than x. A structure is a value: it may carry parameters, a seed and counters of its own.
-/// Each run of a [`Triangulator`](crate::Triangulator) works on a clone of the value it was given and
-/// returns that clone in [`Run::front`](crate::Run::front). The sweep calls it through `dyn`.
+/// [`locate`](FrontSearch::locate) does the work. The other functions may be left out: they report what happens to the
+/// front, or let a structure ask for better keys than x ([`wants_ranks`](FrontSearch::wants_ranks)). A structure is a
+/// value: it may carry parameters, a seed and counters. Each run of a [`Triangulator`](crate::Triangulator) works on a
+/// clone, and returns the clone in [`Run::front`](crate::Run::front). The sweep calls structures through `dyn`.
 ///
-/// From left to right on the front, the x that a structure gets never falls. It may repeat: where a new
-/// vertex comes straight above another, and where two coordinates have the same approximation. So a
-/// structure keyed by x needs the node in its key too.
-///
-/// Your own structure takes a few lines:
+/// From left to right on the front, the x that a structure gets never falls. It may repeat: where a new vertex comes
+/// straight above another, and where two coordinates have one approximation. So a structure keyed by x needs the node
+/// in its key too. Your own structure takes a few lines:
 ///
 /// ```
 /// use sweep_cdt::Triangulator;
@@ -77,33 +71,28 @@ pub const LONG_WALK: usize = 32;
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 pub trait FrontSearch {
-    /// A run begins: the front has no vertex yet but its two artificial ends, which `inserted` and
-    /// `removed` never name.
-    ///
-    /// What an earlier run left in the structure must be forgotten here.
+    /// A run begins. The front has only its two artificial ends, which `inserted` and `removed` never name. The
+    /// structure must forget what an earlier run left in it.
     fn begin(&mut self, input: FrontInput<'_>) {
         let _ = input;
     }
 
-    /// A node of `front`, best the last one whose x is at most `x`.
-    ///
-    /// The sweep panics if the node is not on the front.
+    /// A node of `front`, best the last one whose x is at most `x`. The sweep panics if the node is not on the front.
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode;
 
-    /// The walk from the node that [`locate`](FrontSearch::locate) named took this many steps, more than
-    /// [`LONG_WALK`]. Returns whether the structure wants *x-ranks* for x from now on.
+    /// The walk from the node that [`locate`](FrontSearch::locate) named took `steps` steps, more than [`LONG_WALK`].
+    /// Returns whether the structure wants *x-ranks* in place of x from now on.
     ///
-    /// If so, the sweep numbers all vertices from left to right by exact comparison, 0 for the first. It calls
-    /// [`begin`](FrontSearch::begin) with these numbers as x, and `inserted` for each node that is on the
-    /// front, from left to right. Every later `x` is a place too. No two vertices have the same one, and
-    /// they are spread evenly, whatever the coordinates. That takes O(n log n) once. Nothing is asked
-    /// afterwards.
+    /// If so, the sweep numbers all vertices from left to right by exact comparison, from 0, in O(n log n) time. It
+    /// calls [`begin`](FrontSearch::begin) with these numbers as x, and `inserted` for each node on the front, from
+    /// left to right. Every later `x` is an x-rank too. No two x-ranks are equal, and they are spread evenly, whatever
+    /// the coordinates. `wants_ranks` is not called again.
     ///
     /// ```
     /// use sweep_cdt::Triangulator;
     /// use sweep_cdt::front::{FrontInput, Front, FrontNode, FrontSearch, LONG_WALK};
     ///
-    /// /// The nodes by place. Until x-ranks are given, walks start at the left end.
+    /// /// The nodes by x-rank. Until x-ranks are given, walks start at the left end.
     /// #[derive(Clone, Default)]
     /// struct ByPlace {
     ///     nodes: std::collections::BTreeMap<usize, FrontNode>,
@@ -159,22 +148,18 @@ pub trait FrontSearch {
         let _ = (node, x);
     }
 
-    /// The structure with its type, by which the sweep knows the default hash table and calls it directly.
+    /// The structure with its type: the sweep recognizes the default hash table and calls it directly.
     #[doc(hidden)]
     fn as_any(&mut self) -> Option<&mut dyn Any> {
         None
     }
 }
 
-/// How many steps of long walks are borne, for each vertex: they take about as long as finding the x-ranks.
+/// Steps of long walks that are borne for each vertex: they take about as long as finding the x-ranks.
 const STEPS: usize = 4;
 
-/// The steps that are still borne.
-///
-/// A structure asks for x-ranks instead of x after long walks of more than a few steps a vertex in all.
-///
-/// So all long walks together take O(n) steps before it asks, as many as finding the x-ranks costs, and
-/// inputs on which the structure finds its way never pay for them.
+/// The steps of long walks that a structure still bears before it asks for x-ranks: O(n) in all, as many as finding the
+/// x-ranks costs, and inputs on which the structure finds its way never pay for them.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct WalkBudget {
     left: usize,
@@ -182,7 +167,6 @@ pub(super) struct WalkBudget {
 }
 
 impl WalkBudget {
-    /// That with a front of so many vertices in all.
     pub(super) fn with(vertices: usize) -> WalkBudget {
         WalkBudget {
             left: STEPS * vertices,
@@ -190,12 +174,12 @@ impl WalkBudget {
         }
     }
 
-    /// Whether it has ended: the structure begins again, with x-ranks.
+    /// Whether the budget has ended: the structure begins again, with x-ranks.
     pub(super) fn has_ended(self) -> bool {
         self.has_ended
     }
 
-    /// Whether it ends with a walk of so many steps.
+    /// Takes a walk of `steps` steps from the budget. Returns whether that ends it.
     pub(super) fn ends(&mut self, steps: usize) -> bool {
         self.has_ended = steps > self.left;
         self.left = self.left.saturating_sub(steps);

@@ -1,12 +1,8 @@
-//! A skip list over the nodes of the front (Pugh 1990).
-//!
-//! All nodes are linked in order of x at level 0. About one in four nodes of a level is linked at the
-//! next level too, so that a search from the top passes O(log n) nodes. A fixed hash of the rank
-//! decides which ones, so the list is the same in every run. Where x are equal it names any of their nodes;
-//! if the walks among them are long, it asks for x-ranks instead of x.
-//!
-//! Cost: O(log n) expected for search, insertion and removal, whatever the shape of the front; 64 bytes
-//! for each vertex on the front at one time.
+//! A skip list over the nodes of the front (Pugh 1990). All nodes are linked in order of x at level 0. About one in
+//! four nodes of a level is linked at the next level too, so that a search from the top passes O(log n) nodes. A fixed
+//! hash of the rank decides which, so the list is the same in every run. Among equal x a search names any node; if the
+//! walks there are long, the list asks for x-ranks. Cost: O(log n) expected for search, insertion and removal on any
+//! front; 64 bytes for each vertex on the front at one time.
 
 use super::list::{Front, FrontNode};
 use super::search::{FrontInput, FrontSearch, WalkBudget};
@@ -15,12 +11,10 @@ use crate::ids::narrow;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// A skip list by x: O(log n) expected on any front.
-///
-/// `SkipList<Work>` counts its work, and is made by [`SkipList::counting`].
+/// A skip list by x: O(log n) expected on any front. [`SkipList::counting`] makes one that counts its work.
 #[derive(Clone, Debug)]
 pub struct SkipList<T = ()> {
-    /// Place 0 is the head; the x-ranks in `free` are not in use.
+    /// Tower 0 is the head; the towers in `free` are not in use.
     towers: Vec<Tower>,
     free: Vec<u32>,
     walk_budget: WalkBudget,
@@ -36,7 +30,7 @@ const END: u32 = u32::MAX;
 struct Tower {
     x: f64,
     node: Option<FrontNode>,
-    /// The next tower at each level this one reaches; [`END`] above.
+    /// The next tower at each level that this one reaches; [`END`] above.
     next: [u32; LEVELS],
 }
 
@@ -55,7 +49,7 @@ impl Default for SkipList {
 }
 
 impl SkipList {
-    /// One that counts its work.
+    /// A `SkipList<Work>`, which counts its work.
     pub fn counting() -> SkipList<Work> {
         SkipList::with(Work::default())
     }
@@ -132,7 +126,7 @@ impl<T: Tally> SkipList<T> {
         }
     }
 
-    /// Counts that a node has joined or left, with a link on each of its levels.
+    /// Tallies that a node has joined or left, with a link on each of its levels.
     fn linked(&mut self, node: FrontNode) {
         self.tally.count(|work| {
             work.updates += 1;
@@ -141,7 +135,7 @@ impl<T: Tally> SkipList<T> {
         });
     }
 
-    /// At each level the last tower that `is_before` holds for.
+    /// At each level the last tower for which `is_before` holds.
     fn path(&mut self, is_before: impl Fn(&Tower) -> bool) -> [u32; LEVELS] {
         let mut path = [0; LEVELS];
         let mut at = 0;
@@ -166,8 +160,7 @@ impl<T: Tally> SkipList<T> {
     }
 }
 
-/// The number of levels of a node's tower (may exceed [`LEVELS`]): at least one, each further one with
-/// probability 1/4.
+/// How many levels a node's tower has (may exceed [`LEVELS`]): at least one, each further one with probability 1/4.
 fn height(node: FrontNode) -> usize {
     let mixed = (node.rank() as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let mixed = (mixed ^ mixed >> 29).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -178,7 +171,7 @@ fn height(node: FrontNode) -> usize {
 mod tests {
     use super::{Front, FrontInput, FrontNode, FrontSearch, LEVELS, SkipList, Tower, Work, height};
 
-    /// The memory depends on the longest front, not on how many vertices are ever on it.
+    /// Memory depends on the longest front, not on how many vertices are ever on it.
     #[test]
     fn the_place_of_a_node_that_has_left_is_used_again() {
         const LONGEST: usize = 10;
@@ -209,7 +202,6 @@ mod tests {
         assert_eq!(on_level[16], 0, "none is much higher");
     }
 
-    /// Nodes of one level are passed one by one, and each is compared.
     #[test]
     fn nodes_passed_are_counted() {
         let low: Vec<FrontNode> = (0..100)
@@ -221,15 +213,13 @@ mod tests {
         let mut list = SkipList::counting();
         list.begin(FrontInput::new(&points));
         let mut expected = Work::default();
-        // To the end of those that are there: each comes after all others.
+        // Each node comes after all others.
         for (place, &node) in low.iter().enumerate() {
             list.inserted(node, place as f64);
             expected.comparisons += place as u64;
         }
-        // Past four, to the fifth, which is compared too.
         list.locate(3.5, &Front::new(100));
         expected.comparisons += 5;
-        // To the first.
         list.removed(low[0], 0.0);
         expected.comparisons += 1;
         expected.visited = expected.comparisons;
@@ -237,7 +227,6 @@ mod tests {
         expected.bytes = 11 * size_of::<Tower>() as u64;
         assert_eq!(list.work(), expected);
 
-        // A link for each level.
         let high = (0..100_000).map(FrontNode::from_rank);
         let high = high.max_by_key(|&node| height(node)).expect("a node");
         list.inserted(high, 20.0);
@@ -245,7 +234,7 @@ mod tests {
         assert!(height(high) > 4);
         assert_eq!(list.work().rearranged, expected.rearranged);
 
-        // XRankSet are asked for in the middle of a run.
+        // The list asks for x-ranks in the middle of a run.
         assert!(list.wants_ranks(1000));
         list.begin(FrontInput::new(&points));
         assert_eq!(list.work().rearranged, expected.rearranged);

@@ -1,16 +1,10 @@
-//! The work that a search structure does, as it counts it itself.
-//!
-//! The sweep sees the steps along the front that follow a search, but not what happens inside a structure. A
-//! structure that is to be compared with others counts that in a [`Work`].
-//!
-//! Cost: an addition for each count, or nothing: a structure that is generic over [`Tally`], like those of the
-//! crate, is compiled without counts unless it is asked for them.
-//!
-//! Differs from the paper: it counts nothing.
+//! The work inside a search structure, which the sweep does not see: it sees the steps along the front that follow a
+//! search. Structures to compare count their work in a [`Work`]. Cost: an addition for each count, or nothing:
+//! structures generic over [`Tally`], like those of the crate, are compiled without counts unless asked for.
 
 use core::fmt;
 
-/// What a search structure did in a run. The steps along the front that the sweep takes afterwards are not in it.
+/// The work of a search structure in a run, without the steps along the front that the sweep takes afterwards.
 ///
 /// ```
 /// use sweep_cdt::Triangulator;
@@ -33,18 +27,18 @@ pub struct Work {
     pub updates: u64,
     /// Entries moved and links changed, by insertion and removal, rotations, splits and joins.
     pub rearranged: u64,
-    /// Bytes of the entries and tables held at one time, at most.
+    /// The most bytes of entries and tables held at one time.
     pub bytes: u64,
 }
 
 impl Work {
-    /// Notes that this many entries of this type are held.
+    /// Notes that `entries` entries of type `T` are held.
     pub fn hold<T>(&mut self, entries: usize) {
         self.bytes = self.bytes.max((entries * size_of::<T>()) as u64);
     }
 }
 
-/// What takes the counts of a search structure: [`Work`] keeps them, `()` keeps none and compiles to nothing.
+/// Where a search structure counts: [`Work`] keeps the counts, `()` keeps none and compiles to nothing.
 pub trait Tally: Copy + Default + fmt::Debug + 'static {
     /// Adds to the counts.
     fn count(&mut self, add: impl FnOnce(&mut Work));

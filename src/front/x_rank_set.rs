@@ -1,26 +1,20 @@
-//! A set of x-ranks: whole numbers below n, which number all vertices from left to right. The
-//! [hash table](super::hash_table) asks for them where x tells too little.
-//!
-//! It is a tree of bits: a word has a bit for each of 64 x-ranks, and each word of the next level a bit for
-//! each of 64 words that are not zero. The last member up to a place is the highest bit of a word on the
-//! way up from there, and then the highest bits on the way down.
-//!
-//! Cost: O(log n) at worst for each operation, four levels for 16 million x-ranks; n bits and some. The words
-//! looked at are counted.
+//! A set of x-ranks: whole numbers below n, which number all vertices from left to right. It is a tree of bits: a word
+//! has a bit for each of 64 x-ranks, and each word of the next level a bit for each of 64 words that are not zero. The
+//! last member up to an x-rank is the highest bit of a word on the way up, and then the highest bits on the way down.
+//! Cost: O(log n) at worst for each operation, four levels for 16 million x-ranks; n bits and some.
 
 use super::work::Tally;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// A set of x-ranks.
 #[derive(Clone, Debug)]
 pub(super) struct XRankSet {
-    /// From the bits of the x-ranks up to a single word.
+    /// The bits of the x-ranks, then levels above up to a single word.
     levels: Vec<Vec<u64>>,
 }
 
 impl XRankSet {
-    /// None of `count` x-ranks.
+    /// The empty set of x-ranks below `count`.
     pub(super) fn new(count: usize) -> XRankSet {
         let mut levels = Vec::new();
         let mut words = count;
@@ -31,7 +25,6 @@ impl XRankSet {
         XRankSet { levels }
     }
 
-    /// Bytes held.
     pub(super) fn bytes(&self) -> usize {
         self.levels
             .iter()
@@ -60,10 +53,10 @@ impl XRankSet {
         }
     }
 
-    /// The last one that is not after this place.
+    /// The last member that is not after `place`.
     pub(super) fn last_up_to(&self, place: usize, tally: &mut impl Tally) -> Option<usize> {
         let mut at = place;
-        // The bits of the word that count: up to the place, on higher levels those before it.
+        // The bits of the word that count: up to the x-rank, on higher levels those before it.
         let mut mask = u64::MAX >> (63 - at % 64);
         for (level, words) in self.levels.iter().enumerate() {
             tally.count(|work| work.visited += 1);
@@ -81,7 +74,6 @@ impl XRankSet {
     }
 }
 
-/// The number of the highest bit of a word that is not zero.
 fn highest(word: u64) -> usize {
     word.ilog2() as usize
 }
@@ -92,7 +84,6 @@ mod tests {
 
     use super::XRankSet;
 
-    /// Insertions, removals and searches in a scattered order, against a sorted set.
     #[test]
     fn the_last_one_up_to_each_place() {
         for count in [1, 2, 63, 64, 65, 130, 4096, 4097, 5000] {

@@ -1,8 +1,8 @@
-//! Why a rule says nothing of an input. Every error names the offenders by the caller's own indices.
+//! Why a rule gives no interior.
 
 use core::fmt;
 
-/// Why no domain follows from a rule.
+/// Why a rule gives no interior. Every error names the offenders by the caller's own indices.
 ///
 /// ```
 /// use sweep_cdt::interior::{InteriorError, FillRule};
@@ -15,46 +15,46 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum InteriorError {
-    /// The edges do not form closed chains, so that they do not separate inside from outside.
+    /// The edges do not form closed chains, so they do not separate inside from outside.
     OpenAtVertex {
         /// The lowest such point.
         vertex: usize,
     },
-    /// These are not the edges that were triangulated.
+    /// The edges are not those that were triangulated.
     OtherEdge {
-        /// The first edge that differs, or the first one of which there are too many or too few.
+        /// The first edge that differs, or of which there are too many or too few.
         edge: usize,
     },
-    /// The triangulation has a vertex that is none of these points.
+    /// The triangulation has a vertex that is none of the points given.
     MissingPoint {
         /// The first such vertex.
         vertex: usize,
     },
-    /// A coordinate of this seed is NaN or infinite.
+    /// A coordinate of a seed is NaN or infinite.
     SeedNotFinite {
         /// The first such seed.
         seed: Seed,
     },
-    /// This seed lies outside of the convex hull.
+    /// A seed lies outside of the convex hull.
     SeedOutside {
         /// The first such seed.
         seed: Seed,
     },
-    /// This seed lies on a vertex, so that it does not tell one face from another.
+    /// A seed lies on a vertex, so it does not tell one face from another.
     SeedOnVertex {
         /// The first such seed.
         seed: Seed,
         /// The vertex.
         vertex: usize,
     },
-    /// This seed lies on an edge, so that it does not tell one face from the other.
+    /// A seed lies on an edge, so it does not tell one face from the other.
     SeedOnEdge {
         /// The first such seed.
         seed: Seed,
-        /// The ends of the side that it lies on, the lower one first.
+        /// The ends of the side that the seed lies on, the lower one first.
         ends: [usize; 2],
     },
-    /// The seed of this region lies in a hole, or where no edges keep the outside out.
+    /// The seed of a region lies in a hole, or where no edges keep the outside out.
     RegionOutside {
         /// The first such region.
         region: usize,
@@ -99,8 +99,7 @@ impl fmt::Display for InteriorError {
 impl core::error::Error for InteriorError {}
 
 impl InteriorError {
-    /// The error with other numbers for vertices, edges, holes and regions, for callers that count otherwise than
-    /// from 0.
+    /// The error with other numbers for vertices, edges, holes and regions, for callers that do not count from 0.
     ///
     /// ```
     /// use sweep_cdt::interior::{InteriorError, Seed};

@@ -1,19 +1,16 @@
-//! How often the edges run along each side, one direction against the other, and what that makes of each triangle.
+//! The flow of the edges along each side, and what it makes of each triangle.
 //!
-//! Every edge is a chain of sides. Each counts as a *flow* along them: +1 in its direction. The flow of a side is
-//! the sum over all edges. For the winding number the flow is what crossing the side changes. For crossing
-//! parity it is odd where the number of edges on the side is odd, whatever their directions.
+//! Every edge is a chain of sides, and counts as a *flow* of +1 along each in its direction. The flow of a side is the
+//! sum over all edges. For the winding number the flow is what crossing the side changes. For crossing parity the flow
+//! is odd where the number of edges on the side is odd, whatever their directions.
 //!
-//! The edges form closed chains if no flow starts or ends at a vertex: as much comes as goes. (For parity: if
-//! what comes and what goes differ by an even number.) Then the sum over the sides that a closed path crosses is
-//! zero (even), because that holds for a path around one vertex, and every path is a sum of these. So what a
-//! rule says of a triangle does not depend on the path to it.
+//! The edges form closed chains if no flow starts or ends at a vertex: as much comes as goes. (For parity: the two
+//! differ by an even number.) Then the sum over the sides that a closed path crosses is zero (even), because that holds
+//! for a path around one vertex, and every path is a sum of these. So the path to a triangle makes no difference.
 //!
-//! Depths spread from the hull inwards, from triangle to triangle. The hull is connected, so every triangle is
-//! reached. A triangle is expanded once.
-//!
-//! Cost: O(m log m), where m is the sum of the lengths of all chains. Equal edges are walked once. Depths take O(n),
-//! and the search for the flow of each constrained side.
+//! Depths spread from the hull inwards, from triangle to triangle; the hull is connected, so every triangle is reached.
+//! Cost: O(m log m), where m is the sum of the lengths of all chains; equal edges are walked once. Depths take O(n), as
+//! each triangle is expanded once, and the search for the flow of each constrained side.
 
 use super::error::InteriorError;
 use crate::Triangulation;
@@ -21,12 +18,11 @@ use crate::ids::narrow;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// The flows of all sides.
 #[derive(Debug)]
 pub(super) struct Flow {
-    /// Sides, lower vertex first, with what flows from there to the other; sorted, and none twice.
+    /// Sides, lower vertex first, with the flow from there to the other one; sorted, none twice.
     sides: Vec<([u32; 2], i32)>,
-    /// `(vertex, flow)`: what goes out of a vertex, less what comes in; sorted, no vertex twice, none zero.
+    /// `(vertex, flow)`: the flow out of a vertex less that into it; sorted, no vertex twice, none zero.
     sources: Vec<(u32, i32)>,
 }
 
@@ -87,7 +83,6 @@ impl Flow {
         }
     }
 
-    /// The flow of a side, from vertex to vertex.
     pub(super) fn of_side(&self, [from, to]: [usize; 2]) -> i32 {
         let [a, b] = [narrow(from), narrow(to)];
         let side = [a.min(b), a.max(b)];
@@ -96,7 +91,7 @@ impl Flow {
         if a < b { flow } else { -flow }
     }
 
-    /// An error if anything starts or ends at a vertex, of what `counts`.
+    /// An error if `counts` holds for the flow that starts or ends at a vertex.
     pub(super) fn expect_closed(&self, counts: impl Fn(i32) -> bool) -> Result<(), InteriorError> {
         match self.sources.iter().find(|&&(_, flow)| counts(flow)) {
             Some(&(vertex, _)) => Err(InteriorError::OpenAtVertex {
@@ -117,9 +112,8 @@ fn summed<K: Copy + Ord>(mut list: Vec<(K, i32)>) -> Vec<(K, i32)> {
     sums.filter(|&(_, flow)| flow != 0).collect()
 }
 
-/// For each triangle the least number of walls between it and the outside; a wall is a side.
-///
-/// Layer after layer: all that is reached without another wall comes before what lies behind one.
+/// For each triangle the least number of walls (sides) between it and the outside. Layer after layer: all triangles
+/// reached without another wall come before those behind one.
 pub(super) fn layers(result: &Triangulation, is_wall: impl Fn(usize, usize) -> bool) -> Vec<i32> {
     let mut depths: Vec<Option<i32>> = vec![None; result.len()];
     let (mut now, mut next) = (Vec::new(), Vec::new());
@@ -155,8 +149,8 @@ pub(super) fn layers(result: &Triangulation, is_wall: impl Fn(usize, usize) -> b
     complete(depths)
 }
 
-/// For each triangle the sum of the steps on a path to it from outside, where `step` is what is added on the way
-/// into a triangle through one of its sides. The sum must not depend on the path.
+/// For each triangle the sum of the steps on a path to it from outside; `step` is added on the way into a triangle
+/// through one of its sides. The sum must not depend on the path.
 pub(super) fn sums(result: &Triangulation, step: impl Fn(usize, usize) -> i32) -> Vec<i32> {
     let mut depths: Vec<Option<i32>> = vec![None; result.len()];
     let mut waiting: Vec<(usize, i32)> = hull(result).map(|[t, side]| (t, step(t, side))).collect();
@@ -174,7 +168,6 @@ pub(super) fn sums(result: &Triangulation, step: impl Fn(usize, usize) -> i32) -
     complete(depths)
 }
 
-/// The triangles on the hull, each with its side there.
 fn hull(result: &Triangulation) -> impl Iterator<Item = [usize; 2]> + '_ {
     let sides = (0..result.len()).flat_map(|t| [0, 1, 2].map(|side| [t, side]));
     sides.filter(|&[t, side]| result.neighbor(t, side).is_none())

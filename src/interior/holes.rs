@@ -1,16 +1,12 @@
 //! Holes and regions by seed points, as in Triangle's `.poly`.
 //!
-//! The edges cut the hull into faces. Those with the seed of a hole are not inside, nor are those that reach the
-//! border of the hull where no edge runs along it, since the outside comes in there. All others are.
-//! Chains need not be closed: an edge that dangles separates nothing.
+//! The edges cut the hull into faces. A face is not inside if it has the seed of a hole, or if it reaches the border of
+//! the hull where no edge runs: the outside comes in there. Chains need not be closed: dangling edges part nothing.
 //!
-//! A seed must tell in which face it lies. So it must not lie on an edge, nor on a vertex. The walk of
-//! [`WithPoints::locate`] finds where it lies, by exact signs.
-//!
-//! In a list of triangles without neighbours there is no walk ([`locate_seeds`]). The seeds are sorted by x, and each
-//! triangle is compared with the seeds between its leftmost and its rightmost corner.
-//!
-//! Cost: O(n) for n triangles, and that of the location for each seed. Faces take 8 bytes a triangle.
+//! A seed must tell in which face it lies, so it must not lie on an edge or a vertex. The walk of
+//! [`WithPoints::locate`] finds it by exact signs. A list of triangles without neighbours allows no walk
+//! ([`locate_seeds`]): the seeds are sorted by x, and each triangle is compared with the seeds between its leftmost and
+//! rightmost corners. Cost: O(n) for n triangles, and the location of each seed. Faces take 8 bytes a triangle.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -25,15 +21,14 @@ use crate::triangulation::Triangulation;
 use crate::with_points::WithPoints;
 
 impl<'a, S: Scalar> WithPoints<'a, S> {
-    /// What of the hull is inside, by seed points of holes. `holes` and `regions` are points `[x, y]`, each standing for
-    /// the *face* that it lies in: all that can be reached from it without crossing an edge.
+    /// The interior by seed points of holes and regions. Each of these points `[x, y]` stands for the *face* that it
+    /// lies in: all that can be reached from it without crossing an edge.
     ///
-    /// Faces with a hole are not inside, nor is what the outside reaches without crossing an edge. Of the others,
-    /// those with a region have its index, [`Interior::region`]; of several regions in one face the last one counts.
-    /// This is what Triangle does with a `.poly`.
+    /// Faces with a hole are not inside, nor is what the outside reaches without crossing an edge. Of the others, those
+    /// with a region have its index, [`Interior::region`]; of several in a face the last counts, as in Triangle.
     ///
     /// # Errors
-    /// [`InteriorError`], if a seed is not in one face, or that of a region not inside, or if a vertex has no point.
+    /// [`InteriorError`], if a seed is not in one face, the seed of a region is not inside, or a vertex has no point.
     ///
     /// ```
     /// // A square with a square hole, in which there is an island.
@@ -111,8 +106,7 @@ fn triangle_of(
     }
 }
 
-/// For each triangle the number of its face, and how many faces there are. A face is what is left in one piece of the
-/// hull when it is cut along all edges.
+/// For each triangle the number of its face, and how many faces there are: pieces of the hull cut along all edges.
 fn faces(result: &Triangulation) -> (Vec<usize>, usize) {
     const NONE: usize = usize::MAX;
     let mut faces = vec![NONE; result.len()];
@@ -139,8 +133,8 @@ fn faces(result: &Triangulation) -> (Vec<usize>, usize) {
     (faces, count)
 }
 
-/// For each seed a triangle that holds it, of any list that covers no place twice: the first one of two where it lies on
-/// a side, and of several where it is a corner. `None` is outside of all.
+/// For each seed the first triangle that holds it, in any list that covers no place twice. Two triangles hold a seed on
+/// their side, several one at their corner; `None` is outside of all.
 ///
 /// Cost: O((n + k) log k) for n triangles and k seeds, and one comparison for each triangle and seed that have an x in
 /// common. Triangles may run either way. A triangle with a corner that is no index of a point holds nothing.

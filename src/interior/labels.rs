@@ -1,11 +1,11 @@
-//! A domain: what a rule says of every triangle, and the boundary of those inside.
+//! The interior: what a rule says of every triangle, and the boundary of the triangles inside.
 
 use crate::Triangulation;
 use crate::canonical::{CanonicalGroups, canonical};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Which triangles of a triangulation are inside, and how deep each lies.
+/// The triangles of a triangulation that are inside, and the depth of each. Methods panic if there is no triangle `t`.
 ///
 /// ```
 /// use sweep_cdt::interior::FillRule;
@@ -23,15 +23,13 @@ use alloc::vec::Vec;
 pub struct Interior<'a> {
     result: &'a Triangulation,
     depths: Vec<i32>,
-    /// The triangles inside, in ascending order.
     inside: Vec<usize>,
     is_inside: Vec<bool>,
-    /// For each triangle its region; empty if there are none.
+    /// For each triangle its region; empty if there are no regions.
     regions: Vec<Option<u32>>,
 }
 
 impl<'a> Interior<'a> {
-    /// The domain of the triangles whose depth is one that counts as inside.
     pub(super) fn new(
         result: &'a Triangulation,
         depths: Vec<i32>,
@@ -48,12 +46,11 @@ impl<'a> Interior<'a> {
         }
     }
 
-    /// The same domain with the region of each triangle.
     pub(super) fn with_regions(self, regions: Vec<Option<u32>>) -> Interior<'a> {
         Interior { regions, ..self }
     }
 
-    /// The domain that is the whole hull of a triangulation.
+    /// The interior that is the whole hull of a triangulation.
     pub fn whole(result: &'a Triangulation) -> Interior<'a> {
         Interior::new(result, vec![1; result.len()], |_| true)
     }
@@ -63,30 +60,21 @@ impl<'a> Interior<'a> {
         self.result
     }
 
-    /// How deep triangle `t` lies. For [`EvenOdd`](super::FillRule::EvenOdd) this is the least number of sides with
-    /// an odd number of edges on them that a path from outside the hull to the triangle crosses. For
-    /// [`NonZero`](super::FillRule::NonZero) it is the winding number, how often the edges go round it
+    /// How deep triangle `t` lies. For [`EvenOdd`](super::FillRule::EvenOdd) this is the least number of sides with an
+    /// odd number of edges on them that a path from outside the hull to the triangle crosses. For
+    /// [`NonZero`](super::FillRule::NonZero) it is the winding number: how often the edges go round the triangle
     /// counter-clockwise, less than 0 where they go clockwise. Otherwise it is 1 inside and 0 outside.
-    ///
-    /// # Panics
-    /// If there is no triangle `t`.
     pub fn depth(&self, t: usize) -> i32 {
         self.depths[t]
     }
 
     /// Whether triangle `t` is inside.
-    ///
-    /// # Panics
-    /// If there is no triangle `t`.
     pub fn is_inside(&self, t: usize) -> bool {
         self.is_inside[t]
     }
 
     /// The region that triangle `t` belongs to, as a position in the regions of
-    /// [`WithPoints::interior_of_seeds`]; `None` if it belongs to none.
-    ///
-    /// # Panics
-    /// If there is no triangle `t`.
+    /// [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds); `None` if it belongs to none.
     pub fn region(&self, t: usize) -> Option<usize> {
         assert!(t < self.result.len(), "there is no triangle {t}");
         let region = *self.regions.get(t)?;
@@ -130,19 +118,17 @@ impl<'a> Interior<'a> {
         listed.map(|(t, side)| ends(self.result, t, side))
     }
 
-    /// The closed chains of vertices around the triangles inside, which lie on the left: outer ones run
-    /// counter-clockwise, those around holes clockwise. Each begins with its lowest side and does not repeat its
-    /// first vertex at the end; they are sorted by that side. Where triangles meet in a vertex only, a chain
-    /// passes that vertex more than once or several chains do, but no side occurs twice.
+    /// The closed chains of vertices around the triangles inside, which lie on the left: outer chains run
+    /// counter-clockwise, those around holes clockwise. Each begins with its lowest side, by which they are sorted, and
+    /// does not repeat its first vertex. Where triangles meet in a vertex only, chains pass it again, but no side
+    /// twice.
     pub fn boundary(&self) -> Vec<Vec<usize>> {
         loops(self.result, |t| self.is_inside[t])
     }
 }
 
-/// The closed chains around the triangles that are inside.
-///
-/// From the end of a side the chain goes on along the next side of the same triangle. If the triangle across that
-/// side is in the set, it is the turn of that one, and so on around the vertex.
+/// The closed chains around the triangles that are inside. From the end of a side the chain goes on along the next side
+/// of the triangle. If the triangle across it is in the set, its next side is tried, and so on around the vertex.
 ///
 /// ```text
 ///           \  t2 /
@@ -153,11 +139,9 @@ impl<'a> Interior<'a> {
 ///            a
 /// ```
 ///
-/// Where the set meets itself in a vertex only, the chain so stays with the triangles that are connected. A chain
-/// may pass a vertex more than once, but no side. What is returned depends on the set alone: each chain begins
-/// with its lowest side, and they are sorted by it.
-///
-/// Cost: O(b log b) for b sides, the scan of all triangles, and of those around each vertex of the boundary.
+/// Where the set meets itself in a vertex only, the chain stays with the triangles that are connected: it may pass a
+/// vertex more than once, but no side. The set alone decides: each chain begins with its lowest side, by which they are
+/// sorted. Cost: O(b log b) for b sides, the scan of all triangles, and of those around boundary vertices.
 fn loops(result: &Triangulation, is_inside: impl Fn(usize) -> bool) -> Vec<Vec<usize>> {
     let is_beyond = |t: usize, side| result.neighbor(t, side).is_none_or(|t| !is_inside(t));
     let mut borders: Vec<([usize; 2], usize)> = (0..result.len())
@@ -191,13 +175,13 @@ fn loops(result: &Triangulation, is_inside: impl Fn(usize) -> bool) -> Vec<Vec<u
     loops
 }
 
-/// The vertices of a side, with its triangle on the left.
+/// The vertices of a side; its triangle lies to the left.
 pub(super) fn ends(result: &Triangulation, t: usize, side: usize) -> [usize; 2] {
     let corners = result.triangle(t);
     [corners[(side + 1) % 3], corners[(side + 2) % 3]]
 }
 
-/// The side of a triangle that starts at this corner of it.
+/// The side of a triangle that starts at `vertex`.
 fn leaving(result: &Triangulation, t: usize, vertex: usize) -> usize {
     let corner = result.triangle(t).iter().position(|&v| v == vertex);
     (corner.expect("the triangle has the vertex") + 2) % 3

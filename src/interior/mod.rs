@@ -1,24 +1,19 @@
-//! Domains: what of the hull is inside.
+//! The interior: the part of the hull that is inside.
 //!
-//! The triangles of a [`Triangulation`] cover the convex hull of the points. A polygon with holes, or a map of
-//! regions, is a part of it: a [`Interior`]. Since the edges are chains of sides, each triangle lies wholly inside
-//! or wholly outside. So a rule is a matter of counting which sides a path from outside crosses; no coordinate is
-//! looked at. Only seeds of holes are, and they are found by exact signs.
+//! The triangles of a [`Triangulation`] cover the convex hull of the points. A polygon with holes, or a map of regions,
+//! is a part of it: an [`Interior`]. Edges are chains of sides, so each triangle lies wholly inside or wholly outside,
+//! and a rule counts which sides a path from outside crosses. Only seeds have coordinates; exact signs locate them.
 //!
 //! | | inside is | file |
 //! |---|---|---|
 //! | [`FillRule::Hull`] | everything | `mod.rs` |
 //! | [`FillRule::EvenOdd`] | what a path from outside enters by an odd number of edges | `flow` |
 //! | [`FillRule::NonZero`] | what the edges go round | `flow` |
-//! | [`WithPoints::interior_of_seeds`] | what no hole and no gap of the edges opens | `holes` |
+//! | [`interior_of_seeds`](crate::WithPoints::interior_of_seeds) | what no hole and no gap of edges opens | `holes` |
 //!
-//! Why that is right: each file says it of its part. `flow` counts the edges on each side, shows that all paths
-//! to a triangle agree, and follows one of them; `holes` joins what no edge parts, and asks in which face a seed is;
-//! `labels` collects the boundary.
-//!
-//! Cost: O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
-//!
-//! Differs from the paper: it ends with the hull.
+//! Why it is right: `flow` counts the edges on each side, shows that all paths to a triangle agree, and follows one of
+//! them; `holes` joins the triangles that no edge parts, and asks in which face a seed is; `labels` collects the
+//! boundary. Cost: O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
 
 mod error;
 mod flow;
@@ -32,7 +27,7 @@ pub use labels::Interior;
 use crate::Triangulation;
 use flow::Flow;
 
-/// What of the convex hull is inside.
+/// A rule for the part of the convex hull that is inside.
 ///
 /// ```
 /// use sweep_cdt::interior::FillRule;
@@ -49,20 +44,18 @@ use flow::Flow;
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum FillRule<'a> {
-    /// All of it.
+    /// All of the hull.
     Hull,
-    /// Whatever a path from far away enters by crossing an odd number of edges. The direction of the edges
-    /// does not matter. An edge that is given twice is crossed twice, and so is a place where two edges
-    /// overlap. The edges must form closed chains: at each point an even number of them ends.
+    /// All that a path from far away enters by crossing an odd number of edges, in any direction. An edge given twice
+    /// is crossed twice, and so is a place where edges overlap. An even number of edges must end at each point.
     EvenOdd,
-    /// Whatever the edges go round, more often in one direction than in the other. Each edge runs from its
-    /// first to its second point, and these must be the edges that were triangulated. As many must end at
-    /// each point as start there.
+    /// All that the edges go round more often in one direction than in the other. Each edge runs from its first to its
+    /// second point, and the edges must be those that were triangulated. As many must end at each point as start there.
     NonZero(&'a [[usize; 2]]),
 }
 
 impl Triangulation {
-    /// What of the hull is inside, by a [`FillRule`].
+    /// The interior by a [`FillRule`].
     ///
     /// # Errors
     /// [`InteriorError`], if the edges form no closed chains, or are not those of the triangulation.

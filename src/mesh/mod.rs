@@ -1,16 +1,9 @@
-//! The triangles made so far and their neighbours: topology only, without any coordinates.
+//! The triangles made so far and their neighbours: topology only, without coordinates. A triangle is three vertices in
+//! counter-clockwise order and, for each side `i`, opposite vertex `i`, the [`HalfEdge`] across. So two reads give the
+//! quadrilateral around a side. Cost: 24 bytes a triangle.
 //!
-//! A triangle is three vertices in counter-clockwise order; across its side `i`, opposite vertex `i`, it
-//! names the neighbour's side. That [`HalfEdge`] is a half-edge: a triangle and the corner opposite. So two
-//! reads give the quadrilateral around a side.
-//!
-//! Invariants: neighbours name each other. If the side of `u` lies across a side of `t`, then the side of
-//! `t` lies across that of `u`, and both carry the same constrained bit. Likewise the side that [`Mesh::border_twin`]
-//! names has the border half-edge across it. [`Mesh::flip`] and [`Mesh::flip_in_fan`] keep these invariants.
-//!
-//! Cost: 24 bytes a triangle.
-//!
-//! No differences: the paper leaves the structure open.
+//! Invariants: twins name each other and carry the same constrained bit; the half-edge that [`Mesh::border_twin`] names
+//! has the border half-edge for its twin. [`Mesh::flip`] and [`Mesh::flip_in_fan`] keep the invariants.
 
 mod half_edge;
 mod triangle;
@@ -23,37 +16,34 @@ use crate::ids::narrow;
 use crate::ids::{BorderId, TriangleId, VertexId};
 use alloc::vec::Vec;
 
-/// The triangles and the border half-edges.
 #[derive(Debug, Default)]
 pub(crate) struct Mesh {
     triangles: Vec<Triangle>,
-    /// For each border half-edge the triangle's side below it, or [`HalfEdge::NO_TRIANGLE`].
+    /// For each border half-edge its twin, or [`HalfEdge::NO_TRIANGLE`].
     borders: Vec<HalfEdge>,
     /// Removed triangles, whose places are used again.
     removed: Vec<TriangleId>,
 }
 
 impl Mesh {
-    /// Becomes an empty mesh with room for `triangles` and with `open` border half-edges that border on no triangle.
+    /// Becomes an empty mesh with room for `triangles` triangles, and with `border` border half-edges without a twin.
     pub(crate) fn begin(&mut self, triangles: usize, border: usize) {
         self.clear();
         self.triangles.reserve_exact(triangles);
         self.reset_borders(border);
     }
 
-    /// Makes room for so many more triangles.
     #[cfg(feature = "parallel")]
     pub(crate) fn reserve(&mut self, triangles: usize) {
         self.triangles.reserve_exact(triangles);
     }
 
-    /// Removes all triangles.
     pub(crate) fn clear(&mut self) {
         self.triangles.clear();
         self.removed.clear();
     }
 
-    /// How many places of triangles there are, removed ones included.
+    /// How many places of triangles there are, those of removed ones included.
     pub(crate) fn len(&self) -> usize {
         self.triangles.len()
     }
@@ -63,47 +53,43 @@ impl Mesh {
         &self.triangles[t.index()]
     }
 
-    /// What lies across a side of a triangle.
     #[inline(always)]
     pub(crate) fn twin(&self, side: HalfEdge) -> HalfEdge {
         self.get(side.triangle()).twin(side.corner())
     }
 
-    /// The vertex opposite a side of a triangle.
     #[inline(always)]
     pub(crate) fn opposite(&self, side: HalfEdge) -> VertexId {
         self.get(side.triangle()).vertex(side.corner())
     }
 
-    /// The vertex opposite a side, and the two ends of the side: the triangle, counter-clockwise.
+    /// The vertex opposite a half-edge, and its two ends: the triangle, counter-clockwise.
     #[inline(always)]
     pub(crate) fn around(&self, side: HalfEdge) -> [VertexId; 3] {
         self.get(side.triangle()).vertices_from(side.corner())
     }
 
-    /// Replaces the vertex opposite a side.
     pub(crate) fn set_opposite(&mut self, side: HalfEdge, v: VertexId) {
         self.triangles[side.triangle().index()].set_vertex(side.corner(), v);
     }
 
-    /// Puts nothing across a side of a triangle.
+    /// Removes the twin of a half-edge.
     pub(crate) fn detach(&mut self, side: HalfEdge) {
         self.triangles[side.triangle().index()].set_twin(side.corner(), HalfEdge::NOTHING);
     }
 
-    /// The side of the triangle below an border half-edge.
+    /// The half-edge of the triangle below a border half-edge.
     #[inline(always)]
     pub(crate) fn border_twin(&self, border: BorderId) -> HalfEdge {
         self.borders[border.index()]
     }
 
-    /// Whether a triangle borders on an border half-edge.
     #[inline(always)]
     pub(crate) fn has_border_twin(&self, border: BorderId) -> bool {
         self.border_twin(border) != HalfEdge::NO_TRIANGLE
     }
 
-    /// Sets what lies across `side`, constrained if `side` is.
+    /// Sets the twin of `side`, constrained if `side` is.
     #[inline(always)]
     fn relink(&mut self, side: HalfEdge, twin: HalfEdge) {
         let twin = twin.unconstrained().constrained_as(side);
@@ -116,26 +102,26 @@ impl Mesh {
         }
     }
 
-    /// Makes two sides neighbours, constrained if one of them is.
+    /// Makes two half-edges twins, constrained if one of them is.
     #[inline(always)]
     pub(crate) fn connect(&mut self, a: HalfEdge, b: HalfEdge) {
         self.relink(a.constrained_as(b), b);
         self.relink(b.constrained_as(a), a);
     }
 
-    /// Puts the hull of a result across the side below an border half-edge.
+    /// Puts the hull of a result across the side below a border half-edge.
     pub(crate) fn close(&mut self, border: BorderId) {
         let side = self.border_twin(border);
         self.relink(side, HalfEdge::HULL);
     }
 
-    /// Marks a side of a triangle as a constrained edge, from both sides of it.
+    /// Marks a side as a constrained edge, in both half-edges.
     #[inline(always)]
     pub(crate) fn constrain(&mut self, side: HalfEdge) {
         self.connect(side.constrain(), self.twin(side));
     }
 
-    /// Adds the triangle `v`; across its side opposite corner `i` lies `across[i]`.
+    /// Adds the triangle `v`; its side opposite corner `i` has the twin `twins[i]`.
     #[inline(always)]
     pub(crate) fn add(&mut self, v: [VertexId; 3], twins: [HalfEdge; 3]) -> TriangleId {
         let record = Triangle::new(v, twins);
@@ -158,7 +144,6 @@ impl Mesh {
         self.removed.push(t);
     }
 
-    /// The places of removed triangles that are not in use.
     pub(crate) fn unused(&self) -> &[TriangleId] {
         &self.removed
     }
@@ -178,7 +163,7 @@ impl Mesh {
     ///        q                 q
     /// ```
     ///
-    /// Returns the side across which `t` lay: side `j` of `u`.
+    /// Returns the old twin of the side: side `j` of `u`.
     #[inline(always)]
     pub(crate) fn flip(&mut self, side: HalfEdge) -> HalfEdge {
         let (t, i) = (side.triangle(), side.corner());
@@ -200,7 +185,7 @@ impl Mesh {
         twin
     }
 
-    /// Swaps side 0 of `t`, whose corner 0 is the vertex of a fan. Both triangles have it for corner 0 afterwards.
+    /// Swaps side 0 of `t`, whose corner 0 is the vertex of a fan, and afterwards corner 0 of both triangles.
     ///
     /// ```text
     ///        p                 p            t = p a b becomes p a q, u = q b a becomes p q b.
@@ -210,7 +195,7 @@ impl Mesh {
     ///        q                 q
     /// ```
     ///
-    /// Returns the side across which `t` lay, and the ends of the new side.
+    /// Returns the old twin of the side, and the ends of the new side.
     #[inline(always)]
     pub(crate) fn flip_in_fan(&mut self, t: TriangleId) -> (HalfEdge, [VertexId; 2]) {
         let upper = self.get(t);
@@ -237,12 +222,10 @@ impl Mesh {
         border
     }
 
-    /// Makes room for so many new border half-edges.
     pub(crate) fn reserve_borders(&mut self, more: usize) {
         self.borders.reserve(more);
     }
 
-    /// How many border half-edges there are.
     pub(crate) fn border_count(&self) -> usize {
         self.borders.len()
     }
@@ -252,8 +235,8 @@ impl Mesh {
         self.borders.truncate(kept);
     }
 
-    /// Adds the triangles of another mesh, none of which borders on an border half-edge other than nothing. Its
-    /// vertices are numbered higher by so much; its triangles follow those here. Runs on all threads.
+    /// Adds the triangles of another mesh, on all threads, after those here; their vertices are numbered higher by
+    /// `vertices`. None may have a border half-edge other than nothing for a twin.
     #[cfg(feature = "parallel")]
     pub(crate) fn append(&mut self, other: &Mesh, vertices: u32) {
         use rayon::prelude::*;
@@ -266,24 +249,22 @@ impl Mesh {
             .par_extend(others.map(|record| record.moved(vertices, before)));
     }
 
-    /// Forgets the border half-edges, on which nothing may border, and makes so many new ones.
+    /// Forgets the border half-edges, on which nothing may border, and makes `border` new ones.
     pub(crate) fn reset_borders(&mut self, border: usize) {
         self.borders.clear();
         self.borders.resize(border, HalfEdge::NO_TRIANGLE);
     }
 
-    /// Hands out the triangles, and is empty afterwards.
     pub(crate) fn take_triangles(&mut self) -> Vec<Triangle> {
         core::mem::take(&mut self.triangles)
     }
 
-    /// Takes the memory of these triangles for those to come.
+    /// Uses the memory of `triangles` for new triangles.
     pub(crate) fn reuse(&mut self, triangles: Vec<Triangle>) {
         self.triangles = triangles;
         self.clear();
     }
 
-    /// Bytes held.
     pub(crate) fn heap_bytes(&self) -> usize {
         self.triangles.capacity() * size_of::<Triangle>()
             + self.borders.capacity() * size_of::<HalfEdge>()

@@ -1,12 +1,11 @@
-//! One record of the mesh: three vertices and what lies across the three sides, in 24 bytes.
-//!
-//! A fourth element in both arrays would take the bounds check from an index that is masked to 0..=3, and 3 % of
-//! the instructions. But the pages for it, which a first run must get from the system, take longer.
+//! One record of the mesh: three vertices and the twins of the three sides, in 24 bytes. A fourth element in both
+//! arrays would take the bounds check from an index that is masked to 0..=3, and 3 % of the instructions. But the pages
+//! for it, which a first run must get from the system, take longer.
 
 use super::half_edge::HalfEdge;
 use crate::ids::VertexId;
 
-/// Three vertices, counter-clockwise, and across side `i`, opposite vertex `i`, the neighbour's side.
+/// Three vertices, counter-clockwise, and for each side `i`, opposite vertex `i`, its twin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Triangle {
     vertices: [VertexId; 3],
@@ -14,7 +13,7 @@ pub(crate) struct Triangle {
 }
 
 impl Triangle {
-    /// A triangle that stands for none: its vertices have a number above all others.
+    /// A removed triangle: its vertices have a number above all others.
     pub(super) const RETIRED: Triangle = Triangle {
         vertices: [VertexId::new(u32::MAX); 3],
         twins: [HalfEdge::NOTHING; 3],
@@ -24,8 +23,7 @@ impl Triangle {
         Triangle { vertices, twins }
     }
 
-    /// The same triangle with its vertices and all triangles numbered higher by so much; a retired one stays
-    /// one, because its vertices cannot be numbered higher.
+    /// The triangle with all numbers higher. A retired triangle stays one: its vertices cannot be numbered higher.
     #[cfg(feature = "parallel")]
     pub(super) fn moved(self, vertices: u32, triangles: u32) -> Triangle {
         let vertex = |v: VertexId| VertexId::new(v.number().saturating_add(vertices));
@@ -44,7 +42,6 @@ impl Triangle {
         self.vertices
     }
 
-    /// The vertices counter-clockwise from `corner` on.
     #[inline(always)]
     pub(crate) fn vertices_from(&self, corner: u32) -> [VertexId; 3] {
         let [a, b, c] = self.vertices;
@@ -55,7 +52,6 @@ impl Triangle {
         }
     }
 
-    /// What lies across the side opposite `corner`.
     #[inline(always)]
     pub(crate) fn twin(&self, corner: u32) -> HalfEdge {
         self.twins[corner as usize]

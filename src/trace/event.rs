@@ -1,8 +1,6 @@
-//! What the sweep does, in the paper's words: one value for each step, made of indices only.
-//!
-//! The same input gives the same events for every scalar that holds it and for every search structure
-//! (whose own steps [`crate::Counters`] counts). Heuristics change the events, since
-//! they change the steps.
+//! Events: each step of the sweep in the paper's words, as a value made of indices only. An input gives the same events
+//! for every scalar that holds it and for every search structure (whose own steps [`crate::Counters`] counts).
+//! Heuristics change the events, since they change the steps.
 
 use core::fmt;
 
@@ -16,7 +14,7 @@ pub enum Vertex {
     /// The artificial point P-2, far to the right (section 3.3).
     #[cfg_attr(feature = "serde", serde(rename = "P-2"))]
     Right,
-    /// A point of the input, by its index; of equal ones the lowest.
+    /// A point of the input, by its index; of equal points the lowest.
     #[cfg_attr(feature = "serde", serde(untagged))]
     Input(u32),
 }
@@ -33,9 +31,8 @@ impl fmt::Display for Vertex {
 
 /// One step of the sweep.
 ///
-/// Triangles are counter-clockwise. Between two events the triangles made and neither flipped away nor
-/// removed are exactly those of the mesh. The compiler holds programs that match events to all of them; a further kind
-/// of step would be a new [version](crate::trace::VERSION).
+/// Triangles are counter-clockwise. Between events, those made and neither flipped away nor removed are those of the
+/// mesh. A `match` must name all kinds of steps: a further one would be a new [version](crate::trace::VERSION).
 ///
 /// ```
 /// use sweep_cdt::trace::{Event, PointCase, Vertex};
@@ -68,25 +65,25 @@ pub enum Event {
     Point {
         /// The vertex that the sweep line meets.
         vertex: Vertex,
-        /// Where its projection falls.
+        /// Where the projection of the vertex falls.
         case: PointCase,
-        /// The front segment that it falls on, left end first.
+        /// The front segment that the projection falls on, left end first.
         segment: [Vertex; 2],
     },
     /// A triangle is made.
     Triangle {
-        /// Its vertices, counter-clockwise.
+        /// The vertices, counter-clockwise.
         vertices: [Vertex; 3],
-        /// What for.
+        /// The reason.
         why: Why,
     },
     /// The legalization tests a side (figure 2).
     Test {
         /// The ends of the side.
         side: [Vertex; 2],
-        /// The vertices opposite to it in its two triangles.
+        /// The vertices opposite in the two triangles.
         opposite: [Vertex; 2],
-        /// What follows.
+        /// How the test ends.
         outcome: Outcome,
     },
     /// A side is swapped (figure 3).
@@ -100,7 +97,7 @@ pub enum Event {
     FrontInsert {
         /// The vertex.
         vertex: Vertex,
-        /// The front vertex that it comes after.
+        /// The front vertex before the new one.
         after: Vertex,
     },
     /// A vertex, now covered by triangles, leaves the advancing front.
@@ -112,54 +109,53 @@ pub enum Event {
     Edge {
         /// The index of the input edge.
         edge: u32,
-        /// Its upper end, or the vertex on it where a rest begins.
+        /// The upper end of the edge, or the vertex on it where a pending edge begins.
         upper: Vertex,
-        /// Its lower end.
+        /// The lower end of the edge.
         lower: Vertex,
     },
     /// The traversal of the edge switches between triangles and front (figure 14).
     Switch {
-        /// Whether it follows the front now.
+        /// Whether the traversal follows the front now.
         to_front: bool,
-        /// The front segment that the edge crosses, left end first; twice the upper end of a part that
-        /// begins above the front.
+        /// The front segment that the edge crosses, left end first; twice the upper end of a part that begins above it.
         segment: [Vertex; 2],
     },
-    /// A part of the edge has been traversed, down to the first vertex on it. The rest of an edge that
-    /// passes through a vertex begins there, as an edge event of its own, when the hull is complete.
+    /// A part of the edge has been traversed, down to the first vertex on it. When the hull is complete, an edge that
+    /// passes through a vertex goes on from there, as an edge event of its own.
     Part {
-        /// Its upper end.
+        /// The upper end of the part.
         from: Vertex,
-        /// Its lower end: that of the edge, or a vertex found on the edge.
+        /// The lower end of the part: that of the edge, or a vertex found on the edge.
         to: Vertex,
-        /// Where it lies against the advancing front.
+        /// Where the part lies against the advancing front.
         position: EdgePosition,
     },
     /// A triangle that the edge pierces is removed (figure 12).
     Pierced {
-        /// Its vertices, counter-clockwise.
+        /// The vertices, counter-clockwise.
         vertices: [Vertex; 3],
     },
     /// The next vertex on the border of a pseudo-polygon (figure 12), both ends of the part included.
     Border {
-        /// Which pseudo-polygon.
+        /// The pseudo-polygon.
         polygon: PseudoPolygon,
         /// The vertex.
         vertex: Vertex,
     },
-    /// An edge, or part of one, is fixed: a constrained side that is never flipped.
+    /// An edge, or a part of one, becomes a constrained side, which is never flipped.
     Fixed {
-        /// Its ends, upper one first.
+        /// The ends of the side, upper one first.
         side: [Vertex; 2],
     },
     /// The sweep has passed all vertices; finalization (section 3.5) begins.
     Finalization,
     /// An artificial triangle is removed (figure 15).
     Removed {
-        /// Its vertices, counter-clockwise.
+        /// The vertices, counter-clockwise.
         vertices: [Vertex; 3],
     },
-    /// The end.
+    /// The run ends.
     Finished {
         /// How many triangles there are.
         triangles: u32,
@@ -176,11 +172,11 @@ pub enum Event {
 pub enum PointCase {
     /// Strictly inside a front segment (figure 7).
     Middle,
-    /// On the left end of one (figure 8).
+    /// On the left end of a front segment (figure 8).
     Left,
 }
 
-/// What a triangle is made for.
+/// The reason for a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
     feature = "serde",
@@ -188,7 +184,7 @@ pub enum PointCase {
     serde(rename_all = "kebab-case")
 )]
 pub enum Why {
-    /// The first one (figure 6).
+    /// The first triangle (figure 6).
     First,
     /// Needed by a point event (figures 7 and 8).
     Point,
@@ -214,9 +210,9 @@ pub enum Why {
 pub enum Outcome {
     /// The side is locally Delaunay, and in a tie it is the canonical one.
     Legal,
-    /// It is not, and is flipped next.
+    /// The side is not legal, and is flipped next.
     Illegal,
-    /// It is constrained, so it stays.
+    /// The side is constrained, so it stays.
     Fixed,
 }
 
@@ -228,13 +224,13 @@ pub enum Outcome {
     serde(rename_all = "kebab-case")
 )]
 pub enum EdgePosition {
-    /// It is a side of the triangulation already: all steps are bypassed.
+    /// The part is a side of the triangulation already: all steps are bypassed.
     Present,
-    /// Triangles only: it lies below the front (figure 12).
+    /// Below the front: through triangles only (figure 12).
     BelowFront,
-    /// The front only (figure 13).
+    /// Along the front only (figure 13).
     FrontOnly,
-    /// Both (figure 14).
+    /// Through triangles and along the front (figure 14).
     Mixed,
 }
 
@@ -248,7 +244,7 @@ pub enum EdgePosition {
 pub enum PseudoPolygon {
     /// Above the edge.
     Upper,
-    /// Below it.
+    /// Below the edge.
     Lower,
 }
 
@@ -265,7 +261,6 @@ macro_rules! words {
             }
 
             impl $type {
-                /// The variant of this word.
                 pub(super) fn of_word(word: &str) -> Option<$type> {
                     match word {
                         $($word => Some($type::$variant),)*

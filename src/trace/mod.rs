@@ -1,8 +1,7 @@
-//! Step traces: every step of the paper as an [`Event`]; a whole run as a [`Trace`], written, read back
-//! and replayed.
+//! Step traces: every step of the paper as an [`Event`]; a whole run as a [`Trace`], written, read back and replayed.
 //!
-//! A trace is written as text, made to be read beside the paper: a header line that gives the version, and then one
-//! line a step. A part of a trace says in its header at which step it begins: `from step 120`.
+//! The text of a trace is made to be read beside the paper: a header line with the version, then one line a step. The
+//! header of a part of a trace says at which step it begins: `from step 120`.
 //!
 //! ```text
 //! sweep-cdt trace 3                                   the header
@@ -37,15 +36,15 @@ use alloc::format;
 use alloc::string::String;
 use core::fmt;
 
-/// The version of the events and of the text in which they are written.
+/// The version of the events and of their text.
 pub const VERSION: u32 = 3;
 
-/// Why a text is not a trace, or a trace is not that of a run: a line that cannot stand in it, and why.
+/// Why a text is no trace, or a trace not that of a run: the line that cannot stand in it, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BadTrace {
-    /// The line; the header is line 1, so that step `k` is line `k + 1`.
+    /// The line. The header is line 1, so step `k` is line `k + 1`.
     pub line: usize,
-    /// What is wrong with it.
+    /// The fault of the line.
     pub message: String,
 }
 

@@ -1,8 +1,6 @@
-//! Traces as text: one line a step, in the paper's words, to be read beside the paper.
-//!
-//! The format is that of [`fmt::Display`] for [`Event`]; see [`crate::trace`]. A line is read by its
-//! words. Then the event is written again, and the line is refused unless it is the same. So nothing is
-//! read that could not have been written.
+//! Traces as text: one line a step, in the paper's words, to be read beside the paper. The format is [`fmt::Display`]
+//! of [`Event`]; see [`crate::trace`]. A line is read by its words. Then the event is written again, and the line is
+//! refused unless it is the same. So nothing is read that could not have been written.
 
 use alloc::format;
 use alloc::string::String;
@@ -88,7 +86,6 @@ fn vertices<const N: usize>(words: [&str; N]) -> Option<[Vertex; N]> {
     vertices?.try_into().ok()
 }
 
-/// The event that a line names, by its words alone.
 fn event(line: &str) -> Option<Event> {
     let is_mark = |c: char| c.is_whitespace() || ":,()".contains(c);
     let words: Vec<&str> = line
@@ -155,7 +152,6 @@ fn event(line: &str) -> Option<Event> {
     })
 }
 
-/// The header of a trace whose first steps are left out.
 fn header(skipped: usize) -> String {
     match skipped {
         0 => format!("{HEADER} {VERSION}"),

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use super::event::Event;
 use super::{BadTrace, replay, text};
 
-/// The events of a run, or a stretch of them.
+/// The events of a run, or of a part of it.
 ///
 /// ```
 /// use sweep_cdt::Triangulator;
@@ -32,7 +32,7 @@ use super::{BadTrace, replay, text};
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Trace {
-    /// How many steps of the run are left out before the first one here.
+    /// How many steps of the run come before the first one here.
     pub skipped: usize,
     /// The steps.
     pub events: Vec<Event>,
@@ -65,25 +65,21 @@ impl Trace {
 
     /// Rebuilds the result on an empty mesh, triangle by triangle, without any geometry.
     ///
-    /// Returns the triangles as
-    /// [`canonical_triangles`](crate::Triangulation::canonical_triangles) does. Every step must be one
-    /// that the sweep could take on the mesh and the front that the steps before it made:
+    /// Returns the triangles as [`canonical_triangles`](crate::Triangulation::canonical_triangles) does. Every step
+    /// must be one that the sweep could take on the mesh and the front that the steps before it made:
     ///
     /// - vertices are swept in the order that the trace begins with, each once, on a segment of the front;
-    /// - the triangles of a point event and of narrow corners are those that the front dictates, and so is
-    ///   what joins and leaves the front; no other triangle has a side that another one has, and what it
-    ///   covers of the front leaves it;
-    /// - a test names a side with the vertices opposite; a flip follows every illegal side and no other,
-    ///   and a fixed side is never flipped;
-    /// - an edge begins at the vertex swept last, the rest of an edge at the vertex where its last part ended,
-    ///   when the hull is complete; the parts lead down to its lower end and each is fixed;
-    ///   pierced triangles are a strip from end to end, the borders are those of the strip, and the
-    ///   pseudo-polygons are filled;
-    /// - in the end all artificial triangles are gone, the others are as many as the last step says, they
-    ///   fill one simple polygon, every vertex is a corner and every fixed edge a side.
+    /// - the front dictates the triangles of a point event and of narrow corners, and what joins and leaves the front;
+    ///   no other triangle has a side that has its triangle already, and front vertices that it covers leave the front;
+    /// - a test names a side with the vertices opposite; a flip follows every illegal side and no other, and a fixed
+    ///   side is never flipped;
+    /// - an edge begins at the vertex swept last or, when the hull is complete, where its last part ended; the parts
+    ///   lead down to its lower end and each is fixed; pierced triangles are a strip from end to end, the borders are
+    ///   those of the strip, and the pseudo-polygons are filled;
+    /// - in the end all artificial triangles are gone, the others are as many as the last step says, they fill one
+    ///   simple polygon, every vertex is a corner and every fixed edge a side.
     ///
-    /// Some changes cannot be noticed without geometry; [`compare`](Self::compare) notices all. None of them
-    /// changes a triangle:
+    /// Only [`compare`](Self::compare) notices some changes, none of which changes a triangle:
     ///
     /// - a test is missing or comes at another time, except the one just before a flip;
     /// - a switch of a mixed part is missing;
@@ -94,8 +90,7 @@ impl Trace {
     /// - steps of one kind that do not touch each other come in another order.
     ///
     /// # Errors
-    /// [`BadTrace`] names the first line that contradicts those before it, or says that lines are
-    /// missing at the end.
+    /// [`BadTrace`] names the first line that contradicts those before it, or says that lines are missing at the end.
     pub fn replay(&self) -> Result<Vec<[usize; 3]>, BadTrace> {
         if self.skipped > 0 {
             let message = format!("the trace lacks its first {} steps", self.skipped);
@@ -104,11 +99,8 @@ impl Trace {
         replay::replay(&self.events)
     }
 
-    /// Compares it, step by step, with `events`: those of a run on the same input with the same heuristics, from its
-    /// first one.
-    ///
-    /// So every change is noticed, also those that [`replay`](Self::replay) does not notice. A trace may begin later
-    /// than the run and end earlier.
+    /// Compares the trace, step by step, with `events`: those of a run on the same input with the same heuristics, from
+    /// its first step on. Every change is noticed. A trace may begin later than the run and end earlier.
     ///
     /// ```
     /// use sweep_cdt::Triangulator;

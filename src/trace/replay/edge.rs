@@ -1,5 +1,5 @@
-//! An edge event in a replay: first its part comes, from the upper end to the first vertex on the edge,
-//! then it is inserted: as the side that is there already, or in place of the triangles that it pierces.
+//! An edge event in a replay: its part comes first, from the upper end to the first vertex on the edge. Then the part
+//! is inserted: as the side that is there already, or in place of the triangles that it pierces.
 
 use alloc::borrow::ToOwned;
 use alloc::collections::BTreeSet;
@@ -10,20 +10,19 @@ use alloc::vec::Vec;
 use super::super::{EdgePosition, PseudoPolygon, Vertex};
 use super::mesh::{self, Mesh, Side, across};
 
-/// The edge being inserted.
 #[derive(Debug)]
 pub(super) struct Edge {
     pub(super) number: u32,
     pub(super) upper: Vertex,
     pub(super) lower: Vertex,
-    /// Switches so far: whether to the front, and whether at a vertex.
+    /// The switches so far: whether to the front, and whether at a vertex.
     switches: Vec<(bool, bool)>,
     part: Option<[Vertex; 2]>,
     is_complete: bool,
     hole: Hole,
 }
 
-/// What the triangles that a part pierces leave.
+/// The hole that the triangles pierced by a part leave.
 #[derive(Debug, Default)]
 struct Hole {
     /// The triangle removed last.
@@ -31,7 +30,7 @@ struct Hole {
     /// The sides of the removed triangles that were not yet named as borders.
     sides: BTreeSet<Side>,
     border: Vec<Side>,
-    /// The pseudo-polygon that the last border vertex belongs to, and its end.
+    /// The pseudo-polygon of the last border vertex, and that vertex.
     polygon: Option<(PseudoPolygon, Vertex)>,
     /// How many borders are complete.
     complete: usize,
@@ -55,7 +54,6 @@ impl Edge {
         self.part.is_some() && !self.is_complete && self.hole.last.is_none()
     }
 
-    /// Whether a pseudo-polygon may be filled.
     pub(super) fn may_fill_polygon(&self) -> bool {
         self.hole.complete > 0 && self.hole.polygon.is_none()
     }
@@ -107,7 +105,6 @@ impl Edge {
         Ok(())
     }
 
-    /// The part to be inserted.
     fn current(&self) -> Result<[Vertex; 2], String> {
         let part = self.part.filter(|_| !self.is_complete);
         part.ok_or_else(|| "no part of an edge is inserted now".to_owned())
@@ -132,7 +129,7 @@ impl Edge {
         Ok(())
     }
 
-    /// The borders: that left of the part from its lower end, then that right of it from its upper end.
+    /// Takes a border vertex: first those left of the part, from its lower end, then those right, from its upper end.
     pub(super) fn border(&mut self, polygon: PseudoPolygon, v: Vertex) -> Result<(), String> {
         let [from, to] = self.current()?;
         let hole = &mut self.hole;

@@ -1,4 +1,4 @@
-//! What each event of a replay requires, and what it changes.
+//! The requirements of each event of a replay, and the changes that it makes.
 
 use super::super::{Event, Outcome, PointCase, Vertex, Why};
 use super::edge::Edge;
@@ -9,7 +9,7 @@ use alloc::format;
 use alloc::string::String;
 
 impl Replay {
-    /// Takes a step; `is_due` says whether the ones before required it.
+    /// Takes a step; `is_due` says whether the steps before required it.
     pub(super) fn apply(&mut self, event: Event, is_due: bool) -> Result<(), String> {
         match event {
             Event::Sorted { vertex } => self.sorted(vertex),
@@ -63,7 +63,6 @@ impl Replay {
         }
     }
 
-    /// The vertex swept last.
     fn current(&self) -> Option<Vertex> {
         self.order[..self.swept].last().copied()
     }
@@ -74,7 +73,7 @@ impl Replay {
         rank(low).is_some_and(|low| rank(high).is_some_and(|high| low < high))
     }
 
-    /// Checks that the point or edge event before is complete.
+    /// Checks that the last point or edge event is complete.
     fn complete(&self) -> Result<(), String> {
         ensure(self.below.is_none(), || {
             "the left case lacks a triangle".to_owned()
@@ -206,7 +205,6 @@ impl Replay {
         Ok(())
     }
 
-    /// Swaps a side after the test that asks for it.
     fn flip(
         &mut self,
         [a, b]: [Vertex; 2],
@@ -247,7 +245,7 @@ impl Replay {
         Ok(())
     }
 
-    /// Notes what is left of the edge behind its part, which ends at `end`.
+    /// Notes what is left of the edge below its part, which ends at `end`.
     fn note_rest(&mut self, end: Vertex) -> Result<(), String> {
         let &mut Edge {
             number,
@@ -256,7 +254,7 @@ impl Replay {
             ..
         } = inserted(&mut self.edge)?;
         if self.phase == Phase::Sweeping {
-            // An edge that equals an earlier one has the same parts, and the rest comes only once.
+            // An edge that equals an earlier one has the same parts, and only one of them goes on below.
             if let Some(first) = self.first_parts.insert([upper, lower], end) {
                 return ensure(first == end, || {
                     format!("an equal edge met vertex {first} first")

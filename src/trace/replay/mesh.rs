@@ -1,12 +1,9 @@
-//! The mesh of a replay: for each directed side of a triangle the vertex opposite. And the advancing front above it: a
-//! doubly linked list by vertex.
+//! The mesh of a replay: for each directed side of a triangle the vertex opposite. Also the advancing front, a list.
 //!
-//! No side can belong to two triangles on the same side of it, so a triangle is there if one of its
-//! directed sides leads to its third vertex, and the mesh needs neither numbers nor links.
-//!
-//! Every segment of the front has a triangle below it and none above. That is not so for a moment, when triangles above
-//! the front have been added and the vertices that they cover have not yet left it. So segments that
-//! change are listed, and checked when the step is complete.
+//! A directed side has one triangle at most. So a triangle is there if one of its directed sides leads to its third
+//! vertex, and the mesh needs neither numbers nor links. Every segment of the front has a triangle below it and none
+//! above, except when triangles above the front have been added and the vertices that they cover have not yet left it.
+//! So segments that change are listed, and checked when the step is complete.
 
 use alloc::borrow::ToOwned;
 use alloc::collections::{BTreeMap, BTreeSet};
@@ -22,16 +19,15 @@ pub(super) type Side = [Vertex; 2];
 #[derive(Debug, Default)]
 pub(super) struct Mesh {
     opposite: BTreeMap<Side, Vertex>,
-    /// Constrained sides, in both directions; they stay fixed while no triangle borders on them.
+    /// Constrained sides, in both directions, which stay while no triangle borders on them.
     fixed: BTreeSet<Side>,
 }
 
-/// The sides of a triangle.
 pub(super) fn sides([a, b, c]: [Vertex; 3]) -> [Side; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-/// The same side from across.
+/// The side seen from the triangle on the other side.
 pub(super) fn across([a, b]: Side) -> Side {
     [b, a]
 }
@@ -85,12 +81,9 @@ impl Mesh {
         list
     }
 
-    /// Checks that the triangles fill one simple polygon with these vertices as corners and all fixed
-    /// sides as sides.
-    ///
-    /// A set of triangles without a side in common on the same side of it is a surface with borders.
-    /// If each vertex is on the border once at most, the border is one cycle, and Euler's formula for a
-    /// disc holds, it is a disc.
+    /// Checks that the triangles fill one simple polygon, with all vertices as corners and all constrained sides as
+    /// sides. Triangles of which no two share a directed side are a surface with borders. If each vertex is on the
+    /// border once at most, the border is one cycle, and Euler's formula for a disc holds, the surface is a disc.
     pub(super) fn check_disc(&self, vertices: &[Vertex]) -> Result<(), String> {
         if self.opposite.is_empty() {
             return Ok(());
@@ -107,7 +100,7 @@ impl Mesh {
             }
         }
 
-        // The length of the cycle through one of them.
+        // The length of the cycle through one border vertex.
         let start = *border.keys().min().ok_or("there is no border")?;
         let (mut length, mut at) = (1, border[&start]);
         while at != start {
@@ -135,12 +128,12 @@ impl Mesh {
 pub(super) struct Front {
     next: BTreeMap<Vertex, Vertex>,
     prev: BTreeMap<Vertex, Vertex>,
-    /// Left ends of segments that have changed or been covered.
+    /// The left ends of segments that have changed or been covered.
     changed: Vec<Vertex>,
 }
 
 impl Front {
-    /// From P-1 straight to P-2.
+    /// The front from P-1 straight to P-2.
     pub(super) fn new() -> Front {
         Front {
             next: BTreeMap::from([(Vertex::Left, Vertex::Right)]),
@@ -149,17 +142,15 @@ impl Front {
         }
     }
 
-    /// The vertex after `v`, if `v` is on the front and not its end.
     fn next(&self, v: Vertex) -> Option<Vertex> {
         self.next.get(&v).copied()
     }
 
-    /// The vertex before `v`, if `v` is on the front and not its start.
     pub(super) fn prev(&self, v: Vertex) -> Option<Vertex> {
         self.prev.get(&v).copied()
     }
 
-    /// Whether this is a segment, left end first.
+    /// Whether the two vertices are a segment, left end first.
     pub(super) fn is_segment(&self, [left, right]: Side) -> bool {
         self.next(left) == Some(right)
     }

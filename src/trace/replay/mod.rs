@@ -1,10 +1,7 @@
 //! Replays a trace on an empty mesh, without any geometry, and refuses one that no run can have made.
-//!
-//! [`Trace::replay`](super::Trace::replay) says what is checked. Each event is checked against the
-//! state that those before it made: the mesh, the front, the edge being inserted, and, where the sweep
-//! has no choice, the events that must follow.
-//!
-//! Cost: O(1) expected an event, but O(n) for the checks at the end.
+//! [`Trace::replay`](super::Trace::replay) says what is checked. Each event is checked against the state that the
+//! events before it made: mesh, front, the edge being inserted, and, where the sweep has no choice, the events that
+//! must follow. Cost: O(log n) an event, and O(n log n) for the checks at the end.
 
 mod edge;
 mod events;
@@ -21,7 +18,6 @@ use super::event::{Event, Vertex};
 use edge::Edge;
 use mesh::{Front, Mesh};
 
-/// How far the run has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Phase {
     Sorting,
@@ -31,7 +27,6 @@ enum Phase {
     Finished,
 }
 
-/// The state between two events.
 #[derive(Debug)]
 struct Replay {
     phase: Phase,
@@ -40,7 +35,7 @@ struct Replay {
     swept: usize,
     mesh: Mesh,
     front: Front,
-    /// What must come next, in this order.
+    /// The events that must come next, in this order.
     due: VecDeque<Event>,
     /// The left end of the segment of a left case, whose second triangle is still to come.
     below: Option<Vertex>,
@@ -48,11 +43,10 @@ struct Replay {
     edges: BTreeSet<u32>,
     /// For the ends of each edge that was begun, upper end first, the end of its first part.
     first_parts: BTreeMap<[Vertex; 2], Vertex>,
-    /// What is left of edges behind a vertex on them: where the rest begins, its lower end, the edge.
+    /// Pending edges: the vertex on the edge where each goes on, its lower end, its number.
     rests: BTreeSet<(Vertex, Vertex, u32)>,
 }
 
-/// Rebuilds the result.
 pub(super) fn replay(events: &[Event]) -> Result<Vec<[usize; 3]>, BadTrace> {
     let mut replay = Replay::new();
     for (line, &event) in (2..).zip(events) {
@@ -72,7 +66,6 @@ pub(super) fn replay(events: &[Event]) -> Result<Vec<[usize; 3]>, BadTrace> {
     Ok(triangles.map(|vertices| vertices.map(index)).collect())
 }
 
-/// A complaint unless `condition` holds.
 fn ensure(condition: bool, message: impl FnOnce() -> String) -> Result<(), String> {
     if condition { Ok(()) } else { Err(message()) }
 }
@@ -95,7 +88,6 @@ impl Replay {
         }
     }
 
-    /// One event.
     fn step(&mut self, event: Event) -> Result<(), String> {
         ensure(self.phase != Phase::Finished, || {
             "the trace is over".to_owned()
