@@ -168,7 +168,7 @@ pub(crate) fn write<S: Coordinate>(
         }
     };
     let certificate = Certificate {
-        program: env!("CARGO_PKG_NAME"),
+        program: env!("CARGO_BIN_NAME"),
         version: env!("CARGO_PKG_VERSION"),
         verdict: match answer {
             Ok(_) => "correct",

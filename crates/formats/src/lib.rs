@@ -27,11 +27,13 @@
 //!
 //! [Triangle]: https://www.cs.cmu.edu/~quake/triangle.html
 
+#[macro_use]
+mod named;
+
 mod coordinate;
 #[cfg(feature = "geo-types")]
 mod geo;
 mod graph_file;
-mod named;
 mod read;
 mod split;
 mod threads;

@@ -24,49 +24,17 @@ pub trait Named: Copy + 'static {
     }
 }
 
-/// Defines an enum of formats, each with its name. The variants after `with mesh-formats` are there with this feature.
-macro_rules! formats {
-    (
-        $(#[$attribute:meta])*
-        pub enum $Format:ident {
-            $($(#[$doc:meta])* $Variant:ident = $name:literal,)*
-        }
-        $(with mesh-formats {
-            $($(#[$mesh_doc:meta])* $Mesh:ident = $mesh_name:literal,)*
-        })?
-    ) => {
-        $(#[$attribute])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[non_exhaustive]
-        pub enum $Format {
-            $($(#[$doc])* $Variant,)*
-            $($(
-                $(#[$mesh_doc])*
-                #[cfg(feature = "mesh-formats")]
-                $Mesh,
-            )*)?
-        }
-
+/// Gives the variants of an enum their names. Those with an attribute `cfg` may be missing.
+macro_rules! named {
+    ($Format:ident { $($(#[$cfg:meta])? $Variant:ident = $name:literal,)* }) => {
         impl $crate::Named for $Format {
-            const ALL: &'static [$Format] = &[
-                $($Format::$Variant,)*
-                $($(
-                    #[cfg(feature = "mesh-formats")]
-                    $Format::$Mesh,
-                )*)?
-            ];
+            const ALL: &'static [$Format] = &[$($(#[$cfg])? $Format::$Variant,)*];
 
             fn name(self) -> &'static str {
                 match self {
-                    $($Format::$Variant => $name,)*
-                    $($(
-                        #[cfg(feature = "mesh-formats")]
-                        $Format::$Mesh => $mesh_name,
-                    )*)?
+                    $($(#[$cfg])? $Format::$Variant => $name,)*
                 }
             }
         }
     };
 }
-
-pub(crate) use formats;

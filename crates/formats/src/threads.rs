@@ -2,7 +2,7 @@
 
 #[cfg(feature = "parallel")]
 use sweep_cdt::threads::has_threads;
-pub(crate) use sweep_cdt::threads::on_all_cores;
+use sweep_cdt::threads::on_all_cores;
 
 /// Parts in a block: enough for many cores, few enough that their results need little memory.
 const BLOCK: usize = 64;

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 
 use crate::read::source::Source;
-use crate::threads::on_all_cores;
+use sweep_cdt::threads::on_all_cores;
 
 /// Fewer bytes are read by one thread.
 const LARGE: u64 = 1 << 22;

@@ -5,7 +5,8 @@
 use std::convert::Infallible;
 
 use crate::read::source::{ReadError, Source, quoted, split_line};
-use crate::threads::{in_blocks, on_all_cores};
+use crate::threads::in_blocks;
+use sweep_cdt::threads::on_all_cores;
 
 /// The lines of a file that hold anything, one after the other.
 #[derive(Clone)]
