@@ -1,5 +1,5 @@
 //! How the sweep is observed: counters, clocks and events, which cost nothing when nobody observes. The sweep is
-//! compiled twice for each scalar: with `()`, and with an [`Observer`] for counted runs, with or without events.
+//! compiled twice, whatever the scalar: with `()`, and with an [`Observer`] for counted runs, with or without events.
 
 use core::fmt;
 

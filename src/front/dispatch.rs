@@ -1,6 +1,6 @@
-//! How the sweep calls its search structure: through `dyn`, so that it is compiled once for each scalar, not once more
-//! for each structure. Only the default hash table is called directly, so that its searches are inlined. Cost: a branch
-//! for each call, and an indirect call for every structure but the default hash table.
+//! How the sweep calls its search structure, whose type it does not know: through `dyn`. Only the default hash table is
+//! called directly, and is moved into the sweep for a run, so that its searches are inlined and no pointer to it must be
+//! followed. Cost: a branch for each call, and an indirect call for every structure but the default hash table.
 
 use core::fmt;
 use core::mem::{swap, take};
@@ -58,7 +58,6 @@ impl<'a> Search<'a> {
             Search::Other(structure) => structure.inserted(node, x),
         }
     }
-
 
     #[inline(always)]
     pub(crate) fn removed(&mut self, node: FrontNode, x: impl FnOnce() -> f64) {
