@@ -1,8 +1,5 @@
-//! The determinants of the predicates, of numbers whose arithmetic is exact: big integers, the numbers of GMP, and
-//! numbers of your own.
-//!
-//! Why it is right: they are the polynomials of the definitions, in exact arithmetic.
-//!
+//! The determinants of the predicates, for numbers with exact arithmetic: big integers, GMP's numbers and your own.
+//! Why it is right: the determinants are the polynomials of the definitions, computed exactly.
 //! Cost: 7 operations for an orientation, 29 for the in-circle determinant, with the differences.
 
 use core::cmp::Ordering;
@@ -14,7 +11,6 @@ pub(super) trait Arithmetic: Clone + Ord {
     fn times(self, other: &Self) -> Self;
 }
 
-/// The difference of two points.
 pub(super) fn minus<T: Arithmetic>(a: &[T; 2], b: &[T; 2]) -> [T; 2] {
     [a[0].clone().minus(&b[0]), a[1].clone().minus(&b[1])]
 }
@@ -33,19 +29,16 @@ pub(super) fn determinant<T: Arithmetic>([a, b, c]: &[[T; 2]; 3]) -> T {
     of_a.plus(of_b).plus(of_c)
 }
 
-/// The cross product of two differences.
 pub(super) fn cross<T: Arithmetic>(p: &[T; 2], q: &[T; 2]) -> T {
     let left = p[0].clone().times(&q[1]);
     left.minus(&p[1].clone().times(&q[0]))
 }
 
-/// The dot product of two differences.
 pub(super) fn dot<T: Arithmetic>(p: &[T; 2], q: &[T; 2]) -> T {
     let x = p[0].clone().times(&q[0]);
     x.plus(p[1].clone().times(&q[1]))
 }
 
-/// The square of the length of a difference.
 pub(super) fn square<T: Arithmetic>(p: &[T; 2]) -> T {
     dot(p, p)
 }

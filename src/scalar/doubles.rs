@@ -1,22 +1,16 @@
-//! Doubles by their exponents: their format (IEEE 754, section 3.4) with powers of two and rounding, and which power of
-//! two the doubles of one input are multiplied by.
-//!
-//! The floating-point [`filter`](super::filter) works on sizes from about 2^-150 to 2^200: below, products
-//! underflow; above, they overflow. Sizes that differ by more than that do not fit in together. So the
-//! numbers that count are those in the fullest window of [`WIDTH`] binary orders of magnitude. Their largest
-//! stays where it is or goes to 1, and what is far outside, such as a "no data" point at the largest
-//! double, costs them nothing. A window above that is at least half as full comes first: x and y may have
-//! units that far apart, and what becomes infinite no longer tells points apart.
-//!
-//! Cost of finding the window: O(n) for n numbers, but for exponents beyond those of doubles: O(n log k) for k
-//! different ones.
+//! Doubles by their exponents (IEEE 754, section 3.4): powers of two, rounding, and the factor that scales an input.
+//! The floating-point [`filter`](super::filter) works on sizes from about 2^-150 to 2^200: below, products underflow;
+//! above, they overflow. Where sizes are farther apart, the fullest window of [`WIDTH`] binary orders of magnitude
+//! counts. Its largest number stays where it is or goes to 1, and numbers far outside, such as a "no data" point at the
+//! largest double, cost the others nothing. The highest window at least half as full as the fullest comes first: x and
+//! y may have units that far apart, and numbers above the window become infinite, which no longer tells points apart.
+//! Cost of finding the window: O(n) for n numbers, O(n log k) for k different exponents beyond those of doubles.
 
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use core::ops::RangeInclusive;
 
-/// The unit roundoff, 2^-53: a sum, difference or product is rounded by at most this part of itself,
-/// unless it underflows.
+/// The unit roundoff, 2^-53: without underflow a sum, difference or product is rounded by at most this part of itself.
 pub(crate) const U: f64 = power(-53);
 
 /// 2^`exponent`, for the exponents of normal doubles, -1022 to 1023.
@@ -24,20 +18,19 @@ pub(crate) const fn power(exponent: i64) -> f64 {
     f64::from_bits((exponent + 1023).cast_unsigned() << 52)
 }
 
-/// The exponent of a positive double: `power(exponent(x)) <= x < power(exponent(x) + 1)` where `x` is
-/// normal; -1023 where it is subnormal or zero.
+/// The exponent of x >= 0: `power(exponent(x)) <= x < power(exponent(x) + 1)`, or -1023 if x is subnormal or zero.
 pub(crate) const fn exponent(x: f64) -> i64 {
     (x.to_bits() >> 52).cast_signed() - 1023
 }
 
-/// The exponents of a largest number that stays where it is.
+/// The exponents at which a largest number stays where it is.
 const IN_RANGE: RangeInclusive<i64> = -120..=199;
-/// How many exponents lie between the least and the greatest of a window.
+/// The greatest exponent of a window minus the least.
 const WIDTH: i64 = 100;
 
-/// The power of two by which numbers with these exponents are multiplied.
+/// The exponent of the power of two by which numbers with these exponents are multiplied.
 pub(super) fn shift(exponents: impl Iterator<Item = i64>) -> i64 {
-    // Those of doubles, which are nearly always all, are counted in an array.
+    // Exponents of doubles, which are nearly always all, are counted in an array.
     let (mut of_doubles, mut others) = ([0_usize; 2048], BTreeMap::new());
     for exponent in exponents {
         let place = usize::try_from(exponent.saturating_add(1024)).ok();

@@ -1,16 +1,14 @@
 //! `f64`: exact for every finite double, in three stages, each only where the one before decides nothing.
 //!
-//! 1. Machine integers, in 64 to 256 bits. If all coordinates are multiples of a power of two less than 2^61
-//!    times as large as it, they are integers in that unit: most ties and near-ties, since coordinates of 53
-//!    bits may still differ by 2^8 in size. If not, the differences are, where none is rounded and the largest is
-//!    less than 2^61 units: points close together that lie far from the origin along one axis only. 10 to 30 ns.
-//! 2. The adaptive expansions of Shewchuk (1997; crate `robust`), 300 to 700 ns on ties. They are exact
-//!    while nothing under- or overflows, which holds if every coordinate is zero or within
-//!    2^-142..=2^201 in size; coordinates outside are multiplied by a power of two first if that
-//!    brings all of them in, exactly. They begin with a filter of their own, which the crate gives no
-//!    way around; it costs some nanoseconds.
-//! 3. Big integers: every finite double is an integer times a power of two. They take microseconds, and are
-//!    needed only if sizes differ by a factor of more than 2^342.
+//! 1. Machine integers of 64 to 256 bits, in 10 to 30 ns. If all coordinates are multiples of a power of two and less
+//!    than 2^61 times as large, they are integers in that unit, as for most ties and near-ties: coordinates of 53 bits
+//!    may still differ by 2^8 in size. If not, the differences are, where none is rounded and the largest is less than
+//!    2^61 units: points close together that lie far from the origin along one axis only.
+//! 2. The adaptive expansions of Shewchuk (1997; crate `robust`), in 300 to 700 ns on ties. They are exact while
+//!    nothing under- or overflows, so if every coordinate is zero or within 2^-142..=2^201 in size. Coordinates outside
+//!    are first multiplied by a power of two, if that brings all of them in exactly. The crate's own filter comes
+//!    first, cannot be skipped, and costs some nanoseconds.
+//! 3. Big integers, in microseconds, for sizes farther apart than a factor of 2^342: doubles are integers in some unit.
 
 use core::cmp::Ordering;
 
@@ -84,10 +82,8 @@ impl Measure for f64 {
     }
 }
 
-/// The differences of points to a last one in units of some power of two, if that makes integers below 2^62 of
-/// them.
-///
-/// A difference d = a - b is exact if a - d is b and d + b is a, by the error term of Knuth's two-sum.
+/// The differences of points to a last one in units of some power of two, if that makes them integers below 2^62. A
+/// difference d = a - b is exact if a - d is b and d + b is a, by the error term of Knuth's two-sum.
 #[expect(clippy::float_cmp, reason = "asks for exact equality")]
 fn differences<const N: usize>(points: [[f64; 2]; N], last: [f64; 2]) -> Option<[[i64; 2]; N]> {
     let size = largest(&points).max(largest(&[last]));
@@ -108,25 +104,23 @@ fn differences<const N: usize>(points: [[f64; 2]; N], last: [f64; 2]) -> Option<
     (exact && is_whole).then_some(rows)
 }
 
-/// Whether the adaptive expansions neither under- nor overflow on this coordinate (Shewchuk 1997,
-/// section 1): zero or of a size within 2^-142..=2^201.
+/// Whether the adaptive expansions neither under- nor overflow on `x` (Shewchuk 1997, section 1).
 fn is_moderate(x: f64) -> bool {
     x == 0.0 || (power(-142)..=power(201)).contains(&x.abs())
 }
 
-/// The points, scaled by a power of two if need be, with moderate coordinates only; `None` if there is
-/// no such scale.
+/// The points with moderate coordinates only, scaled by a power of two if need be; `None` if no scale will do.
 fn moderate<const N: usize>(points: [[f64; 2]; N]) -> Option<[[f64; 2]; N]> {
     if points.iter().flatten().all(|&x| is_moderate(x)) {
         return Some(points);
     }
-    // Upwards every scaling is exact. Afterwards the largest size is a normal double.
+    // Scaling up is always exact. Afterwards the largest size is a normal double.
     let lifted = if largest(&points) < power(-500) {
         scale(points, power(500))
     } else {
         points
     };
-    // Scaling by this one is exact wherever the product is moderate.
+    // Scaling by this factor is exact wherever the product is moderate.
     let scaled = scale(lifted, power(200 - exponent(largest(&lifted))));
     let survives = |(&x, &y): (&f64, &f64)| is_moderate(y) && (x == 0.0) == (y == 0.0);
     points
@@ -141,7 +135,7 @@ fn scale<const N: usize>(points: [[f64; 2]; N], factor: f64) -> [[f64; 2]; N] {
     points.map(|point| point.map(|x| x * factor))
 }
 
-/// The points in units of a power of two that makes integers of all of them.
+/// The points in units of a power of two that makes integers of all coordinates.
 fn big<const N: usize>(points: [[f64; 2]; N]) -> [[BigInt; 2]; N] {
     let exponent = |x: f64| FloatCore::integer_decode(x).1;
     let nonzero = points.iter().flatten().filter(|x| !x.is_zero());
@@ -155,7 +149,6 @@ fn big<const N: usize>(points: [[f64; 2]; N]) -> [[BigInt; 2]; N] {
     })
 }
 
-/// The sign of what the expansions return.
 fn sign(determinant: f64) -> Ordering {
     determinant
         .partial_cmp(&0.0)

@@ -1,11 +1,7 @@
-//! What a scalar leaves to another one that has all its values: exact predicates, and sizes.
-//!
-//! Why it is right: the points are converted exactly, or all by the same positive factor, which changes no sign.
-//!
-//! Cost: a conversion of six or eight numbers.
+//! Predicates and sizes that a scalar leaves to another one with all its values. Cost: a conversion of 6 or 8 numbers.
+//! Why it is right: the points are converted exactly, or all by one positive factor, which changes no sign.
 
-/// Writes the exact predicates of a [`Scalar`](super::Scalar), or the functions of its [`Measure`](super::Measure), by
-/// those of another type and a function that converts a number.
+/// Writes the predicates of a [`Scalar`](super::Scalar) or its [`Measure`](super::Measure) by those of another type.
 macro_rules! forward {
     (predicates: $other:ty, $convert:expr) => {
         fn orient2d(

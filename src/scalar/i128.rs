@@ -1,6 +1,5 @@
-//! `i128`: exact for every value. As for [`i64`](super::integer), in machine integers where they hold the determinant,
-//! else in big integers. Here the differences of coordinates may need 129 bits, and are big integers then.
-//!
+//! `i128`: exact for every value, as [`i64`](super::integer) in machine integers where they hold the determinant, else
+//! in big integers. Differences of coordinates may need 129 bits, and are big integers then.
 //! Cost: as for `i64` where the differences fit; some microseconds where they do not.
 
 use alloc::vec::Vec;
@@ -11,7 +10,7 @@ use num_bigint::BigInt;
 use super::forward::forward;
 use super::{Measure, Scalar, Stage, all_doubles, integer};
 
-/// The differences of points to a last one, if they fit.
+/// The differences of points to a last one, if they fit in 128 bits.
 fn differences<const N: usize>(
     points: [&[i128; 2]; N],
     last: &[i128; 2],

@@ -1,9 +1,7 @@
-//! `i32` and `i64`: exact for every value. `i32` as [`f64`](super::f64), which holds all of them; `i64` as
+//! `i32` and `i64`: exact for every value. `i32` goes as [`f64`](super::f64), which holds all its values. `i64` goes as
 //! [`i128`](super::i128), in integers as wide as the differences require: machine integers of 64, 128 and 256 bits
-//! where they hold the determinant ([`wide`]), and big integers where they do not. Other scalars use them too.
-//!
-//! Cost: 5 to 15 ns for a test. Big integers, for a microsecond, only for in-circle tests with differences
-//! above 2^61.
+//! where they hold the determinant ([`wide`]), else big integers. Other scalars use these integers too.
+//! Cost: 5 to 15 ns for a test; a microsecond in big integers, only for in-circle tests with differences above 2^61.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -55,7 +53,7 @@ impl Scalar for i32 {
 
 impl Measure for i32 {}
 
-/// The sign of the turn from `a` to `b`, two differences to the same point, and the integers it took.
+/// The sign of the turn from `a` to `b`, two differences to the same point, and the stage that decided it.
 pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> (Ordering, Stage) {
     match (a[0].checked_mul(b[1]), a[1].checked_mul(b[0])) {
         (Some(left), Some(right)) => (left.cmp(&right), Stage::Integers),
@@ -66,15 +64,14 @@ pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> (Ordering, Stage) {
     }
 }
 
-/// The sign of the in-circle determinant whose rows are the differences of three points to a fourth,
-/// and the integers it took.
+/// The in-circle sign from the differences of three points to a fourth, and the stage that decided it.
 #[expect(clippy::cast_possible_truncation, reason = "only what is below 2^61")]
 pub(super) fn in_circle(rows: [[i128; 2]; 3]) -> (Ordering, Stage) {
     let span = rows
         .iter()
         .flatten()
         .fold(0, |span, x| span | x.unsigned_abs());
-    // A power of two that divides all of them changes no sign.
+    // Dividing all differences by a power of two changes no sign.
     let zeros = span.trailing_zeros() & 127;
     let rows = rows.map(|row| row.map(|x| x >> zeros));
     if span >> zeros < 1 << 61 {

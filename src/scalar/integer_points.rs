@@ -1,12 +1,8 @@
-//! Doubles as integers: in units of a power of two, where that makes integers of 61 bits of them.
-//!
-//! An input with many near-ties, such as points on a circle, keeps the integers of all its points
-//! ([`IntegerPoints`]), so that a test only subtracts and multiplies.
-//!
-//! Why it is right: a product by a power of two keeps all digits, unless it falls below the normal doubles; and
-//! what the conversion to integers drops is missed when the integer is turned back. Differences of numbers below
-//! 2^61 are below 2^62, as [`wide`] demands.
-//!
+//! Doubles as integers of 61 bits, where these are possible in units of one power of two.
+//! An input with many near-ties, such as points on a circle, keeps the integers of all its points ([`IntegerPoints`]),
+//! so that a test only subtracts and multiplies.
+//! Why it is right: a product by a power of two keeps all digits, unless it falls below the normal doubles. Turning an
+//! integer back shows whether digits are lost. Differences of numbers below 2^61 are below 2^62, as [`wide`] demands.
 //! Cost: some 20 instructions a coordinate; 16 bytes a point where all are kept.
 
 use alloc::vec::Vec;
@@ -15,8 +11,7 @@ use core::cmp::Ordering;
 use super::doubles::{exponent, power};
 use super::wide;
 
-/// Numbers in units of a power of two, which makes those as large as `size` integers of 61 bits, and whether it
-/// makes integers of all.
+/// The numbers in units of the power of two that makes an integer of 61 bits of `size`, and whether all are integers.
 #[inline(always)]
 #[expect(
     clippy::cast_possible_truncation,
@@ -36,22 +31,20 @@ pub(super) fn whole<const N: usize>(numbers: &[[f64; 2]; N], size: f64) -> ([[i6
     (integers, is_whole)
 }
 
-/// The largest size of a coordinate.
 pub(super) fn largest(points: &[[f64; 2]]) -> f64 {
-    // The bits of numbers that are not negative have their order.
+    // Numbers that are not negative have the order of their bits.
     let bits = points.as_flattened().iter().map(|x| x.abs().to_bits());
     f64::from_bits(bits.fold(0, u64::max))
 }
 
-/// Points as integers in one unit for all; [`NO_INTEGERS`] in place of a point that has none in it.
+/// Points as integers in one unit for all; [`NO_INTEGERS`] in place of a point that has none in that unit.
 #[derive(Debug)]
 pub(super) struct IntegerPoints(Vec<[i64; 2]>);
 
-/// No integer of 61 bits is so small.
+/// The mark of a point without integers: no integer of 61 bits is so small.
 const NO_INTEGERS: [i64; 2] = [i64::MIN; 2];
 
 impl IntegerPoints {
-    /// The integers of finite doubles.
     pub(super) fn of(points: &[[f64; 2]]) -> IntegerPoints {
         let size = largest(points);
         let integers = points.iter().map(|&point| match whole(&[point], size) {
@@ -62,7 +55,7 @@ impl IntegerPoints {
     }
 
     /// The side of the circle through the first three points on which the last lies, if all four have integers.
-    // Apart: most inputs have no use for it.
+    // Not inlined, since most inputs have no use for it.
     #[inline(never)]
     pub(super) fn in_circle(&self, points: [usize; 4]) -> Option<Ordering> {
         let [a, b, c, d] = points.map(|i| self.0[i]);
@@ -73,7 +66,6 @@ impl IntegerPoints {
         Some(wide::in_circle(rows))
     }
 
-    /// Bytes held.
     pub(super) fn heap_bytes(&self) -> usize {
         self.0.capacity() * size_of::<[i64; 2]>()
     }

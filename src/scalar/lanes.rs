@@ -1,10 +1,6 @@
-//! Two doubles that are added, subtracted and multiplied together: the lanes of a register, where a machine has
-//! registers for two.
-//!
+//! Two doubles that are added, subtracted and multiplied together, in one register where the machine has such ones.
 //! Why it is right: each lane is rounded as a double alone is. So results are the same on every machine.
-//!
-//! Cost: an instruction for both lanes. For arrays of two the compiler finds other instructions, a fifth more in the
-//! in-circle test.
+//! Cost: an instruction for both lanes. Arrays of two take a fifth more instructions in the in-circle test.
 
 use core::ops::{Add, Mul, Sub};
 
@@ -32,19 +28,17 @@ impl Lanes {
         high
     }
 
-    /// The lanes change places.
     #[inline(always)]
     pub(super) fn swapped(self) -> Lanes {
         Lanes::new([self.high(), self.low()])
     }
 
-    /// The low lanes of both.
+    /// The low lanes of `self` and `high`, as `highs` takes the high ones.
     #[inline(always)]
     pub(super) fn lows(self, high: Lanes) -> Lanes {
         Lanes::new([self.low(), high.low()])
     }
 
-    /// The high lanes of both.
     #[inline(always)]
     pub(super) fn highs(self, high: Lanes) -> Lanes {
         Lanes::new([self.high(), high.high()])

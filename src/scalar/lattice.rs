@@ -1,18 +1,13 @@
-//! Inputs on a lattice: their determinants are not rounded in doubles if it is coarse, and else take few
-//! integer operations.
+//! Inputs on a lattice: determinants in doubles are exact on a coarse one and take few integer operations on a finer.
 //!
-//! Coordinates that are integers, times one power of two for all, and not too far apart are common: pixels,
-//! rasters, drawings. On a coarse lattice nearly all their ties are ties of the determinant in doubles too,
-//! once it is known that this has no error. On a finer one their differences need no test before they are
-//! taken for integers.
-//!
-//! Why it is right: in units of the lattice all differences of coordinates are integers of at most 2^b in size.
-//! Products of two of them are at most 2^2b, lifts and minors twice that, and the in-circle determinant, the
-//! sum of three products of these, at most 3 * 2^(4b + 2). Integers up to 2^53 are doubles, so with
-//! b = [`IN_CIRCLE`] no step of it is rounded; with b = [`ORIENT2D`] none of the orientation determinant is;
-//! and with b = [`DIFFERENCES`] no difference is. The unit is at least 2^-172, since no coordinate is below
-//! 2^-120 in size but zero, so nothing underflows.
-//!
+//! Coordinates that are integers, times one power of two for all, and not too far apart are common: pixels, rasters,
+//! drawings. On a coarse lattice nearly all their ties are ties of the determinant in doubles too, once that is known
+//! to have no error. On a finer lattice their differences are taken for integers without a test.
+//! Why it is right: in units of the lattice differences of coordinates are integers of at most 2^b in size. Products of
+//! two are at most 2^2b, lifts and minors twice that, and the in-circle determinant, a sum of three products of these,
+//! at most 3 * 2^(4b + 2). Integers up to 2^53 are doubles. So nothing is rounded in the in-circle determinant with
+//! b = [`IN_CIRCLE`], the orientation determinant with b = [`ORIENT2D`], or a difference with b = [`DIFFERENCES`]. No
+//! coordinate but zero is below 2^-120 in size, so the unit is at least 2^-172 and nothing underflows.
 //! Cost: a look at a few points; where they lie on such a lattice, one pass over all, or two.
 
 use core::cmp::Ordering;
@@ -24,29 +19,29 @@ use super::wide;
 const ORIENT2D: i64 = 25;
 /// The most bits of differences for which the in-circle determinant is exact.
 const IN_CIRCLE: i64 = 12;
-/// The most bits of differences that are taken for integers. Five fewer than would do: multiples of 2^-53 below 1, such as many
-/// generators of random numbers return, gain nothing.
+/// The most bits of differences that are taken for integers. Five fewer than would do: multiples of 2^-53 below 1, such
+/// as many generators of random numbers return, gain nothing.
 const DIFFERENCES: i64 = 48;
-/// How many points are looked at before all are.
+/// How many points are sampled before all are looked at.
 const SAMPLE: usize = 16;
 
-/// What is known of the lattice of some points.
+/// The lattice of some points, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lattice {
-    /// No difference of coordinates has more bits, in units of the lattice.
+    /// The most bits that a difference of coordinates has, in units of the lattice.
     bits: i64,
-    /// How many units there are to 1.
+    /// How many units of the lattice make 1.
     per_unit: f64,
 }
 
 impl Lattice {
-    /// Nothing is known.
+    /// The lattice of points of which nothing is known.
     pub(super) const UNKNOWN: Lattice = Lattice {
         bits: i64::MAX,
         per_unit: 0.0,
     };
 
-    /// The lattice of these points, whose coordinates are zero or from 2^-120 to 2^200 in size.
+    /// The lattice of points whose coordinates are zero or from 2^-120 to 2^200 in size.
     pub(super) fn of(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Lattice {
         let all = (0..points).map(&point);
         let sample = all.clone().step_by(points.div_ceil(SAMPLE).max(1));
@@ -55,7 +50,7 @@ impl Lattice {
         if lattice == Lattice::UNKNOWN || points <= SAMPLE {
             return lattice;
         }
-        // Nearly always the sample has the unit of all.
+        // Nearly always the sample has the unit of all points.
         if let Some(ranges) = ranges_in_units(all.clone(), lattice.per_unit) {
             return Lattice::new(unit, ranges);
         }
@@ -63,7 +58,7 @@ impl Lattice {
         Lattice::new(unit, ranges)
     }
 
-    /// The lattice with this unit, a power of two, and these ranges of x and y.
+    /// The lattice with the unit 2^`unit` and these ranges of x and y.
     fn new(unit: i64, ranges: [Range; 2]) -> Lattice {
         let longest = ranges.map(|[least, most]| most - least);
         let longest = longest.into_iter().fold(power(unit), f64::max);
@@ -75,17 +70,15 @@ impl Lattice {
         Lattice { bits, per_unit }
     }
 
-    /// Whether the orientation determinant of doubles is exact.
     pub(super) fn has_exact_orient2d(self) -> bool {
         self.bits <= ORIENT2D
     }
 
-    /// Whether the in-circle determinant of doubles is exact.
     pub(super) fn has_exact_in_circle(self) -> bool {
         self.bits <= IN_CIRCLE
     }
 
-    /// The side of the circle through the first three on which the last lies, if the lattice is known.
+    /// The side of the circle through the first three points on which the last lies, if the lattice is known.
     #[inline(always)]
     pub(super) fn in_circle(self, points: [[f64; 2]; 4]) -> Option<Ordering> {
         (self.bits <= DIFFERENCES).then(|| in_circle(points, self.per_unit))
@@ -95,10 +88,8 @@ impl Lattice {
 /// The least and the greatest coordinate.
 type Range = [f64; 2];
 
-/// Of no points.
 const NO_RANGES: [Range; 2] = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
 
-/// A range with one more number in it.
 #[inline(always)]
 fn extended([least, most]: Range, x: f64) -> Range {
     [
@@ -115,7 +106,7 @@ fn unit_and_ranges(points: impl Iterator<Item = [f64; 2]>) -> (i64, [Range; 2]) 
         for (x, range) in point.into_iter().zip(&mut ranges) {
             *range = extended(*range, x);
             if x != 0.0 {
-                // The last bit of the mantissa that is set, or else the one before all of them.
+                // The last bit of the mantissa that is set, or the implicit one before it.
                 let zeros = (x.to_bits() | 1 << 52).trailing_zeros();
                 unit = unit.min(exponent(x.abs()) - 52 + i64::from(zeros));
             }
@@ -124,11 +115,10 @@ fn unit_and_ranges(points: impl Iterator<Item = [f64; 2]>) -> (i64, [Range; 2]) 
     (unit, ranges)
 }
 
-/// The ranges of x and y, if all coordinates are multiples of a unit and at most 2^51 of them. Without branches, so
-/// that it is fast.
+/// The ranges of x and y, if all coordinates are multiples of a unit, at most 2^51 of it. No branches, for speed.
 #[expect(clippy::float_cmp, reason = "integers are rounded to themselves")]
 fn ranges_in_units(points: impl Iterator<Item = [f64; 2]>, per_unit: f64) -> Option<[Range; 2]> {
-    // Adding and subtracting it rounds smaller numbers to integers.
+    // Adding and subtracting this number rounds smaller ones to integers.
     let rounding = 1.5 * power(52);
     let mut ranges = NO_RANGES;
     let mut are_multiples = true;
@@ -138,7 +128,7 @@ fn ranges_in_units(points: impl Iterator<Item = [f64; 2]>, per_unit: f64) -> Opt
         are_multiples &= (units[0] == rounded[0]) & (units[1] == rounded[1]);
         ranges = [extended(ranges[0], point[0]), extended(ranges[1], point[1])];
     }
-    // Larger ones are not rounded to integers.
+    // Coordinates of 2^51 units or more are not rounded to integers.
     let are_small = |range: Range| range.iter().all(|x| (x * per_unit).abs() < power(51));
     (are_multiples && ranges.into_iter().all(are_small)).then_some(ranges)
 }

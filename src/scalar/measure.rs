@@ -1,22 +1,15 @@
-//! How much a sign is about, which only the report of the verifier asks: [`Measure`]. And its two polynomials.
-//!
-//! Both are relative to the size of what the points span, so that rounding looks the same at all sizes (some units of
-//! 1e-16):
+//! Sizes behind the signs, for which only the verifier's report asks: [`Measure`], and its two polynomials. Both are
+//! relative to the size of what the points span, so that rounding looks the same at all sizes (some units of 1e-16):
 //!
 //! ```text
 //! depth of d in the circle of a, b, c:     (r^2 - |d - o|^2) / r^2 = 4 D A / (|ab|^2 |bc|^2 |ca|^2)
 //! height of the turn a, b, c:              A / |ac|^2
 //! ```
 //!
-//! o and r are the circle's centre and radius, D is the in-circle determinant, and A twice the area of the
-//! triangle.
-//!
-//! Why it is right: the power of d to the circle is -D / A, and r is |ab| |bc| |ca| / 2 A. All factors are
-//! polynomials, computed exactly. Only then is each rounded to a double, with its exponent apart, and a few roundings
-//! follow. So the sign is exact, and the size right in relative terms however small it is. (What is too small for a
-//! double becomes the smallest one.)
-//!
-//! Cost: some microseconds.
+//! o and r are the circle's centre and radius, D is the in-circle determinant, and A twice the area of the triangle.
+//! Why it is right: the power of d to the circle is -D / A, and r is |ab| |bc| |ca| / 2 A. All factors are polynomials,
+//! computed exactly. Only then is each rounded to a double, with its exponent apart, and a few roundings follow. So the
+//! sign is exact, and the size right in relative terms, down to the smallest double. Cost: some microseconds.
 
 use super::determinants::{cross, determinant, dot, minus, square};
 use super::doubles::{exponent, power};
@@ -24,10 +17,9 @@ use super::{Scalar, Unbounded};
 
 /// A coordinate type that the verifier can judge: it may tell how deep a fault is.
 ///
-/// For a type of your own an empty implementation will do. Then faults of coordinates that are doubles
-/// ([`Scalar::APPROX_IS_EXACT`]) have depths, and those of others have none. To have them, write both functions. A
-/// common positive factor of all coordinates changes nothing, so they may be left to another type as predicates may.
-/// [`Unbounded`] numbers have both.
+/// For a type of your own an empty implementation will do. Then faults have depths only if coordinates are doubles
+/// ([`Scalar::APPROX_IS_EXACT`]). For depths in other types write both functions. A common positive factor of all
+/// coordinates changes no depth, so another type may compute it, as it may predicates. [`Unbounded`] numbers have both.
 ///
 /// ```
 /// use std::cmp::Ordering;
@@ -72,8 +64,8 @@ use super::{Scalar, Unbounded};
     note = "for a `Scalar` of your own `impl Measure for {Self} {{}}` will do"
 )]
 pub trait Measure: Scalar {
-    /// How deep `d` lies in the circumcircle of a counter-clockwise triangle `a`, `b`, `c`: its power to the circle
-    /// in units of the square of the radius, positive inside. The centre has depth 1. `None` if the type does not tell.
+    /// How deep `d` lies in the circumcircle of a counter-clockwise triangle `a`, `b`, `c`: the power of `d` to the
+    /// circle in units of the squared radius, positive inside, 1 at the centre. `None` if the type does not tell.
     ///
     /// The sign must be that of [`in_circle`](Scalar::in_circle), the size right to some units of 2^-52 of itself.
     ///
@@ -90,10 +82,10 @@ pub trait Measure: Scalar {
         f64::depth(&a, &b, &c, &d)
     }
 
-    /// The height of `b` over the line from `a` to `c`, in units of the distance from `a` to `c`; positive where the
-    /// path through them turns left. `None` if it turns by a right angle or more, or if the type does not tell.
+    /// The height of `b` over the line from `a` to `c`, in units of their distance, positive where `a`, `b`, `c` turn
+    /// left. `None` if they turn by a right angle or more, or if the type does not tell.
     ///
-    /// What holds of [`depth`](Measure::depth) holds of it, with the sign of [`orient2d`](Scalar::orient2d).
+    /// The sign must be that of [`orient2d`](Scalar::orient2d), the size as right as that of [`depth`](Measure::depth).
     ///
     /// ```
     /// use sweep_cdt::scalar::Measure;
@@ -107,7 +99,7 @@ pub trait Measure: Scalar {
     }
 }
 
-/// The points as doubles, if these are the coordinates themselves.
+/// The points as doubles, if doubles are the coordinates.
 fn coordinates<S: Scalar, const N: usize>(points: [&[S; 2]; N]) -> Option<[[f64; 2]; N]> {
     let doubles = || points.map(|[x, y]| [x.approx(), y.approx()]);
     S::APPROX_IS_EXACT.then(doubles)
@@ -144,7 +136,7 @@ fn quotient<T: Unbounded>(first: f64, over: &[T], under: &[T]) -> Option<f64> {
         let (x, power) = parts(factor)?;
         (value, exponent) = (value * x, exponent + power);
     }
-    // Two steps, since the power itself may be no double.
+    // Two steps, since the power of two may be no double.
     let bounded = exponent.clamp(-1200, 1000);
     let size = value.abs() * power(bounded / 2) * power(bounded - bounded / 2);
     let size = if value == 0.0 {

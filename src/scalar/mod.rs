@@ -1,20 +1,13 @@
 //! All arithmetic on coordinates: exact predicates, which take references and return signs.
 //!
-//! [`Scalar`] is the contract. A coordinate type gives a double near a value, the order of two values, and two exact
-//! signs: on which side of a line is a point, and is a point inside a circle. The doubles feed the floating-point
-//! filter, which returns a sign only if it is certain, and choose what only costs time: hash buckets, and the angles
-//! of the heuristics. What else a type can tell saves time. [`Measure`] is for the verifier, which says how much is
-//! wrong.
+//! [`Scalar`] is the contract. A coordinate type gives an approximation of a value, a double; the order of two values;
+//! and two exact signs: on which side of a line, and of a circle, a point lies. The approximations feed the
+//! floating-point filter, which returns a sign only if it is certain, and choose what only costs time: hash buckets,
+//! and the angles of the heuristics. All else saves time. [`Measure`] tells the verifier how much is wrong.
 //!
-//! Each sign comes from the first of these stages that is certain of it (`predicates`):
-//!
-//! | stage | of what | file |
-//! |---|---|---|
-//! | filter | doubles | `filter` |
-//! | lattices | doubles that are not rounded, where all points are on one | `lattice` |
-//! | integers | doubles in one unit | `integer_points`, `lattice`, `wide` |
-//! | doubles | doubles that are the coordinates | `f64` |
-//! | scalar | the coordinates | that of the type |
+//! Each sign comes from the first stage that is certain of it (`predicates`): the filter for doubles (`filter`);
+//! doubles that are not rounded, as all points are on a lattice (`lattice`); doubles as integers in one unit
+//! (`integer_points`, `lattice`, `wide`); doubles that are the coordinates (`f64`); the type's arithmetic.
 //!
 //! | type | how it is exact |
 //! |---|---|
@@ -64,21 +57,18 @@ pub use unbounded::Unbounded;
 
 /// A coordinate type with exact predicates.
 ///
-/// It requires neither `Copy` nor `Clone` nor any operator, so that big rationals fit as well as
-/// doubles. A type of your own needs `approx`, `compare`, `orient2d` and `in_circle`. All
-/// but `approx` must be exact for every value: where the type's own arithmetic rounds or overflows,
-/// compute them in a wider type. The in-circle determinant has about four times the digits of the
-/// differences of coordinates. Numbers whose arithmetic is exact without bounds need [`Unbounded`] only.
+/// Neither `Copy` nor `Clone` nor any operator is required, so that big rationals fit as well as doubles. A type of
+/// your own needs `approx`, `compare`, `orient2d` and `in_circle`. All but `approx` must be exact for every value:
+/// where the type's arithmetic rounds or overflows, compute in a wider type. The in-circle determinant has about four
+/// times the digits of the differences of coordinates. Exact arithmetic without bounds needs only [`Unbounded`].
 ///
-/// Everything relies on that: that the predicates are exact, agree with one another and with `compare`, and
-/// give the same answer each time. With a type that breaks this the sweep returns no correct result: it
-/// may return a wrong one, panic, or take long. The verifier, which asks the same predicates, is no judge
+/// Predicates must be exact, agree with one another and with `compare`, and give the same answer each time. Otherwise
+/// the sweep may return a wrong result, panic, or take long. The verifier, which asks the same predicates, is no judge
 /// of them. `sweep-cdt-testing`, a package of the repository, has a test for a type of your own: `conformance`.
 ///
-/// A predicate answers with an [`Ordering`], the sign of the determinant compared with zero, and with the [`Stage`]
-/// that decided it, which is counted and changes nothing: [`Stage::Own`] for your own arithmetic. It computes at
-/// once. The sweep and the verifier ask it only where the floating-point filter has left the sign open;
-/// [`filtered_orient2d`] and [`filtered_in_circle`] do so for a few points.
+/// A predicate answers at once with an [`Ordering`], the sign of the determinant, and the [`Stage`] that decided it,
+/// which is counted and changes nothing: [`Stage::Own`] for your own arithmetic. Sweep and verifier ask only where the
+/// floating-point filter leaves the sign open; [`filtered_orient2d`] and [`filtered_in_circle`] do so for a few points.
 ///
 /// ```
 /// use std::cmp::Ordering;
@@ -89,8 +79,8 @@ pub use unbounded::Unbounded;
 /// assert_eq!(Scalar::in_circle(&a, &b, &c, &[1.0, 1.0]).0, Ordering::Equal);
 /// ```
 ///
-/// Your own type: signs do not change if all coordinates are multiplied by the same positive number, so a
-/// fixed-point number can leave the work to `i64`. The empty implementation of [`Measure`] lets the verifier judge it:
+/// A type of your own can use another: signs do not change if all coordinates are multiplied by one positive number, so
+/// `i64` does for fixed-point numbers. The empty implementation of [`Measure`] lets the verifier judge them:
 ///
 /// ```
 /// use std::cmp::Ordering;
@@ -148,24 +138,21 @@ pub trait Scalar: Sized {
     /// Whether [`approx`](Scalar::approx) always returns the value itself.
     const APPROX_IS_EXACT: bool = false;
 
-    /// Whether this is a finite number; the sweep refuses points for which it is not.
+    /// Whether the number is finite; the sweep refuses points with a coordinate that is not.
     fn is_finite(&self) -> bool {
         true
     }
 
-    /// A double near the value.
-    ///
-    /// It must be monotone (`a <= b` gives `a.approx() <= b.approx()`), never NaN, and within a
-    /// relative error of 2^-52 of every value that lies in the range of normal doubles. Larger values
-    /// may become infinite, and smaller ones may lose digits as doubles do or become zero.
+    /// A double near the number: monotone (`a <= b` gives `a.approx() <= b.approx()`), never NaN, and within a relative
+    /// error of 2^-52 of every value in the range of normal doubles. Larger values may become infinite, and smaller
+    /// ones may lose digits as doubles do or become zero.
     fn approx(&self) -> f64;
 
-    /// Doubles that are exactly the coordinates of these points, all of them multiplied by one positive number;
-    /// `None` where there are none, or the type cannot tell at little cost.
+    /// Doubles that are exactly the coordinates of these points, all of them multiplied by one positive number; `None`
+    /// where there are none, or the type cannot tell at little cost.
     ///
     /// Such a number changes no sign. So the sweep triangulates these doubles in place of the points, and the exact
-    /// stages of `f64` decide what the filter leaves open. It does not ask a type whose approximations are exact
-    /// ([`APPROX_IS_EXACT`](Scalar::APPROX_IS_EXACT)).
+    /// stages of `f64` decide what the filter leaves open. Types with [`Scalar::APPROX_IS_EXACT`] are not asked.
     ///
     /// ```
     /// use num_rational::BigRational;
@@ -180,17 +167,13 @@ pub trait Scalar: Sized {
         None
     }
 
-    /// A double and a power of two, `(x, power)` for x * 2^power, near the difference to another value;
-    /// `None` where the type knows no better one than [`approx`](Scalar::approx) gives.
+    /// The difference to another value, rounded: `(x, power)` for x * 2^power; `None` where the type knows no better
+    /// one than [`approx`](Scalar::approx) gives. It must be computed exactly, then rounded. With the other value fixed
+    /// it must be monotone as `approx`, finite, zero for equal values only, and within a relative error of 2^-52.
     ///
-    /// It is asked for where that loses what tells the points apart: they lie close to each other and
-    /// far from zero, or are all too large or too small for a double. Then the doubles that feed the
-    /// filter and choose what costs time are taken relative to one of the points. Without it such points
-    /// take the time of exact arithmetic.
-    ///
-    /// The difference must be computed exactly and then rounded. With the other value fixed the result must
-    /// be monotone as that of `approx` is, always finite, zero for equal values only, and within a
-    /// relative error of 2^-52.
+    /// The sweep asks for differences where approximations cannot tell the points apart: points close to each other and
+    /// far from zero, or all too large or too small for a double. Then the doubles that feed the filter and choose what
+    /// costs time are relative to one of the points. Without differences such points take the time of exact arithmetic.
     ///
     /// ```
     /// use num_bigint::BigInt;
@@ -209,12 +192,11 @@ pub trait Scalar: Sized {
     /// The exact order of two coordinates.
     fn compare(&self, other: &Self) -> Ordering;
 
-    /// `Greater` if `a`, `b`, `c` make a left turn (counter-clockwise), `Less` for a right turn,
-    /// `Equal` if they lie on one line; and what decided that.
+    /// `Greater` if `a`, `b`, `c` turn left (counter-clockwise), `Less` right, `Equal` if on one line; and the stage.
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage);
 
-    /// For a counter-clockwise triangle `a`, `b`, `c`: `Greater` if `d` lies inside its circumcircle,
-    /// `Less` outside, `Equal` on it; and what decided that. Swapping two of the first three points reverses the sign.
+    /// For a counter-clockwise triangle `a`, `b`, `c`: `Greater` if `d` lies inside its circumcircle, `Less` outside,
+    /// `Equal` on it; and the stage that decided it. Swapping two of the first three points reverses the sign.
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage);
 }
 

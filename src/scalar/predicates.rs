@@ -1,22 +1,20 @@
-//! The ladder of stages that every sign comes down: the next one decides what those before have left open.
+//! The ladder of stages for every sign: each stage decides what those before it have left open.
 //!
 //! | | stage | answers where |
 //! |---|---|---|
 //! | 1 | the [filter] for exact doubles | the determinant is beyond the bound on its error |
 //! | 2 | in circle: all points as integers ([`IntegerPoints`]), once there were many near-ties | they are integers of 61 bits in one unit |
-//! | 3 | the determinant of doubles on a coarse [lattice](super::lattice), or the filter for rounded doubles | it is not rounded, or beyond its bound |
+//! | 3 | the determinant of doubles on a coarse [lattice](super::lattice), or the filter for rounded doubles | it is not rounded, or is beyond its bound |
 //! | 4 | in circle: integers on a finer lattice | all points are on one |
 //! | 5 | the exact stages of [`f64`](super::f64) | the doubles are the coordinates |
 //! | 6 | the [`Scalar`] itself | always |
 //!
-//! The sweep comes in below the filter, which its innermost loops have inline; it adds what it knows of the artificial
-//! points. The verifier and the functions for a few points ([`filtered_orient2d`], [`filtered_in_circle`]) take all.
-//!
-//! Why it is right: doubles stand for the coordinates only where they are these, all times one power of two, which
+//! The sweep enters below the filter, which its innermost loops have inline, and adds what it knows of the artificial
+//! points. The verifier and [`filtered_orient2d`] and [`filtered_in_circle`], for a few points, take all stages.
+//! Why it is right: doubles stand for the coordinates only where they equal them, all times one power of two, which
 //! changes no sign. Each stage answers only what it is certain of, and the last one answers all.
-//!
 //! Cost: the filter's 2 to 4 ns for nearly all signs; below it 10 to 30 ns in integers. Integers of all points take 60
-//! instructions a vertex to make and 16 bytes, and save 300 instructions at each near-tie.
+//! instructions and 16 bytes a vertex to make, and save 300 instructions at each near-tie.
 
 #[cfg(not(feature = "std"))]
 use core::cell::OnceCell as Once;
@@ -78,7 +76,7 @@ pub(crate) struct Predicates<'a, E: ?Sized> {
     pub(crate) points: &'a E,
     /// For each vertex its point.
     pub(crate) index: &'a [u32],
-    /// For each vertex doubles near its coordinates, on one scale.
+    /// For each vertex its approximated coordinates, on one scale.
     pub(crate) approx: &'a [[f64; 2]],
     pub(crate) scale: &'a Scale,
     pub(crate) near_ties: &'a NearTies,
@@ -154,13 +152,12 @@ pub(crate) struct NearTies {
     integers: Once<IntegerPoints>,
 }
 
-/// After so many near-ties, and one for so many vertices, integers are made of all.
+/// How many near-ties, and one more for each [`VERTICES_A_TIE`] vertices, it takes to make integers of all vertices.
 const NEAR_TIES: usize = 16;
 const VERTICES_A_TIE: usize = 3;
 
 impl NearTies {
-    /// Counts a near-tie, and makes integers of all vertices when these are many. What is lost where several threads
-    /// count at a time only comes later.
+    /// Counts a near-tie; makes integers of all vertices once these are many. Counts lost between threads delay that.
     #[cold]
     #[inline(never)]
     fn note<E: ?Sized>(&self, of: &Predicates<'_, E>) {
@@ -173,13 +170,12 @@ impl NearTies {
         }
     }
 
-    /// Bytes held.
     pub(crate) fn heap_bytes(&self) -> usize {
         self.integers.get().map_or(0, IntegerPoints::heap_bytes)
     }
 }
 
-/// The orientation of points, whose doubles the filter for exact ones has left open.
+/// The orientation of points that the filter for exact doubles has left open.
 #[inline(always)]
 fn orient2d_below_filter(
     doubles: [[f64; 2]; 3],
@@ -203,8 +199,7 @@ fn orient2d_below_filter(
     (sign, Some(stage))
 }
 
-/// The side of a circle on which the last point lies, where the filter for exact doubles has left that open. `note` is
-/// called for a near-tie of doubles.
+/// The in-circle sign of points that the filter for exact doubles has left open. Near-ties of doubles call `note`.
 #[inline(always)]
 fn in_circle_below_filter(
     doubles: [[f64; 2]; 4],
@@ -232,8 +227,7 @@ fn in_circle_below_filter(
     (sign, Some(stage))
 }
 
-/// Whether doubles are the coordinates, up to a power of two, which changes no sign. They lie nearer in memory
-/// than the caller's points, which are in any order.
+/// Whether doubles are the coordinates up to a power of two. They lie nearer in memory than the caller's points.
 fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: &Scale) -> bool {
     scale.is_injective() || scale.is_exact() && doubles.iter().flatten().all(|x| x.is_finite())
 }
@@ -253,8 +247,7 @@ pub fn filtered_orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Order
     filtered.unwrap_or_else(|| orient2d_below_filter(doubles, &scale, || S::orient2d(a, b, c)).0)
 }
 
-/// `Greater` if `d` lies inside the circle through `a`, `b`, `c`, as [`Scalar::in_circle`] says, behind the
-/// floating-point filter.
+/// `Greater` if `d` lies inside the circle through `a`, `b`, `c`, as [`Scalar::in_circle`] says, behind the filter.
 ///
 /// ```
 /// use std::cmp::Ordering;

@@ -1,12 +1,9 @@
 //! `Ratio<i64>`: fractions of machine integers, whose own arithmetic overflows and is not used.
-//!
-//! They are compared by products of 128 bits, go as doubles where they are doubles up to one common factor, and
+//! Fractions are compared by products of 128 bits. They go as doubles where one common factor makes doubles of them,
 //! else as [`BigRational`] (`super::rational`), which has integers of any size for the common denominator.
-//!
-//! Why it is right: products of two numbers of 64 bits fit in 128. An approximation is the quotient of two integers
-//! to at least 64 bits, rounded down with the last bit set where a rest was dropped. So its conversion to a double is
-//! that of the exact quotient: to the nearest, monotone, and off by at most 2^-53 of it.
-//!
+//! Why it is right: products of two numbers of 64 bits fit in 128. An approximation is the quotient of two integers to
+//! at least 64 bits, rounded down, with the last bit set if anything is left. So it becomes the same double as the
+//! exact quotient: the nearest one, monotone, and off by at most 2^-53 of it.
 //! Cost: a division of 128 bits for an approximation; where the filter decides nothing, a few microseconds.
 
 use alloc::vec::Vec;
@@ -20,7 +17,7 @@ use super::forward::forward;
 use super::rational::{odd_part, odd_unit, whole};
 use super::{Measure, Scalar, all_doubles};
 
-/// Numerator and denominator, the latter not negative: `new_raw` may make it so.
+/// Numerator and denominator, the latter made positive where `new_raw` left it negative.
 fn parts(number: &Ratio<i64>) -> [i128; 2] {
     let (numerator, denominator) = (i128::from(*number.numer()), i128::from(*number.denom()));
     if denominator < 0 {

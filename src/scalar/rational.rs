@@ -1,13 +1,8 @@
 //! `BigRational`: as doubles where the numbers are doubles, else in integers over a common denominator.
-//!
-//! Why it is right: multiplying all coordinates by one number other than zero multiplies the determinants by
-//! its square or fourth power, and changes no sign. With a common multiple of the denominators, whichever
-//! sign it has, they become integers, whose determinants need no fractions and hence no
-//! greatest common divisors, and which often are small: decimals or thirds are decided in machine
-//! integers ([`integer`]).
-//!
-//! Cost: six or eight conversions to doubles (20 to 300 ns each), and a few microseconds where the
-//! filter decides nothing.
+//! Why it is right: a factor other than zero for all coordinates multiplies the determinants by its square or fourth
+//! power, and changes no sign. A common multiple of the denominators, of either sign, makes integers of all, without
+//! fractions and greatest common divisors. Decimals or thirds stay small, for machine integers ([`integer`]).
+//! Cost: six or eight conversions to doubles (20 to 300 ns each); where the filter decides nothing, a few microseconds.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -109,8 +104,8 @@ fn double(number: &BigRational) -> Option<f64> {
     }
 }
 
-/// The least common multiple of the odd parts of all denominators: times this number, all are whole but for
-/// powers of two. `None` if it or a denominator is large, negative or zero.
+/// The least common multiple of the odd parts of all denominators: times this number, all are whole but for powers of
+/// two. `None` if it or a denominator is large, negative or zero.
 pub(super) fn odd_unit(parts: impl Iterator<Item = Option<(u128, u32)>>) -> Option<u64> {
     let mut unit = 1;
     for part in parts {
@@ -123,14 +118,13 @@ pub(super) fn odd_unit(parts: impl Iterator<Item = Option<(u128, u32)>>) -> Opti
     Some(unit)
 }
 
-/// The odd part of a denominator that is not zero, and the power of two in it.
+/// The odd part of a denominator, and the exponent of the power of two in it; `None` for zero.
 pub(super) fn odd_part(denominator: u128) -> Option<(u128, u32)> {
     let zeros = denominator.trailing_zeros();
     (denominator > 0).then(|| (denominator >> zeros, zeros))
 }
 
-/// The double that equals `unit` times a fraction, whose denominator has these parts, if there is one of moderate
-/// size. The unit is a multiple of the odd part.
+/// The double of moderate size, if any, that equals a fraction of this denominator times `unit`, a multiple of `odd`.
 pub(super) fn whole(numerator: i128, (odd, zeros): (u128, u32), unit: u64) -> Option<f64> {
     let factor = (u128::from(unit) / odd).cast_signed();
     let product = numerator.checked_mul(factor)?;
@@ -151,7 +145,7 @@ fn doubles<const N: usize>(points: [&[BigRational; 2]; N]) -> Option<[[f64; 2]; 
     Some(result)
 }
 
-/// The points times a common multiple of their denominators (not always the least), and that number.
+/// The points times a common multiple of their denominators (not always the least), and that multiple.
 pub(crate) fn integers<const N: usize>(
     points: [&[BigRational; 2]; N],
 ) -> ([[BigInt; 2]; N], BigInt) {
@@ -170,7 +164,6 @@ pub(crate) fn integers<const N: usize>(
     (integers, unit)
 }
 
-/// Integers in 128 bits, if they fit.
 fn small<const N: usize>(rows: &[[BigInt; 2]; N]) -> Option<[[i128; 2]; N]> {
     let mut result = [[0; 2]; N];
     for (small, big) in result.iter_mut().flatten().zip(rows.iter().flatten()) {

@@ -1,19 +1,14 @@
-//! The doubles for all points of one input: near the coordinates, or near their differences to an *origin*.
+//! The doubles for all points of one input: approximations of the coordinates, or of their differences to an *origin*.
+//! Approximations of the coordinates cannot tell points apart that are close to each other and far from zero, or all
+//! too large or too small for doubles: different coordinates have the same double. Where a sample shows that, the
+//! origin is the middle coordinate of that axis, and the doubles approximate the differences to it
+//! ([`Scalar::difference`]). Signs do not change if all points are moved.
 //!
-//! Doubles near the coordinates themselves lose what tells points apart where these are close to each other
-//! and far from zero, or all too large or too small for doubles: different coordinates have the same
-//! double. Where a sample shows that, the origin is the middle coordinate of that axis, and the doubles are
-//! near the differences to it ([`Scalar::difference`]). Signs are the same for points that are all moved.
-//!
-//! An axis is moved only if there are then at least as many different doubles as before: half of the points
-//! in one column must not cost the others their digits. Where all coordinates are doubles, none is moved,
-//! so a run takes the same steps in every scalar.
-//!
-//! Why it is right: any doubles are, as long as they never fall where the coordinate grows, and are off by
-//! no more than their [`Scale`] says. Differences are off by a part of themselves (`difference`). A
-//! power of two makes that neither better nor worse, until it leaves the normal doubles.
-//!
-//! Cost: little to look, and for an axis that is moved n differences and two sorts of doubles.
+//! An axis is moved only if that leaves at least as many different doubles as before: half of the points in one column
+//! must not cost the others their digits. Doubles as coordinates are never moved, so all scalars take the same steps.
+//! Why it is right: any doubles do, as long as they never fall where the coordinate grows, and are off by no more than
+//! their [`Scale`] says. Differences are off by a part of themselves (`difference`), at any power of two in range.
+//! Cost: little to look; for each axis that is moved n differences and two sorts of doubles.
 
 use alloc::vec::Vec;
 use core::num::FpCategory;
@@ -24,11 +19,10 @@ use super::{Scalar, Scale};
 /// How many points are looked at before an axis is moved.
 const SAMPLE: usize = 256;
 
-/// For each point a double times a power of two, along one axis.
+/// The coordinates along one axis: for each point a double times a power of two.
 type Axis = Vec<(f64, i64)>;
 
-/// Makes the approximations in `near` of these points the doubles that the filter gets, and returns their scale. What
-/// stands for points that are not finite means nothing.
+/// Turns approximations into the doubles that the filter gets. Doubles of points that are not finite mean nothing.
 pub(crate) fn recenter<S: Scalar>(points: &[[S; 2]], approx: &mut [[f64; 2]]) -> Scale {
     if S::APPROX_IS_EXACT {
         return Scale::of_coordinates(approx);
@@ -84,7 +78,7 @@ fn is_blurred<S: Scalar>(points: &[[S; 2]], approx: &[[f64; 2]], i: usize) -> bo
     })
 }
 
-/// How many numbers there are; equal ones are written alike.
+/// How many different numbers there are; equal ones have equal bits.
 fn distinct(numbers: impl Iterator<Item = (f64, i64)>) -> usize {
     let mut bits: Vec<(u64, i64)> = numbers.map(|(x, power)| (x.to_bits(), power)).collect();
     bits.sort_unstable();
@@ -111,7 +105,7 @@ fn normal((x, by): (f64, i64)) -> (f64, i64) {
     (one_to_two, by.saturating_add(e))
 }
 
-/// Brings the axes to one scale. One that is not moved keeps its approximations.
+/// Brings the axes to one scale. An axis that is not moved keeps its approximations.
 fn place(approx: &mut [[f64; 2]], axes: [Option<Axis>; 2]) -> Scale {
     let is_plain = axes.iter().any(Option::is_none);
     let [x, y] = axes;
@@ -121,7 +115,7 @@ fn place(approx: &mut [[f64; 2]], axes: [Option<Axis>; 2]) -> Scale {
     let mut shift = doubles::shift(known.map(|&(_, by)| by));
     let mut unit = 1.0;
     if is_plain {
-        // Approximations below the normal doubles are scaled together with what they are off by.
+        // Approximations below the normal doubles are scaled together with their errors.
         shift = shift.clamp(-1022, 1000);
         unit = power(shift);
     }

@@ -1,10 +1,7 @@
 //! References to numbers: `&f64`, `&BigRational` and so on are scalars, so that points may borrow their coordinates.
-//!
-//! One macro writes the implementation for each type of the crate. A single one for all `&S` is not possible beside
-//! that for all [`Unbounded`](super::Unbounded) types: another crate might say that of a reference.
-//!
-//! Cost: a copy of the points for each sign that the filter leaves open, and one of all numbers in
-//! [`as_doubles`](super::Scalar::as_doubles).
+//! One macro implements them for each type of the crate. One implementation for all `&S` is not possible beside that
+//! for all [`Unbounded`](super::Unbounded) types: another crate might make a reference one of these.
+//! Cost: a copy of the points for each sign that the filter leaves open, and one of all numbers in `as_doubles`.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;

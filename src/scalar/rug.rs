@@ -1,7 +1,5 @@
-//! `rug::Rational` (feature `rug`): the rationals of GMP; as doubles where the numbers are doubles.
-//!
-//! `to_f64` rounds towards zero: monotone, and off by less than one unit in the last place, which is
-//! what [`approx`](Scalar::approx) must be.
+//! `rug::Rational` (feature `rug`): the rationals of GMP; as doubles where the numbers are doubles. `to_f64` rounds
+//! towards zero: monotone, and off by less than one unit in the last place, as [`approx`](Scalar::approx) must be.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -26,7 +24,7 @@ impl Scalar for Rational {
 
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {
         let (numerator, denominator) = Rational::from(self - other).into_numer_denom();
-        // As many bits as make a quotient of 64 or 65.
+        // Enough bits for a quotient of 64 or 65.
         let bits = |x: &Integer| i64::from(x.significant_bits());
         let shift = 65 - bits(&numerator) + bits(&denominator);
         let size = u32::try_from(shift.unsigned_abs()).ok()?;
@@ -35,7 +33,7 @@ impl Scalar for Rational {
         } else {
             (numerator << size) / denominator
         };
-        // Both the quotient and this are rounded towards zero.
+        // The quotient and its double are both rounded towards zero.
         let (x, power) = quotient.to_f64_exp();
         Some((x, i64::from(power) - shift))
     }
@@ -77,12 +75,10 @@ fn doubles<const N: usize>(points: [&[Rational; 2]; N]) -> Option<[[f64; 2]; N]>
         .then_some(doubles)
 }
 
-/// A rational in pure Rust.
 fn pure(number: &Rational) -> BigRational {
     BigRational::new_raw(big(number.numer()), big(number.denom()))
 }
 
-/// An integer in pure Rust.
 pub(super) fn big(integer: &Integer) -> BigInt {
     let sign = match integer.cmp0() {
         Ordering::Less => Sign::Minus,
@@ -91,7 +87,7 @@ pub(super) fn big(integer: &Integer) -> BigInt {
     BigInt::from_bytes_le(sign, &integer.to_digits(Order::Lsf))
 }
 
-/// Both reuse the memory of the left operand.
+/// Implements [`Arithmetic`] in the memory of the left operand.
 macro_rules! arithmetic {
     ($($number:ty),+) => { $(
         impl Arithmetic for $number {

@@ -1,7 +1,4 @@
-//! `rug::Integer` (feature `rug`): the integers of GMP.
-//!
-//! `to_f64` and `to_f64_exp` round towards zero: monotone, and off by less than one unit in the last place, which
-//! is what [`approx`](Scalar::approx) and [`difference`](Scalar::difference) must be.
+//! `rug::Integer` (feature `rug`): the integers of GMP, rounded to doubles like [`rug::Rational`](super::rug).
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;

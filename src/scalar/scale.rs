@@ -1,26 +1,22 @@
 //! The scale of doubles: what the floating-point [`filter`](super::filter) knows about its input.
 //!
-//! The filter must not overflow, and underflow must do it no harm. So all doubles of one input are
-//! multiplied by one power of two, the *factor*, where some are below 2^-120 or not below 2^200; the
-//! [window](super::doubles) of most of them chooses it. No sign changes by that: the orientation
-//! determinant is multiplied by the factor's square, the in-circle determinant by its fourth power. What
-//! is not below 2^200 afterwards becomes infinite, of which the filter decides nothing.
+//! The filter must not overflow, and underflow must do it no harm. So where some doubles of an input are below 2^-120
+//! or not below 2^200, all are multiplied by one power of two, the *factor*, which the [window](super::doubles) of most
+//! of them chooses. No sign changes: the orientation determinant is multiplied by the factor's square, the in-circle
+//! determinant by its fourth power. Doubles still not below 2^200 become infinite: the filter decides nothing of them.
 //!
 //! A finite double X is off the scaled coordinate by at most `relative` |X| + `absolute` / 2:
-//! - nothing, where the doubles are the coordinates and scaling keeps every digit, which it does
-//!   unless a product falls below the normal doubles;
+//! - nothing, where the doubles are the coordinates and scaling keeps every digit: no product is below normal doubles;
 //! - less than 2^-1022, where scaling alone may lose digits;
-//! - by the contract of [`approx`](super::Scalar::approx) an approximation X of a coordinate x is off by
-//!   at most 2u |x|, that is 2u / (1 - 2u) |X|, or by 2^-1022 where x is below the normal doubles
-//!   (u = 2^-53). `(2 + 16 u) u` |X| covers the first, and the rounding of this bound itself. A factor
-//!   above 1 makes the second larger. Where |X| is the largest double nothing is known of x, so it
-//!   becomes infinite (where it is the coordinate too, so that every scalar takes the same steps);
-//! - by the contract of [`difference`](super::Scalar::difference) one that is near the difference to an
-//!   origin ([`recenter`](super::recenter)) is off by the first of these, and by at most 2^-1022 where it falls
-//!   below the normal doubles.
+//! - by the contract of [`approx`](super::Scalar::approx) an approximation X of a coordinate x is off by at most
+//!   2u |x|, that is 2u / (1 - 2u) |X|, or by 2^-1022 where x is below the normal doubles (u = 2^-53).
+//!   `(2 + 16 u) u` |X| covers the first error, and the rounding of this bound itself. A factor above 1 makes the
+//!   second larger. Where |X| is the largest double nothing is known of x, so X becomes infinite (where it is the
+//!   coordinate too, so that every scalar takes the same steps);
+//! - by the contract of [`difference`](super::Scalar::difference) a difference to an origin
+//!   ([`recenter`](mod@super::recenter)) is off by the first error, and by at most 2^-1022 below the normal doubles.
 //!
 //! Scaling and becoming infinite keep the order: a larger coordinate never has a smaller double.
-//!
 //! Cost: one pass over the doubles; a few where some are out of range.
 
 use core::cmp::Ordering;
@@ -31,7 +27,7 @@ use super::lattice::Lattice;
 /// More than 2u / (1 - 2u), by enough for the three roundings of [`Scale::error`].
 const RELATIVE_ERROR: f64 = (2.0 + 16.0 * U) * U;
 
-/// What underflow adds to a determinant and to what its bound is computed from, at most.
+/// The most that underflow adds to a determinant and to what its bound is computed from.
 pub(super) const UNDERFLOW: f64 = power(-660);
 
 /// How the doubles that filter and steer relate to the coordinates.
@@ -41,21 +37,20 @@ pub(crate) struct Scale {
     underflow_bound: f64,
     /// Whether coordinates of equal doubles are equal: all doubles are finite and exact.
     is_injective: bool,
-    /// What is known of their lattice.
+    /// The lattice of the doubles, as far as it is known.
     lattice: Lattice,
     relative: f64,
     absolute: f64,
 }
 
 impl Default for Scale {
-    /// The scale of no points.
     fn default() -> Scale {
         Scale::EXACT
     }
 }
 
 impl Scale {
-    /// The scale of doubles which are the coordinates.
+    /// The scale of doubles that are the coordinates.
     pub(super) const EXACT: Scale = Scale {
         underflow_bound: UNDERFLOW,
         is_injective: true,
@@ -64,7 +59,7 @@ impl Scale {
         absolute: 0.0,
     };
 
-    /// The scale of doubles in range which are the coordinates, with what their lattice promises.
+    /// The scale of doubles in range that are the coordinates, with what their lattice promises.
     pub(crate) fn exact(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Scale {
         Scale {
             lattice: Lattice::of(points, point),
@@ -72,8 +67,7 @@ impl Scale {
         }
     }
 
-    /// The scale of doubles each of which is off by at most 2u / (1 - 2u) of itself, or by 2^-1022 times
-    /// `unit`, and once more by at most 2^-1022.
+    /// The scale of doubles each off by at most 2u / (1 - 2u) of itself, or 2^-1022 times `unit`, and 2^-1022 more.
     pub(super) const fn rounded(unit: f64) -> Scale {
         Scale {
             underflow_bound: f64::INFINITY,
@@ -108,7 +102,7 @@ impl Scale {
     fn move_into_range(approx: &mut [[f64; 2]], exact: bool) -> Scale {
         let sizes = approx.iter().flatten().map(|x| x.abs());
         let known = sizes.filter(|&size| size > 0.0 && size < f64::MAX);
-        // As far as one factor can.
+        // The exponents that a single factor can have.
         let factor = power(doubles::shift(known.map(exponent)).clamp(-1022, 1000));
         let mut keeps_digits = true;
         for x in approx.iter_mut().flatten() {
@@ -143,38 +137,35 @@ impl Scale {
         self.underflow_bound == UNDERFLOW
     }
 
-    /// What is known of the lattice of the doubles.
     pub(super) fn lattice(self) -> Lattice {
         self.lattice
     }
 
-    /// The side of the circle through the first three on which the last lies, if a known lattice holds them.
+    /// The side of the circle through the first three points on which the last lies, if a known lattice holds them.
     #[inline(always)]
     pub(crate) fn in_circle_by_integers(self, points: [[f64; 2]; 4]) -> Option<Ordering> {
         self.lattice.in_circle(points)
     }
 
-    /// What underflow adds to a determinant of exact doubles at most. Infinite if they are not exact, so that the
-    /// filter for exact doubles decides nothing and need not ask.
+    /// The most that underflow adds to a determinant; infinite for inexact doubles, so that the filter decides nothing.
     #[inline(always)]
     pub(super) fn underflow_bound(self) -> f64 {
         self.underflow_bound
     }
 
-    /// Whether coordinates of equal doubles are equal.
     #[inline(always)]
     pub(crate) fn is_injective(self) -> bool {
         self.is_injective
     }
 
-    /// What the difference of two coordinates with these doubles may be off that of the doubles.
+    /// How far the difference of two coordinates may be off that of their doubles `a` and `b`.
     #[inline(always)]
     pub(super) fn error(self, a: f64, b: f64) -> f64 {
         self.relative * (a.abs() + b.abs()) + self.absolute
     }
 }
 
-/// Whether the doubles of a point need no factor. Without branches, so that a pass over many is fast.
+/// Whether the doubles of a point need no factor. Has no branches, so that a pass over many points is fast.
 #[inline(always)]
 pub(crate) fn is_in_range(point: [f64; 2]) -> bool {
     let is_moderate = |x: f64| {

@@ -1,8 +1,5 @@
-//! Numbers whose arithmetic is exact and without bounds: big integers, and whatever else says so by
-//! implementing [`Unbounded`]. And doubles near big integers and quotients of them.
-//!
+//! Exact numbers without bounds (big integers, all that implement [`Unbounded`]); big integers and quotients, rounded.
 //! Why it is right: a sign is that of the [determinant](super::determinants) in the number's own arithmetic.
-//!
 //! Cost: 7 operations of the number for an orientation, 30 for the in-circle test.
 
 use alloc::vec::Vec;
@@ -16,16 +13,13 @@ use super::determinants::{Arithmetic, determinant, minus, turn};
 use super::doubles::power;
 use super::{Scalar, Stage, all_doubles};
 
-/// Says that a number's `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a
-/// [`Scalar`].
+/// Marks a number whose `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a [`Scalar`].
 ///
-/// Implement it for exact numbers of your own; there is nothing to write. `to_f64` must return what
-/// [`Scalar::approx`] demands: monotone, never `None` or NaN, within a relative error of 2^-52,
-/// infinite only for what is too large.
+/// Implement `Unbounded` for exact numbers of your own; there is nothing to write. `to_f64` must return what
+/// [`Scalar::approx`] demands, never `None`, and infinity only for what is too large.
 ///
-/// It is implemented for the `BigInt` of `num-bigint` 0.4; `BigRational`, of `num-rational` 0.4, is a
-/// [`Scalar`] too. Those of other versions are other types. The traits asked for are those of
-/// `num-traits` 0.2.
+/// The `BigInt` of `num-bigint` 0.4 implements it; the `BigRational` of `num-rational` 0.4 is a [`Scalar`] too. Other
+/// versions have other types. The traits asked for are those of `num-traits` 0.2.
 ///
 /// ```
 /// use std::cmp::Ordering;
@@ -39,15 +33,12 @@ use super::{Scalar, Stage, all_doubles};
 pub trait Unbounded:
     Clone + Ord + Zero + Sub<Output = Self> + Mul<Output = Self> + ToPrimitive
 {
-    /// What [`Counters`](crate::Counters) count the number's arithmetic as.
+    /// The stage as which [`Counters`](crate::Counters) count the number's arithmetic.
     const STAGE: Stage = Stage::Own;
 
-    /// A double and a power of two, `(x, power)` for x * 2^power, near the number; `None` if there is no
-    /// telling.
-    ///
-    /// It must be monotone, finite, zero for zero only, and within a relative error of 2^-52, as
-    /// [`Scalar::difference`] says. Numbers far larger or smaller than doubles should have their own;
-    /// this one takes what `to_f64` returns, unless that is near an end of the range of doubles.
+    /// The number, rounded: `(x, power)` for x * 2^power; `None` if there is no telling. Rounding must be monotone,
+    /// finite, zero for zero only, and within a relative error of 2^-52, as [`Scalar::difference`] says. The provided
+    /// function takes what `to_f64` returns; numbers beyond the range of doubles, where it is `None`, need their own.
     fn near(&self) -> Option<(f64, i64)> {
         let approx = self.to_f64()?;
         let is_certain = (power(-1000)..f64::MAX).contains(&approx.abs()) || self.is_zero();
@@ -113,7 +104,7 @@ impl<T: Unbounded> Arithmetic for T {
     }
 }
 
-/// `(x, power)`, where x * 2^power is near the number, whatever its size.
+/// A big integer of any size, rounded: `(x, power)` for x * 2^power.
 fn approx_integer(number: &BigInt) -> (f64, i64) {
     let size = number.magnitude();
     let surplus = size.bits().saturating_sub(65);
@@ -126,7 +117,7 @@ fn approx_integer(number: &BigInt) -> (f64, i64) {
     )
 }
 
-/// `(x, power)`, where x * 2^power is near the quotient; the denominator is not zero.
+/// A quotient, rounded: `(x, power)` for x * 2^power. The denominator is not zero.
 pub(super) fn approx_quotient(numerator: &BigInt, denominator: &BigInt) -> (f64, i64) {
     let (n, d) = (numerator.magnitude(), denominator.magnitude());
     let shift = 65 - n.bits().cast_signed() + d.bits().cast_signed();
@@ -142,13 +133,11 @@ pub(super) fn approx_quotient(numerator: &BigInt, denominator: &BigInt) -> (f64,
     rounded(sign, &whole, is_rest, -shift)
 }
 
-/// A number of at most 66 bits and whether there is a rest, times 2^`power`, with a sign.
-///
-/// Why it is right: as many bits are taken as make a quotient of 64 to 66 bits, rounded down. If anything
-/// is left, the last of these bits is set, which lies below all that a double holds. So rounding to a double
-/// is that of the exact quotient: to the nearest, hence monotone, and off by at most 2^-53 of it.
-///
-/// Cost: that of a division by the denominator with a quotient of two machine words.
+/// The rounded value of a number of at most 66 bits, plus a rest if there is one, times 2^`power`, with a sign.
+/// Why it is right: as many bits are taken as make a quotient of 64 to 66 bits, rounded down. If there is a rest, the
+/// last of these bits is set, which lies below all that a double holds. So rounding to a double is that of the exact
+/// quotient: to the nearest, hence monotone, and off by at most 2^-53 of it.
+/// Cost: a division by the denominator with a quotient of two machine words.
 fn rounded(sign: Sign, whole: &BigUint, is_rest: bool, power: i64) -> (f64, i64) {
     if whole.is_zero() {
         return (0.0, 0);

@@ -1,14 +1,9 @@
 //! Determinants of integers in 64, 128 and 256 bits.
-//!
-//! The in-circle sign of a, b, c, d is that of the sum of two opposite angles of the quadrilateral, at b and at d:
-//! of -sin(beta + delta), in lengths and without a division. That takes two products of products, where the
-//! determinant of the lifted points takes three.
-//!
-//! Why nothing overflows: with differences of any two points below 2^k a cross and a dot product are below
-//! 2^(2k+1) and their products, two of which are compared, below 2^(4k+2). Where those to d are below 2^30 all
-//! are at most 2^31 - 2, and a cross or dot product is below 2^63; k = 62 fits them in 128 bits and their
-//! products in 256.
-//!
+//! The in-circle sign of a, b, c, d is that of -sin(beta + delta), of the opposite angles of the quadrilateral at b and
+//! d, in lengths and without a division: two products of products, where the lifted points take three.
+//! Why it is right: nothing overflows. With differences of any two points below 2^k, a cross or dot product is below
+//! 2^(2k+1), and a product of two below 2^(4k+2); two of these are compared. Where the differences to d are below 2^30,
+//! all are at most 2^31 - 2, and a cross or dot product is below 2^63. With k = 62 they fit in 128 and 256 bits.
 //! Cost: about 160 instructions for k = 62, fewer for k = 30.
 
 use core::cmp::Ordering;
@@ -18,13 +13,12 @@ pub(super) fn turn([ax, ay]: [i64; 2], [bx, by]: [i64; 2]) -> Ordering {
     product(ax, by).cmp(&product(ay, bx))
 }
 
-/// The sign of the in-circle determinant whose rows are the differences of three points to a fourth. Those of any
-/// two points are below 2^62.
+/// The in-circle sign from the differences of three points to a fourth. Differences of any two points are below 2^62.
 #[inline]
 pub(super) fn in_circle(rows: [[i64; 2]; 3]) -> Ordering {
     let sizes = rows.as_flattened().iter().map(|x| x.unsigned_abs());
     let span = sizes.fold(0, |span, size| span | size);
-    // A power of two that divides all of them changes no sign.
+    // Dividing all differences by a power of two changes no sign.
     let zeros = span.trailing_zeros() & 63;
     let rows = rows.map(|row| row.map(|x| x >> zeros));
     if span >> zeros < 1 << 30 {

@@ -1,16 +1,12 @@
-//! Checks 4 to 6: the triangles cover the hull, or the domain that the caller declared, once.
+//! Checks 4 to 6, as the table of the parent module has them: the triangles cover the hull, or the domain that the
+//! caller [declared](super::declared), once. Points outside a declared domain need not be corners.
 //!
-//! Check 4: the boundary is one closed chain that never turns right nor back and goes round once, or it is what the
-//! caller [declared](super::declared). Check 5: every distinct point is a corner, or lies outside the declared domain,
-//! if that is one. Check 6: the number of triangles is Euler's, 2 n - 2 - h for n distinct points, h of them on the
-//! hull.
+//! Points added to those of the input must lie in the hull of these. Check 4 makes the boundary the hull of all
+//! corners. It is the hull of the input's points if all corners at which it turns are among them.
 //!
-//! Where points may be added to those of the input, they must lie in the hull of these. Check 4 makes the boundary the
-//! hull of all corners. It is the hull of the input's points if all corners at which it turns are among them.
-//!
-//! How rounds are counted: a side *ascends* if its end comes after its start in the order (x, y). A chain
-//! that never turns right nor back turns by less than half a turn at each vertex. The directions that
-//! ascend are half of all, so the chain cannot skip them, and each round enters them once.
+//! How rounds are counted: a side *ascends* if its end comes after its start in the order (x, y). A chain that never
+//! turns right nor back turns by less than half a turn at each vertex. The directions that ascend are half of all, so
+//! the chain cannot skip them, and each round enters them once.
 //!
 //! ```text
 //!           .-- d <--.
@@ -33,14 +29,14 @@ use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::{Measure, Scalar};
 
-/// Checks the boundary, against the domain if the caller declared one.
+/// Checks the boundary against the declared domain, or else the hull.
 pub(super) fn check<S: Measure>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     domain: Option<&DeclaredBoundary>,
     record: &mut Record,
 ) {
-    // A triangle that is missing or rejected leaves a hole, which is not another fault.
+    // A missing or rejected triangle leaves a hole, which is not another fault.
     let is_sound = record.findings.is_empty();
     match domain {
         Some(domain) if is_sound => domain.check_boundary(soup, &sides.boundary, record),
@@ -50,9 +46,9 @@ pub(super) fn check<S: Measure>(
     }
 }
 
-/// Without triangles all vertices must lie on one line.
+/// Checks that without triangles all vertices lie on one line.
 fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
-    // Those of the input come first.
+    // The vertices of the input come first.
     let is_off = |&v: &u32| {
         !soup.predicates.is_added(v)
             && soup
@@ -66,10 +62,8 @@ fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
     }
 }
 
-/// Checks that the boundary is one convex chain that goes round once.
-///
-/// There is at least one boundary side. Otherwise every side had a triangle on both of its sides, crossing
-/// a side would never change how many triangles cover a point, and that number is 0 far away.
+/// Checks that the boundary is one convex chain that goes round once. It is not empty: otherwise every side had two
+/// triangles, crossing one would never change how many triangles cover a point, and that number is 0 far away.
 fn check_hull<S: Measure>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Record) {
     // If each vertex starts at most one side, the sides are closed chains.
     let mut sides: Vec<[u32; 2]> = boundary.iter().map(|&side| soup.side(side)).collect();
@@ -102,9 +96,8 @@ fn check_hull<S: Measure>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Rec
     check_convex(soup, &outer, record);
 }
 
-/// The closed chains that sides form. They are sorted by start, and no two have the same start. As many
-/// sides end at a vertex as start there, because that holds for each triangle; so each chain goes on until
-/// it is closed.
+/// The closed chains that sides form, which are sorted by start; no two have the same. As many sides end at a vertex as
+/// start there, because that holds for each triangle. So each chain goes on until it is closed.
 fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let mut visited = vec![false; sides.len()];
     let mut result = Vec::new();
@@ -152,8 +145,7 @@ fn check_convex<S: Measure>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Reco
     report_concave(soup, chain, &wrong, record);
 }
 
-/// Reports the turns of a closed chain that are wrong, with their depths if they are all there is: if they go on, and
-/// the chain neither crosses nor covers itself.
+/// Reports the wrong turns of a closed chain, with depths if all go on and the chain neither crosses nor covers itself.
 fn report_concave<S: Measure>(
     soup: &Soup<'_, S>,
     chain: &[u32],
@@ -183,8 +175,7 @@ fn report_concave<S: Measure>(
     }
 }
 
-/// Checks the vertices of rank `used` and above, which are the ones that no triangle names. Without any
-/// triangles that is for check 4 to judge.
+/// Checks the vertices of rank `used` and above, which no triangle names. Without any triangles check 4 judges them.
 pub(super) fn check_points<S: Scalar>(
     soup: &Soup<'_, S>,
     used: u32,
@@ -196,7 +187,7 @@ pub(super) fn check_points<S: Scalar>(
         Some(domain) => match scanline::inside(&soup.predicates, &domain.sides, unused) {
             Ok(inside) => inside,
             Err(side) => {
-                // Where something is wrong already, nobody knows what the domain is.
+                // Where something is wrong already, the domain is not known.
                 if record.findings.is_empty() {
                     let side = soup.names(side);
                     record.findings.add(Violation::TangledBoundary { side });
@@ -213,8 +204,7 @@ pub(super) fn check_points<S: Scalar>(
     }
 }
 
-/// Checks the count of triangles with `used` corners, if nothing else is wrong and they are to fill the hull. It follows
-/// from the checks before it: a second opinion, by nothing but counting.
+/// Checks Euler's count of triangles, if they fill the hull and nothing else is wrong: a second opinion, by counting.
 pub(super) fn check_count(used: u32, domain: Option<&DeclaredBoundary>, record: &mut Record) {
     let report = &record.report;
     if domain.is_some() || report.triangles == 0 || !record.findings.is_empty() {

@@ -1,7 +1,6 @@
-//! Working through the triangles in chunks, on one thread or on all threads of a rayon pool.
-//!
-//! Two checks take nearly all the time: turns and Delaunay. Both look at one triangle after the other
-//! and change nothing, so that chunks of triangles can be checked in any order, or at the same time.
+//! Chunks of triangles, worked through on one thread or on all threads of a rayon pool.
+//! Two checks take nearly all the time: turns and Delaunay. Both look at one triangle after the other and change
+//! nothing, so chunks can be checked in any order, or at the same time.
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -19,9 +18,8 @@ const CHUNK: usize = 1 << 14;
 
 /// A way to work through the chunks.
 pub(super) trait Schedule<S> {
-    /// Calls `check` for each chunk and returns the results in the order of the chunks.
-    ///
-    /// `check` is given the soup and need not capture it, so that only [`Parallel`] demands `S: Sync`.
+    /// Calls `check` for each chunk and returns the results in the order of the chunks. `check` is given the soup and
+    /// need not capture it, so that only [`Parallel`] demands `S: Sync`.
     fn run<T: Send>(
         soup: &Soup<'_, S>,
         progress: &Progress<'_>,
@@ -29,7 +27,7 @@ pub(super) trait Schedule<S> {
     ) -> Vec<T>;
 }
 
-/// One chunk after the other.
+/// Works through one chunk after the other.
 #[derive(Debug)]
 pub(super) enum Serial {}
 
@@ -46,7 +44,7 @@ impl<S> Schedule<S> for Serial {
     }
 }
 
-/// On all threads of the current rayon pool; on this one where the system gives no more.
+/// Works on all threads of the current rayon pool; on the caller's where the system gives no more.
 #[cfg(feature = "parallel")]
 #[derive(Debug)]
 pub(super) enum Parallel {}
@@ -73,8 +71,7 @@ fn chunk(i: usize, count: usize) -> Range<usize> {
     i * CHUNK..count.min((i + 1) * CHUNK)
 }
 
-/// The progress that is reported after each chunk. Each triangle counts twice: once for its turn, once for
-/// its sides.
+/// The progress that is reported after each chunk. Each triangle counts twice: for its turn, and for its sides.
 pub(super) struct Progress<'a> {
     report: Option<&'a (dyn Fn(usize, usize) + Sync)>,
     done: AtomicUsize,

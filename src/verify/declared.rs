@@ -1,14 +1,10 @@
-//! Check 4 for a domain that the caller declared by its boundary, in place of the convex hull.
+//! Check 4 for a domain that the caller declared by its boundary, in place of the convex hull. The chains may run any
+//! way: they declare what a path from outside enters by an odd number of their sides. Why it is enough to turn them as
+//! the triangles run: their boundary goes round a place as often as they cover it (see the parent module), an odd
+//! number where that of crossed sides is odd, whatever way each runs. A boundary that is the declared one (here), and
+//! goes round each place once or not at all (`scanline`), leaves one triangle where it is odd, else none.
 //!
-//! Which way the chains run does not matter: they declare what a path from outside enters by an odd number of their
-//! sides. Why it is enough to run as the triangles do: how many triangles cover a place is how often their boundary
-//! goes round it (see the module), which is odd where the number of crossed sides is odd, whatever way each runs.
-//! That the boundary is the declared one (here), and goes round every place once or not at all (`scanline`), leaves
-//! one triangle where the number is odd, and none elsewhere.
-//!
-//! Points that are allowed beside those of the input may split a declared side. So the sides of the boundary that go
-//! straight on through such points are merged first.
-//!
+//! Added points may split a declared side. So boundary sides that go straight on through added points are merged first.
 //! Cost: O(m log m) for m sides.
 
 use super::report::Record;
@@ -25,8 +21,7 @@ pub(super) struct DeclaredBoundary {
 }
 
 impl DeclaredBoundary {
-    /// Turns each declared side whose reverse is on the boundary of the triangles, so that it runs as they do: the
-    /// caller's chains may run any way.
+    /// Turns each declared side whose reverse is on the boundary of the triangles, so that it runs as they do.
     pub(super) fn orient<S: Scalar>(&mut self, soup: &Soup<'_, S>, boundary: &[u32]) {
         let found = merged(soup, boundary);
         let is_found = |side: [u32; 2]| found.binary_search_by_key(&side, |found| found.0).is_ok();
@@ -67,8 +62,8 @@ impl DeclaredBoundary {
     }
 }
 
-/// The ends of each side of the boundary, sorted, with its number. Sides that go straight on through added points count
-/// as one, with the number of the first, if they lead from one point of the input to another.
+/// The ends of each side of the boundary, sorted, with its number. Sides that go straight on through added points, from
+/// one point of the input to another, count as one, with the number of the first.
 fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<([u32; 2], u32)> {
     let mut found: Vec<([u32; 2], u32)> = boundary
         .iter()
@@ -81,8 +76,8 @@ fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<([u32; 2], u32
     {
         return found;
     }
-    // Where a side goes straight on. Through an added point go one or two declared sides, on one line. Where more leave
-    // it, only two are looked at: nobody has declared these.
+    // The side that goes straight on. One or two declared sides pass through an added point, on one line. Where more
+    // leave it, only two are looked at: nobody has declared these.
     let straight_on = |[a, b]: [u32; 2]| {
         let forward = |side: [u32; 2]| soup.predicates.order(side[0], side[1]);
         let first = found.partition_point(|&([start, _], _)| start < b);

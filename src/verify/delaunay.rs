@@ -1,5 +1,4 @@
-//! Check 8: every free side is locally Delaunay; and of how many ties the diagonal is not the canonical
-//! one, which is a count and no violation.
+//! Check 8: every free side is locally Delaunay. Ties whose diagonal is not the canonical one are only counted.
 
 use core::cmp::Ordering;
 
@@ -10,7 +9,7 @@ use super::soup::{Soup, Tally};
 use super::violation::Violation;
 use crate::scalar::Measure;
 
-/// What is found in a chunk of triangles.
+/// Findings and counts of a chunk of triangles.
 struct Part {
     tally: Tally,
     findings: Findings,
@@ -19,7 +18,6 @@ struct Part {
     uncanonical: usize,
 }
 
-/// Checks all free sides.
 pub(super) fn check<S: Measure, C: Schedule<S>>(
     soup: &Soup<'_, S>,
     sides: &Sides,
@@ -45,7 +43,7 @@ pub(super) fn check<S: Measure, C: Schedule<S>>(
         }
         part
     });
-    // Their findings, in order.
+    // The findings of the chunks, in order.
     for part in parts {
         record.tally += part.tally;
         record.findings.append(part.findings);
@@ -56,8 +54,7 @@ pub(super) fn check<S: Measure, C: Schedule<S>>(
 }
 
 impl Part {
-    /// Checks the side from `a` to `b` of triangle `a`, `b`, `c`, with `d` opposite to it in the triangle
-    /// of its twin.
+    /// Checks the side from `a` to `b` of triangle `a`, `b`, `c`; `d` is opposite to it in the triangle of its twin.
     fn check_side<S: Measure>(&mut self, soup: &Soup<'_, S>, side: usize, twin: usize) {
         let corner = |side: usize, i: usize| soup.triangles[side / 3][(side % 3 + i) % 3];
         let [a, b, c] = [0, 1, 2].map(|i| corner(side, i));

@@ -1,17 +1,10 @@
-//! How deep faults are: what tells rounding from a wrong triangulation.
-//!
-//! A program that decides by rounded numbers is wrong where the right answer hangs on the last bits: its faults are
-//! some units of 1e-16 deep. Where its algorithm is wrong, they are as deep as it comes. A histogram by decades shows
-//! that at a glance.
-//!
-//! Why it is right: the faults are found by exact signs. The sizes come from the scalar, which computes them exactly
-//! and rounds at the end. The decade is that of the double's shortest decimal, so no logarithm rounds it.
-//!
-//! A turn is measured only where all turns that are wrong go on by less than a right angle, and the boundary, as it
-//! is, neither crosses nor covers itself. Then the triangles cover what it bounds once.
-//!
-//! Cost: some microseconds a fault; so by default only [`MEASURED`] of each 16384 triangles are measured, and as many
-//! turns.
+//! Depths of faults, which tell rounding from a wrong triangulation.
+//! A program that decides by rounded numbers is wrong where the right answer hangs on the last bits, some units of
+//! 1e-16 deep. Faults of a wrong algorithm are as deep as they come. A histogram by decades shows that at a glance.
+//! Why it is right: the faults are found by exact signs. The scalar computes the sizes exactly and rounds at the end.
+//! The decade is that of the double's shortest decimal, so no logarithm rounds it. Turns are measured only if all wrong
+//! ones go on by less than a right angle and the boundary is simple, so that what it bounds is covered once.
+//! Cost: some microseconds a fault, so by default at most [`MEASURED`] in each 16384 triangles, and as many turns.
 
 use alloc::collections::BTreeMap;
 use alloc::format;
@@ -21,19 +14,17 @@ use core::hash::{Hash, Hasher};
 /// How many depths are measured at a time, unless all are asked for.
 pub(super) const MEASURED: usize = 1000;
 
-/// How deep a fault is, in units of what it is a fault of: a positive number.
+/// The depth of a fault, in units of what it is a fault of: a positive number.
 ///
-/// Of a side that is not Delaunay: how far the corner that lies deepest in the circle of the other triangle lies in
-/// it. That is the power of this corner, in units of the square of the radius. It is 1 at the centre. Of a turn of the
-/// boundary that is concave: its height over the line between its ends, in units of their distance.
-///
-/// The size is right to about 1e-15 of itself. What is too small for a double is the smallest one.
+/// For a side that is not Delaunay: the power of the corner that lies deepest in the circle of the other triangle, in
+/// units of the squared radius; 1 at the centre. For a concave turn of the boundary: its height over the line between
+/// its ends, in units of their distance. The size is right to about 1e-15 of itself, or is the smallest double.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Depth(f64);
 
 impl Depth {
-    /// The depth of this size, if it is one.
+    /// The depth of this size, if the size is positive and finite.
     pub(super) fn new(size: f64) -> Option<Depth> {
         (size > 0.0 && size.is_finite()).then_some(Depth(size))
     }
@@ -43,7 +34,7 @@ impl Depth {
         self.0
     }
 
-    /// The exponent of ten in its scientific notation: -16 for 1e-16 up to below 1e-15.
+    /// The exponent of ten in scientific notation: -16 for 1e-16 up to below 1e-15.
     pub fn decade(self) -> i32 {
         let text = format!("{:e}", self.0);
         let exponent = text.split_once('e').and_then(|(_, e)| e.parse().ok());
@@ -51,7 +42,7 @@ impl Depth {
     }
 }
 
-/// It is never NaN.
+/// A depth is never NaN.
 impl Eq for Depth {}
 
 impl Hash for Depth {
@@ -60,7 +51,7 @@ impl Hash for Depth {
     }
 }
 
-/// With two digits: `1.2e-16`.
+/// Writes two digits: `1.2e-16`.
 impl fmt::Display for Depth {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:.1e}", self.0)
@@ -72,14 +63,14 @@ impl fmt::Display for Depth {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Depths {
-    /// For each [decade](Depth::decade) that has any, how many.
+    /// The number of depths in each [decade](Depth::decade) that has any.
     pub decades: BTreeMap<i32, usize>,
-    /// The greatest; `None` if there are none.
+    /// The greatest depth; `None` if there are none.
     pub greatest: Option<Depth>,
 }
 
 impl Depths {
-    /// How many there are.
+    /// How many depths there are.
     pub fn measured(&self) -> usize {
         self.decades.values().sum()
     }

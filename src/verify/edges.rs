@@ -1,23 +1,19 @@
 //! Check 7: every input edge is a side, or a chain of sides where vertices lie on it.
 //!
-//! Most edges are a side. The others are followed along the straight chains of sides. At each vertex at most one
-//! side goes straight on: of those in the direction of the edge the shortest
-//! (in a triangulation there is only one). So the sides of one direction form trees, in which the *next*
-//! side is the parent, and an edge is a chain of sides if its lower end starts a side from which a path
-//! leads to one that ends at its upper end.
+//! Most edges are a side. The others are followed along the straight chains of sides. At each vertex at most one side
+//! goes straight on: the shortest in the direction of the edge (in a triangulation there is only one). So the sides of
+//! one direction form trees, in which the *next* side is the parent. An edge is a chain of sides if its lower end
+//! starts a side from which a path leads to one that ends at its upper end.
 //!
 //! ```text
 //!        a --> u --> v --> b --> w          The edge a-b: from the side a-u two steps lead to b.
 //! ```
 //!
-//! Edges may overlap, so that many of them share the same long chain. No side is walked twice: what was
-//! walked is a tree with Myers' jump pointers (An applicative random-access stack, Information Processing
-//! Letters 17, 1983), in which the last side that does not pass the edge's end is found in O(log n) steps.
-//! A tree cannot grow at its root. It does not have to, because the edges that reach farthest in their
-//! direction come first.
-//!
-//! Cost: O((n + m) log n) for n sides and m edges. The neighbours of a vertex are sorted by direction when
-//! the first edge passes it.
+//! Edges may overlap, so that many share the same long chain. No side is walked twice: what was walked is a tree with
+//! Myers' jump pointers (An applicative random-access stack, Information Processing Letters 17, 1983), in which the
+//! last side that does not pass the edge's end is found in O(log n) steps. A tree cannot grow at its root, and need
+//! not, because the edges that reach farthest in their direction come first.
+//! Cost: O((n + m) log n) for n sides and m edges. The neighbours of a vertex are sorted when the first edge passes it.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -29,7 +25,7 @@ use super::soup::{Soup, Tally};
 use super::violation::Violation;
 use crate::scalar::Scalar;
 
-/// Checks the edges, given by number and the ranks of their ends, and fixes their sides.
+/// Checks the edges, given by number and the ranks of their ends, and constrains their sides.
 pub(super) fn check<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &mut Sides,
@@ -56,7 +52,7 @@ pub(super) fn check<S: Scalar>(
         return;
     }
 
-    // The edges that reach farthest in their direction come first, as the chains ask.
+    // The edges that reach farthest in their direction come first, as the trees ask.
     let forward = |[a, b]: [u32; 2]| soup.predicates.order(a, b);
     split.sort_unstable_by(|&(_, one), &(_, other)| {
         let direction = forward(one);
@@ -88,12 +84,11 @@ pub(super) fn check<S: Scalar>(
 /// In place of a step: the side is not walked yet.
 const NEW: u32 = u32::MAX;
 
-/// The sides that leave each vertex, and those that were walked.
+/// The sides that leave each vertex, and the steps of those that were walked.
 #[derive(Debug)]
 struct EdgeChains {
-    /// The neighbours of the vertex of rank `v` are `neighbors[starts[v]..starts[v + 1]]`. Once sorted, first
-    /// come those after it in the order (x, y), then those before it, each counter-clockwise and in one
-    /// direction the nearest first.
+    /// The neighbours of the vertex of rank `v` are `neighbors[starts[v]..starts[v + 1]]`. Once sorted, those after it
+    /// in the order (x, y) come first, then those before it, each half counter-clockwise, then nearest first.
     starts: Vec<u32>,
     neighbors: Vec<u32>,
     sorted: Vec<bool>,
@@ -107,13 +102,13 @@ struct EdgeChains {
 struct Step {
     /// The vertex at its end.
     end: u32,
-    /// The step after it; itself where the walk ended.
+    /// The step after this one; itself where the walk ended.
     next: u32,
     /// A later step, or itself where the walk ended.
     jump: u32,
     /// How many steps follow.
     depth: u32,
-    /// How many of this step and those that follow end at added points.
+    /// How many steps from this one on end at added points.
     added: u32,
 }
 
@@ -129,8 +124,8 @@ impl EdgeChains {
         }
     }
 
-    /// Follows an edge from one end to the other. Returns how far sides lead along it, to its other end if
-    /// it is a chain of sides, and whether they pass an added point. Calls `walk` with each side that no edge has followed before.
+    /// Follows an edge from one end to the other. Returns how far sides lead along it (to its other end if it is a
+    /// chain of sides), and whether they pass an added point. Calls `walk` with each side not walked before.
     fn follow<S: Scalar>(
         &mut self,
         soup: &Soup<'_, S>,
@@ -178,12 +173,12 @@ impl EdgeChains {
         (last.end, first.added > last.added)
     }
 
-    /// Where the side stands that leaves a vertex in the direction of another.
+    /// The position of the side that leaves a vertex in the direction of another.
     fn straight_on<S: Scalar>(&mut self, soup: &Soup<'_, S>, at: u32, to: u32) -> Option<usize> {
         let predicates = &soup.predicates;
         let around = range(&self.starts, at);
         let neighbors = &mut self.neighbors[around.clone()];
-        // How many signs a sort or a search takes is up to the standard library, so they are not counted.
+        // Not counted: how many signs a sort or a search takes is up to the standard library.
         let turn = |v, w| predicates.orient2d([at, v, w], &mut Tally::default());
         let half = |v| predicates.order(at, v);
         let compare = |v, w| half(v).cmp(&half(w)).then_with(|| turn(w, v));
@@ -203,7 +198,7 @@ impl EdgeChains {
         is_straight.then_some(around.start + place)
     }
 
-    /// Links the steps from this one on, of which each follows the one before, and a step after them.
+    /// Links the steps from `first` on, each to the one after it, and the last to `after`.
     fn link(&mut self, first: usize, mut after: Option<u32>) {
         for own in (first..self.steps.len()).rev() {
             let own_index = index(own);
@@ -225,7 +220,7 @@ impl EdgeChains {
         }
     }
 
-    /// The last step from this one on that does not pass what it must not pass.
+    /// The last step from `from` on that does not pass the end of the edge.
     fn last(&self, from: u32, is_past: impl Fn(u32) -> bool) -> u32 {
         let step = |at: u32| self.steps[at as usize];
         let mut at = from;

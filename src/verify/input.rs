@@ -1,9 +1,8 @@
 //! Check 1: all coordinates are finite and all indices in range. What is in range is renumbered.
-//!
-//! Each distinct point gets a rank, in the order in which the triangles name points first, so that
-//! vertices of neighbouring triangles are near each other in memory. Which points are equal is found by a sort of
-//! hashes of the approximated coordinates: equal points have equal approximations and so equal hashes. Only points
-//! with the same hash are compared exactly: few, apart from true duplicates. Cost: one sort of 64-bit numbers.
+//! Each distinct point gets a rank, in the order in which the triangles name points first, so that vertices of
+//! neighbouring triangles are near each other in memory. Equal points are found by a sort of hashes of the approximated
+//! coordinates, which are equal too. Only points of equal hashes, few but for duplicates, are compared exactly.
+//! Cost: one sort of 64-bit numbers.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -15,7 +14,7 @@ use super::soup::{LIMIT, REJECTED, Soup, SoupPredicates};
 use super::violation::Violation;
 use crate::scalar::{NearTies, Scalar, recenter};
 
-/// What the caller gave, by rank, as far as it is in range.
+/// The caller's input by rank, as far as it is in range.
 #[derive(Debug)]
 pub(super) struct Ranked<'a, S> {
     pub(super) soup: Soup<'a, S>,
@@ -203,8 +202,7 @@ impl<'a, S: Scalar> Ranks<'a, S> {
     }
 }
 
-/// For each point the lowest index of a point equal to it; `None` if all differ. Only points that are
-/// finite are compared.
+/// For each point the lowest index of a point equal to it; `None` if all differ. Compares only finite points.
 fn representatives<S: Scalar>(
     points: &[[S; 2]],
     approximations: &[[f64; 2]],

@@ -1,14 +1,13 @@
 //! The verifier: is this a constrained Delaunay triangulation?
 //!
-//! It reads points, edges and triangles as bare arrays, made by any program, and decides everything by
-//! exact signs. It shares the signs of [`scalar`](crate::scalar) (filter and exact predicates) with the
-//! sweep, and nothing else. The checks, in this order, with their files:
+//! The verifier reads points, edges and triangles as bare arrays, made by any program, and decides all by exact signs.
+//! With the sweep it shares the predicates of [`scalar`](crate::scalar), and nothing else. The checks, in order:
 //!
 //! | | check | file |
 //! |---|---|---|
 //! | 1 | all coordinates are finite and all indices in range | `input` |
 //! | 2 | every triangle turns left, strictly | `turns` |
-//! | 3 | every side of a triangle, as a directed edge, occurs once | `sides` |
+//! | 3 | every half-edge (a side of a triangle in its direction) occurs once | `sides` |
 //! | 4 | the sides without a triangle on their right form one closed chain, which never turns right nor back and goes round once | `boundary`, `declared` |
 //! | 5 | every distinct point is a corner | `boundary` |
 //! | 6 | the number of triangles is Euler's, 2 n - 2 - h for n points, h of them on the boundary | `boundary` |
@@ -17,53 +16,46 @@
 //! | 9 | if the caller gives the attributes of regions: each triangle has that of the region it lies in | `regions` |
 //!
 //! # Why that proves it
+//! *The triangles cover the convex hull once.* Take a point q that is on no side. The triangles turn left (2), so the
+//! number of triangles around q is the sum of the winding numbers of their borders around q. A side with triangles on
+//! both sides is passed in both directions (3), which cancels. What is left is the winding number of the boundary. By
+//! (4) the boundary is a convex polygon, passed once: 1 inside, 0 outside. So the triangles cover the polygon once. The
+//! polygon is the hull of their corners, hence of all points (5).
 //!
-//! *The triangles cover the convex hull once.* Take a point q that is on no side. The triangles turn left
-//! (2), so the number of triangles around q is the sum of the winding numbers of their borders around q.
-//! A side with triangles on both sides is passed in both directions (3), which cancels. What is left is
-//! the winding number of the boundary. By (4) the boundary is a convex polygon, passed once: 1 inside, 0
-//! outside. So the triangles cover the polygon once. The polygon is the hull of their corners, hence of
-//! all points (5).
+//! *A domain that the caller declares* takes the place of the hull. (4) then asks that the boundary is the declared
+//! one, whichever way its chains run, and (5) that the declared sides do not cross and go round each place once or not
+//! at all (`scanline`). So the triangles cover the domain once, and points outside it need no corner.
 //!
-//! *A domain that the caller declares* takes the place of the hull. (4) then asks that the boundary is the
-//! declared one, whichever way its chains run, and (5) that the declared sides do not cross and go round each place once or not
-//! at all, `scanline`: so the triangles cover the domain once, and points outside it need no corner.
+//! *Points may be added* to those of the input, if the caller allows it. The corners at which the hull of all points
+//! turns must be the input's (4), so it is the hull of the input's points. Sides of a declared domain may have added
+//! points on them. All other checks take added points like others.
 //!
-//! *Points may be added* to those of the input, if the caller allows it. The corners at which the hull of all of them
-//! turns must be the input's (4), so it is the hull of these; the sides of a declared domain may have added points on
-//! them. All other checks take added points as they take others.
+//! *The triangles meet side to side.* Suppose a vertex v lies inside a side of a triangle. The triangles at that side
+//! already cover all of the polygon near v, so those with the corner v cover a part of it twice. (Points that are equal
+//! count as one.) Euler's formula (6) then follows; it is checked as a second opinion, by nothing but counting.
 //!
-//! *They meet side to side.* Suppose a vertex v lies inside a side of a triangle. The triangles at that
-//! side already cover all of the polygon near v, so the triangles with the corner v cover a part of it
-//! twice. (Points that are equal count as one.) Euler's formula (6) then follows; it is checked as a second
-//! opinion, by nothing but counting.
-//!
-//! *It is constrained Delaunay:* if a point p inside a triangle t sees a vertex v (no constrained edge
+//! *The triangulation is constrained Delaunay:* if a point p inside a triangle t sees a vertex v (no constrained edge
 //! crosses the segment p-v), then v is not inside the circumcircle of t. This is the theorem of Lee and Lin
-//! (Generalized Delaunay triangulation for planar graphs, Discrete & Computational Geometry 1, 1986,
-//! 201-217) and Chew (Constrained Delaunay triangulations, Algorithmica 4, 1989, 97-108). Its proof: choose
-//! p so that the segment passes through no other vertex. It passes through triangles t = t0, t1, ..., tk,
-//! the last with corner v, and by (7) crosses only free sides. Let P(i, x) be the power of the point x to
-//! the circumcircle of ti, negative inside. P(i, x) - P(i + 1, x) is linear in x. It is zero on the side
-//! between ti and ti+1, and by (8) not negative at the corner of ti+1 opposite to that side. So it is not
-//! negative at v, which lies on the same side of it as that corner. Hence P(0, v) >= P(k, v) = 0.
+//! (Generalized Delaunay triangulation for planar graphs, Discrete & Computational Geometry 1, 1986, 201-217) and Chew
+//! (Constrained Delaunay triangulations, Algorithmica 4, 1989, 97-108). Its proof: choose p so that the segment passes
+//! through no other vertex. It passes through triangles t = t0, t1, ..., tk, the last with corner v, and by (7) crosses
+//! only free sides. Let P(i, x) be the power of x to the circumcircle of ti, negative inside. P(i, x) - P(i + 1, x) is
+//! linear in x, zero on the side between ti and ti+1, and by (8) not negative at the corner of ti+1 opposite to that
+//! side. So it is not negative at v, which lies on the same side of it as that corner. Hence P(0, v) >= P(k, v) = 0.
 //!
-//! *It is the canonical one* if, besides, of four vertices on one circle the diagonal ends at the leftmost
-//! one (of two, the upper one). To see why, lift the points to the paraboloid and then lower them a little,
-//! the leftmost one most of all. No ties are left, the diagonals chosen are the locally Delaunay ones, and
-//! the same proof makes the triangulation unique.
+//! *The triangulation is the canonical one* if, besides, of four vertices on one circle the diagonal ends at the
+//! leftmost one (of two, the upper one). Lift the points to the paraboloid, then lower them a little, the leftmost one
+//! most of all: no ties are left, the diagonals chosen are locally Delaunay, and the same proof makes it unique.
 //!
 //! *Levels.* Checks 1 to 6 prove that the triangles tile the hull or the domain; with check 7 they are a constrained
-//! triangulation; with check 8 a constrained Delaunay one. [`Level`] says what is asked for: a lower one leaves out
+//! triangulation; with check 8 a constrained Delaunay one. [`Level`] says what is asked for: a lower level leaves out
 //! the violations of those above. All checks are made, and the report names the highest level reached.
 //!
 //! *How wrong.* A side that is not Delaunay and a turn that is not convex have a [`Depth`], exact in its sign and right
-//! in size, by which rounding is told from a wrong triangulation. It is a measure of what is wrong, and proves
-//! nothing right.
+//! in size, which tells rounding from a wrong triangulation. It measures what is wrong, and proves nothing right.
 //!
-//! Cost: O(n log n) on every input, since sides, straight chains of sides and points in a declared domain are
-//! found by sorting and searching; for the usual ones linear but for one sort, about 0.4 s for a million
-//! points on one core. 60 bytes a triangle.
+//! Cost: O(n log n) on every input, since sides, straight chains and points in a declared domain are found by sorting
+//! and searching; usually linear but for one sort, about 0.4 s for a million points on one core. 60 bytes a triangle.
 
 mod boundary;
 mod chunks;
@@ -91,12 +83,12 @@ use crate::scalar::Measure;
 
 /// Verifies that `triangles` is a constrained Delaunay triangulation of `points` with `edges`.
 ///
-/// The proof is in the documentation of this module. Triangles are counter-clockwise triples of indices.
-/// Equal points count as one, and triangles and edges may name any of them. Points that lie on one line
-/// have no triangles, and their edges are not checked. [`Verifier`] has options, and can use all cores.
+/// The proof is in the documentation of this module. Triangles are counter-clockwise triples of indices. Equal points
+/// count as one, and triangles and edges may name any of them. Points on one line have no triangles, and their edges
+/// are not checked. [`Verifier`] has options, and can use all cores.
 ///
 /// # Errors
-/// [`Violations`], if it is not one, or if the input is out of range or not finite.
+/// [`Violations`], if `triangles` is no such triangulation, or if the input is out of range or not finite.
 ///
 /// ```
 /// use sweep_cdt::verify::verify;

@@ -1,12 +1,9 @@
-//! Check 9, where triangles have the attributes of regions, as Triangle gives them (its option `-A`).
-//!
-//! The fixed sides cut the triangles into *faces*: what is reached without passing one. A region is named by a point in
-//! it, its *seed*. All triangles of the face that holds the seed must have the region's attribute, and those of a face
-//! without a seed 0. So it is enough to flood the faces, and to know in which triangle each seed lies.
-//!
-//! It is made where the triangles are a constrained triangulation: otherwise there are no faces.
-//!
-//! Cost: O(n + k) for n triangles and k seeds, 8 bytes a triangle.
+//! Check 9: triangles have the attributes of their regions, as Triangle gives them (its option `-A`).
+//! The constrained sides cut the triangles into *faces*: what is reached without passing one. A region is named by a
+//! point in it, its *seed*. All triangles of the face that holds the seed must have the region's attribute, and
+//! triangles of a face without a seed 0. So it is enough to flood the faces, and to know in which triangle each seed
+//! lies. The check is made only for a constrained triangulation: otherwise there are no faces.
+//! Cost: O(n + k) for n triangles and k seeds, 16 bytes a triangle.
 
 use super::report::{Level, Record};
 use super::sides::Sides;
@@ -21,12 +18,10 @@ use alloc::vec::Vec;
 pub struct Regions<'a> {
     /// The attribute of each triangle.
     pub attributes: &'a [f64],
-    /// For each region the triangle that holds a point of it, and its attribute. Of several in one face the last one
-    /// counts, as in Triangle.
+    /// For each region the triangle of its seed, and its attribute. Of several in a face the last counts (as Triangle).
     pub seeds: &'a [(usize, f64)],
 }
 
-/// Checks the attribute of each triangle.
 pub(super) fn check<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &Sides,

@@ -1,5 +1,4 @@
-//! What the verifier answers: counts, the level reached, and the violations if there are any; and how the checks record
-//! it.
+//! The verifier's answer: counts, the level reached, and the violations if there are any; and how the checks record it.
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -9,9 +8,8 @@ use super::depth::{Depth, Depths};
 use super::soup::Tally;
 use super::violation::Violation;
 
-/// What was counted and decided. An `Ok(Report)` proves the triangulation correct, to the level that was asked for.
-///
-/// A *side* is a side of a triangle, counted once however many triangles have it.
+/// Counts and decisions. An `Ok(Report)` proves the triangulation correct, to the level that was asked for. A *side* is
+/// a side of a triangle, counted once however many triangles have it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -30,20 +28,17 @@ pub struct Report {
     pub boundary_sides: usize,
     /// Sides that are input edges or pieces of them.
     pub constrained_sides: usize,
-    /// Corners that are none of the input's points, where [these are allowed](super::Verifier::added_from).
+    /// Corners that are not points of the input, where [these are allowed](super::Verifier::added_from).
     pub added_points: usize,
-    /// Edges with such a point on them, between their ends.
+    /// Edges with an added point on them, between their ends.
     pub split_edges: usize,
-    /// Sides between two triangles that are no pieces of input edges: what must be Delaunay.
+    /// Sides between two triangles that are not pieces of input edges, so must be Delaunay.
     pub free_sides: usize,
-    /// Free sides whose two triangles have all four corners on one circle: ties, where either diagonal is
-    /// Delaunay.
+    /// Free sides whose two triangles have all corners on one circle: ties, where either diagonal is Delaunay.
     pub cocircular_sides: usize,
-    /// Cocircular sides for which this crate chooses the other diagonal (see
-    /// [`is_canonical`](Report::is_canonical)).
+    /// Cocircular sides for which this crate chooses the other diagonal (see [`is_canonical`](Report::is_canonical)).
     pub uncanonical_sides: usize,
-    /// Signs that doubles decided; those of searches (along edges through vertices, and in a declared domain)
-    /// are not counted.
+    /// Signs that doubles decided. Signs of searches (along edges through vertices, in a declared domain) do not count.
     pub filtered: u64,
     /// Signs that the filter left to exact arithmetic.
     pub exact: u64,
@@ -52,26 +47,25 @@ pub struct Report {
 }
 
 impl Report {
-    /// Whether a correct result is the canonical one, which [`triangulate`](crate::triangulate)
-    /// returns: of four vertices on one circle the diagonal ends at the leftmost one (of two, the upper
-    /// one). There is only one such triangulation of an input.
+    /// Whether a correct result is the canonical one, as from [`triangulate`](crate::triangulate): of four vertices on
+    /// one circle the diagonal ends at the leftmost one (of two, the upper one). There is only one such result.
     pub fn is_canonical(&self) -> bool {
         self.uncanonical_sides == 0
     }
 }
 
-/// What is wrong with a triangulation.
+/// The violations found in a triangulation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Violations {
     /// The level that was asked for.
     pub asked: Level,
-    /// The first ones, in the order of the checks, up to the limit.
+    /// The first violations, in the order of the checks, up to the limit.
     pub list: Vec<Violation>,
-    /// How many there are, beyond the limit too.
+    /// How many violations there are, beyond the limit too.
     pub found: usize,
-    /// How deep they are, those that have a depth.
+    /// The depths of the violations that have one.
     pub depths: Depths,
     /// The counts, as far as the checks came.
     pub report: Box<Report>,
@@ -79,11 +73,11 @@ pub struct Violations {
 
 impl Violations {
     /// The greatest depth, if each violation has one: all of them are sides that are not Delaunay, or turns of a
-    /// boundary that is simple. So what is wrong may be rounding, if that is small.
+    /// boundary that is simple. So what is wrong may be rounding, if the depth is small.
     ///
     /// Then the triangles still meet side to side and cover what they cover once, every point is a corner, and every
-    /// edge is a chain of sides. They are no triangulation of the hull where a turn is concave. By default not all
-    /// of very many are measured, and there is no answer; see [`Verifier::all_depths`](super::Verifier::all_depths).
+    /// edge is a chain of sides. They do not fill the hull where a turn is concave. By default not all of very many
+    /// depths are measured, and there is no answer; see [`Verifier::all_depths`](super::Verifier::all_depths).
     ///
     /// ```
     /// use sweep_cdt::verify::verify;
@@ -144,8 +138,7 @@ impl core::error::Error for Violations {}
 pub enum Level {
     /// The triangles tile the hull, or the declared domain, and every point there is a corner.
     Tiling,
-    /// And every edge is a side, or a chain of sides; and triangles have the attributes of their regions, where
-    /// [these are verified](super::Verifier::regions).
+    /// And every edge is a chain of sides; where [regions](super::Verifier::regions) are given, triangles match them.
     Constrained,
     /// And every other side is locally Delaunay.
     Delaunay,
@@ -172,7 +165,7 @@ impl Level {
         }
     }
 
-    /// What a triangulation of this level is called.
+    /// The name of a triangulation of this level.
     pub fn title(self) -> &'static str {
         match self {
             Level::Tiling => "a triangulation",
@@ -182,7 +175,7 @@ impl Level {
         }
     }
 
-    /// The level before it, if there is one.
+    /// The level before this one, if there is one.
     pub(super) fn below(self) -> Option<Level> {
         match self {
             Level::Tiling => None,
@@ -194,7 +187,7 @@ impl Level {
 }
 
 impl Violation {
-    /// The lowest level that is not reached because of it.
+    /// The lowest level that is not reached because of the violation.
     pub fn level(&self) -> Level {
         match self {
             Violation::EdgeOutOfRange { .. }
@@ -207,7 +200,7 @@ impl Violation {
     }
 }
 
-/// The answer as it is being made: counts, how signs were decided, and violations.
+/// The answer in the making: counts, how signs were decided, and violations.
 #[derive(Debug)]
 pub(super) struct Record {
     pub(super) report: Report,
@@ -216,8 +209,7 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// Nothing is checked yet. At most `limit` violations of the level asked for, or those before it, will be listed,
-    /// and about `measured` of them measured.
+    /// A record of no checks, for at most `limit` violations of the level asked for or below, and `measured` depths.
     pub(super) fn new(limit: usize, measured: usize, asked: Level) -> Record {
         Record {
             report: Report::default(),
@@ -226,7 +218,6 @@ impl Record {
         }
     }
 
-    /// The answer to the caller.
     pub(super) fn answer(mut self) -> Result<Report, Violations> {
         if !self.report.is_canonical() {
             let sides = self.report.uncanonical_sides;
@@ -251,17 +242,17 @@ impl Record {
     }
 }
 
-/// The first violations that matter, how many there are, and what level all of them leave.
+/// The first violations that matter, how many there are, and the level that all of them leave.
 #[derive(Clone, Debug)]
 pub(super) struct Findings {
     limit: usize,
-    /// What is asked for. What breaks a higher level only is no violation.
+    /// The level asked for. What breaks a higher level only is no violation.
     asked: Level,
     /// The lowest level that is not reached.
     broken: Option<Level>,
     pub(super) list: Vec<Violation>,
     pub(super) found: usize,
-    /// How many of these have a depth at most.
+    /// How many of the violations found have a depth at most.
     pub(super) measured: usize,
     depths: Depths,
 }
@@ -279,7 +270,7 @@ impl Findings {
         }
     }
 
-    /// Nothing found, with the same limits and the same level asked for.
+    /// No findings, with the same limits and the same level asked for.
     pub(super) fn emptied(&self) -> Findings {
         Findings::new(self.limit, self.measured, self.asked)
     }
@@ -298,7 +289,6 @@ impl Findings {
         self.found == 0
     }
 
-    /// The level asked for.
     fn asked(&self) -> Level {
         self.asked
     }

@@ -1,9 +1,8 @@
 //! The declared sides from left to right: do they bound a domain, and which points lie in it?
 //!
-//! A vertical line goes over the plane. It keeps the sides that it crosses, from below, and how often the
-//! chains go round what is just above each of them: once more than below it for a side that runs to the
-//! right, once less for one that runs to the left. *Left*, *right* and *below* are meant in the order
-//! (x, y), so that no side is vertical.
+//! A vertical line goes over the plane. It keeps the sides that it crosses, from below, and how often the chains go
+//! round what is just above each of them: once more than below it for a side that runs to the right, once less for one
+//! to the left. *Left*, *right* and *below* are meant in the order (x, y), so that no side is vertical.
 //!
 //! ```text
 //!             0
@@ -17,12 +16,10 @@
 //!             0
 //! ```
 //!
-//! The chains bound a domain if that number is 0 or 1 everywhere and no two sides cross. (They may meet in
-//! vertices, also inside of sides; and two sides that run against each other may overlap.) Sides that cross
-//! are next to each other on the line before they do (Shamos and Hoey, Geometric intersection problems,
-//! FOCS 1976), so it is enough to compare neighbours. Nothing that is on the line after a crossing is
-//! used, so that the order of its sides holds.
-//!
+//! The chains bound a domain if that number is 0 or 1 everywhere and no two sides cross. (Sides may meet in vertices,
+//! also inside of sides; and two sides that run against each other may overlap.) Sides that cross are next to each
+//! other on the line before they do (Shamos and Hoey, Geometric intersection problems, FOCS 1976), so it is enough to
+//! compare neighbours. The order on the line is not used after a crossing, so it always holds.
 //! Cost: O((n + m) log m) for n points and m sides.
 
 use alloc::collections::BTreeMap;
@@ -35,15 +32,15 @@ use crate::scalar::Scalar;
 /// A declared side.
 #[derive(Clone, Copy, Debug)]
 struct Side {
-    /// Its left end.
+    /// The left end.
     from: u32,
-    /// Its right end.
+    /// The right end.
     to: u32,
     /// Whether it was declared from left to right.
     runs_right: bool,
 }
 
-/// What happens at a vertex, in this order.
+/// An event at a vertex. Events come in this order.
 #[derive(Clone, Copy, Debug)]
 enum Event {
     End(Side),
@@ -57,7 +54,7 @@ enum Place {
     On(Side),
     /// Just below a vertex.
     Below(u32),
-    /// Just above it.
+    /// Just above a vertex.
     Above(u32),
 }
 
@@ -68,15 +65,15 @@ struct Key<'a, S> {
     place: Place,
 }
 
-/// The line.
+/// The vertical line.
 struct Line<'a, S> {
     predicates: &'a SoupPredicates<'a, S>,
-    /// The sides that it crosses, each with how often the chains go round what is above it.
+    /// The sides that the line crosses, each with how often the chains go round what is above it.
     sides: BTreeMap<Key<'a, S>, (Side, i32)>,
 }
 
-/// Which of `points` lie in the domain that the sides bound, or on its boundary, in ascending order. The
-/// sides form closed chains. An error is a side where they do not bound a domain.
+/// The `points` in the domain that the sides bound, or on its boundary, in ascending order. The sides form closed
+/// chains. An error is a side where they do not bound a domain.
 pub(super) fn inside<'a, S: Scalar>(
     predicates: &'a SoupPredicates<'a, S>,
     sides: &[[u32; 2]],
@@ -116,7 +113,7 @@ pub(super) fn inside<'a, S: Scalar>(
 }
 
 impl<'a, S: Scalar> Line<'a, S> {
-    /// Passes a vertex with all that happens there. Returns whether it lies in the domain.
+    /// Passes a vertex with all its events. Returns whether it lies in the domain.
     fn pass(&mut self, events: &[(u32, Event)]) -> Result<bool, [u32; 2]> {
         let v = events[0].0;
         let mut is_end = false;
@@ -126,7 +123,7 @@ impl<'a, S: Scalar> Line<'a, S> {
                 Event::End(side) => drop(self.sides.remove(&self.key(Place::On(side)))),
                 Event::Start(side) => {
                     let key = self.key(Place::On(side));
-                    // Two that overlap must have the domain on different sides.
+                    // Two sides that overlap must have the domain on different sides.
                     if self.sides.insert(key, (side, 0)).is_some() {
                         return Err(side.declared());
                     }
@@ -174,7 +171,7 @@ impl<'a, S: Scalar> Line<'a, S> {
         }
     }
 
-    /// Whether two sides cross, the first of which is below the other.
+    /// Whether two sides cross, of which `low` is below.
     fn cross(&self, low: Side, high: Side) -> bool {
         if self.predicates.order(low.to, high.to).is_gt() {
             turn(self.predicates, low, high.to).is_lt()
@@ -184,8 +181,7 @@ impl<'a, S: Scalar> Line<'a, S> {
     }
 }
 
-/// On which side of a side a vertex is: greater is above. How many signs a search takes is up to the
-/// standard library, so they are not counted.
+/// Whether a vertex is above a side (`Greater`). Not counted: the standard library decides how many a search takes.
 fn turn<S: Scalar>(predicates: &SoupPredicates<'_, S>, side: Side, v: u32) -> Ordering {
     predicates.orient2d([side.from, side.to, v], &mut Tally::default())
 }
@@ -201,7 +197,7 @@ impl Side {
 }
 
 impl Event {
-    /// Sides end before others start.
+    /// The order of events: sides end before others start.
     fn turn(self) -> u8 {
         match self {
             Event::End(_) => 0,
@@ -212,8 +208,7 @@ impl Event {
 }
 
 impl<S: Scalar> Key<'_, S> {
-    /// A side against another: by the left end that comes later, or where they go on from there. Of two
-    /// that overlap, the one with the domain below it comes first.
+    /// Compares two sides at the later left end, or where they go on; if they overlap, by which has the domain below.
     fn compare_sides(&self, one: Side, other: Side) -> Ordering {
         if self.predicates.order(one.from, other.from).is_gt() {
             return self.compare_sides(other, one).reverse();
@@ -233,7 +228,7 @@ impl<S: Scalar> Ord for Key<'_, S> {
             (Below(v), On(side)) => turn(self.predicates, side, v).then(Ordering::Less),
             (Above(v), On(side)) => turn(self.predicates, side, v).then(Ordering::Greater),
             (On(_), _) => other.cmp(self).reverse(),
-            // Of one vertex.
+            // Two places at one vertex.
             (Below(_), Above(_)) => Ordering::Less,
             (Above(_), Below(_)) => Ordering::Greater,
             (Below(_), Below(_)) | (Above(_), Above(_)) => Ordering::Equal,

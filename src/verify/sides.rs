@@ -1,4 +1,4 @@
-//! Check 3: every side of a triangle, as a directed edge, occurs once.
+//! Check 3: every half-edge, a side of a triangle in its direction, occurs once.
 //!
 //! ```text
 //!              c
@@ -11,9 +11,9 @@
 //!              d
 //! ```
 //!
-//! Twins are found by sorting: each side goes into the bucket of its end of lower rank, each bucket is
-//! sorted by the other end, and then the two triangles of a side are next to each other. Most buckets hold a
-//! few sides. Cost: three passes, and a binary search for each side that is asked for.
+//! Twins are found by sorting: each side goes into the bucket of its end of lower rank, each bucket is sorted by the
+//! other end, and then the two triangles of a side are next to each other. Most buckets hold a few sides.
+//! Cost: three passes, and a binary search for each side that is asked for.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -24,15 +24,15 @@ use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::Scalar;
 
-/// In place of a twin: there is no triangle on the right of this side.
+/// In place of a twin: there is no triangle on the right of the side.
 const OPEN: u32 = u32::MAX;
-/// In place of a twin: this side is a piece of an input edge, so it need not be Delaunay.
+/// In place of a twin: the side is constrained, a piece of an input edge, so it need not be Delaunay.
 const FIXED: u32 = u32::MAX - 1;
 
-/// A bit of an entry, set if the side starts at its end of higher rank.
+/// The bit of an entry that is set if the side starts at its end of higher rank.
 const DOWNWARD: u64 = 1 << 31;
 
-/// All sides.
+/// The sides of all triangles.
 #[derive(Debug)]
 pub(super) struct Sides {
     /// For each side its twin, [`OPEN`] or [`FIXED`].
@@ -74,14 +74,13 @@ pub(super) fn check<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) -> Sides
 }
 
 impl Sides {
-    /// The twin of a side that is free: neither on the boundary nor fixed.
+    /// The twin of a side that is free: neither on the boundary nor constrained.
     pub(super) fn free_twin(&self, side: usize) -> Option<usize> {
         let twin = self.twin[side];
         (twin < FIXED).then_some(twin as usize)
     }
 
-    /// Fixes the side between two vertices. `None` if there is no such side; otherwise whether it was not
-    /// fixed before.
+    /// Constrains the side between two vertices. Returns whether that is new; `None` if there is no such side.
     pub(super) fn fix(&mut self, a: u32, b: u32) -> Option<bool> {
         let (low, high) = (a.min(b), a.max(b));
         let bucket = &self.entries[range(&self.starts, low)];
@@ -90,7 +89,7 @@ impl Sides {
         let mut is_new = None;
         for &entry in bucket[first..].iter().take_while(is_it) {
             let twin = &mut self.twin[side(entry) as usize];
-            // All triangles that have the side were told at once, however many there are.
+            // All triangles with this side were marked at once, however many there are.
             if *twin == FIXED {
                 return Some(false);
             }
@@ -113,7 +112,7 @@ impl Sides {
     }
 }
 
-/// Where the values of a vertex are.
+/// The range of a vertex's values.
 pub(super) fn range(starts: &[u32], v: u32) -> Range<usize> {
     starts[v as usize] as usize..starts[v as usize + 1] as usize
 }

@@ -1,9 +1,8 @@
-//! What is to be verified: a *triangle soup*, points and triangles of which nothing is known yet; and the exact
+//! The input of the verifier, a *triangle soup*: points and triangles of which nothing is known yet; and the exact
 //! signs that the checks ask for, from the [`Predicates`] of scalars.
 //!
-//! Vertices go by rank, the order in which the triangles name them first, so that memory follows the
-//! triangles; each distinct point has one rank, whatever number of equal points the caller gave. How the
-//! triangles fit together is for the checks to find out.
+//! Vertices go by rank, the order in which the triangles name them first, so that memory follows the triangles; equal
+//! points have one rank. How the triangles fit together is for the checks to find out.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -14,8 +13,7 @@ use crate::scalar::{Measure, NearTies, Predicates, Scalar, Scale, Stage};
 /// How many points or corners of triangles can be verified: ranks and sides are numbers of 31 bits.
 pub(super) const LIMIT: usize = 1 << 31;
 
-/// Stands in place of a triangle that a check has rejected. Later checks skip it, so that one fault is
-/// reported once. No rank is as large.
+/// In place of a rejected triangle, since no rank is as large. Later checks skip it, so that a fault is reported once.
 pub(super) const REJECTED: [u32; 3] = [u32::MAX; 3];
 
 /// Points and triangles by rank.
@@ -27,7 +25,6 @@ pub(super) struct Soup<'a, S> {
 }
 
 impl<S: Scalar> Soup<'_, S> {
-    /// How many vertices there are.
     pub(super) fn vertices(&self) -> u32 {
         u32::try_from(self.predicates.vertex.len()).expect("the size was checked")
     }
@@ -54,7 +51,7 @@ impl<S: Scalar> Soup<'_, S> {
 #[derive(Debug)]
 pub(super) struct SoupPredicates<'a, S> {
     pub(super) points: &'a [[S; 2]],
-    /// From this index on they are none of the input's, unless they equal one of these.
+    /// The index of the first added point. Added points that equal one of the input stand for it.
     pub(super) added_from: usize,
     /// For each rank an index into `points`.
     pub(super) vertex: Vec<u32>,
@@ -64,7 +61,7 @@ pub(super) struct SoupPredicates<'a, S> {
     pub(super) near_ties: NearTies,
 }
 
-/// How signs were decided.
+/// How many signs doubles decided, and how many exact arithmetic did.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Tally {
     pub(super) filtered: u64,
@@ -94,7 +91,7 @@ impl<S: Scalar> SoupPredicates<'_, S> {
         self.vertex[v as usize] as usize
     }
 
-    /// Whether a vertex is none of the input's points.
+    /// Whether a vertex is an added point.
     pub(super) fn is_added(&self, v: u32) -> bool {
         self.name(v) >= self.added_from
     }
@@ -114,7 +111,6 @@ impl<S: Scalar> SoupPredicates<'_, S> {
         }
     }
 
-    /// `Greater` if three vertices turn left.
     #[inline]
     pub(super) fn orient2d(&self, vertices: [u32; 3], tally: &mut Tally) -> Ordering {
         let (sign, stage) = self.predicates().orient2d(vertices);
@@ -122,7 +118,6 @@ impl<S: Scalar> SoupPredicates<'_, S> {
         sign
     }
 
-    /// `Greater` if the last vertex lies inside the circle through the first three, which are counter-clockwise.
     #[inline]
     pub(super) fn in_circle(&self, vertices: [u32; 4], tally: &mut Tally) -> Ordering {
         let (sign, stage) = self.predicates().in_circle(vertices);
@@ -130,7 +125,7 @@ impl<S: Scalar> SoupPredicates<'_, S> {
         sign
     }
 
-    /// Order by x, then y.
+    /// The order of two vertices by x, then y.
     pub(super) fn order(&self, a: u32, b: u32) -> Ordering {
         let (p, q) = (self.point(a), self.point(b));
         p[0].compare(&q[0]).then_with(|| p[1].compare(&q[1]))

@@ -45,7 +45,7 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
         }
         (tally, wrong)
     });
-    // Their findings, in order.
+    // The findings of the chunks, in order.
     for (tally, wrong) in parts {
         record.tally += tally;
         for (triangle, turn) in wrong {

@@ -57,7 +57,7 @@ impl Default for Verifier<'_> {
 }
 
 impl<'a> Verifier<'a> {
-    /// Counter-clockwise triangles, the hull as the boundary, [`Level::Delaunay`], 100 violations listed.
+    /// A verifier of counter-clockwise triangles that fill the hull, to [`Level::Delaunay`], listing 100 violations.
     #[must_use]
     pub fn new() -> Verifier<'a> {
         Verifier {
@@ -78,13 +78,13 @@ impl<'a> Verifier<'a> {
         Verifier { clockwise, ..self }
     }
 
-    /// Declares the domain that the triangles must fill, in place of the convex hull, by the closed chains
-    /// of vertices that bound it, each without its first vertex at the end. They may run either way: the domain
-    /// is what a path from outside enters by crossing an odd number of their sides.
+    /// Declares the domain that the triangles must fill, in place of the convex hull, by the closed chains of vertices
+    /// that bound it, each without its first vertex at the end. Chains may run either way: the domain is what a path
+    /// from outside enters by crossing an odd number of their sides.
     ///
-    /// The boundary must then have exactly their sides, each once, and sides must not cross. (They may meet in
-    /// vertices.) Points outside the domain may be unused, Euler's formula is not checked, and
-    /// edges must lie in the domain. That takes O((n + m) log m) time for n points and m sides.
+    /// The boundary must then have exactly the sides of the chains, each once, and sides must not cross. (They may meet
+    /// in vertices.) Points outside the domain may be unused, Euler's formula is not checked, and edges must lie in the
+    /// domain. Cost: O((n + m) log m) for n points and m sides.
     #[must_use]
     pub fn boundary(self, chains: &'a [Vec<usize>]) -> Self {
         Verifier {
@@ -94,11 +94,11 @@ impl<'a> Verifier<'a> {
     }
 
     /// Allows points that the input lacks (*Steiner points*), as programs add them that make good triangles: all from
-    /// this index on. Those that equal a point of the input stand for it.
+    /// this index on. Added points that equal a point of the input stand for it.
     ///
     /// Added points need not be corners. Corners must lie in the hull of the points before this index, or in the
-    /// declared domain. Edges and declared sides may be split by points exactly on them, and triangles must be
-    /// Delaunay with added points in view too. [`Report`] has the number of these points, and of edges that they split.
+    /// declared domain. Points exactly on edges and declared sides may split them, and triangles must be Delaunay with
+    /// added points in view too. [`Report`] has the number of added points, and of edges that they split.
     ///
     /// ```
     /// use sweep_cdt::verify::Verifier;
@@ -118,8 +118,8 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Attributes of triangles, each of which must be that of the region that the triangle lies in. They are verified
-    /// where the triangles reach [`Level::Constrained`], and are a part of it.
+    /// Verifies the attributes of triangles, each of which must be that of the region that the triangle lies in. This
+    /// check is part of [`Level::Constrained`], and is made where the triangles reach it otherwise.
     ///
     /// ```
     /// use sweep_cdt::verify::{Regions, Verifier};
@@ -140,7 +140,7 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// What the triangles must reach. Violations of higher levels are neither listed nor counted.
+    /// The level that the triangles must reach. Violations of higher levels are neither listed nor counted.
     #[must_use]
     pub fn level(self, level: Level) -> Self {
         Verifier { level, ..self }
@@ -152,15 +152,15 @@ impl<'a> Verifier<'a> {
         Verifier { limit, ..self }
     }
 
-    /// Whether every [depth](super::Depth) is measured, however many violations there are. By default that are the
-    /// first 1000 in each 16384 triangles, and of the boundary, if it has no more.
+    /// Whether every [depth](super::Depth) is measured, however many violations there are. By default only the first
+    /// 1000 in each 16384 triangles are, and those of the boundary if it has no more.
     #[must_use]
     pub fn all_depths(self, all: bool) -> Self {
         let measured = if all { usize::MAX } else { MEASURED };
         Verifier { measured, ..self }
     }
 
-    /// Called as `progress(done, total)`, at intervals, from any thread.
+    /// Calls `progress(done, total)` at intervals, from any thread.
     #[must_use]
     pub fn progress(self, progress: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
         Verifier {
@@ -172,8 +172,7 @@ impl<'a> Verifier<'a> {
     /// Verifies on one thread.
     ///
     /// # Errors
-    /// [`Violations`], if `triangles` does not reach the level asked for: by default, if it is not a constrained
-    /// Delaunay triangulation of `points` with `edges`.
+    /// [`Violations`], if `triangles` does not reach the level asked for, by default [`Level::Delaunay`].
     pub fn verify<S: Measure>(
         &self,
         points: &[[S; 2]],
@@ -183,12 +182,10 @@ impl<'a> Verifier<'a> {
         self.check::<S, Serial>(points, edges, triangles)
     }
 
-    /// Verifies on all threads of the current rayon pool, or on one where no threads can be started. The
-    /// answer is the same.
+    /// Verifies on all threads of the current rayon pool, or on one where none can be started, with the same answer.
     ///
     /// # Errors
-    /// [`Violations`], if `triangles` does not reach the level asked for: by default, if it is not a constrained
-    /// Delaunay triangulation of `points` with `edges`.
+    /// [`Violations`], if `triangles` does not reach the level asked for, by default [`Level::Delaunay`].
     #[cfg(feature = "parallel")]
     #[cfg_attr(docsrs, doc(cfg(feature = "parallel")))]
     pub fn verify_parallel<S: Measure + Sync>(
@@ -200,7 +197,7 @@ impl<'a> Verifier<'a> {
         self.check::<S, Parallel>(points, edges, triangles)
     }
 
-    /// The checks, numbered as in the documentation of the module.
+    /// The checks, in the order of the table of the parent module.
     fn check<S: Measure, C: Schedule<S>>(
         &self,
         points: &[[S; 2]],
@@ -210,7 +207,6 @@ impl<'a> Verifier<'a> {
         let mut record = Record::new(self.limit, self.measured, self.level);
         let progress = Progress::new(self.progress, triangles.len());
 
-        // 1. Coordinates and indices.
         let ranked = input::read(
             points,
             edges,
@@ -228,28 +224,20 @@ impl<'a> Verifier<'a> {
             mut domain,
             used,
         } = ranked;
-        // 2. Every triangle turns left.
         if self.clockwise {
             turns::reverse_if_clockwise(&mut soup, &mut record);
         }
         turns::check::<S, C>(&mut soup, &progress, &mut record);
-        // 3. Every directed side occurs once.
         let mut sides = sides::check(&soup, &mut record);
-        // 4. The boundary is convex and goes round once, or it is the declared one.
         if let Some(domain) = &mut domain {
             domain.orient(&soup, &sides.boundary);
         }
         let domain = domain.as_ref();
         boundary::check(&soup, &sides, domain, &mut record);
-        // 5. Every point is a corner.
         boundary::check_points(&soup, used, domain, &mut record);
-        // 6. The number of triangles is Euler's.
         boundary::check_count(used, domain, &mut record);
-        // 7. Every edge is a chain of sides, which are then fixed.
         edges::check(&soup, &mut sides, &edges, &mut record);
-        // 8. Every free side is locally Delaunay.
         delaunay::check::<S, C>(&soup, &sides, &progress, &mut record);
-        // 9. Every triangle has the attribute of its region.
         if let Some(regions) = self.regions {
             regions::check(&soup, &sides, regions, &mut record);
         }

@@ -1,5 +1,4 @@
-//! What can be wrong with a triangulation: each violation with its sentence, and the indices in it, collected or
-//! replaced by the numbers of a file.
+//! The violations of a triangulation, each with its sentence; and their indices, collected or renumbered as in a file.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -7,7 +6,7 @@ use core::slice::from_mut;
 
 use super::depth::Depth;
 
-/// One fault. All numbers are indices into what the caller gave; of equal points the lowest is named.
+/// One fault. All numbers are indices into the caller's arrays; of equal points the lowest is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
     feature = "serde",
@@ -18,9 +17,9 @@ use super::depth::Depth;
 pub enum Violation {
     /// More points or corners of triangles than the verifier can number.
     TooLarge {
-        /// How many there are.
+        /// The number of points or corners given.
         given: usize,
-        /// How many there may be.
+        /// The greatest number that fits.
         limit: usize,
     },
     /// A coordinate of this point is NaN or infinite.
@@ -32,14 +31,14 @@ pub enum Violation {
     EdgeOutOfRange {
         /// The edge.
         edge: usize,
-        /// Its end (the first one of two).
+        /// The end (the first one of two).
         vertex: usize,
     },
     /// A corner of this triangle is not the index of a point.
     TriangleOutOfRange {
         /// The triangle.
         triangle: usize,
-        /// Its corner (the first one of several).
+        /// The corner (the first one of several).
         vertex: usize,
     },
     /// The corners of this triangle lie on one line.
@@ -47,8 +46,7 @@ pub enum Violation {
         /// The triangle.
         triangle: usize,
     },
-    /// The corners of this triangle run clockwise (or against all others, where a clockwise file was
-    /// accepted).
+    /// The corners of this triangle run clockwise (or against all others, where a clockwise file was accepted).
     ReversedTriangle {
         /// The triangle.
         triangle: usize,
@@ -62,7 +60,7 @@ pub enum Violation {
     },
     /// There are no triangles although three points are not on one line.
     NoTriangles {
-        /// Three such points.
+        /// Three points that are not on one line.
         vertices: [usize; 3],
     },
     /// The boundary meets itself in a vertex.
@@ -72,21 +70,21 @@ pub enum Violation {
     },
     /// The boundary has one more closed chain than the hull: a hole, or a second piece.
     ExtraBoundary {
-        /// A side of it, with a triangle on its left.
+        /// A side of the chain, with a triangle on its left.
         side: [usize; 2],
-        /// How many sides it has.
+        /// How many sides the chain has.
         sides: usize,
     },
     /// The boundary turns right, or back.
     ConcaveBoundary {
-        /// Three vertices that follow each other on it; it turns in the middle.
+        /// Three vertices that follow each other on the boundary; it turns in the middle.
         vertices: [usize; 3],
-        /// How far it turns, where that was measured.
+        /// The depth of the turn, where that was measured.
         depth: Option<Depth>,
     },
     /// The boundary turns left all the time, but goes round more than once.
     WindingBoundary {
-        /// How often it goes round.
+        /// How often the boundary goes round.
         times: usize,
     },
     /// A side of the boundary is not in the chains that the caller gave.
@@ -101,10 +99,9 @@ pub enum Violation {
         /// The two vertices.
         side: [usize; 2],
     },
-    /// The chains of the caller do not bound a domain: two of their sides cross, or they go round some place
-    /// more than once, or the wrong way.
+    /// The caller's chains bound no domain: two sides cross, or they go round a place more than once or the wrong way.
     TangledBoundary {
-        /// A side of theirs where that is seen.
+        /// A side of the chains where that is seen.
         side: [usize; 2],
     },
     /// No triangle has this point, or one that equals it, for a corner.
@@ -112,16 +109,16 @@ pub enum Violation {
         /// The point.
         vertex: usize,
     },
-    /// A corner that is none of the input's points, and is allowed in the hull of these, lies outside of it.
+    /// A corner that is an added point lies outside the hull of the input's points.
     AddedOutside {
         /// The point.
         vertex: usize,
     },
     /// The number of triangles is not what Euler's formula asks for.
     WrongCount {
-        /// How many there are.
+        /// The number of triangles.
         triangles: usize,
-        /// How many there must be.
+        /// The number that Euler's formula asks for.
         expected: usize,
     },
     /// An input edge is not a chain of sides.
@@ -140,17 +137,16 @@ pub enum Violation {
     NotDelaunay {
         /// The side, in the direction that the first triangle has.
         side: [usize; 2],
-        /// The two triangles that have it.
+        /// The two triangles at the side.
         triangles: [usize; 2],
-        /// Their corners opposite to it; each lies inside the other triangle's circumcircle.
+        /// The corners opposite to the side; each lies inside the other triangle's circumcircle.
         opposite: [usize; 2],
-        /// How deep the deeper one lies there, where that was measured.
+        /// The depth of the corner that lies deeper, where that was measured.
         depth: Option<Depth>,
     },
-    /// Sides whose two triangles have all corners on one circle are the diagonal that is not canonical. Only
-    /// [`Level::Canonical`](super::Level::Canonical) asks for these.
+    /// Cocircular sides that are not canonical, which only [`Level::Canonical`](super::Level::Canonical) asks for.
     NotCanonical {
-        /// How many.
+        /// The number of these sides.
         sides: usize,
     },
 }
@@ -285,7 +281,7 @@ impl Violation {
         }
     }
 
-    /// How deep it is; `None` if it has no depth, or none that was measured.
+    /// The depth of the fault; `None` if it has none, or none that was measured.
     ///
     /// ```
     /// use sweep_cdt::verify::verify;
@@ -306,7 +302,7 @@ impl Violation {
     }
 }
 
-/// What a [`Violation`] names, each thing once, in the order of its text.
+/// The things that a [`Violation`] names, each once, in the order of its text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Offenders {
@@ -318,7 +314,7 @@ pub struct Offenders {
     pub triangles: Vec<usize>,
 }
 
-/// What a number in a violation is the index of.
+/// The kind of thing that a number in a violation is the index of.
 #[derive(Clone, Copy)]
 enum Kind {
     Vertex,
@@ -327,7 +323,7 @@ enum Kind {
 }
 
 impl Violation {
-    /// The vertices, edges and triangles that it names.
+    /// The vertices, edges and triangles that the violation names.
     ///
     /// ```
     /// use sweep_cdt::verify::Violation;
@@ -351,7 +347,7 @@ impl Violation {
         found
     }
 
-    /// The same violation with other numbers for vertices, edges and triangles.
+    /// The violation with other numbers for vertices, edges and triangles.
     ///
     /// ```
     /// use sweep_cdt::verify::Violation;
@@ -377,7 +373,7 @@ impl Violation {
         self
     }
 
-    /// Visits the indices in it; counts are not indices.
+    /// Visits the indices in the violation; counts are not indices.
     fn each_index(&mut self, mut visit: impl FnMut(Kind, &mut usize)) {
         use Violation as V;
         let (vertices, edges, triangles): (&mut [usize], &mut [usize], &mut [usize]) = match self {
