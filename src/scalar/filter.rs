@@ -193,12 +193,12 @@ mod tests {
         };
         let mut ties = 0;
         for _ in 0..20_000 {
-            let approx = random(3);
+            let near = random(3);
             let mut coordinate = || {
                 let far = if random(2) == 0 {
                     approx
                 } else {
-                    widest - approx
+                    widest - near
                 };
                 (far + random(8) / 7).min(widest)
             };

@@ -24,7 +24,7 @@ impl Scalar for BigRational {
     fn approx(&self) -> f64 {
         double(self).unwrap_or_else(|| {
             self.to_f64()
-                .expect("a finite number has a double approx it")
+                .expect("a finite number has a double near it")
         })
     }
 

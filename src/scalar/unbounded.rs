@@ -65,7 +65,7 @@ impl Unbounded for BigInt {
 
 impl<T: Unbounded> Scalar for T {
     fn approx(&self) -> f64 {
-        self.to_f64().expect("a number has a double approx it")
+        self.to_f64().expect("a number has a double near it")
     }
 
     fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
