@@ -195,11 +195,7 @@ mod tests {
         for _ in 0..20_000 {
             let near = random(3);
             let mut coordinate = || {
-                let far = if random(2) == 0 {
-                    approx
-                } else {
-                    widest - near
-                };
+                let far = if random(2) == 0 { near } else { widest - near };
                 (far + random(8) / 7).min(widest)
             };
             let points = [(); 4].map(|()| [coordinate(), coordinate()]);

@@ -22,10 +22,7 @@ impl Scalar for BigRational {
     }
 
     fn approx(&self) -> f64 {
-        double(self).unwrap_or_else(|| {
-            self.to_f64()
-                .expect("a finite number has a double near it")
-        })
+        double(self).unwrap_or_else(|| self.to_f64().expect("a finite number has a double near it"))
     }
 
     fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {

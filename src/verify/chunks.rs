@@ -6,12 +6,9 @@ use alloc::vec::Vec;
 use core::ops::Range;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-#[cfg(feature = "parallel")]
-use rayon::prelude::*;
-
 use super::soup::Soup;
 #[cfg(feature = "parallel")]
-use crate::threads::has_threads;
+use crate::threads::on_all_cores;
 
 /// Triangles in a chunk.
 const CHUNK: usize = 1 << 14;
@@ -56,14 +53,10 @@ impl<S: Sync> Schedule<S> for Parallel {
         progress: &Progress<'_>,
         check: impl Fn(&Soup<'_, S>, Range<usize>) -> T + Sync,
     ) -> Vec<T> {
-        if !has_threads() {
-            return Serial::run(soup, progress, check);
-        }
         let count = soup.triangles.len();
-        (0..count.div_ceil(CHUNK))
-            .into_par_iter()
-            .map(|i| progress.after(chunk(i, count), |range| check(soup, range)))
-            .collect()
+        on_all_cores((0..count.div_ceil(CHUNK)).collect(), |i| {
+            progress.after(chunk(i, count), |range| check(soup, range))
+        })
     }
 }
 

@@ -1,8 +1,6 @@
 //! Work on all cores in the order of a file: blocks of parts are made on all threads while this one reads or writes.
 
-#[cfg(feature = "parallel")]
-use sweep_cdt::threads::has_threads;
-use sweep_cdt::threads::on_all_cores;
+use sweep_cdt::threads::{beside, on_all_cores};
 
 /// Parts in a block: enough for many cores, few enough that their results need little memory.
 const BLOCK: usize = 64;
@@ -31,27 +29,15 @@ pub(crate) fn in_blocks<T: Send, E>(
 ) -> Result<(), E> {
     let (mut made, mut goes_on) = block();
     while goes_on {
-        let taken = || made.into_iter().try_for_each(&mut take);
-        let (taken, next) = beside(taken, &mut block);
+        let (mut taken, mut next) = (Ok(()), None);
+        beside(
+            &mut || taken = made.drain(..).try_for_each(&mut take),
+            &mut || next = Some(block()),
+        );
         taken?;
-        (made, goes_on) = next;
+        (made, goes_on) = next.expect("both pieces of work are done");
     }
     made.into_iter().try_for_each(take)
-}
-
-/// Does two pieces of work at the same time, the first on this thread. Without a second thread it does one after the
-/// other.
-fn beside<A, B: Send>(here: impl FnOnce() -> A, other: impl FnOnce() -> B + Send) -> (A, B) {
-    #[cfg(feature = "parallel")]
-    if has_threads() && rayon::current_num_threads() > 1 {
-        let mut made = None;
-        let done = rayon::in_place_scope(|scope| {
-            scope.spawn(|_| made = Some(other()));
-            here()
-        });
-        return (done, made.expect("the scope waits for it"));
-    }
-    (here(), other())
 }
 
 #[cfg(test)]

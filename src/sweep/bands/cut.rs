@@ -8,11 +8,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::slice;
 
-use rayon::prelude::*;
-
 use super::super::vertices::ApproxPoints;
 use crate::ids::narrow;
 use crate::scalar::Scalar;
+use crate::threads::on_all_cores;
 
 /// How many points are sampled to find bands of equal size.
 const SAMPLE: usize = 1 << 14;
@@ -27,7 +26,7 @@ pub(super) fn cut<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize)
     let cutter = Cutter { located, pivots };
     let chunks = located.points.len().div_ceil(CHUNK);
     let count = |chunk| cutter.count(chunk, bands);
-    let counts: Vec<Vec<usize>> = (0..chunks).into_par_iter().map(count).collect();
+    let counts = on_all_cores((0..chunks).collect(), count);
 
     // The portion of each band that each chunk fills.
     let size = |band: usize| counts.iter().map(|counts| counts[band]).sum();
@@ -41,8 +40,9 @@ pub(super) fn cut<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize)
         });
         parts.push(parts_of.collect());
     }
-    let parts = parts.into_par_iter().enumerate();
-    parts.for_each(|(chunk, parts)| cutter.fill(chunk, parts));
+    on_all_cores(parts.into_iter().enumerate().collect(), |(chunk, parts)| {
+        cutter.fill(chunk, parts);
+    });
     inputs
 }
 
@@ -83,12 +83,14 @@ impl<S: Scalar> Cutter<'_, S> {
 fn pivots<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize) -> Vec<f64> {
     let points = located.points.len();
     let place = |i: usize| narrow(i.wrapping_mul(STRIDE) % points);
-    let mut sample: Vec<f64> = (0..SAMPLE.min(points))
-        .into_par_iter()
-        .map(|i| located.approx(place(i))[1])
-        .collect();
-    sample.par_sort_unstable_by(f64::total_cmp);
-    (1..bands)
-        .filter_map(|band| sample.get(band * sample.len() / bands).copied())
+    let y = |i: usize| located.approx(place(i))[1];
+    quantiles((0..SAMPLE.min(points)).map(y).collect(), bands)
+}
+
+/// The numbers that cut a sample into parts of equal size.
+fn quantiles(mut sample: Vec<f64>, parts: usize) -> Vec<f64> {
+    sample.sort_unstable_by(f64::total_cmp);
+    (1..parts)
+        .filter_map(|part| sample.get(part * sample.len() / parts).copied())
         .collect()
 }

@@ -25,7 +25,8 @@ use super::vertices::ApproxPoints;
 use crate::front::Search;
 use crate::ids::VertexId;
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::Settings;
+use crate::settings::{Algorithm, Heuristics, Settings};
+use crate::threads::in_pool;
 use crate::triangulation::Triangulation;
 use band::{Band, Shared, Structure, Swept};
 use partition::Partition;
@@ -44,32 +45,22 @@ pub(crate) fn run<'f, S: Scalar + Sync>(
     structure: &mut (dyn FnMut() -> Structure<'f> + Send),
     bands: usize,
 ) -> Option<Triangulation> {
-    let (algorithm, heuristics) = (settings.algorithm, settings.heuristics);
-    let settings = move || Settings {
-        algorithm,
-        heuristics,
-        progress: None,
-    };
-    // All else runs on threads of the pool. Otherwise this thread would wake them for each step, and some systems start
-    // a woken thread on the core of the thread that woke it.
-    rayon::scope(move |_| triangulate(points, edges, settings, structure, bands))
-}
-
-fn triangulate<'f, S: Scalar + Sync>(
-    points: &[[S; 2]],
-    edges: &[[usize; 2]],
-    settings: impl Fn() -> Settings<'static> + Sync,
-    structure: &mut (dyn FnMut() -> Structure<'f> + Send),
-    bands: usize,
-) -> Option<Triangulation> {
     // All bands together have a few triangles more than one sweep.
     if points.len() + bands > LIMIT || edges.len() > LIMIT {
         return None;
     }
-    let located = ApproxPoints::new_parallel(points).ok()?;
-    let partition = Partition::new(&located, bands.min(MOST));
-    drop(located);
-    sweep_bands(&points, points.len(), partition, edges, settings, structure)
+    let choice = (settings.algorithm, settings.heuristics);
+    let mut result = None;
+    // All else runs on threads of the pool. Otherwise this thread would wake them for each step, and some systems start
+    // a woken thread on the core of the thread that woke it.
+    in_pool(&mut || {
+        let partition = ApproxPoints::new_parallel(points)
+            .map(|located| Partition::new(&located, bands.min(MOST)));
+        if let Ok(partition) = partition {
+            result = sweep_bands(&points, points.len(), partition, edges, choice, structure);
+        }
+    });
+    result
 }
 
 /// Sweeps the bands with their edges, and joins them.
@@ -78,9 +69,14 @@ fn sweep_bands<'f>(
     count: usize,
     partition: Partition,
     edges: &[[usize; 2]],
-    settings: impl Fn() -> Settings<'static> + Sync,
+    (algorithm, heuristics): (Algorithm, Heuristics),
     structure: &mut (dyn FnMut() -> Structure<'f> + Send),
 ) -> Option<Triangulation> {
+    let settings = || Settings {
+        algorithm,
+        heuristics,
+        progress: None,
+    };
     let (first, last) = (&partition.first, partition.bands.len());
     if last < 2 {
         return None;

@@ -12,6 +12,7 @@ use super::super::vertices::{ApproxPoints, SortBuffers, Vertices};
 use super::cut::{CHUNK, cut};
 use crate::ids::{VertexId, narrow};
 use crate::scalar::Scalar;
+use crate::threads::on_all_cores;
 
 /// The vertices of each band, from the lowest to the highest.
 #[derive(Debug)]
@@ -38,19 +39,16 @@ pub(super) struct SplitEdges {
 impl Partition {
     /// Cuts the points into bands and sorts each. A band has two vertices or more, unless it is the only one.
     pub(super) fn new<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize) -> Partition {
-        let sorted: Vec<Vertices> = cut(located, bands)
-            .into_par_iter()
-            .enumerate()
-            .map(|(band, inputs)| {
-                let mut vertices = Vertices::default();
-                if band == 0 {
-                    // Room for the vertices of the other bands, too.
-                    vertices.reserve(located.points.len());
-                }
-                let inputs = inputs.iter().copied();
-                Vertices::new(located, inputs, vertices, &mut SortBuffers::default())
-            })
-            .collect();
+        let inputs = cut(located, bands).into_iter().enumerate().collect();
+        let sorted = on_all_cores(inputs, |(band, inputs): (usize, Vec<u32>)| {
+            let mut vertices = Vertices::default();
+            if band == 0 {
+                // Room for the vertices of the other bands, too.
+                vertices.reserve(located.points.len());
+            }
+            let inputs = inputs.iter().copied();
+            Vertices::new(located, inputs, vertices, &mut SortBuffers::default())
+        });
         let mut bands: Vec<Vertices> = Vec::new();
         for vertices in sorted {
             match bands.last_mut() {

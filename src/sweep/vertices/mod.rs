@@ -13,6 +13,8 @@ mod sort;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::scalar::{Scalar, Scale, is_in_range, recenter};
+#[cfg(feature = "parallel")]
+use crate::threads::on_all_cores;
 use alloc::vec::Vec;
 pub(super) use sort::SortBuffers;
 
@@ -39,8 +41,11 @@ impl<'a, S: Scalar> ApproxPoints<'a, S> {
     where
         S: Sync,
     {
-        use rayon::prelude::*;
-        ApproxPoints::find(points, || points.par_chunks(64 * FEW).all(are_plain))
+        let chunks = || points.chunks(64 * FEW).collect();
+        ApproxPoints::find(points, || {
+            let are_plain = on_all_cores(chunks(), are_plain);
+            are_plain.into_iter().all(|are_plain| are_plain)
+        })
     }
 
     /// Finds doubles and scale; `are_plain` says whether [`are_plain`] holds for all points.
