@@ -1,4 +1,4 @@
-//! Generated data by kind, number of points and seed (feature `generate`): the same bytes on every platform.
+//! Generated data by kind, number of points and seed: the same bytes on every platform.
 //!
 //! Only `+ - * /`, square roots and integers make coordinates: these are rounded alike everywhere, sines and
 //! powers are not. What is random comes from [`Random`]. Every kind can be triangulated at every size: edges

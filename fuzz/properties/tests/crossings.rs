@@ -4,7 +4,7 @@
 //! parallel edges; numbers with so few digits that rounding bends edges by much. Each goes through
 //! `sweep_cdt_properties::crossings`, which compares with a judge that tries every pair in fractions.
 //!
-//! `SWEEP_CDT_CROSSINGS=20000 cargo test --release --test crossings -- --nocapture` goes on until so many inputs had
+//! `SWEEP_CDT_CROSSINGS=20000 cargo test --release --manifest-path fuzz/Cargo.toml --package sweep-cdt-properties --test crossings -- --nocapture` goes on until so many inputs had
 //! edges that cross, and prints how far edges moved. `SWEEP_CDT_SEED` says where they begin.
 
 use std::cell::Cell;
