@@ -5,26 +5,18 @@
 extern crate alloc;
 
 mod bucket;
-mod canonical;
 pub mod crossings;
-mod edge_chains;
 mod error;
 pub mod front;
 mod ids;
 mod input;
 pub mod interior;
-mod locate;
 mod mesh;
-mod probe;
+mod observe;
 mod pslg;
-mod recorder;
 pub mod scalar;
-#[cfg(feature = "serde")]
-mod serialized;
 mod session;
 mod settings;
-mod stars;
-mod stats;
 mod sweep;
 #[doc(hidden)]
 pub mod threads;
@@ -32,20 +24,19 @@ pub mod trace;
 mod triangulation;
 mod triangulator;
 pub mod verify;
-mod with_points;
 
-pub use canonical::CanonicalGroups;
 pub use error::Error;
 pub use input::triangulate_from;
-pub use locate::Location;
+pub use observe::stats::{ByCause, Counters, Stats};
 pub use pslg::{Pslg, Region};
 pub use session::Session;
 pub use settings::{Algorithm, Corners, Heuristics};
-pub use stars::{Corner, VertexStars};
-pub use stats::{ByCause, Counters, Stats};
 pub use triangulation::Triangulation;
+pub use triangulation::canonical::CanonicalGroups;
+pub use triangulation::locate::Location;
+pub use triangulation::stars::{Corner, VertexStars};
+pub use triangulation::with_points::WithPoints;
 pub use triangulator::{Run, Triangulator};
-pub use with_points::WithPoints;
 
 /// The constrained Delaunay triangulation of `points` with `edges`, by the sweep line of Domiter and Žalik (2008).
 ///

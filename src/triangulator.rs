@@ -6,12 +6,12 @@ use core::fmt;
 
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
-use crate::probe::Observer;
-use crate::recorder::Recorder;
+use crate::observe::probe::Observer;
+use crate::observe::recorder::Recorder;
+use crate::observe::stats::Stats;
 use crate::scalar::Scalar;
 use crate::session::Session;
 use crate::settings::{Algorithm, Heuristics, Settings};
-use crate::stats::Stats;
 use crate::sweep::{self, RunProbe, Scratch};
 #[cfg(feature = "parallel")]
 use crate::threads::has_threads;

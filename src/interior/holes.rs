@@ -15,10 +15,10 @@ use core::cmp::Ordering;
 use super::error::{InteriorError, Seed};
 use super::labels::{self, Interior};
 use crate::ids::narrow;
-use crate::locate::Location;
 use crate::scalar::{Scalar, filtered_orient2d};
 use crate::triangulation::Triangulation;
-use crate::with_points::WithPoints;
+use crate::triangulation::locate::Location;
+use crate::triangulation::with_points::WithPoints;
 
 impl<'a, S: Scalar> WithPoints<'a, S> {
     /// The interior by seed points of holes and regions. Each of these points `[x, y]` stands for the *face* that it

@@ -1,7 +1,7 @@
 //! The interior: what a rule says of every triangle, and the boundary of the triangles inside.
 
 use crate::Triangulation;
-use crate::canonical::{CanonicalGroups, canonical};
+use crate::triangulation::canonical::{CanonicalGroups, canonical};
 use alloc::vec;
 use alloc::vec::Vec;
 

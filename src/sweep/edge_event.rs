@@ -38,7 +38,7 @@ use super::traversal::{CrossedSide, Part};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::trace::{EdgePosition, Event, Why};
 
 /// The most edges that the fast path looks for, one by one: no slower than making the triangles around the upper end.

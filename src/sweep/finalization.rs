@@ -29,8 +29,8 @@ use super::flip_limit::inexact_scalar;
 use super::scratch::Scratch;
 use crate::ids::{BorderId, TriangleId, narrow};
 use crate::mesh::{HalfEdge, Triangle};
-use crate::probe::Probe;
-use crate::recorder::Phase;
+use crate::observe::probe::Probe;
+use crate::observe::recorder::Phase;
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 

@@ -140,5 +140,5 @@ impl FlipLimit {
 #[cold]
 #[inline(never)]
 pub(super) fn inexact_scalar() -> ! {
-    panic!("the scalar is not exact: its predicates contradict each other");
+    panic!("the scalar is not exact: its signs contradict each other");
 }

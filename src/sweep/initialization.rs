@@ -11,15 +11,15 @@ use super::predicates::SweepPredicates;
 use super::scratch::Scratch;
 use super::vertices::ApproxPoints;
 use super::vertices::Vertices;
-use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
 use crate::front::{FrontInput, Search};
 use crate::ids::{BorderId, VertexId, narrow};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::{Algorithm, Settings};
 use crate::trace::{Event, Why};
+use crate::triangulation::edge_chains::EdgeChainBuilder;
 
 /// Sorts and merges the points, and lists the edges at their upper ends in `scratch`.
 pub(super) fn initialize<S: Scalar>(

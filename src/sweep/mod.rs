@@ -52,16 +52,16 @@ mod vertices;
 use alloc::vec::Vec;
 use core::mem::take;
 
-use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
 use crate::front::{Front, FrontNode, FrontSearch, Search};
 use crate::ids::{BorderId, VertexId};
-use crate::probe::{Observer, Probe};
-use crate::recorder::{Phase, Recorder};
+use crate::observe::probe::{Observer, Probe};
+use crate::observe::recorder::{Phase, Recorder};
 use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::{Algorithm, Heuristics, Progress, Settings};
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
+use crate::triangulation::edge_chains::EdgeChainBuilder;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
 use delaunay::{ChainVertex, Delaunay};

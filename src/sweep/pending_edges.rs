@@ -30,7 +30,7 @@ use super::Sweep;
 use crate::error::Error;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 
 /// The rest of an edge behind a vertex on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

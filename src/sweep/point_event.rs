@@ -26,7 +26,7 @@ use super::{NewVertex, Sweep};
 use crate::front::{Direction, FrontInput, FrontNode, LONG_WALK};
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::settings::Corners;
 use crate::trace::{Event, PointCase, Why};
 

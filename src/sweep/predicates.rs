@@ -14,7 +14,7 @@ use core::cmp::Ordering::{self, Equal, Greater, Less};
 use super::artificial::{self, Artificial};
 use super::vertices::Vertices;
 use crate::ids::{VertexId, narrow};
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::scalar::{ExactPoints, NearTies, Predicates, filter};
 
 /// The exact signs, by rank. A probe that the caller passes counts how they were decided.

@@ -32,7 +32,7 @@ use super::flip_limit::inexact_scalar;
 use crate::front::Direction;
 use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::trace::Event;
 
 /// A part of an edge: down to the first vertex on it.

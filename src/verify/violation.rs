@@ -173,7 +173,7 @@ impl fmt::Display for Violation {
                 write!(f, "triangle {triangle} has its corners on one line")
             }
             Violation::ReversedTriangle { triangle } => {
-                write!(f, "triangle {triangle} runs the wrong direction round")
+                write!(f, "triangle {triangle} runs the wrong way round")
             }
             Violation::RepeatedSide { side, triangles } => write!(
                 f,

@@ -68,25 +68,24 @@ src/c.rs:3 uses `a::A` of src/a.rs
 }
 
 #[test]
-fn a_parent_that_uses_its_child_must_not_define_what_the_child_uses() {
+fn a_folder_is_a_family() {
     let child = (
         "src/a/child.rs",
         "use super::Shared;\npub fn f(_: Shared) {}",
     );
     let parent = "mod child;\npub struct Shared;\npub fn g() { child::f(Shared) }";
-    let circles = circles_in(&[("src/lib.rs", "mod a;"), ("src/a/mod.rs", parent), child]);
-    let expected = "\
-src/a/child.rs:1 uses `super::Shared` of src/a/mod.rs
-src/a/mod.rs:3 uses `child::f` of src/a/child.rs
-";
-    assert_eq!(circles, [expected]);
+    assert_no_circle(&[("src/lib.rs", "mod a;"), ("src/a/mod.rs", parent), child]);
 
-    // What the parent only hands on does not count.
-    let parent =
-        "mod child;\nmod shared;\npub use shared::Shared;\npub fn g() { child::f(loop {}) }";
-    let shared = ("src/a/shared.rs", "pub struct Shared;");
-    let lib = ("src/lib.rs", "mod a;");
-    assert_no_circle(&[lib, ("src/a/mod.rs", parent), child, shared]);
+    // Two children are strangers, and so is a file beside the folder.
+    let one = ("src/a/one.rs", "use super::two::Two;\npub struct One;");
+    let two = ("src/a/two.rs", "use super::one::One;\npub struct Two;");
+    let parent = ("src/a/mod.rs", "mod one;\nmod two;");
+    let circles = circles_in(&[("src/lib.rs", "mod a;"), parent, one, two]);
+    assert_eq!(circles.len(), 1, "{circles:?}");
+    let beside = ("src/b.rs", "use crate::a::A;\npub struct B;");
+    let parent = ("src/a/mod.rs", "use crate::b::B;\npub struct A;");
+    let circles = circles_in(&[("src/lib.rs", "mod a;\nmod b;"), parent, beside]);
+    assert_eq!(circles.len(), 1, "{circles:?}");
 }
 
 #[test]

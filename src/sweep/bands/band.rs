@@ -9,13 +9,13 @@ use super::super::initialization::begin;
 use super::super::scratch::Scratch;
 use super::super::vertices::Vertices;
 use super::partition::Edge;
-use crate::edge_chains::EdgeChainBuilder;
 use crate::error::Error;
 use crate::front::{FrontSearch, Search};
 use crate::ids::VertexId;
 use crate::mesh::Mesh;
 use crate::scalar::ExactPoints;
 use crate::settings::Settings;
+use crate::triangulation::edge_chains::EdgeChainBuilder;
 
 /// The search structure of a band.
 pub(crate) type Structure<'f> = Box<dyn FrontSearch + Send + 'f>;

@@ -37,7 +37,7 @@ use super::beach_line::{BeachLine, top};
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::trace::Why;
 
 /// An arc that will vanish: the key of the sweep line's height, the arc, and how often its neighbours had changed.

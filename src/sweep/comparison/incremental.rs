@@ -35,7 +35,7 @@ use super::super::flip_limit::inexact_scalar;
 use crate::error::Error;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::trace::Why;
 
 impl<P: Probe> Sweep<'_, P> {

@@ -23,8 +23,8 @@ use super::delaunay::Delaunay;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
-use crate::recorder::Phase;
+use crate::observe::probe::Probe;
+use crate::observe::recorder::Phase;
 
 impl<P: Probe> Sweep<'_, P> {
     /// Begins the phase of sweeping, unless all vertices lie on one line. Returns the first vertex off the line.

@@ -31,7 +31,7 @@ use crate::error::Error;
 use crate::front::Direction;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::trace::Why;
 
 #[derive(Clone, Copy, Debug)]

@@ -24,7 +24,7 @@ use super::Delaunay;
 use super::fill::ChainVertex;
 use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::sweep::traversal::Traversed;
 use crate::trace::{Event, PseudoPolygon, Why};
 

@@ -40,7 +40,7 @@ use core::cmp::Ordering::Greater;
 use super::Delaunay;
 use crate::ids::{BorderId, VertexId, narrow};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::trace::Why;
 
 /// A vertex of a chain and the border half-edge from it to the next one (meaningless for the last one). If that border

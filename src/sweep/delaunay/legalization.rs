@@ -29,7 +29,7 @@
 use super::Delaunay;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::sweep::flip_limit::inexact_scalar;
 use crate::trace::{Event, Outcome};
 

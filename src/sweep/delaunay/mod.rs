@@ -13,7 +13,7 @@ use super::predicates::SweepPredicates;
 use super::scratch::Scratch;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use crate::trace::{Event, Vertex, Why};
 pub(super) use cavity::Polygons;
 #[cfg(feature = "comparison")]

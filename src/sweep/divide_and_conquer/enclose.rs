@@ -14,7 +14,7 @@ use super::super::flip_limit::inexact_scalar;
 use super::SubTriangulation;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 use alloc::vec::Vec;
 
 impl<P: Probe> Sweep<'_, P> {

@@ -17,7 +17,7 @@ use super::super::delaunay::Delaunay;
 use super::SubTriangulation;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 
 impl<P: Probe> Delaunay<'_, P> {
     /// Adds a ghost for the hull side from `a` to `b`.

@@ -11,7 +11,7 @@ use super::super::Sweep;
 use super::super::flip_limit::inexact_scalar;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 
 impl<P: Probe> Sweep<'_, P> {
     /// Replaces the ghosts; the hull side of `start` starts at the lowest vertex.

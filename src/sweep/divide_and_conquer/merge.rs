@@ -36,7 +36,7 @@ use super::super::flip_limit::inexact_scalar;
 use super::{MergeMode, SubTriangulation};
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
+use crate::observe::probe::Probe;
 
 /// The gap between two sub-triangulations while it is being closed.
 struct Gap {

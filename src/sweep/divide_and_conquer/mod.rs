@@ -26,8 +26,8 @@ use super::flip_limit::FlipLimit;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
-use crate::probe::Probe;
-use crate::recorder::Phase;
+use crate::observe::probe::Probe;
+use crate::observe::recorder::Phase;
 use alloc::vec::Vec;
 
 /// A sub-triangulation: vertices that follow each other in sweep order, with ghosts around them.

@@ -1,13 +1,21 @@
 //! The result: triangles, neighbours, constrained sides, hull, duplicates, and chains of edges, by input indices.
 
+pub(crate) mod canonical;
+pub(crate) mod edge_chains;
+pub(crate) mod locate;
+#[cfg(feature = "serde")]
+mod serialized;
+pub(crate) mod stars;
+pub(crate) mod with_points;
+
 use alloc::vec::Vec;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use crate::canonical::{CanonicalGroups, canonical};
-use crate::edge_chains::EdgeChains;
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, HalfEdge, Triangle};
+use crate::triangulation::canonical::{CanonicalGroups, canonical};
+use crate::triangulation::edge_chains::EdgeChains;
 
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
 ///

@@ -19,7 +19,7 @@ use core::cmp::Ordering;
 use crate::ids::TriangleId;
 use crate::mesh::{HalfEdge, next, prev};
 use crate::scalar::{Scalar, filtered_orient2d};
-use crate::with_points::WithPoints;
+use crate::triangulation::with_points::WithPoints;
 
 /// So few triangles are looked at one by one.
 const FEW: usize = 6;

@@ -3,8 +3,8 @@
 
 use core::fmt;
 
-use crate::recorder::{Phase, Recorder};
-use crate::stats::Counters;
+use crate::observe::recorder::{Phase, Recorder};
+use crate::observe::stats::Counters;
 use crate::trace::Event;
 
 /// Receives the counts and events of the sweep; `()` receives nothing and compiles to nothing.

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use crate::ids::TriangleId;
 use crate::mesh::HalfEdge;
-use crate::stats::{ByCause, Counters, Stats};
+use crate::observe::stats::{ByCause, Counters, Stats};
 use crate::trace::Why;
 use crate::triangulation::Triangulation;
 

@@ -15,10 +15,10 @@ use alloc::vec::Vec;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::edge_chains::EdgeChains;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh, Triangle};
 use crate::triangulation::Triangulation;
+use crate::triangulation::edge_chains::EdgeChains;
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Triangulation", deny_unknown_fields)]
