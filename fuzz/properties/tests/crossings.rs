@@ -156,10 +156,10 @@ fn all_edges_among_the_points_of_a_lattice_are_split() {
 #[test]
 fn what_is_wrong_is_named() {
     let points = [[0.0, 0.0], [1.0, f64::NAN]];
-    let vertex = Error::NonFiniteCoordinate { vertex: 1 };
+    let vertex = SplitError::Input(Error::NonFiniteCoordinate { vertex: 1 });
     assert_eq!(crossings(&points, &[[0, 0]]), Err(vertex));
     assert_eq!(split(&points, &[[0, 0]]).unwrap_err(), vertex);
-    let missing = Error::EdgeOutOfRange { edge: 1, vertex: 9 };
+    let missing = SplitError::Input(Error::EdgeOutOfRange { edge: 1, vertex: 9 });
     assert_eq!(crossings(&points[..1], &[[0, 0], [0, 9]]), Err(missing));
     assert_eq!(split(&points[..1], &[[0, 0], [0, 9]]).unwrap_err(), missing);
 }
