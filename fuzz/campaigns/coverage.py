@@ -1,7 +1,7 @@
 """Measures which regions of `src/` the corpora reach.
 
 The program of `fuzz/properties` is built with the instrumentation of rustc and runs every property on its corpus and
-seeds. It is the same program that unpacks the seeds and shows what bytes stand for, so there is one build for all.
+seeds. It is the same program that shows what bytes stand for, so there is one build for both, after the fuzzing.
 """
 
 import concurrent.futures
@@ -21,11 +21,12 @@ PROGRAM = FOLDER / "release/sweep-cdt-properties"
 PROPERTIES = ["env", f"LLVM_PROFILE_FILE={os.devnull}", PROGRAM]
 
 
-def build():
-    """Builds the program, with the messages of cargo."""
+def build(seconds=None):
+    """Builds the program, with the messages of cargo, in so many seconds at most."""
     environment = {**os.environ, "RUSTFLAGS": "-C instrument-coverage", "CARGO_TARGET_DIR": str(FOLDER),
                    "LLVM_PROFILE_FILE": os.devnull}
-    processes.must(["cargo", "build", "--release", "-p", "sweep-cdt-properties"], shown=True, env=environment)
+    processes.must(["cargo", "build", "--release", "-p", "sweep-cdt-properties"], shown=True, env=environment,
+                   seconds=seconds)
 
 
 def measure(targets, jobs, tools, out):

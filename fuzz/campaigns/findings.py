@@ -9,6 +9,8 @@ from . import libfuzzer, processes
 MINIMISING = 60
 # An input that does not end is not waited for any longer.
 SHOWING = 30
+# What a report says where the program that shows inputs is not built.
+UNSHOWN = "Not shown, as the program that does so is not built: `show`, in `fuzz/README.md`."
 
 
 class Finding:
@@ -23,7 +25,7 @@ class Finding:
         self.note = ""
 
     def keep(self, properties):
-        """Fills the folder. `properties` is the command that shows what bytes stand for."""
+        """Fills the folder. `properties` is the command that shows what bytes stand for, if it is built."""
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
         smallest, text = self.folder / "bytes", self.outcome.text
@@ -39,6 +41,9 @@ class Finding:
             else:
                 self.note = "Run alone, these bytes did not fail again."
         (self.folder / "panic.txt").write_text(text)
+        if not properties:
+            self.note = f"{self.note} {UNSHOWN}".strip()
+            return
         code, text = processes.run([*properties, "show", self.target.name, smallest, self.folder], seconds=SHOWING)
         if code != 0:
             (self.folder / "show.txt").write_text(text)

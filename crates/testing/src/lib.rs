@@ -30,7 +30,6 @@ pub mod oracle;
 pub mod page;
 #[cfg(feature = "peers")]
 pub mod peers;
-#[cfg(feature = "runs")]
 pub mod runs;
 
 pub use clouds::segments;

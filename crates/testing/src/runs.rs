@@ -56,6 +56,9 @@ pub const ALGORITHMS: &[(&str, Algorithm)] = &[
 ];
 
 /// All runs; the first is the one that callers get who choose nothing.
+///
+/// The compiler makes the conversions and predicates of nine scalars here, so this is a feature.
+#[cfg(feature = "runs")]
 pub fn all() -> Vec<Run> {
     let mut runs = with::<f64>("f64");
     runs.extend(with::<f32>("f32"));

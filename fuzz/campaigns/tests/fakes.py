@@ -67,7 +67,7 @@ end(0)
 '''
 
 CARGO = '''#!{python}
-import os, pathlib, shutil, sys
+import os, pathlib, shutil, sys, time
 words, fuzz = sys.argv[1:], pathlib.Path(os.environ["FAKE_FUZZ"])
 if "--version" in words:
     print("cargo 1")
@@ -77,6 +77,7 @@ if "fuzz" in words:
 if words[0] == "run":
     os.execv(fuzz / "properties", ["properties", *words[words.index("--") + 1:]])
 if words[0] == "build":
+    time.sleep(float(os.environ.get("FAKE_BUILDING", 0)))
     (fuzz / "target/coverage/release").mkdir(parents=True, exist_ok=True)
     shutil.copy(fuzz / "properties", fuzz / "target/coverage/release/sweep-cdt-properties")
 '''
@@ -131,8 +132,11 @@ class Workplace:
         shutil.copytree(FUZZ / "campaigns", self.fuzz / "campaigns", ignore=shutil.ignore_patterns("tests"))
         shutil.copy(FUZZ / "campaign", self.fuzz)
         (self.fuzz / "Cargo.toml").write_text("".join(f'path = "fuzz_targets/{name}.rs"\n' for name in self.names))
+        (self.fuzz / "lengths.txt").write_text("".join(f"{name} {100 + len(name)}\n" for name in self.names))
+        (self.fuzz / "seeds").mkdir()
         for name in self.names:
             self.program(f"fakes/{name}", TARGET)
+            (self.fuzz / f"seeds/{name}.hex").write_text(f"{b'seed'.hex()}  # a name\n")
         self.program("bin/cargo", CARGO)
         self.program("bin/rustc", RUSTC)
         self.program("properties", PROPERTIES)

@@ -73,6 +73,18 @@ class Campaigns(unittest.TestCase):
             self.assertIn("row of b'large'", report)
             self.assertRegex(report, r"\| other \| 0:0\d \| 100 \|.*not minimised")
 
+    def test_interrupted_it_does_not_wait_for_the_program_that_shows_findings(self):
+        with Workplace("slow", "other") as place:
+            process = place.start("--minutes", "1", "--jobs", "2", FAKE_BUILDING="50")
+            while not place.log.exists() or "other" not in place.log.read_text():
+                time.sleep(0.05)
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            text, _ = process.communicate(timeout=30)
+            self.assertEqual(process.returncode, 1, text)
+            self.assertIn("vertex N is not there", place.report())
+            self.assertIn("Not shown, as the program that does so is not built", place.report())
+
     def test_interrupted_at_the_coverage_it_does_not_go_on_with_other_targets(self):
         with Workplace("first", "second", "third") as place:
             process = place.start("--minutes", "0", "--jobs", "1", FAKE_COVERING="5")

@@ -1,12 +1,13 @@
-"""The plan shares the time out, and libFuzzer's words are read."""
+"""The plan shares the time out, seeds are unpacked, and libFuzzer's words are read."""
 
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from campaigns import libfuzzer, plan
+from campaigns import libfuzzer, plan, seeds
 
 
 class Plans(unittest.TestCase):
@@ -39,6 +40,21 @@ class Plans(unittest.TestCase):
     def test_three_minutes_on_two_cores_reach_all_nine(self):
         lanes = plan.slices(list(range(9)), 2, 180)
         self.assertEqual({target for lane in lanes for target, _, _ in lane}, set(range(9)))
+
+
+class Seeds(unittest.TestCase):
+    """The files beside the targets."""
+
+    def test_every_target_has_seeds_that_are_not_cut_off(self):
+        for target, length in seeds.lengths().items():
+            with tempfile.TemporaryDirectory() as folder:
+                (Path(folder) / "left_over").touch()
+                seeds.unpack(target, Path(folder))
+                files = sorted(Path(folder).iterdir())
+                self.assertEqual(files[0].name, "seed_0001")
+                contents = [file.read_bytes() for file in files]
+                self.assertEqual(contents, sorted(set(contents)), "as `pack` sorts them")
+                self.assertLessEqual(max(map(len, contents)), length)
 
 
 class Words(unittest.TestCase):

@@ -29,7 +29,8 @@ pub fn judge(input: &Input) {
     let answer = match &outcome {
         Ok(result) => {
             let report = result
-                .verify(points, edges)
+                .with_points(points)
+                .verify(edges)
                 .expect("the verifier accepts the result");
             assert!(
                 report.is_canonical(),

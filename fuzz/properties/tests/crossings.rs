@@ -139,7 +139,12 @@ fn all_edges_among_the_points_of_a_lattice_are_split() {
         let edges: Vec<_> = (0..16).flat_map(|w| (0..w).map(move |v| [v, w])).collect();
         let split = split(&points, &edges).expect("few rounds");
         let result = triangulate(&split.points, &split.edges).expect("no pieces cross");
-        assert!(result.with_points(&split.points).verify(&split.edges).is_ok());
+        assert!(
+            result
+                .with_points(&split.points)
+                .verify(&split.edges)
+                .is_ok()
+        );
         println!(
             "{from} {step}: {} pieces, {} rounds, {} units",
             split.edges.len(),
@@ -156,10 +161,10 @@ fn all_edges_among_the_points_of_a_lattice_are_split() {
 #[test]
 fn what_is_wrong_is_named() {
     let points = [[0.0, 0.0], [1.0, f64::NAN]];
-    let vertex = Error::NonFiniteCoordinate { vertex: 1 };
+    let vertex = SplitError::Input(Error::NonFiniteCoordinate { vertex: 1 });
     assert_eq!(crossings(&points, &[[0, 0]]), Err(vertex));
     assert_eq!(split(&points, &[[0, 0]]).unwrap_err(), vertex);
-    let missing = Error::EdgeOutOfRange { edge: 1, vertex: 9 };
+    let missing = SplitError::Input(Error::EdgeOutOfRange { edge: 1, vertex: 9 });
     assert_eq!(crossings(&points[..1], &[[0, 0], [0, 9]]), Err(missing));
     assert_eq!(split(&points[..1], &[[0, 0], [0, 9]]).unwrap_err(), missing);
 }
@@ -205,5 +210,8 @@ impl Exact for Wrong {
 fn rounding_that_does_not_end_is_an_error() {
     let points = [[0.0, 0.0], [3.0, 1.0], [1.0, 0.0], [1.0, 1.0]].map(|p| p.map(Wrong));
     let outcome = split(&points, &[[0, 1], [2, 3]]);
-    assert_eq!(outcome.unwrap_err(), SplitError::TooManyRounds { limit: 100 });
+    assert_eq!(
+        outcome.unwrap_err(),
+        SplitError::TooManyRounds { limit: 100 }
+    );
 }
