@@ -74,6 +74,10 @@ struct Line<'a, S> {
 
 /// The `points` in the domain that the sides bound, or on its boundary, in ascending order. The sides form closed
 /// chains. An error is a side where they do not bound a domain.
+#[expect(
+    clippy::mutable_key_type,
+    reason = "the order of places does not depend on how many near-ties were counted"
+)]
 pub(super) fn inside<'a, S: Scalar>(
     predicates: &'a SoupPredicates<'a, S>,
     sides: &[[u32; 2]],
