@@ -5,7 +5,7 @@
 //! the next one, whatever happens. The results come from the same functions as the command's, and are the same bytes.
 //!
 //! It is built for `wasm32-wasip1`, where standard streams, arguments and a clock are part of the platform: Rust's own
-//! library does all that needs `unsafe`. `examples/page/src/page/wasi.js` is the other side of it in a browser. It runs as a
+//! library does all that needs `unsafe`. `crates/page/src/page/wasi.js` is the other side of it in a browser. It runs as a
 //! native program, too.
 
 mod input;
