@@ -26,7 +26,7 @@ fn swept<S: Scalar>(points: &[[S; 2]]) -> (Vec<usize>, Vec<[usize; 2]>) {
     (order, run.triangulation.duplicates().collect())
 }
 
-/// The same by a single sort.
+/// The expected order, by a single sort.
 fn expected<S: Scalar>(points: &[[S; 2]]) -> (Vec<usize>, Vec<[usize; 2]>) {
     let compare = |a: usize, b: usize| {
         let by_y = points[a][1].compare(&points[b][1]);

@@ -29,7 +29,7 @@ struct Work {
     /// Signs that the filter left open.
     exact: u64,
     steps: u64,
-    /// The same in the verifier.
+    /// Signs that the filter left open in the verifier.
     verified_exact: u64,
 }
 

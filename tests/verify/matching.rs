@@ -79,7 +79,7 @@ fn points(random: &mut Random) -> Points {
         .collect()
 }
 
-/// The same points elsewhere, or in another order.
+/// The points elsewhere, or in another order.
 fn moved(points: &[[f64; 2]], random: &mut Random) -> Points {
     let mut moved = points.to_vec();
     let v = random.below(points.len());

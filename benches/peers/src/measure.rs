@@ -248,9 +248,9 @@ struct Sample {
 /// Why there is no sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Failure {
-    /// It ended in any other way than by printing its time.
+    /// The process ended in any other way than by printing its time.
     Crash,
-    /// It was stopped.
+    /// The process was stopped.
     TooLong,
 }
 

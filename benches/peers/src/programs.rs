@@ -15,7 +15,7 @@ use crate::data::Kind;
 /// A program.
 pub(crate) struct Program {
     pub(crate) name: &'static str,
-    /// Its version, or the number of the crate in Cargo.lock.
+    /// The program's version, or the number of the crate in Cargo.lock.
     pub(crate) version: String,
     /// How it is called.
     pub(crate) command: Vec<String>,
@@ -48,7 +48,7 @@ const UNTIMED: &[Kind] = &[];
 
 /// The name of the first program: this crate.
 pub(crate) const OURS: &str = "sweep-cdt";
-/// The same in memory that is kept from one call to the next.
+/// Our library in memory that is kept from one call to the next.
 pub(crate) const OURS_KEPT: &str = "sweep-cdt kept";
 
 #[rustfmt::skip]

@@ -28,7 +28,7 @@ pub(super) struct CloseUp<'a, S> {
 }
 
 impl<S> CloseUp<'_, S> {
-    /// Its window, `size` units wide and high, around the vertices. If these are one point, the window
+    /// The close-up's window, `size` units wide and high, around the vertices. If these are one point, the window
     /// shows the points nearest to it too.
     pub(super) fn window(&self, size: i64) -> Window {
         let points = &self.background.points;

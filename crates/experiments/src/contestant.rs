@@ -25,7 +25,7 @@ pub struct Contestant {
 }
 
 impl Contestant {
-    /// This structure, under a name that none of the others has.
+    /// A structure under a name that no other contestant has.
     ///
     /// The sweep calls it through `dyn`, as it calls every structure but the crate's default, which costs a vertex
     /// some three indirect calls.

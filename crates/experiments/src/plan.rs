@@ -57,7 +57,7 @@ impl Plan {
         self.text_at(&self.commit)
     }
 
-    /// The same as it would be at another commit.
+    /// The plan's text as it would be at another commit.
     pub(crate) fn text_at(&self, commit: &str) -> String {
         let mut text = format!(
             "experiment {}\ncommit {}\nseed {}\nrepetitions {}\n",

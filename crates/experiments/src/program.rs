@@ -40,7 +40,7 @@ pub fn main_with(own: impl IntoIterator<Item = Contestant>) -> ExitCode {
     }
 }
 
-/// The same with arguments of your own, the name of the program first.
+/// The program with arguments of your own, the name of the program first.
 ///
 /// # Errors
 /// Each is a line for the user. Arguments that cannot be understood, and `--help`, end the program.

@@ -39,16 +39,16 @@ pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CoordinateError {
-    /// It is not a number.
+    /// The text is not a number.
     #[error("is not a coordinate")]
     NotANumber,
-    /// It is a fraction, and the type has none.
+    /// The text is a fraction, and the type has none.
     #[error("is a fraction")]
     Fraction,
-    /// It is a number beyond the largest double.
+    /// The text is a number beyond the largest double.
     #[error("is too large for a double")]
     TooLarge,
-    /// It has more digits than are read.
+    /// The text has more digits than are read.
     #[error("has too many digits")]
     TooLong,
 }

@@ -26,7 +26,7 @@ use sweep_cdt::Pslg;
 /// A kind of data.
 #[derive(Clone, Copy, Debug)]
 pub struct Kind {
-    /// Its name, a word.
+    /// The kind's name, a word.
     pub name: &'static str,
     /// What it is, in a line.
     pub about: &'static str,

@@ -37,7 +37,7 @@ const SCRIPTS: [&str; 7] = [
 /// Builds the program in a folder for what is built, and returns its file.
 ///
 /// # Errors
-/// It cannot be built; the compiler has said why.
+/// Fails if the program cannot be built; the compiler has said why.
 pub fn build_program(folder: &Path) -> io::Result<PathBuf> {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.current_dir(env!("CARGO_MANIFEST_DIR"));

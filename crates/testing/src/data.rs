@@ -43,7 +43,7 @@ impl Input {
         }
     }
 
-    /// This input with point `order[i]` as point `i`.
+    /// The input with point `order[i]` as point `i`.
     pub fn permuted(&self, order: &[usize]) -> Input {
         let mut place = vec![0; order.len()];
         for (i, &v) in order.iter().enumerate() {
@@ -176,7 +176,7 @@ pub fn poly_of(name: String, bytes: Vec<u8>) -> Input {
 /// arithmetic, what is special about it (`expect`, `flags`).
 #[derive(Clone, Debug)]
 pub struct Hard {
-    /// Its name.
+    /// The input's name.
     pub name: String,
     /// What must come out: `nonfinite`, `invalid_index` or `crossing` if it is an error.
     pub expect: String,

@@ -72,7 +72,7 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// Those of this input in these numbers, with the default front.
+    /// The steps of this input in these numbers, with the default front.
     pub fn of<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]], heuristics: Heuristics) -> Steps {
         let mut trace = Trace::default();
         let front = AnyFront::default();

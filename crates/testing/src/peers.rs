@@ -1,6 +1,6 @@
 //! Other crates behind one signature.
 //!
-//! They may panic, recurse without end or never return: callers must be prepared for that.
+//! Peers may panic, recurse without end or never return: callers must be prepared for that.
 
 use std::collections::HashMap;
 

@@ -198,7 +198,7 @@ fn divided(points: &[Whole], number: usize) -> Vec<[BigRational; 2]> {
     })
 }
 
-/// The same fractions, not reduced, if their parts fit.
+/// The fractions in machine integers, not reduced, if their parts fit.
 fn in_machine_integers(points: &[[BigRational; 2]]) -> Option<Vec<[Ratio<i64>; 2]>> {
     let part = |x: &BigInt| i64::try_from(x).ok();
     let small = |x: &BigRational| Some(Ratio::new_raw(part(x.numer())?, part(x.denom())?));

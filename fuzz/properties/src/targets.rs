@@ -141,7 +141,7 @@ impl Target {
         bytes.map_or_else(Vec::new, |bytes| self.after_leads(&bytes))
     }
 
-    /// These bytes of a generated input, once after each lead.
+    /// The bytes of a generated input, once after each lead.
     pub fn after_leads(&self, bytes: &[u8]) -> Vec<Vec<u8>> {
         let leads = self.leads.iter();
         leads.map(|(_, lead)| [lead, bytes].concat()).collect()

@@ -196,7 +196,7 @@ const RUNS: usize = 3;
 enum Time {
     Least(f64),
     TooLong,
-    /// It refuses the input, or is not installed.
+    /// The program refuses the input, or is not installed.
     None,
 }
 

@@ -24,7 +24,7 @@ pub(crate) enum Failure {
     Error(String),
     /// The verifier found violations; they are printed already.
     Wrong,
-    /// It found violations that may be rounding, and that is allowed for; they are printed already.
+    /// The verifier found violations that may be rounding, and that is allowed for; they are printed already.
     Rounded,
 }
 

@@ -68,7 +68,7 @@ impl Unnamed {
         }
     }
 
-    /// This file under a temporary name.
+    /// Gives the file a temporary name.
     pub(crate) fn named(self) -> io::Result<Named> {
         let folder = folder(&self.path);
         let mut builder = Builder::new();
@@ -101,7 +101,7 @@ pub(crate) fn folder(path: &Path) -> PathBuf {
     }
 }
 
-/// Such a file, with the permissions that a new file gets.
+/// A file without a name, with the permissions that a new file gets.
 fn unnamed_in(folder: &Path) -> io::Result<File> {
     #[cfg(target_os = "linux")]
     {

@@ -6,7 +6,7 @@ use crate::{FORMATS, assert_fails, feed, folder, names, printed, run, sweep_cdt,
 
 /// Three edges, of which the first crosses both others; numbered from 1.
 const POLY: &str = "6\n1 0 0\n2 3 1\n3 0 1\n4 3 0\n5 1 0\n6 1 1\n4\n1 1 2\n2 3 4\n3 5 6\n4 2 3\n";
-/// The same in fractions: the first coordinate is not a double.
+/// The input of `POLY` in fractions: the first coordinate is not a double.
 const THIRDS: &str =
     r#"{"points": [["0/1",0],[3,1],[0,1],[3,0],[1,0],[1,1]], "edges": [[0,1],[2,3],[4,5],[1,2]]}"#;
 

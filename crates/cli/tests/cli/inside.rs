@@ -45,7 +45,7 @@ const FRAME_ELE: &str = "\
 8 4 8 7 0.5
 ";
 
-/// The same in JSON, the inner square running as the outer one does.
+/// The frame in JSON, the inner square running as the outer one does.
 const FRAME_JSON: &str = r#"{"points": [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]],
 "edges": [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]]}"#;
 

@@ -243,7 +243,7 @@ fn load(name: &str) -> Input {
     read(InputFormat::Poly, &source(bytes_of(name)), None).expect("a good file")
 }
 
-/// The same bytes with a few replaced, removed, repeated or put in.
+/// The bytes with a few replaced, removed, repeated or put in.
 fn damaged(bytes: &[u8], random: &mut Random) -> Vec<u8> {
     const TOKENS: [&str; 12] = [
         "0",

@@ -63,7 +63,7 @@ pub(super) enum Change {
 }
 
 impl Change {
-    /// Its name and numbers in the page; P-1 and P-2 are -1 and -2.
+    /// The change's name and numbers in the page; P-1 and P-2 are -1 and -2.
     fn code(&self) -> (&'static str, Vec<i64>) {
         let codes = |vertices: &[Vertex]| vertices.iter().copied().map(number).collect();
         match self {

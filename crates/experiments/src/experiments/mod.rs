@@ -20,7 +20,7 @@ pub(crate) struct Experiment {
     pub(crate) name: &'static str,
     /// What it asks, as a sentence.
     pub(crate) about: &'static str,
-    /// Its cells: all, or a few small ones that take less than a minute.
+    /// The experiment's cells: all, or a few small ones that take less than a minute.
     pub(crate) cells: fn(quick: bool) -> Vec<Cell>,
     pub(crate) variants: fn(&[Contestant]) -> Vec<Variant>,
     pub(crate) views: &'static [View],

@@ -127,7 +127,7 @@ fn settings() -> Vec<(String, Heuristics)> {
     named.into_iter().chain(stepped).collect()
 }
 
-/// The same points in several scalars: integers that all of them hold.
+/// One set of points in several scalars: integers that all of them hold.
 pub(crate) const SCALARS: Experiment = Experiment {
     name: "scalars",
     about: "What does exact arithmetic in other scalars cost on the same integers?",

@@ -67,7 +67,7 @@ impl Structure for FromEnd {
 pub struct AnyFront(Box<dyn Object>);
 
 impl AnyFront {
-    /// This structure, its type forgotten.
+    /// The structure with its type forgotten.
     pub fn new(structure: impl Structure) -> AnyFront {
         AnyFront(Box::new(structure))
     }

@@ -188,12 +188,12 @@ impl Row {
         self.per_point(self.times_ms()[0])
     }
 
-    /// The same of the least time.
+    /// Nanoseconds a point of the least time.
     pub(crate) fn least_ns_per_point(&self) -> Option<f64> {
         self.per_point(self.times_ms()[1])
     }
 
-    /// The same of the phases on the clock together.
+    /// Nanoseconds a point of the phases on the clock together.
     pub(crate) fn phases_ns_per_point(&self) -> Option<f64> {
         self.per_point(self.total_ms)
     }

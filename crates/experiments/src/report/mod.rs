@@ -19,7 +19,7 @@ pub(crate) use view::{Shape, View};
 /// Writes the report and its plots into a folder.
 ///
 /// # Errors
-/// Those of the files.
+/// A line for the user if a file cannot be written.
 pub(crate) fn write(
     folder: &Path,
     method: &Method<'_>,

@@ -5,7 +5,7 @@ use crate::measure::Row;
 /// What is shown of the rows: a number of each, as tables and plots.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
-    /// Its files begin so.
+    /// The names of the view's files begin so.
     pub(crate) name: &'static str,
     pub(crate) title: &'static str,
     pub(crate) about: &'static str,
@@ -18,7 +18,7 @@ pub(crate) struct View {
 pub(crate) enum Shape {
     /// A map of variants and data for each size, dark where the number is large.
     Map,
-    /// The same of ratios to the first variant: blue where it is slower, orange where it is faster.
+    /// A map of ratios to the first variant: blue where it is slower, orange where it is faster.
     Ratios,
     /// A map of the exponents of growth with the number of points.
     Exponents,

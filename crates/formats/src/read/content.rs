@@ -121,7 +121,7 @@ impl<'a> Vertices<'a> {
         }
     }
 
-    /// These vertices with their heights, if any has one. The others then have 0.
+    /// Gives the vertices their heights, if any has one. The others then have 0.
     pub(super) fn with_heights(mut self, heights: &[Option<&'a [u8]>]) -> Vertices<'a> {
         if heights.iter().any(Option::is_some) {
             let pieces = heights.iter().map(|height| height.unwrap_or(b"0"));

@@ -17,7 +17,7 @@ use crate::Coordinate;
 pub struct Source {
     /// What errors call it.
     pub name: String,
-    /// Its contents.
+    /// The file's contents.
     pub bytes: Vec<u8>,
 }
 

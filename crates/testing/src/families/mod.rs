@@ -1,6 +1,6 @@
 //! Families of inputs that grow: each gives an input of about `n` points, for every `n`.
 //!
-//! They are the attacks on every promise about time. The program `growth` of `benches/peers` measures how time and
+//! Each family attacks a promise about time. The program `growth` of `benches/peers` measures how time and
 //! memory grow; the tests compare small members with the oracle.
 
 mod hubs;
@@ -22,7 +22,7 @@ pub fn all() -> impl Iterator<Item = Family> {
     parts.into_iter().flatten().copied()
 }
 
-/// The same input with its points in a scattered order.
+/// The input with its points in a scattered order.
 pub fn scattered(input: &Input) -> Input {
     let n = input.points.len();
     // A prime: coprime to every smaller n and to most larger ones.

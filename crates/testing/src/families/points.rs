@@ -12,7 +12,7 @@ use crate::Input;
 pub struct Family {
     /// What it is.
     pub name: &'static str,
-    /// Its member of about `n` points; `n` is at least 100.
+    /// The family's member of about `n` points; `n` is at least 100.
     pub member: fn(n: usize) -> Input,
 }
 
@@ -24,13 +24,13 @@ pub(super) fn points(n: usize, point: impl Fn(f64, f64) -> [f64; 2]) -> Input {
     }
 }
 
-/// The same points with each joined to the next.
+/// The input's points with each joined to the next.
 pub(super) fn path(mut input: Input) -> Input {
     input.edges = (1..input.points.len()).map(|i| [i - 1, i]).collect();
     input
 }
 
-/// The same points with each joined to the next, and the last to the first.
+/// The input's points with each joined to the next, and the last to the first.
 pub(super) fn ring(input: Input) -> Input {
     let last = input.points.len() - 1;
     let mut input = path(input);

@@ -5,7 +5,7 @@ use arbitrary::{Result, Unstructured};
 
 /// An input has at most this many points.
 pub const POINTS: usize = 64;
-/// The same where exact arithmetic takes thousands of bits.
+/// An input has at most this many points where exact arithmetic takes thousands of bits.
 pub const FAR_POINTS: usize = 10;
 /// An input has at most this many edges.
 pub const EDGES: usize = 96;

@@ -45,7 +45,7 @@ pub fn read(bytes: &mut Unstructured<'_>) -> Result<Input> {
     read_shape(shape, bytes)
 }
 
-/// The same, with points of a given shape.
+/// Reads an input with points of a given shape.
 ///
 /// # Errors
 /// None in practice; see [`Unstructured`].

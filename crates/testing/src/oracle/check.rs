@@ -23,7 +23,7 @@ pub fn check(points: &[[f64; 2]], edges: &[[usize; 2]], result: &Triangulation) 
     answer
 }
 
-/// The same for an answer that is found already.
+/// Checks an answer that is found already.
 pub fn check_found(points: &[[f64; 2]], edges: &[[usize; 2]], answer: &Answer) {
     with_integers!(points, |exact| check_answer(&exact, edges, answer));
 }

@@ -26,7 +26,7 @@ pub fn verdict(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Verdict {
     with_integers!(points, |exact| exact_verdict(&exact, edges))
 }
 
-/// The same for points that are given as integers.
+/// The verdict on points that are given as integers.
 pub fn exact_verdict<N: Number>(points: &[Point<N>], edges: &[[usize; 2]]) -> Verdict {
     let graph = Graph::new(points, edges);
     let crossings = graph.crossings();

@@ -19,7 +19,7 @@ pub fn is_right(points: &[[f64; 2]], edges: &[[usize; 2]], triangles: &[[usize; 
     with_integers!(points, |exact| is_exactly_right(&exact, edges, triangles))
 }
 
-/// The same for points that are given as integers, and indices in range.
+/// Whether triangles are right for points that are given as integers, and indices in range.
 pub fn is_exactly_right<N: Number>(
     points: &[Point<N>],
     edges: &[[usize; 2]],

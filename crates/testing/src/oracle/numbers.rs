@@ -17,7 +17,7 @@ pub type Point<N> = [N; 2];
 pub enum Integers {
     /// Small ones.
     Small(Vec<Point<i128>>),
-    /// Such as doubles of about the same size.
+    /// Points such as doubles of about the same size.
     Medium(Vec<Point<I256>>),
     /// Large ones.
     Big(Vec<Point<BigInt>>),
@@ -38,7 +38,7 @@ macro_rules! with_integers {
 /// With coordinates of this many bits, products of four differences (two of them of twice the length) and
 /// a few sums fit in an `i128`.
 const SMALL_BITS: u32 = 28;
-/// The same for an `I256`.
+/// With coordinates of this many bits, those products and sums fit in an `I256`.
 const MEDIUM_BITS: u32 = 60;
 
 /// The points multiplied by the one power of two that makes them the smallest integers.

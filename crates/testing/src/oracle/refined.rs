@@ -17,7 +17,7 @@ use super::numbers::{cross, in_circle, orient, vector};
 pub struct Wanted<'a> {
     /// The points of the input.
     pub points: &'a [Exact],
-    /// Its edges.
+    /// The input's edges.
     pub edges: &'a [[usize; 2]],
     /// The closed chains around what the triangles must fill; without any that is the hull.
     pub chains: &'a [Vec<usize>],

@@ -122,7 +122,7 @@ fn edges<S>(file: &GraphFile<S>) -> String {
     text + "0\n"
 }
 
-/// These bytes with a few replaced, removed or put in: where, how many, by what. The few are as many as
+/// The file with a few bytes replaced, removed or put in: where, how many, by what. The few are as many as
 /// it says, or one of the words, or one of the first few words, which are the counts of lines.
 pub(super) fn damaged(file: &[u8], damage: &[[u8; 4]]) -> Vec<u8> {
     let mut file = file.to_vec();

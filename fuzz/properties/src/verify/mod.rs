@@ -158,7 +158,7 @@ fn wound(bytes: &mut Unstructured<'_>) -> Result<Case> {
     })
 }
 
-/// The same with rim points at several distances from the hub, so that the closed lines turn right at some.
+/// A case with rim points at several distances from the hub, so that the closed lines turn right at some.
 fn dented(bytes: &mut Unstructured<'_>) -> Result<Case> {
     let counts: [u8; 2] = bytes.arbitrary()?;
     let n = 5 + usize::from(counts[0] % 8);

@@ -72,7 +72,7 @@ pub(super) fn judge_declared(case: &Case) {
     }
 }
 
-/// The same of triangles no two of which share a directed side. They are to fill what their boundary bounds without
+/// Judges triangles no two of which share a directed side. They are to fill what their boundary bounds without
 /// the vertices that the input lacks.
 fn judge_within(case: &Case, own: usize, triangles: &[[usize; 3]]) {
     let mut declared = boundary(triangles);
