@@ -5,7 +5,7 @@
 //! and passes: first for a process that only makes the input, then for one that triangulates it too. The
 //! difference varies by less than 0.1 %.
 //!
-//! It depends on the compiler, on the machine's instructions and a little on the system's library. These stand
+//! The counts depend on the compiler, on the machine's instructions and a little on the system's library. These stand
 //! in the first lines of the file; where they are others, the counts are printed and nothing is compared.
 
 use std::fs;

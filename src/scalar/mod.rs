@@ -151,7 +151,7 @@ pub trait Scalar: Sized {
     /// Doubles that are exactly the coordinates of these points, all of them multiplied by one positive number; `None`
     /// where there are none, or the type cannot tell at little cost.
     ///
-    /// Such a number changes no sign. So the sweep triangulates these doubles in place of the points, and the exact
+    /// A positive factor changes no sign. So the sweep triangulates these doubles in place of the points, and the exact
     /// stages of `f64` decide what the filter leaves open. Types with [`Scalar::APPROX_IS_EXACT`] are not asked.
     ///
     /// ```

@@ -127,7 +127,7 @@ pub(crate) struct Rings {
 
 /// Random rings that touch, overlap, nest, repeat and go through themselves, but do not cross between vertices.
 ///
-/// Their corners have even coordinates, and their edges run in the eight directions of a compass. So they cross
+/// The rings' corners have even coordinates, and the edges run in the eight directions of a compass. So they cross
 /// where both coordinates are whole, and there is a point.
 pub(crate) fn rings(random: &mut Random) -> Rings {
     let size = 3 + random.below(3);

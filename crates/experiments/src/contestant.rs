@@ -45,8 +45,8 @@ impl Contestant {
         }
     }
 
-    /// The same, whose work is that of this one, which takes the same steps and counts them: for a structure that
-    /// is timed without counts.
+    /// Counts the contestant's work with another structure, which takes the same steps and counts them: for a
+    /// structure that is timed without counts.
     #[must_use]
     pub fn counted_by(self, structure: impl Structure) -> Contestant {
         Contestant {
@@ -55,8 +55,8 @@ impl Contestant {
         }
     }
 
-    /// The same, whose searches or updates take time that grows with the length of the front: it is left out
-    /// where that would take very long.
+    /// Says that searches or updates take time that grows with the length of the front: the contestant is left
+    /// out where that would take very long.
     #[must_use]
     pub fn linear(self) -> Contestant {
         Contestant {

@@ -89,7 +89,7 @@ pub fn fault(
 
 /// Whether triangles, all of one orientation, are the right ones but for choices among cocircular ones.
 ///
-/// Their sides with a triangle on one side only are then the hull's, so they cover it once.
+/// The sides that one triangle alone has are then the hull's, so the triangles cover it once.
 fn agrees<N: Number>(
     exact: &[Point<N>],
     points: &[[f64; 2]],

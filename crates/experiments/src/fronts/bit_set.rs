@@ -70,7 +70,7 @@ impl Structure for BitSet {
 
 /// A set of whole numbers below n as bits, with the greatest member up to a number.
 ///
-/// It is a tree of words of 64 bits: a bit of a word on a higher level says whether one of 64 words below it
+/// The set is a tree of words of 64 bits: a bit of a word on a higher level says whether one of 64 words below it
 /// is not zero. So a search reads one word a level on the way up, and one a level on the way down.
 ///
 /// Cost: O(log n) with 64 ways a level, four levels for 16 million numbers; n bits and some.

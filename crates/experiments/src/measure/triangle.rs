@@ -1,7 +1,7 @@
 //! Shewchuk's program Triangle as a variant, for the paper's table 1, which has it as LS-D&C: on its own mesh and
 //! with its own signs, so it compares programs and not algorithms.
 //!
-//! It runs as a process of its own. Its time is what it prints for the triangulation and the segments, whole
+//! Triangle runs as a process of its own. Its time is what it prints for the triangulation and the segments, whole
 //! milliseconds on the clock, without reading and writing. Of equal diagonals it may choose others than this crate
 //! does. So its result is not compared with those of the other variants, but verified.
 

@@ -173,7 +173,7 @@ impl<'a> Line<'a> {
 ///
 /// The numbers must be consecutive from 0 or 1, since messages use them. (Triangle itself ignores them.)
 ///
-/// They are read on all cores. The text is cut into chunks that end with a line feed, which is always the end
+/// Records are read on all cores. The text is cut into chunks that end with a line feed, which is always the end
 /// of a line, and each is read by itself. It counts if it holds nothing but records, and if the number of the first
 /// follows that of the last record before. From the first chunk that does not, line after line is read: so of several
 /// errors the one that stands first in the file is found.

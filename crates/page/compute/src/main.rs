@@ -4,7 +4,7 @@
 //! Each request is a process of its own, as the command is: it begins with empty memory, so no request can spoil
 //! the next one, whatever happens. The results come from the same functions as the command's, and are the same bytes.
 //!
-//! It is built for `wasm32-wasip1`, where standard streams, arguments and a clock are part of the platform: Rust's own
+//! The program is built for `wasm32-wasip1`, where standard streams, arguments and a clock are part of the platform: Rust's own
 //! library does all that needs `unsafe`. `crates/page/src/page/wasi.js` is the other side of it in a browser. It runs as a
 //! native program, too.
 

@@ -30,7 +30,7 @@ pub(super) fn each(
 
 /// Up to `n` points that would be on one circle or segment, had their coordinates not been rounded.
 ///
-/// Their determinants are as small as the rounding errors of computing them in doubles, with either sign. A
+/// The points' determinants are as small as the rounding errors of computing them in doubles, with either sign. A
 /// filter whose bound is too small is wrong here, and seldom elsewhere.
 pub(super) fn rounded(is_circle: bool, n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
     let from = [wide(bytes)? / 7.0, wide(bytes)? / 7.0];
