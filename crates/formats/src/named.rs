@@ -24,15 +24,25 @@ pub trait Named: Copy + 'static {
     }
 }
 
-/// Gives the variants of an enum their names. Those with an attribute `cfg` may be missing.
+/// Makes an enum whose variants have names. A variant with an attribute `cfg` may be missing.
 macro_rules! named {
-    ($Format:ident { $($(#[$cfg:meta])? $Variant:ident = $name:literal,)* }) => {
+    (
+        $(#[$of_type:meta])*
+        pub enum $Format:ident {
+            $($(#[doc = $doc:literal])+ $(#[cfg($cfg:meta)])? $Variant:ident = $name:literal,)*
+        }
+    ) => {
+        $(#[$of_type])*
+        pub enum $Format {
+            $($(#[doc = $doc])+ $(#[cfg($cfg)])? $Variant,)*
+        }
+
         impl $crate::Named for $Format {
-            const ALL: &'static [$Format] = &[$($(#[$cfg])? $Format::$Variant,)*];
+            const ALL: &'static [$Format] = &[$($(#[cfg($cfg)])? $Format::$Variant,)*];
 
             fn name(self) -> &'static str {
                 match self {
-                    $($(#[$cfg])? $Format::$Variant => $name,)*
+                    $($(#[cfg($cfg)])? $Format::$Variant => $name,)*
                 }
             }
         }

@@ -13,60 +13,42 @@ use crate::read::{json, obj, off, triangle};
 use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
 
-/// What [`read()`] understands. Each format is named by the extension of its files.
-/// All after `Off` need the feature `mesh-formats`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum InputFormat {
-    /// Triangle's vertices.
-    Node,
-    /// Triangle's vertices and edges.
-    Poly,
-    /// An object with `points` and `edges`.
-    Json,
-    /// Wavefront's vertices and lines.
-    Obj,
-    /// Geomview's vertices, and faces of two corners.
-    Off,
-    /// Stanford's vertices and edges, as text or binary.
-    #[cfg(feature = "mesh-formats")]
-    Ply,
-    /// VTK's points and lines, as text or binary.
-    #[cfg(feature = "mesh-formats")]
-    Vtk,
-    /// VTK's points and lines, as XML.
-    #[cfg(feature = "mesh-formats")]
-    Vtu,
-    /// Gmsh's nodes and lines, as text.
-    #[cfg(feature = "mesh-formats")]
-    Msh,
-    /// Points, lines and polygons of maps, as JSON.
-    #[cfg(feature = "mesh-formats")]
-    Geojson,
-    /// Points, lines and polygons as text.
-    #[cfg(feature = "mesh-formats")]
-    Wkt,
+named! {
+    /// What [`read()`] understands. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum InputFormat {
+        /// Triangle's vertices.
+        Node = "node",
+        /// Triangle's vertices and edges.
+        Poly = "poly",
+        /// An object with `points` and `edges`.
+        Json = "json",
+        /// Wavefront's vertices and lines.
+        Obj = "obj",
+        /// Geomview's vertices, and faces of two corners.
+        Off = "off",
+        /// Stanford's vertices and edges, as text or binary.
+        #[cfg(feature = "mesh-formats")]
+        Ply = "ply",
+        /// VTK's points and lines, as text or binary.
+        #[cfg(feature = "mesh-formats")]
+        Vtk = "vtk",
+        /// VTK's points and lines, as XML.
+        #[cfg(feature = "mesh-formats")]
+        Vtu = "vtu",
+        /// Gmsh's nodes and lines, as text.
+        #[cfg(feature = "mesh-formats")]
+        Msh = "msh",
+        /// Points, lines and polygons of maps, as JSON.
+        #[cfg(feature = "mesh-formats")]
+        Geojson = "geojson",
+        /// Points, lines and polygons as text.
+        #[cfg(feature = "mesh-formats")]
+        Wkt = "wkt",
+    }
 }
-
-named!(InputFormat {
-    Node = "node",
-    Poly = "poly",
-    Json = "json",
-    Obj = "obj",
-    Off = "off",
-    #[cfg(feature = "mesh-formats")]
-    Ply = "ply",
-    #[cfg(feature = "mesh-formats")]
-    Vtk = "vtk",
-    #[cfg(feature = "mesh-formats")]
-    Vtu = "vtu",
-    #[cfg(feature = "mesh-formats")]
-    Msh = "msh",
-    #[cfg(feature = "mesh-formats")]
-    Geojson = "geojson",
-    #[cfg(feature = "mesh-formats")]
-    Wkt = "wkt",
-});
 
 impl InputFormat {
     /// Whether every vertex has a height in it.

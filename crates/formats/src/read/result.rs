@@ -14,62 +14,43 @@ use crate::{Coordinate, CoordinateError, GraphFile};
 use sweep_cdt::Pslg;
 use sweep_cdt::verify::{Offenders, Violation};
 
-/// What [`read_result`] understands. Each format is named by the extension of its files.
-/// All after `Off` need the feature `mesh-formats`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ResultFormat {
-    /// Triangle's triangles.
-    Ele,
-    /// An object with `triangles`.
-    Json,
-    /// Wavefront's vertices and faces.
-    Obj,
-    /// Geomview's vertices and faces.
-    Off,
-    /// Stanford's vertices and faces, as text or binary.
-    #[cfg(feature = "mesh-formats")]
-    Ply,
-    /// VTK's points, and polygons or cells, as text or binary.
-    #[cfg(feature = "mesh-formats")]
-    Vtk,
-    /// VTK's points and cells, as XML.
-    #[cfg(feature = "mesh-formats")]
-    Vtu,
-    /// Gmsh's nodes and triangles, as text.
-    #[cfg(feature = "mesh-formats")]
-    Msh,
-    /// Triangles alone, as text or binary.
-    #[cfg(feature = "mesh-formats")]
-    Stl,
-    /// Polygons of maps, as JSON.
-    #[cfg(feature = "mesh-formats")]
-    Geojson,
-    /// Polygons as text.
-    #[cfg(feature = "mesh-formats")]
-    Wkt,
+named! {
+    /// What [`read_result`] understands. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum ResultFormat {
+        /// Triangle's triangles.
+        Ele = "ele",
+        /// An object with `triangles`.
+        Json = "json",
+        /// Wavefront's vertices and faces.
+        Obj = "obj",
+        /// Geomview's vertices and faces.
+        Off = "off",
+        /// Stanford's vertices and faces, as text or binary.
+        #[cfg(feature = "mesh-formats")]
+        Ply = "ply",
+        /// VTK's points, and polygons or cells, as text or binary.
+        #[cfg(feature = "mesh-formats")]
+        Vtk = "vtk",
+        /// VTK's points and cells, as XML.
+        #[cfg(feature = "mesh-formats")]
+        Vtu = "vtu",
+        /// Gmsh's nodes and triangles, as text.
+        #[cfg(feature = "mesh-formats")]
+        Msh = "msh",
+        /// Triangles alone, as text or binary.
+        #[cfg(feature = "mesh-formats")]
+        Stl = "stl",
+        /// Polygons of maps, as JSON.
+        #[cfg(feature = "mesh-formats")]
+        Geojson = "geojson",
+        /// Polygons as text.
+        #[cfg(feature = "mesh-formats")]
+        Wkt = "wkt",
+    }
 }
-
-named!(ResultFormat {
-    Ele = "ele",
-    Json = "json",
-    Obj = "obj",
-    Off = "off",
-    #[cfg(feature = "mesh-formats")]
-    Ply = "ply",
-    #[cfg(feature = "mesh-formats")]
-    Vtk = "vtk",
-    #[cfg(feature = "mesh-formats")]
-    Vtu = "vtu",
-    #[cfg(feature = "mesh-formats")]
-    Msh = "msh",
-    #[cfg(feature = "mesh-formats")]
-    Stl = "stl",
-    #[cfg(feature = "mesh-formats")]
-    Geojson = "geojson",
-    #[cfg(feature = "mesh-formats")]
-    Wkt = "wkt",
-});
 
 impl ResultFormat {
     /// Reads a file, and makes something of it.

@@ -21,20 +21,17 @@ use super::json::json_coordinate;
 use crate::{Coordinate, Numbering};
 use sweep_cdt::crossings::Crossing;
 
-/// What [`write_crossings`] makes. Each format is named by the extension of its files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum CrossingsFormat {
-    /// A line for each pair: both edges, the point, the nearest doubles.
-    Csv,
-    /// An object with the list `crossings`.
-    Json,
+named! {
+    /// What [`write_crossings`] makes. Each format is named by the extension of its files.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum CrossingsFormat {
+        /// A line for each pair: both edges, the point, the nearest doubles.
+        Csv = "csv",
+        /// An object with the list `crossings`.
+        Json = "json",
+    }
 }
-
-named!(CrossingsFormat {
-    Csv = "csv",
-    Json = "json",
-});
 
 /// An element of the list.
 #[derive(Serialize)]

@@ -21,65 +21,45 @@ use crate::{Coordinate, GraphFile, InputFormat};
 use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 
-/// What [`write()`] makes. Each format is named by the extension of its files.
-/// All after `Off` need the feature `mesh-formats`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum OutputFormat {
-    /// Triangle's triangles, numbered as the input.
-    Ele,
-    /// Triangle's vertices, numbered as the input.
-    Node,
-    /// Vertices, edges and the whole result.
-    Json,
-    /// Wavefront's vertices and faces.
-    Obj,
-    /// Geomview's vertices and faces.
-    Off,
-    /// Stanford's vertices and faces, as text.
-    #[cfg(feature = "mesh-formats")]
-    Ply,
-    /// VTK's points and cells, as text.
-    #[cfg(feature = "mesh-formats")]
-    Vtk,
-    /// VTK's points and cells, as XML.
-    #[cfg(feature = "mesh-formats")]
-    Vtu,
-    /// Gmsh's nodes and triangles, as text of version 2.2.
-    #[cfg(feature = "mesh-formats")]
-    Msh,
-    /// Triangles alone, as text.
-    #[cfg(feature = "mesh-formats")]
-    Stl,
-    /// Polygons of maps, as JSON.
-    #[cfg(feature = "mesh-formats")]
-    Geojson,
-    /// Polygons as text.
-    #[cfg(feature = "mesh-formats")]
-    Wkt,
+named! {
+    /// What [`write()`] makes. Each format is named by the extension of its files.
+    /// All after `Off` need the feature `mesh-formats`.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[non_exhaustive]
+    pub enum OutputFormat {
+        /// Triangle's triangles, numbered as the input.
+        Ele = "ele",
+        /// Triangle's vertices, numbered as the input.
+        Node = "node",
+        /// Vertices, edges and the whole result.
+        Json = "json",
+        /// Wavefront's vertices and faces.
+        Obj = "obj",
+        /// Geomview's vertices and faces.
+        Off = "off",
+        /// Stanford's vertices and faces, as text.
+        #[cfg(feature = "mesh-formats")]
+        Ply = "ply",
+        /// VTK's points and cells, as text.
+        #[cfg(feature = "mesh-formats")]
+        Vtk = "vtk",
+        /// VTK's points and cells, as XML.
+        #[cfg(feature = "mesh-formats")]
+        Vtu = "vtu",
+        /// Gmsh's nodes and triangles, as text of version 2.2.
+        #[cfg(feature = "mesh-formats")]
+        Msh = "msh",
+        /// Triangles alone, as text.
+        #[cfg(feature = "mesh-formats")]
+        Stl = "stl",
+        /// Polygons of maps, as JSON.
+        #[cfg(feature = "mesh-formats")]
+        Geojson = "geojson",
+        /// Polygons as text.
+        #[cfg(feature = "mesh-formats")]
+        Wkt = "wkt",
+    }
 }
-
-named!(OutputFormat {
-    Ele = "ele",
-    Node = "node",
-    Json = "json",
-    Obj = "obj",
-    Off = "off",
-    #[cfg(feature = "mesh-formats")]
-    Ply = "ply",
-    #[cfg(feature = "mesh-formats")]
-    Vtk = "vtk",
-    #[cfg(feature = "mesh-formats")]
-    Vtu = "vtu",
-    #[cfg(feature = "mesh-formats")]
-    Msh = "msh",
-    #[cfg(feature = "mesh-formats")]
-    Stl = "stl",
-    #[cfg(feature = "mesh-formats")]
-    Geojson = "geojson",
-    #[cfg(feature = "mesh-formats")]
-    Wkt = "wkt",
-});
 
 /// Writes `result`, the triangulation of the graph of `file`.
 ///
