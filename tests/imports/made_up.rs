@@ -183,6 +183,20 @@ fn an_exported_macro_is_named_as_an_item_of_the_root() {
 }
 
 #[test]
+fn items_in_the_braces_of_a_macro_belong_to_the_module() {
+    let circles = circles_in(&[
+        ("src/lib.rs", "#[macro_use]\nmod m;\nmod a;\nmod b;"),
+        ("src/m.rs", "macro_rules! m { ($item:item) => { $item } }"),
+        (
+            "src/a.rs",
+            "use crate::b::B;\nm! { /// One.\n pub enum A { One } }",
+        ),
+        ("src/b.rs", "pub struct B(crate::a::A);"),
+    ]);
+    assert_eq!(circles.len(), 1, "{circles:?}");
+}
+
+#[test]
 fn what_is_not_understood_is_an_error() {
     let error = |files: &[(&str, &str)]| {
         let file = |&(path, text): &(&str, &str)| (path.to_owned(), text.to_owned());

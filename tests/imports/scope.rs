@@ -50,7 +50,10 @@ impl Scope {
         while at < trees.len() {
             at = match &trees[at] {
                 TokenTree::Group(group) => {
-                    self.walk(group.stream(), false);
+                    // The braces of a macro's call hold items.
+                    let is_call = at > 0 && is_punct(&trees, at - 1, '!');
+                    let holds_items = is_call && group.delimiter() == Delimiter::Brace;
+                    self.walk(group.stream(), is_outermost && holds_items);
                     at + 1
                 }
                 // An attribute.
