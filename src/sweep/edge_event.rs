@@ -164,9 +164,10 @@ impl<P: Probe> Sweep<'_, P> {
                 Some(of) if self.chains.are_equal(edge, of) => self.chains.share(edge, of),
                 _ => {
                     before = Some(edge);
-                    if end != lower {
-                        let vertex = self.delaunay.predicates.vertices.input_index(end);
-                        self.chains.pass(edge, vertex)?;
+                    if end == upper {
+                        self.deferred.push(PendingEdge::new(upper, lower, edge));
+                    } else if end != lower {
+                        self.note_passed(edge, end)?;
                         self.pending.push(PendingEdge::new(end, lower, edge));
                     }
                 }
@@ -175,24 +176,40 @@ impl<P: Probe> Sweep<'_, P> {
         Ok(())
     }
 
-    /// Inserts an edge down to the first vertex on it; returns it. `around`, opposite `upper`, moves beside the edge.
-    fn insert_edge(
+    /// Notes for the result that an edge passes through a vertex.
+    pub(super) fn note_passed(&mut self, edge: u32, v: VertexId) -> Result<(), Error> {
+        let vertex = self.delaunay.predicates.vertices.input_index(v);
+        self.chains.pass(edge, vertex)
+    }
+
+    /// Inserts an edge down to the first vertex on it; returns it, or `upper` if the edge has to be deferred. `around`,
+    /// opposite `upper`, moves beside the edge.
+    #[inline(always)]
+    pub(super) fn insert_edge(
         &mut self,
         upper: VertexId,
         lower: VertexId,
         around: &mut HalfEdge,
     ) -> Result<VertexId, CrossedSide> {
         self.traversed.pockets.clear();
-        let mut part = self.traverse(upper, lower, *around)?;
-        self.report_part(upper, part);
+        let mut part = self.traverse(upper, lower, around)?;
+        if part.end != upper {
+            self.report_part(upper, part);
+        }
+        // The pockets of an edge that is deferred are filled, too: then no other edge passes their nodes again.
         if self.fill_pockets() {
             // Filling may have flipped the triangle of `around`.
             if self.delaunay.mesh.opposite(*around) != upper {
                 *around = self.leftmost(upper);
             }
-            part = self.traverse(upper, lower, *around)?;
+            if part.end != upper {
+                part = self.traverse(upper, lower, around)?;
+            }
         }
-        *around = self.insert_part(upper, part);
+        self.deferred.spend(self.traversed.pierced.len());
+        if part.end != upper {
+            *around = self.insert_part(upper, part);
+        }
         Ok(part.end)
     }
 
@@ -218,8 +235,9 @@ impl<P: Probe> Sweep<'_, P> {
         });
     }
 
-    /// Makes a part that [`Sweep::traverse`] has just found a constrained side. Returns a side opposite its upper end.
-    fn insert_part(&mut self, from: VertexId, part: Part) -> HalfEdge {
+    /// Makes a part that [`Sweep::traverse`] has just found a constrained side. Returns a side opposite `from`.
+    #[inline(always)]
+    pub(super) fn insert_part(&mut self, from: VertexId, part: Part) -> HalfEdge {
         if let Some(side) = part.present {
             self.constrain_side([from, part.end], side);
             part.start
@@ -235,7 +253,7 @@ impl<P: Probe> Sweep<'_, P> {
     }
 
     /// Names the two input edges that cross: `edge`, and the first of those that contain the crossed side.
-    fn crossing(&mut self, edge: u32, [r, s]: CrossedSide) -> Error {
+    pub(super) fn crossing(&mut self, edge: u32, [r, s]: CrossedSide) -> Error {
         let mut crossed = u32::MAX;
         let (low, high) = (r.min(s), r.max(s));
         for (upper, lower, other) in self.edges.iter() {

@@ -85,7 +85,7 @@ impl<P: Probe> Sweep<'_, P> {
             scratch.mesh = self.delaunay.mesh;
             scratch.vertices.approx = self.delaunay.predicates.vertices.approx;
             scratch.flip_stack = self.delaunay.flip_stack;
-            scratch.convex_run = self.delaunay.convex_run;
+            scratch.run = self.delaunay.run;
             scratch.polygons = self.delaunay.polygons;
             scratch.edges = self.edges;
             scratch.front = Some(self.front);

@@ -16,6 +16,7 @@
 //! | 2 | 2, 3 | empty circle test and its ties, legalization | [`predicates`], [`delaunay`] (`legalization.rs`) |
 //! | 3.5 | 15 | finalization | [`finalization`] |
 //! | none | | edges through vertices | [`pending_edges`] |
+//! | none | | edges that pierce many triangles; which crossing is named | [`deferred_edges`], [`first_crossing`] |
 //! | none | | when the sweep is abandoned | [`flip_limit`] |
 //! | none | | the net under it: divide and conquer | [`divide_and_conquer`] |
 //! | none | | the sweep on all cores | `bands` (feature `parallel`) |
@@ -34,11 +35,13 @@ mod artificial;
 mod bands;
 #[cfg(feature = "comparison")]
 mod comparison;
+mod deferred_edges;
 mod delaunay;
 mod divide_and_conquer;
 mod edge_event;
 mod edges;
 mod finalization;
+mod first_crossing;
 mod flip_limit;
 mod heuristics;
 mod initialization;
@@ -64,6 +67,7 @@ use crate::triangulation::Triangulation;
 use crate::triangulation::edge_chains::EdgeChainBuilder;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
+use deferred_edges::DeferredEdges;
 use delaunay::{ChainVertex, Delaunay};
 use edges::Edges;
 use flip_limit::FlipLimit;
@@ -166,6 +170,7 @@ struct Sweep<'a, P> {
     /// For the result: the vertices along each edge inserted so far.
     chains: EdgeChainBuilder,
     pending: PendingEdges,
+    deferred: DeferredEdges,
     /// A triangle of each vertex, once the hull is complete.
     vertex_triangles: VertexTriangles,
     /// A buffer: lower ends and input indices of the edges being inserted.
@@ -187,6 +192,7 @@ impl<'a, P: Probe> Sweep<'a, P> {
     ) -> Self {
         let mut vertex_triangles = take(&mut scratch.vertex_triangles);
         vertex_triangles.clear();
+        let deferred = DeferredEdges::new(&delaunay);
         Sweep {
             delaunay,
             front,
@@ -195,6 +201,7 @@ impl<'a, P: Probe> Sweep<'a, P> {
             edges: take(&mut scratch.edges),
             chains,
             pending: PendingEdges::new(),
+            deferred,
             vertex_triangles,
             list: take(&mut scratch.list),
             traversed: take(&mut scratch.traversed),
@@ -289,6 +296,17 @@ impl<'a, P: Probe> Sweep<'a, P> {
 impl<P: Probe> Sweep<'_, P> {
     /// Triangulates up to the hull, with all edges, artificial triangles around it.
     fn triangulate(&mut self, settings: Settings<'_>) -> Result<(), Error> {
+        match self.triangulate_in_any_order(settings) {
+            Err(Error::CrossingEdges { .. }) if self.deferred.were_any() => {
+                Err(self.first_crossing())
+            }
+            result => result,
+        }
+    }
+
+    /// Triangulates, but where edges have been deferred, edges that cross need not be those that the paper's order meets
+    /// first.
+    fn triangulate_in_any_order(&mut self, settings: Settings<'_>) -> Result<(), Error> {
         let swept = match settings.algorithm {
             Algorithm::DivideAndConquer => 0,
             Algorithm::Auto | Algorithm::Sweep => self.sweep_to_hull(settings.progress)?,
@@ -303,7 +321,8 @@ impl<P: Probe> Sweep<'_, P> {
             self.divide_and_conquer(swept)?;
         }
         self.delaunay.probe.begin(Phase::Finalization);
-        self.insert_pending()
+        self.insert_pending()?;
+        self.insert_deferred()
     }
 
     /// Sweeps, and completes the hull. Returns how many vertices lie within it: fewer than all if the budget of flips

@@ -5,7 +5,7 @@
 //! any. Otherwise the scratch is empty at the start, costs nothing, and buffers that only the initialization needs are
 //! freed at its end.
 
-use super::delaunay::{ChainVertex, ConvexRun, Polygons};
+use super::delaunay::{ChainVertex, Polygons, Run};
 use super::edges::Edges;
 use super::pending_edges::VertexTriangles;
 use super::traversal::Traversed;
@@ -29,7 +29,7 @@ pub(crate) struct Scratch {
     pub(super) mesh: Mesh,
     pub(super) front: Option<Front>,
     pub(super) flip_stack: Vec<HalfEdge>,
-    pub(super) convex_run: ConvexRun,
+    pub(super) run: Run,
     pub(super) polygons: Polygons,
     pub(super) list: Vec<(VertexId, u32)>,
     pub(super) traversed: Traversed,

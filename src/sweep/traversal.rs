@@ -23,7 +23,8 @@
 //!
 //! Cost: the degree of the first vertex, and one test for each triangle pierced or node passed. Differs from the paper:
 //! the traversal changes nothing. The edge event fills the pockets found and traverses the edge again, in triangles
-//! alone.
+//! alone. An edge that pierces very many triangles is deferred ([`super::deferred_edges`]), and may then be followed from
+//! its lower end.
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater, Less};
 
@@ -35,10 +36,13 @@ use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::trace::Event;
 
-/// A part of an edge: down to the first vertex on it.
+/// The triangles of the first turn around each end of an edge. Small inputs are tested as if they were large.
+const FIRST_TURN: usize = if cfg!(any(test, fuzzing)) { 1 } else { 8 };
+
+/// A part of an edge: to the first vertex on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
-    /// The vertex where the part ends.
+    /// The vertex where the part ends. If that is where it starts, the edge pierces more triangles than it may.
     pub(super) end: VertexId,
     /// A half-edge opposite the vertex where the part starts.
     pub(super) start: HalfEdge,
@@ -62,10 +66,13 @@ pub(super) struct Traversed {
     pub(super) pockets: Vec<[VertexId; 2]>,
     /// The sides that edges with one upper end are already, so that nothing is in their way.
     pub(super) present: Vec<HalfEdge>,
+    /// The most triangles that the part may pierce.
+    most: usize,
 }
 
 impl Traversed {
-    pub(super) fn begin_part(&mut self) {
+    pub(super) fn begin_part(&mut self, most: usize) {
+        self.most = most;
         self.pierced.clear();
         self.left.clear();
         self.right.clear();
@@ -73,6 +80,7 @@ impl Traversed {
 }
 
 /// How an edge leaves a vertex.
+#[derive(Clone, Copy, Debug)]
 enum Departure {
     Along(Part),
     /// Into a triangle, across its side opposite the vertex.
@@ -91,19 +99,32 @@ enum Place {
 }
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Follows the edge from `from` down towards `to` to the next vertex on it. `around` is a side opposite `from`.
+    /// Follows the edge from `from` towards `to` to the next vertex on it: down, or up if the hull is complete. `around`,
+    /// a side opposite `from`, moves to where the edge leaves.
     pub(super) fn traverse(
         &mut self,
         from: VertexId,
         to: VertexId,
-        around: HalfEdge,
+        around: &mut HalfEdge,
     ) -> Result<Part, CrossedSide> {
-        self.traversed.begin_part();
-        let (start, mut place) = match self.depart(from, to, around) {
-            Departure::Along(part) => return Ok(part),
-            Departure::Into(side) => (side, self.enter(side)?),
-            Departure::Above => (around, Place::Front([from, from])),
+        let triangles = self.delaunay.mesh.len();
+        self.traversed.begin_part(self.deferred.most(triangles));
+        // No vertex has more triangles around it than there are.
+        let Some(departure) = self.depart([from, to], *around, triangles) else {
+            inexact_scalar();
         };
+        let mut place = match departure {
+            Departure::Along(part) => {
+                *around = part.start;
+                return Ok(part);
+            }
+            Departure::Into(side) => {
+                *around = side;
+                self.enter(side)?
+            }
+            Departure::Above => Place::Front([from, from]),
+        };
+        let start = *around;
         loop {
             place = match place {
                 Place::HalfEdge(side) => self.pass_triangle([from, to], side)?,
@@ -125,13 +146,45 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay.mesh.border_twin(segment).next()
     }
 
-    /// Turns counter-clockwise around `from` to where the edge leaves (figure 11).
-    fn depart(&mut self, from: VertexId, to: VertexId, around: HalfEdge) -> Departure {
+    /// The end of an edge from which a turn over triangles comes sooner to where the edge leaves. Returns that end, the
+    /// other one, and the side opposite that end of the triangle into which, or along which, the edge leaves. The hull
+    /// is complete.
+    ///
+    /// Both turns begin anew with twice as many triangles until one comes there. So many edges at one vertex do not turn
+    /// around it each time: in a plane graph the smaller degrees of the ends of all edges sum to O(n).
+    pub(super) fn nearer_departure(&mut self, ends: [VertexId; 2]) -> ([VertexId; 2], HalfEdge) {
+        let around = ends.map(|v| self.side_opposite(v));
+        let mut most = FIRST_TURN;
+        loop {
+            for ([from, to], around) in [(ends, around[0]), ([ends[1], ends[0]], around[1])] {
+                match self.depart([from, to], around, most) {
+                    Some(Departure::Along(Part { start: side, .. }) | Departure::Into(side)) => {
+                        return ([from, to], side);
+                    }
+                    Some(Departure::Above) => inexact_scalar(),
+                    None => {}
+                }
+            }
+            if most > self.delaunay.mesh.len() {
+                inexact_scalar();
+            }
+            most *= 2;
+        }
+    }
+
+    /// Turns counter-clockwise around `from` to where the edge leaves towards `to` (figure 11): over `most` triangles
+    /// at most.
+    #[inline(always)]
+    fn depart(
+        &mut self,
+        [from, to]: [VertexId; 2],
+        around: HalfEdge,
+        most: usize,
+    ) -> Option<Departure> {
         let mut at = around;
         // The side of the edge that `a` is on, if the triangle before has tested it.
         let mut known = None;
-        // No vertex has more triangles around it than there are.
-        for _ in 0..self.delaunay.mesh.len() {
+        for _ in 0..most {
             let [_, a, b] = self.delaunay.mesh.around(at);
             let mut sides = [Equal; 2];
             // For `a` and for `b`: the side between `from` and it.
@@ -141,17 +194,17 @@ impl<P: Probe> Sweep<'_, P> {
                     Some(side) => side,
                     None => self.delaunay.side([from, to], v),
                 };
-                // A vertex on the line lies on the edge if it is lower than `from`, and behind otherwise.
-                if sides[i] == Equal && v < from {
-                    return Departure::Along(Part {
+                // A vertex on the line lies on the edge, or behind `from`.
+                if sides[i] == Equal && (v < from) == (to < from) {
+                    return Some(Departure::Along(Part {
                         end: v,
                         start: at,
                         present: Some(spoke),
-                    });
+                    }));
                 }
             }
             if sides == [Less, Greater] {
-                return Departure::Into(at);
+                return Some(Departure::Into(at));
             }
             // On to the next triangle; at the right end of the front, on from the left.
             let twin = self.delaunay.mesh.twin(at.next());
@@ -161,10 +214,10 @@ impl<P: Probe> Sweep<'_, P> {
                 (twin.next(), Some(sides[1]))
             };
             if at == around {
-                return Departure::Above;
+                return Some(Departure::Above);
             }
         }
-        inexact_scalar()
+        None
     }
 
     /// Pierces the first triangle, across its side opposite the vertex where the part starts.
@@ -196,8 +249,11 @@ impl<P: Probe> Sweep<'_, P> {
     ) -> Result<Place, CrossedSide> {
         let v = self.delaunay.mesh.opposite(entry);
         let side = self.delaunay.side(part, v);
-        if self.traversed.pierced.len() > self.delaunay.mesh.len() {
-            inexact_scalar();
+        if self.traversed.pierced.len() == self.traversed.most {
+            if self.traversed.most == self.delaunay.mesh.len() {
+                inexact_scalar();
+            }
+            return Ok(Place::End(part[0]));
         }
         // The edge leaves across one of the other two sides; the third borders on a pseudo-polygon. At the end both do.
         self.traversed.pierced.push(entry.triangle());

@@ -36,6 +36,7 @@ mod runs;
 #[path = "../scalars/mod.rs"]
 mod scalars;
 mod serialized;
+mod slant;
 mod statistics;
 mod trace;
 #[path = "../verify/mod.rs"]

@@ -92,5 +92,6 @@ pub(super) fn join<'a>(
     sweep.hand_over(part.first);
     sweep.insert_across(crossing, &starts).ok()?;
     sweep.insert_pending().ok()?;
+    sweep.insert_deferred().ok()?;
     Some(sweep)
 }

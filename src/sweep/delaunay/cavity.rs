@@ -15,7 +15,7 @@
 //! ```
 //!
 //! Why it is right: the new triangles are legalized among themselves. The sides on the border were legal and remain so,
-//! because the edge blocks views and opens none. Cost: O(k log k) for k pierced triangles, beyond the legalization.
+//! because the edge blocks views and opens none. Cost: O(k log k) for k pierced triangles, beyond the filling.
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::mem::take;
@@ -30,25 +30,34 @@ use crate::trace::{Event, PseudoPolygon, Why};
 
 #[derive(Debug, Default)]
 pub(in crate::sweep) struct Polygons {
-    pub(in crate::sweep) right: Vec<ChainVertex>,
-    pub(in crate::sweep) left: Vec<ChainVertex>,
-    pub(in crate::sweep) seams: Seams,
+    right: PseudoPolygonChain,
+    left: PseudoPolygonChain,
+    seams: Seams,
+}
+
+/// The chain of a pseudo-polygon, from one end of the edge to the other, with the inside to its left.
+#[derive(Debug, Default)]
+pub(super) struct PseudoPolygonChain {
+    pub(super) corners: Vec<ChainVertex>,
+    /// For each corner but the last a vertex on the other side of the edge: a pierced triangle had both, and where the
+    /// corner is no end of the edge, the side between them was pierced.
+    pub(super) beyond: Vec<VertexId>,
 }
 
 /// The border half-edges of both pseudo-polygons, and the sides to which they will be joined.
 #[derive(Debug, Default)]
-pub(in crate::sweep) struct Seams {
+struct Seams {
     /// The pierced triangles, ascending.
-    pub(in crate::sweep) pierced: Vec<TriangleId>,
+    pierced: Vec<TriangleId>,
     /// Each border half-edge with its twin outside.
-    pub(in crate::sweep) outer: Vec<(BorderId, HalfEdge)>,
+    outer: Vec<(BorderId, HalfEdge)>,
     /// Hanging edges: the pierced triangle's side, its twin, and the border half-edge in its place.
-    pub(in crate::sweep) hanging: Vec<(HalfEdge, HalfEdge, BorderId)>,
+    hanging: Vec<(HalfEdge, HalfEdge, BorderId)>,
 }
 
 impl Seams {
     /// Begins with these pierced triangles, whose records are needed until all border half-edges are made.
-    pub(in crate::sweep) fn begin(&mut self, pierced: &[TriangleId]) {
+    fn begin(&mut self, pierced: &[TriangleId]) {
         self.pierced.clear();
         self.pierced.extend_from_slice(pierced);
         self.pierced.sort_unstable();
@@ -140,7 +149,7 @@ impl<P: Probe> Delaunay<'_, P> {
         self.fill_polygon(left, left_polygon);
         self.fill_polygon(right, right_polygon);
         self.close_seams(seams);
-        let sides = [left, right].map(|chain| self.mesh.border_twin(chain[0].border));
+        let sides = [left, right].map(|chain| self.mesh.border_twin(chain.corners[0].border));
         self.polygons = polygons;
         self.mesh.truncate_borders(kept);
         sides
@@ -149,30 +158,34 @@ impl<P: Probe> Delaunay<'_, P> {
     /// Replaces the given sides of pierced triangles by border half-edges: a `chain` that ends at `last`.
     fn border<'s>(
         &mut self,
-        chain: &mut Vec<ChainVertex>,
+        PseudoPolygonChain { corners, beyond }: &mut PseudoPolygonChain,
         sides: impl Iterator<Item = &'s HalfEdge>,
         last: VertexId,
         seams: &mut Seams,
     ) {
-        chain.clear();
+        corners.clear();
+        beyond.clear();
         for &side in sides {
-            let [_, vertex, _] = self.mesh.around(side);
+            let [opposite, vertex, _] = self.mesh.around(side);
             let border = self.add_border_of(side, seams);
-            chain.push(ChainVertex { vertex, border });
+            corners.push(ChainVertex { vertex, border });
+            beyond.push(opposite);
         }
-        chain.push(ChainVertex {
+        corners.push(ChainVertex {
             vertex: last,
             border: BorderId::new(0),
         });
     }
 
     /// Fills a pseudo-polygon. Of its chain only the part of the edge is left.
-    fn fill_polygon(&mut self, chain: &mut Vec<ChainVertex>, polygon: PseudoPolygon) {
-        self.report_border(polygon, chain.iter().map(|corner| corner.vertex));
-        self.fill(chain, Why::PseudoPolygon);
+    fn fill_polygon(&mut self, chain: &mut PseudoPolygonChain, polygon: PseudoPolygon) {
+        self.report_border(polygon, chain.corners.iter().map(|corner| corner.vertex));
+        if !self.fill_in_random_order(chain) {
+            self.fill(&mut chain.corners, Why::PseudoPolygon);
+        }
         self.legalize();
         assert!(
-            chain.len() == 2,
+            chain.corners.len() == 2,
             "a pseudo-polygon is visible from its edge"
         );
     }

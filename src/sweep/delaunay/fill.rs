@@ -25,12 +25,11 @@
 //! in random order, each into the polygon of those before it (Chew 1990). Chains of a few corners, like most pockets
 //! and pseudo-polygons, cannot flip much, and drawing an order costs more: their corners are closed one by one.
 //!
-//! Each inserted corner makes a triangle with its two neighbours of that moment. To find these, all corners are first
-//! taken out of the polygon in reverse order, and each keeps the two that it has then. A long run is inserted in
-//! rounds, each as large as all before it and from left to right (Amenta, Choi and Rote 2003): a round has random
-//! corners, but visits memory in order.
+//! Each inserted corner makes a triangle with its two neighbours of that moment ([`super::run`]).
 //!
-//! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex runs.
+//! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex runs. Corners that are closed one
+//! by one can flip O(k^2) sides. So the long chains of pseudo-polygons are not filled here
+//! ([`super::pseudo_polygon`]), and a sweep that flips too much is abandoned.
 //!
 //! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right. In a
 //! pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada 1997), in O(k^2).
@@ -38,7 +37,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering::Greater;
 
 use super::Delaunay;
-use crate::ids::{BorderId, VertexId, narrow};
+use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::trace::Why;
@@ -139,39 +138,52 @@ impl<P: Probe> Delaunay<'_, P> {
 
     /// Triangulates the polygon of a convex run; returns the border half-edge that closes it.
     fn fill_convex_run(&mut self, corners: &[ChainVertex], why: Why) -> BorderId {
-        self.convex_run.draw(corners.len());
+        self.run.draw(corners.len());
+        self.insert_run(corners, why, |delaunay, t| {
+            delaunay.flip_stack.push(HalfEdge::new(t, 0));
+            delaunay.legalize();
+        })
+    }
+
+    /// Inserts the corners of a run in the order drawn; `settle` legalizes around corner 0 of each new triangle. Returns
+    /// the border half-edge that closes the run.
+    #[inline(always)]
+    pub(super) fn insert_run(
+        &mut self,
+        corners: &[ChainVertex],
+        why: Why,
+        settle: impl Fn(&mut Self, TriangleId),
+    ) -> BorderId {
         self.mesh.reserve_borders(2 * corners.len());
         let chord = self.mesh.add_border();
 
         // Each corner `u` makes a triangle with its neighbours `v` and `w`, below the side between them.
         let mut top = HalfEdge::border(chord);
-        for k in 0..self.convex_run.order.len() {
-            let u = self.convex_run.order[k];
-            let [v, w] = self.convex_run.neighbors(u);
+        for k in 0..self.run.order.len() {
+            let u = self.run.order[k];
+            let [v, w] = self.run.neighbors(u);
             if k > 0 {
-                top = self.mesh.border_twin(self.convex_run.borders[v as usize]);
+                top = self.mesh.border_twin(self.run.borders[v as usize]);
             }
             for (from, to) in [(v, u), (u, w)] {
                 let border = corners[from as usize].border;
                 // A side of the chain without a triangle outside keeps its number.
                 let is_last = to == from + 1 && !self.mesh.has_border_twin(border);
-                self.convex_run.borders[from as usize] = if is_last {
+                self.run.borders[from as usize] = if is_last {
                     border
                 } else {
                     self.mesh.add_border()
                 };
             }
             let vertices = [u, w, v].map(|at| corners[at as usize].vertex);
-            let [left, right] =
-                [v, u].map(|at| HalfEdge::border(self.convex_run.borders[at as usize]));
+            let [left, right] = [v, u].map(|at| HalfEdge::border(self.run.borders[at as usize]));
             let t = self.add_triangle(vertices, [top, left, right], why);
-            self.flip_stack.push(HalfEdge::new(t, 0));
-            self.legalize();
+            settle(self, t);
         }
 
         // The triangles on the sides of the chain are joined to their neighbours outside.
         for (k, corner) in corners[..corners.len() - 1].iter().enumerate() {
-            let (border, outer) = (self.convex_run.borders[k], corner.border);
+            let (border, outer) = (self.run.borders[k], corner.border);
             if border != outer {
                 let above = self.mesh.border_twin(border);
                 self.mesh.connect(above, self.mesh.border_twin(outer));
@@ -179,84 +191,12 @@ impl<P: Probe> Delaunay<'_, P> {
             }
         }
         // A front segment bears the number of its left end, whatever triangle is below it.
-        let (first, outer) = (self.convex_run.borders[0], corners[0].border);
+        let (first, outer) = (self.run.borders[0], corners[0].border);
         if first == outer {
             return chord;
         }
         self.mesh
             .connect(self.mesh.border_twin(chord), HalfEdge::border(outer));
         outer
-    }
-}
-
-/// Runs of at most this many corners are inserted in one round: they are near each other in any order.
-const IN_ONE_ROUND: usize = 4096;
-
-/// Marsaglia's xorshift: the same numbers in every run and on every machine.
-#[derive(Debug)]
-pub(in crate::sweep) struct Random(u32);
-
-impl Random {
-    pub(in crate::sweep) fn new() -> Random {
-        Random(0x2545_F491)
-    }
-
-    /// A number below `n`.
-    pub(in crate::sweep) fn below(&mut self, n: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 17;
-        self.0 ^= self.0 << 5;
-        self.0 as usize % n
-    }
-
-    pub(in crate::sweep) fn shuffle<T>(&mut self, list: &mut [T]) {
-        for i in (1..list.len()).rev() {
-            list.swap(i, self.below(i + 1));
-        }
-    }
-}
-
-/// A convex run. A position is an index into the run.
-#[derive(Debug, Default)]
-pub(in crate::sweep) struct ConvexRun {
-    /// The inner positions in order of insertion.
-    pub(in crate::sweep) order: Vec<u32>,
-    /// For each position its neighbours among the positions inserted before it.
-    prev: Vec<u32>,
-    next: Vec<u32>,
-    /// The border half-edge from each position inserted to its next one.
-    pub(in crate::sweep) borders: Vec<BorderId>,
-}
-
-impl ConvexRun {
-    /// Draws a random order of insertion for the inner ones of `corners` positions; it depends on their number alone.
-    pub(in crate::sweep) fn draw(&mut self, corners: usize) {
-        let len = narrow(corners);
-        self.order.clear();
-        self.order.extend(1..len - 1);
-        Random::new().shuffle(&mut self.order);
-        // The last half from left to right, then the half before, and so on.
-        let mut end = self.order.len();
-        while end > IN_ONE_ROUND {
-            self.order[end / 2..end].sort_unstable();
-            end /= 2;
-        }
-        self.prev.clear();
-        self.prev.extend((0..len).map(|i| i.saturating_sub(1)));
-        self.next.clear();
-        self.next.extend(1..=len);
-        // Taken out in reverse order, each corner keeps the neighbours that it had last.
-        for &u in self.order.iter().rev() {
-            let [v, w] = [self.prev[u as usize], self.next[u as usize]];
-            self.next[v as usize] = w;
-            self.prev[w as usize] = v;
-        }
-        self.borders.clear();
-        self.borders.resize(len as usize, BorderId::new(0));
-    }
-
-    /// The neighbours of position `u` when it is inserted.
-    pub(in crate::sweep) fn neighbors(&self, u: u32) -> [u32; 2] {
-        [self.prev[u as usize], self.next[u as usize]]
     }
 }

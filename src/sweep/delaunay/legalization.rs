@@ -117,7 +117,7 @@ impl<P: Probe> Delaunay<'_, P> {
 
     /// Swaps side 0 of a triangle in a fan around its corner 0.
     #[inline(always)]
-    fn flip_in_fan(&mut self, t: TriangleId) {
+    pub(super) fn flip_in_fan(&mut self, t: TriangleId) {
         let side = HalfEdge::new(t, 0);
         self.report_flip(side);
         let (twin, ends) = self.mesh.flip_in_fan(t);

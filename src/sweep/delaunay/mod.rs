@@ -3,6 +3,8 @@
 mod cavity;
 mod fill;
 mod legalization;
+mod pseudo_polygon;
+mod run;
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -16,9 +18,8 @@ use crate::mesh::{HalfEdge, Mesh};
 use crate::observe::probe::Probe;
 use crate::trace::{Event, Vertex, Why};
 pub(super) use cavity::Polygons;
-#[cfg(feature = "comparison")]
-pub(super) use fill::Random;
-pub(super) use fill::{ChainVertex, ConvexRun};
+pub(super) use fill::ChainVertex;
+pub(super) use run::{Random, Run};
 
 /// Triangles, predicates, and the sides that legalization still has to test.
 #[derive(Debug)]
@@ -27,8 +28,8 @@ pub(super) struct Delaunay<'a, P> {
     pub(super) predicates: SweepPredicates<'a>,
     pub(super) flip_stack: Vec<HalfEdge>,
     pub(super) flip_limit: FlipLimit,
-    /// Buffers of [`Delaunay::fill`].
-    pub(super) convex_run: ConvexRun,
+    /// Buffers of [`Delaunay::insert_run`].
+    pub(super) run: Run,
     /// Buffers of [`Delaunay::replace_pierced`].
     pub(super) polygons: Polygons,
     pub(super) probe: P,
@@ -48,7 +49,7 @@ impl<'a, P: Probe> Delaunay<'a, P> {
             predicates,
             flip_stack: take(&mut scratch.flip_stack),
             flip_limit,
-            convex_run: take(&mut scratch.convex_run),
+            run: take(&mut scratch.run),
             polygons: take(&mut scratch.polygons),
             probe,
         }
@@ -113,8 +114,13 @@ impl<'a, P: Probe> Delaunay<'a, P> {
             .orient2d_approx(vertices, approx, &mut self.probe)
     }
 
-    /// Which side of the ray `from`-`to` a vertex is on; see [`SweepPredicates::side`].
-    pub(super) fn side(&mut self, ray: [VertexId; 2], v: VertexId) -> Ordering {
-        self.predicates.side(ray, v, &mut self.probe)
+    /// Which side of the ray `from`-`to`, down or up, a vertex is on; see [`SweepPredicates::side`].
+    pub(super) fn side(&mut self, [from, to]: [VertexId; 2], v: VertexId) -> Ordering {
+        if to < from {
+            self.predicates.side([from, to], v, &mut self.probe)
+        } else {
+            let side = self.predicates.side([to, from], v, &mut self.probe);
+            side.reverse()
+        }
     }
 }

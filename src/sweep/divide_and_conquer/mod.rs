@@ -21,6 +21,7 @@ mod hand_over;
 mod merge;
 
 use super::Sweep;
+use super::deferred_edges::DeferredEdges;
 use super::delaunay::Delaunay;
 use super::flip_limit::FlipLimit;
 use crate::error::Error;
@@ -64,12 +65,20 @@ impl<P: Probe> Sweep<'_, P> {
     /// complete. The first `swept` vertices keep their triangles, whose hull is complete. If there are any, two other
     /// vertices or more follow, and there are no edges.
     pub(super) fn divide_and_conquer(&mut self, swept: usize) -> Result<(), Error> {
+        self.divide_and_conquer_points(swept);
+        self.insert_all()
+    }
+
+    /// Triangulates the points without sweeping, in the same way.
+    pub(super) fn divide_and_conquer_points(&mut self, swept: usize) {
         self.delaunay.probe.begin(Phase::Sweeping);
         let n = self.delaunay.predicates.vertices.len();
         self.delaunay.probe.record(|r| r.stats.is_divided = true);
         self.delaunay.flip_limit = FlipLimit::new(n, false);
         self.chains.clear();
         self.pending.clear();
+        self.deferred = DeferredEdges::new(&self.delaunay);
+        self.vertex_triangles.clear();
         let lower =
             (swept > 0).then(|| self.enclose(swept, self.delaunay.predicates.artificial.left));
         self.front.begin(n);
@@ -86,7 +95,6 @@ impl<P: Probe> Sweep<'_, P> {
             }
             self.hand_over(whole.first);
         }
-        self.insert_all()
     }
 
     /// Inserts all edges in sweep order, each down to the first vertex on it; the hull is complete.

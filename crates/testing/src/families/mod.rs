@@ -6,6 +6,7 @@
 mod hubs;
 mod outlines;
 mod points;
+mod slanted;
 
 use crate::Input;
 pub use points::Family;
@@ -18,6 +19,17 @@ pub fn all() -> impl Iterator<Item = Family> {
         outlines::OUTLINES,
         hubs::HUBS,
         points::CROWDS,
+    ];
+    parts.into_iter().flatten().copied()
+}
+
+/// The families of edges that some order of insertion makes quadratic.
+pub fn slanted() -> impl Iterator<Item = Family> {
+    let parts = [
+        slanted::HATCHES,
+        slanted::ZIGZAGS,
+        slanted::RINGS,
+        slanted::STARS,
     ];
     parts.into_iter().flatten().copied()
 }
