@@ -2,30 +2,9 @@
 //! the result, and the crossing that is named, are those of the paper's order.
 
 use sweep_cdt::{Algorithm, Error, Triangulator};
-use sweep_cdt_testing::families;
+use sweep_cdt_testing::families::{self, Order};
 use sweep_cdt_testing::oracle::check;
 use sweep_cdt_testing::{Input, Random};
-
-/// The orders in which an input is given.
-const ORDERS: [&str; 3] = ["natural", "reversed", "shuffled"];
-
-fn in_order(input: &Input, order: &str) -> Input {
-    let n = input.points.len();
-    let mut places: Vec<usize> = (0..n).collect();
-    let mut random = Random::new(9);
-    match order {
-        "natural" => {}
-        "reversed" => places.reverse(),
-        _ => random.shuffle(&mut places),
-    }
-    let mut input = input.permuted(&places);
-    match order {
-        "natural" => {}
-        "reversed" => input.edges.reverse(),
-        _ => random.shuffle(&mut input.edges),
-    }
-    input
-}
 
 /// Flips that the points alone need, beyond those of edges.
 fn flips_of_points(input: &Input, triangulator: &Triangulator<'_>) -> u64 {
@@ -41,8 +20,8 @@ fn no_order_of_edges_is_bad() {
             let input = (family.member)(n);
             let n = input.points.len() as f64;
             for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
-                for order in ORDERS {
-                    let input = in_order(&input, order);
+                for order in Order::ALL {
+                    let input = order.of(&input);
                     let triangulator = Triangulator::new().algorithm(algorithm);
                     let run = triangulator.triangulate_with_stats(&input.points, &input.edges);
                     let counters = run.expect("edges that do not cross").stats.counters;
@@ -51,11 +30,11 @@ fn no_order_of_edges_is_bad() {
                     let points = flips_of_points(&input, &triangulator) as f64;
                     assert!(
                         pierced <= 4.0 * n * n.log2(),
-                        "{algorithm:?}, {order}: {pierced} pierced"
+                        "{algorithm:?}, {order:?}: {pierced} pierced"
                     );
                     assert!(
                         flips <= points + 8.0 * pierced + 4.0 * n,
-                        "{algorithm:?}, {order}: {flips} flips, {points} of points alone, pierced {pierced}"
+                        "{algorithm:?}, {order:?}: {flips} flips, {points} of points alone, pierced {pierced}"
                     );
                 }
             }
@@ -67,7 +46,7 @@ fn no_order_of_edges_is_bad() {
 fn small_members_are_right() {
     for family in families::slanted() {
         println!("{}", family.name);
-        let input = in_order(&(family.member)(100), "shuffled");
+        let input = Order::Shuffled.of(&(family.member)(100));
         for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
             let triangulator = Triangulator::new().algorithm(algorithm);
             let result = triangulator.triangulate(&input.points, &input.edges);
@@ -85,8 +64,8 @@ fn small_members_are_right() {
 fn deferred_edges_give_the_result_of_the_papers_order() {
     for family in families::slanted() {
         println!("{}", family.name);
-        for order in ORDERS {
-            let Input { points, edges } = in_order(&(family.member)(1000), order);
+        for order in Order::ALL {
+            let Input { points, edges } = order.of(&(family.member)(1000));
             let plain = Triangulator::new().observe(&points, &edges, |_| {});
             let plain = plain.expect("edges that do not cross").triangulation;
             let triangulator = Triangulator::new();
@@ -103,7 +82,7 @@ fn deferred_edges_give_the_result_of_the_papers_order() {
                 let result = result.expect("edges that do not cross");
                 assert!(
                     result.canonical_triangles() == plain.canonical_triangles(),
-                    "{order}"
+                    "{order:?}"
                 );
             }
         }
@@ -116,7 +95,7 @@ fn the_crossing_of_the_papers_order_is_named() {
     for family in families::slanted() {
         println!("{}", family.name);
         for seed in 0..4 {
-            let Input { points, mut edges } = in_order(&(family.member)(1000), "shuffled");
+            let Input { points, mut edges } = Order::Shuffled.of(&(family.member)(1000));
             let random = &mut Random::new(seed);
             for _ in 0..=seed {
                 let at = random.below(edges.len() + 1);

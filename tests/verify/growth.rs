@@ -1,5 +1,5 @@
 //! Inputs that once took the verifier a time that grows with the square of their size: here seconds or minutes
-//! each. The tests see that they are judged rightly; the program `growth` of `benches/peers` takes the time. And equal points,
+//! each. The tests see that they are judged rightly; the bench `growth` of `benches/peers` takes the time. And equal points,
 //! which are found without comparing all of them.
 
 use std::cell::Cell;

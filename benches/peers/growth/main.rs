@@ -1,9 +1,9 @@
 //! How time and memory grow with the number of points on inputs that are made to be hard, and other programs
 //! on the same inputs.
 //!
-//! `cargo run --release --manifest-path benches/peers/Cargo.toml --bin growth [-- MOST [FAMILY]]` goes up to `MOST` points (a million unless named), with the
-//! families of `sweep_cdt_testing::families` whose names contain `FAMILY`. Printed are, for each number of
-//! points:
+//! `cargo bench --manifest-path benches/peers/Cargo.toml --bench growth [-- MOST [FAMILY]]` goes up to `MOST` points (a
+//! million unless named), with the families of `sweep_cdt_testing::families` whose names contain `FAMILY`. Printed are,
+//! for each number of points:
 //!
 //! * nanoseconds a point, the least of three runs: by the default with the hash table and with the skip
 //!   list, by the sweep alone up to 10,000 points, and by divide and conquer; `*` marks a sweep that was
@@ -13,19 +13,22 @@
 //! * at 100,000 points the time of spade and of CGAL (compiled here, where `c++` finds its headers), and the
 //!   default's time divided by that of the faster one;
 //! * for stars and asterisks the time of the verification.
+//!
+//! A second table has the families whose edges some order makes quadratic (`slanted`).
+
+mod others;
+mod slanted;
 
 use std::fmt;
 use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
+use others::{columns, compile_cgal, run_spade, time_cgal, time_spade};
 use peak_alloc::PeakAlloc;
-use spade::{ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, Triangulation};
 use sweep_cdt::front::{FrontSearch, HashTable, SkipList};
 use sweep_cdt::verify::verify;
 use sweep_cdt::{Algorithm, Triangulator};
-use sweep_cdt_testing::{Input, binary, families};
+use sweep_cdt_testing::{Input, families};
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
@@ -82,6 +85,7 @@ fn main() {
             }
         }
     }
+    slanted::print(most, wanted, cgal.as_deref());
 }
 
 /// The sweep alone takes too long on some inputs of more points.
@@ -182,119 +186,4 @@ impl fmt::Display for Row {
             self.skip_list, self.divide, self.asked, self.bytes
         )
     }
-}
-
-/// How long another program may take.
-const PATIENCE: Duration = Duration::from_secs(20);
-
-/// How often another program runs.
-const RUNS: usize = 3;
-
-/// Nanoseconds a point of another program, the least of three runs; printed as what it is where there are
-/// none. Each program runs in a process of its own, which is stopped when it takes too long.
-#[derive(Clone, Copy)]
-enum Time {
-    Least(f64),
-    TooLong,
-    /// The program refuses the input, or is not installed.
-    None,
-}
-
-/// Runs spade in this process on a member of a family, and prints the nanoseconds.
-fn run_spade(family: &str, n: usize) {
-    let family = families::all().find(|other| other.name == family);
-    let input = families::scattered(&(family.expect("a family").member)(n));
-    let points: Vec<_> = (input.points.iter())
-        .map(|&[x, y]| Point2::new(x, y))
-        .collect();
-    for _ in 0..RUNS {
-        let (points, edges) = (points.clone(), input.edges.clone());
-        let start = Instant::now();
-        let faces = if edges.is_empty() {
-            let result = DelaunayTriangulation::<Point2<f64>>::bulk_load(points);
-            result.map(|result| result.num_inner_faces())
-        } else {
-            let result =
-                ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(points, edges);
-            result.map(|result| result.num_inner_faces())
-        };
-        let time = start.elapsed();
-        faces.expect("an input that spade accepts");
-        println!("{}", time.as_nanos());
-    }
-}
-
-/// The time of [`run_spade`], in a process of its own.
-fn time_spade(family: &str, n: usize) -> Time {
-    let this = std::env::current_exe().expect("this program");
-    let arguments = ["spade", family, &n.to_string()].map(str::to_owned);
-    time_process(Command::new(this).args(arguments), n)
-}
-
-/// Compiles the program that calls CGAL, if `c++` and CGAL are there.
-fn compile_cgal() -> Option<PathBuf> {
-    let program = std::env::temp_dir().join("sweep-cdt-growth-cgal");
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("cgal.cpp");
-    let compiled = Command::new("c++")
-        .args(["-O2", "-DNDEBUG", "-frounding-math", "-o"])
-        .args([&program, &source])
-        .args(["-lgmp", "-lmpfr"])
-        .stderr(Stdio::null())
-        .status();
-    compiled
-        .is_ok_and(|status| status.success())
-        .then_some(program)
-}
-
-/// The time of CGAL.
-fn time_cgal(program: Option<&Path>, input: &Input) -> Time {
-    let Some(program) = program else {
-        return Time::None;
-    };
-    let path = std::env::temp_dir().join("sweep-cdt-growth-input");
-    binary::write_inputs(&path, std::slice::from_ref(input)).expect("a file for the input");
-    let mut command = Command::new(program);
-    time_process(command.arg(path).arg(RUNS.to_string()), input.points.len())
-}
-
-/// Runs a program that prints the nanoseconds of its runs, one a line, and waits for it.
-fn time_process(command: &mut Command, points: usize) -> Time {
-    let command = command.stdout(Stdio::piped()).stderr(Stdio::null());
-    let mut child = command.spawn().expect("a process");
-    let start = Instant::now();
-    loop {
-        match child.try_wait().expect("a process") {
-            Some(status) if status.success() => break,
-            Some(_) => return Time::None,
-            None if start.elapsed() > PATIENCE => {
-                child.kill().expect("a process");
-                child.wait().expect("a process");
-                return Time::TooLong;
-            }
-            None => std::thread::sleep(Duration::from_millis(5)),
-        }
-    }
-    let output = child.wait_with_output().expect("a process");
-    let text = String::from_utf8_lossy(&output.stdout);
-    let least = (text.lines())
-        .filter_map(|line| line.split_whitespace().next()?.parse().ok())
-        .fold(f64::INFINITY, f64::min);
-    Time::Least(least / points as f64)
-}
-
-/// Both times, and ours divided by the lesser one.
-fn columns(theirs: [Time; 2], ours: f64) -> String {
-    let [spade, cgal] = theirs.map(|time| match time {
-        Time::Least(time) => format!("{time:.0}"),
-        Time::TooLong => "too long".to_owned(),
-        Time::None => "-".to_owned(),
-    });
-    let least = theirs.iter().filter_map(|time| match time {
-        Time::Least(time) => Some(*time),
-        _ => None,
-    });
-    let ratio = least
-        .min_by(f64::total_cmp)
-        .map_or(String::new(), |least| format!("{:.2}", ours / least));
-    format!(" {spade:>8} {cgal:>8} {ratio:>6}")
 }

@@ -1,0 +1,124 @@
+//! Edges that some order of insertion makes quadratic: what they pierce and flip, and how the time grows, by default, by
+//! divide and conquer and in two bands. Of the orders natural, reversed and shuffled the worst counts and times are
+//! printed. At few points the times of the other programs stand beside.
+
+use std::path::Path;
+use std::time::Instant;
+
+use sweep_cdt::{Algorithm, Triangulator};
+use sweep_cdt_testing::Input;
+use sweep_cdt_testing::families::{self, Order};
+
+use crate::others::{columns, time_cgal, time_spade};
+
+/// The number of points at which other programs run.
+const COMPARED: usize = 8000;
+
+/// Prints the table.
+pub(crate) fn print(most: usize, wanted: &str, cgal: Option<&Path>) {
+    println!(
+        "\n{:40} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6}",
+        "edges: nanoseconds a point",
+        "points",
+        "pierced",
+        "4 log2 n",
+        "flips",
+        "default",
+        "divide",
+        "bands",
+        "spade",
+        "CGAL",
+        "ratio"
+    );
+    for family in families::slanted().filter(|family| family.name.contains(wanted)) {
+        for n in [2000, 8000, 32_000, 128_000, 512_000] {
+            if n > most {
+                continue;
+            }
+            let input = (family.member)(n);
+            let rows = Order::ALL.map(|order| measure(&order.of(&input)));
+            let worst = rows[1..].iter().fold(rows[0], |worst, row| worst.and(row));
+            let points = input.points.len();
+            print!(
+                "{:40} {points:>8} {:>8.2} {:>8.1} {:>8.2} {:>8.0} {:>8.0} {:>8.0}",
+                family.name,
+                worst.pierced,
+                4.0 * (points as f64).log2(),
+                worst.flips,
+                worst.default,
+                worst.divide,
+                worst.bands
+            );
+            if n == COMPARED {
+                let scattered = families::scattered(&input);
+                let theirs = [time_spade(family.name, n), time_cgal(cgal, &scattered)];
+                print!("{}", columns(theirs, worst.default));
+            }
+            println!();
+        }
+    }
+}
+
+/// Pierced triangles a point, flips of edges for each of them, and times in nanoseconds a point.
+#[derive(Clone, Copy)]
+struct Row {
+    pierced: f64,
+    flips: f64,
+    default: f64,
+    divide: f64,
+    bands: f64,
+}
+
+impl Row {
+    /// The greater ones of two rows.
+    fn and(self, other: &Row) -> Row {
+        Row {
+            pierced: self.pierced.max(other.pierced),
+            flips: self.flips.max(other.flips),
+            default: self.default.max(other.default),
+            divide: self.divide.max(other.divide),
+            bands: self.bands.max(other.bands),
+        }
+    }
+}
+
+fn measure(input: &Input) -> Row {
+    let n = input.points.len() as f64;
+    let timed = |run: &dyn Fn()| {
+        let start = Instant::now();
+        run();
+        1e9 * start.elapsed().as_secs_f64() / n
+    };
+    let mut row = Row {
+        pierced: 0.0,
+        flips: 0.0,
+        default: 0.0,
+        divide: 0.0,
+        bands: 0.0,
+    };
+    for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
+        let triangulator = Triangulator::new().algorithm(algorithm);
+        let counters = |edges| {
+            let run = triangulator.triangulate_with_stats(&input.points, edges);
+            run.expect("edges that do not cross").stats.counters
+        };
+        let [with, without] = [&input.edges[..], &[]].map(counters);
+        row.pierced = row.pierced.max(with.pierced as f64 / n);
+        let flips = with.flips.saturating_sub(without.flips) as f64;
+        row.flips = row.flips.max(flips / (with.pierced as f64).max(n));
+        let time = timed(&|| {
+            let result = triangulator.triangulate(&input.points, &input.edges);
+            result.expect("edges that do not cross");
+        });
+        match algorithm {
+            Algorithm::DivideAndConquer => row.divide = time,
+            _ => row.default = time,
+        }
+    }
+    row.bands = timed(&|| {
+        let triangulator = Triangulator::new().bands(2);
+        let result = triangulator.triangulate_parallel(&input.points, &input.edges);
+        result.expect("edges that do not cross");
+    });
+    row
+}
