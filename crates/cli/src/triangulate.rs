@@ -64,7 +64,7 @@ pub(crate) struct Triangulate {
 
     /// Threads to work on [default: as many as there are cores]
     ///
-    /// A large input is cut into bands, one for each thread. The files are the same, byte for byte. With
+    /// A large input is cut into bands, one for each thread, 256 at most. The files are the same, byte for byte. With
     /// --stats or --stats-json one thread triangulates. A bar shows the progress of one thread only.
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,

@@ -50,9 +50,22 @@ pub(super) fn sort<S: Scalar>(
     buffers: &mut SortBuffers,
 ) {
     spread(inputs, approx, vertices, &mut buffers.ends);
+    let exact = |axis: usize, [a, b]: [u32; 2]| {
+        let [a, b] = [a, b].map(|input| &points[input as usize][axis]);
+        a.compare(b)
+    };
+    sort_buckets(&exact, vertices, buffers);
+}
+
+/// The exact order of two points along an axis, by their input indices.
+type Exact<'a> = &'a dyn Fn(usize, [u32; 2]) -> Ordering;
+
+/// Sorts and merges the points within each bucket. Compiled once, whatever the scalar.
+#[inline(never)]
+fn sort_buckets(exact: Exact<'_>, vertices: &mut Vertices, buffers: &mut SortBuffers) {
     let scale = vertices.scale;
     vertices.duplicates.clear();
-    let compare = |a: &Key, b: &Key| compare(points, scale, a, b);
+    let compare = |a: &Key, b: &Key| compare(exact, scale, a, b);
     let by_index = |a: &Key, b: &Key| compare(a, b).then_with(|| a.1.cmp(&b.1));
     let SortBuffers {
         ends,
@@ -142,10 +155,11 @@ fn sort_few(sites: &mut [Key]) {
 }
 
 /// The exact sweep order of two sites.
-fn compare<S: Scalar>(points: &[[S; 2]], scale: Scale, a: &Key, b: &Key) -> Ordering {
+#[inline(always)]
+fn compare(exact: Exact<'_>, scale: Scale, a: &Key, b: &Key) -> Ordering {
     let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
         Some(order) if order.is_ne() || scale.is_injective() => order,
-        _ => points[a.1 as usize][i].compare(&points[b.1 as usize][i]),
+        _ => exact(i, [a.1, b.1]),
     };
     axis(1).then_with(|| axis(0))
 }

@@ -50,9 +50,13 @@ fn room() -> Option<u64> {
     None
 }
 
-/// Starts so many threads for all that follows. Nothing may have been done on several threads yet.
+/// The most threads that are started: there are no more bands than this, and idle threads take time from the others.
+const MOST_THREADS: usize = 256;
+
+/// Starts so many threads for all that follows, or the most that are of use. Nothing may have been done on several
+/// threads yet.
 pub(crate) fn limit_threads(threads: NonZeroUsize) -> Result<(), Failure> {
-    let pool = ThreadPoolBuilder::new().num_threads(threads.get());
+    let pool = ThreadPoolBuilder::new().num_threads(threads.get().min(MOST_THREADS));
     pool.build_global()
         .map_err(|error| Failure::Error(format!("--threads {threads}: {error}")))
 }
