@@ -46,7 +46,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What is counted: makes an input, and triangulates it so many times.
+/// The work that is counted: makes an input, and triangulates it so many times.
 fn run(name: &str, times: usize) {
     let input = INPUTS.iter().find(|(other, _)| *other == name);
     let input = input.expect("an input").1();
@@ -107,7 +107,8 @@ fn count(name: &str, times: usize) -> u64 {
     count.unwrap_or_else(|| panic!("no count of instructions in\n{text}"))
 }
 
-/// What the counts depend on beside the code: a line each for the compiler, the machine, the system's library and valgrind; none without valgrind.
+/// The place of the counts, a line each for the compiler, the machine, the system's library and valgrind; none without
+/// valgrind.
 fn place() -> Option<String> {
     let valgrind = first_line("valgrind", "--version")?;
     let compiler = first_line("rustc", "--version").unwrap_or_default();

@@ -1,4 +1,4 @@
-//! What a run reports of itself: counters, times and steps.
+//! The report of a run on itself: counters, times and steps.
 //!
 //! [`stats`] is what the caller gets, [`recorder`] records it, and [`probe`] is how the sweep reports: to nobody, which
 //! costs nothing, or to an observer of counts and steps.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use flate2::read::GzDecoder;
 use sweep_cdt_testing::{Input, Random, clouds, data, segments};
 
-/// What a data set holds.
+/// The contents of a data set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// Points without edges.
@@ -37,7 +37,7 @@ pub(crate) enum Of {
 /// A data set.
 pub(crate) struct DataSet {
     pub(crate) name: String,
-    /// What it is one size of, for the plot.
+    /// The series of sizes to which it belongs, for the plot.
     pub(crate) family: String,
     pub(crate) kind: Kind,
     pub(crate) inputs: Vec<Input>,

@@ -61,7 +61,7 @@ struct Arguments {
     cell: Option<Cell>,
 }
 
-/// What the processes of the benchmark are asked to do.
+/// The tasks of the processes of the benchmark.
 #[derive(Subcommand)]
 enum Cell {
     /// Runs one program on one data set.

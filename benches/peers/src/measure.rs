@@ -51,7 +51,7 @@ pub(crate) enum Calls {
     Last,
 }
 
-/// What a program needs for a point.
+/// The time and memory of a program for a point.
 #[derive(Clone, Copy)]
 pub(crate) struct Outcome {
     pub(crate) verdict: Verdict,
@@ -155,7 +155,7 @@ impl Row {
             .map(|(_, outcome)| outcome)
     }
 
-    /// What was measured of this crate: in memory that is kept where there are many inputs or last calls count.
+    /// The measurement of this crate: in memory that is kept where there are many inputs or last calls count.
     pub(crate) fn ours(&self, calls: Calls) -> Option<&Cell> {
         let is_kept = self.inputs > 1 || calls == Calls::Last;
         let name = if is_kept { OURS_KEPT } else { OURS };
@@ -194,7 +194,7 @@ fn is_ours(cell: &Cell) -> bool {
     [OURS, OURS_KEPT].contains(&cell.program)
 }
 
-/// What an answer is, as the verifier judges it.
+/// An answer, as the verifier judges it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Verdict {
     /// The constrained Delaunay triangulation of the input.
@@ -236,7 +236,7 @@ fn judge_one(input: &Input, triangles: &[[usize; 3]], is_inside: bool) -> Verdic
     }
 }
 
-/// What a process printed: nanoseconds of the first and of the last call, for all inputs together, and bytes beyond
+/// The output of a process: nanoseconds of the first and of the last call, for all inputs together, and bytes beyond
 /// the first one.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
@@ -254,7 +254,7 @@ pub(crate) enum Failure {
     TooLong,
 }
 
-/// What a command prints that runs on a data set in a process, with a file for the answer if it is wanted.
+/// The output of a command that runs on a data set in a process, with a file for the answer if it is wanted.
 fn run(
     command: &[String],
     input: &Path,

@@ -19,7 +19,7 @@ pub(crate) struct Program {
     pub(crate) version: String,
     /// How it is called.
     pub(crate) command: Vec<String>,
-    /// What it takes.
+    /// The kinds of data that it takes.
     pub(crate) kinds: &'static [Kind],
     /// Whether its answer to a polygon covers the polygon, and not the hull.
     pub(crate) is_inside: bool,
@@ -155,7 +155,7 @@ fn triangle(python: &Path) -> Option<Program> {
     })
 }
 
-/// What a command prints, if it succeeds.
+/// The output of a command, if it succeeds.
 fn output<'a>(mut words: impl Iterator<Item = &'a str> + 'a) -> Option<String> {
     let output = Command::new(words.next()?).args(words).output();
     let Output { status, stdout, .. } = output.ok()?;

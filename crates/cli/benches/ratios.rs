@@ -1,4 +1,4 @@
-//! What one way of triangulating takes beside another.
+//! The time of one way of triangulating beside that of another.
 //!
 //! `cargo bench -p sweep-cdt-cli --bench ratios [-- ROUNDS [WORD]]` measures these pairs, or those whose names contain `WORD`. The two of
 //! a pair take turns, for five rounds unless named. Printed are the medians and the least times, in nanoseconds a

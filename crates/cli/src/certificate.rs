@@ -34,14 +34,14 @@ impl Fingerprint {
     }
 }
 
-/// What was verified, and how.
+/// The input that was verified, and how.
 pub(crate) struct Subject<'a, S> {
     pub(crate) input: &'a [Fingerprint],
     pub(crate) result: &'a [Fingerprint],
     pub(crate) scalar: &'static str,
-    /// What the triangles must tile.
+    /// The domain that the triangles must tile.
     pub(crate) domain: &'static str,
-    /// What they must reach.
+    /// The level that they must reach.
     pub(crate) level: &'static str,
     pub(crate) clockwise: bool,
     pub(crate) steiner: bool,

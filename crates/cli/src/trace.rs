@@ -80,7 +80,7 @@ Examples:
   sweep-cdt trace terrain.poly -o steps.html --around vertex:17
   sweep-cdt trace terrain.poly -o steps.svg --from 120 --to 131";
 
-/// What `trace` writes. Each format is named by the extension of its files.
+/// A format that `trace` writes, named by the extension of its files.
 #[derive(Clone, Copy)]
 enum TraceFormat {
     Text,
@@ -129,7 +129,7 @@ impl TraceFormat {
 /// The panels of a sheet.
 const MOST_PANELS: usize = 60;
 
-/// What is written of a run: `events`, which begin at step `first`, or at 1 where all are needed.
+/// The part of a run that is written: `events`, which begin at step `first`, or at 1 where all are needed.
 struct Written<'a, S> {
     graph: &'a Pslg<S>,
     events: Vec<Event>,
@@ -275,7 +275,7 @@ impl Job for Run<'_> {
     }
 }
 
-/// What to say of a page that does not hold all steps that were asked for.
+/// The words for a page that does not hold all steps that were asked for.
 fn note(name: &str, shown: &RangeInclusive<usize>, asked: RangeInclusive<usize>) -> Option<String> {
     let (first, last) = (shown.start(), shown.end());
     let (_, total) = asked.clone().into_inner();

@@ -1,4 +1,4 @@
-//! What a result is written as: a format of files, or a picture.
+//! The form in which a result is written: a format of files, or a picture.
 
 use std::io::{self, Write};
 

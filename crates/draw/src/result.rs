@@ -22,7 +22,7 @@ const MOST_NUMBERS: usize = 60;
 const LEAST_SPACING: f64 = 8.0;
 /// The longer side of the points' bounding box.
 const LONG_SIDE: i64 = 1000 * PIXEL;
-/// What the legend names at most, without and with a domain: no picture is narrower.
+/// The longest entries of the legend, without and with a domain: no picture is narrower.
 const ENTRIES: [i64; 2] = [4, 5];
 const MARGIN: i64 = 28 * PIXEL;
 
@@ -215,7 +215,7 @@ fn stroke(places: &[[i64; 2]], trail: &[usize]) -> String {
     }
 }
 
-/// What separates a number from the one before it.
+/// The separator between a number and the one before it.
 fn space(number: i64) -> &'static str {
     if number < 0 { "" } else { " " }
 }

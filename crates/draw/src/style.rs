@@ -25,9 +25,9 @@ pub(super) const PAPER: &str = "#FFF";
 pub(super) const BLUE: &str = "#0072B2";
 /// The hull, and the advancing front.
 pub(super) const ORANGE: &str = "#E69F00";
-/// What appears, and what is legal.
+/// The colour of all that appears, and of legal sides.
 pub(super) const GREEN: &str = "#009E73";
-/// What disappears, and what is illegal.
+/// The colour of all that disappears, and of illegal sides.
 pub(super) const VERMILION: &str = "#D55E00";
 /// The sweep line.
 pub(super) const PURPLE: &str = "#CC79A7";
@@ -93,7 +93,7 @@ pub(super) fn mesh_widths(scope: &str, spacing: f64) -> String {
 
 /// The height of the legend.
 pub(super) const LEGEND_HEIGHT: i64 = 44 * PIXEL;
-/// What an entry of the legend takes of the width.
+/// The width of an entry of the legend.
 pub(super) const COLUMN: i64 = 195 * PIXEL;
 const SAMPLE: i64 = 24 * PIXEL;
 

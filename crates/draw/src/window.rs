@@ -135,7 +135,7 @@ impl Bounds {
         self.size[0].max(self.size[1])
     }
 
-    /// What lengths are measured by: the longer side, or 1 if the box is a point.
+    /// The unit of lengths: the longer side, or 1 if the box is a point.
     pub(super) fn unit(&self) -> f64 {
         if self.longer() > 0.0 {
             self.longer()

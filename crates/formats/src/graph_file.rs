@@ -10,7 +10,7 @@ use sweep_cdt::{Error, Pslg};
 pub struct GraphFile<S> {
     /// The vertices, the edges, and the seeds of holes and regions.
     pub graph: Pslg<S>,
-    /// What else the file says of the vertices: heights, for instance.
+    /// Further columns of the vertices: heights, for instance.
     pub columns: Vec<Column>,
     /// For each edge the edge of the file that it is a piece of, in order, where edges were
     /// [split](sweep_cdt::crossings::split) at their crossings. Empty, if they are those of the file.
@@ -70,7 +70,7 @@ impl Numbering {
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Column {
-    /// What the file calls them; `z` are the heights.
+    /// The name in the file; `z` are the heights.
     pub name: String,
     /// The number of each vertex.
     pub values: Vec<f64>,

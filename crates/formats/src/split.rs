@@ -10,7 +10,7 @@ use crate::{Column, Coordinate, GraphFile};
 use sweep_cdt::Pslg;
 use sweep_cdt::crossings::{Exact, Split, SplitError, split};
 
-/// What [`GraphFile::split_crossings`] came to.
+/// The outcome of [`GraphFile::split_crossings`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Splitting {

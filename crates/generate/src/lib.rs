@@ -28,7 +28,7 @@ use sweep_cdt::Pslg;
 pub struct Kind {
     /// The kind's name, a word.
     pub name: &'static str,
-    /// What it is, in a line.
+    /// The description, in a line.
     pub about: &'static str,
     make: fn(n: usize, random: &mut Random) -> Pslg<f64>,
 }

@@ -89,7 +89,7 @@ fn parcels_and_contours_have_the_papers_ratio_of_edges_to_points() {
     assert!((ratio("contours") - 162_312.0 / 162_244.0).abs() < 0.02);
 }
 
-/// What a written graph reads as.
+/// The graph that is read from a written one.
 fn again(format: InputFormat, file: &GraphFile<f64>) -> Input {
     let mut bytes = Vec::new();
     write_graph(format, file, &mut bytes).expect("memory takes all that is written");

@@ -20,7 +20,7 @@ fn delaunator(points: &[[f64; 2]], _: &[[usize; 2]]) -> Reply {
         .to_vec())
 }
 
-/// What is wrong with its answer, if it may be expected to have one.
+/// The fault of its answer, if it may be expected to have one.
 fn fault(input: &Input) -> Option<&'static str> {
     let is_moderate = |x: &f64| *x == 0.0 || (1e-9..1e15).contains(&x.abs());
     let is_question = input.edges.is_empty() && input.points.iter().flatten().all(is_moderate);

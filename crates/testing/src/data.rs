@@ -178,7 +178,7 @@ pub fn poly_of(name: String, bytes: Vec<u8>) -> Input {
 pub struct Hard {
     /// The input's name.
     pub name: String,
-    /// What must come out: `nonfinite`, `invalid_index` or `crossing` if it is an error.
+    /// The right outcome: `nonfinite`, `invalid_index` or `crossing` if it is an error.
     pub expect: String,
     /// Whether there is no triangle.
     pub is_flat: bool,

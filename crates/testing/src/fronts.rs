@@ -6,7 +6,7 @@ use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::{Event, Trace};
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
 
-/// What a run chooses, beside the scalar.
+/// The choices of a run, beside the scalar.
 #[derive(Clone, Debug)]
 pub struct Choice {
     /// The front.
@@ -33,7 +33,7 @@ impl Default for Choice {
 }
 
 impl Choice {
-    /// What triangulates so; bands are left out.
+    /// The triangulator with these choices; bands are left out.
     pub fn triangulator(&self) -> Triangulator<'static, AnyFront> {
         Triangulator::new()
             .front(self.front.clone())

@@ -35,7 +35,7 @@ use crate::{Input, with_integers};
 /// Triangles, or the message with which the input is refused.
 pub type Reply = Result<Vec<[usize; 3]>, String>;
 
-/// What is wrong with a program's answer to this input, whose coordinates are finite: see [`fault`]. Nothing where edges
+/// The fault of a program's answer to this input, whose coordinates are finite: see [`fault`]. Nothing where edges
 /// cross.
 pub fn ask(
     input: &Input,
@@ -54,7 +54,7 @@ pub fn right_answer(input: &Input) -> Option<Answer> {
     Some(check(points, edges, &result))
 }
 
-/// What is wrong with a program's answer, of which the right one is given: the name of the first violation, `refused`
+/// The fault of a program's answer, where the right one is given: the name of the first violation, `refused`
 /// where there is no answer, or `panic`. Triangles may all be clockwise.
 ///
 /// # Panics

@@ -1,4 +1,5 @@
-//! What the tests, the benchmarks and the fuzz targets share, and what tests of other programs can use (README.md).
+//! Parts that the tests, the benchmarks and the fuzz targets share, and that tests of other programs can use
+//! (README.md).
 //!
 //! * [`generators`] turn bytes into inputs that are degenerate nearly every time; [`Random`] makes bytes
 //!   and numbers from a seed.

@@ -1,4 +1,4 @@
-//! What a page of steps says, read as its script reads it.
+//! The contents of a page of steps, read as its script reads them.
 
 use serde_json::Value;
 

@@ -18,7 +18,7 @@ use crate::Input;
 use crate::fronts::{Choice, triangulate};
 use crate::oracle::{Answer, Verdict, found};
 
-/// What a run returns.
+/// The outcome of a run.
 pub type Outcome = Result<Answer, Error>;
 type Call = fn(&Input, &Choice) -> Option<Outcome>;
 
@@ -32,7 +32,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// What comes out, or `None` if the scalar cannot hold a coordinate.
+    /// The outcome, or `None` if the scalar cannot hold a coordinate.
     pub fn outcome(&self, input: &Input) -> Option<Outcome> {
         (self.call)(input, &self.choice)
     }

@@ -44,18 +44,18 @@ struct Table {
 /// One row of a table.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Fault {
-    /// What its table is about.
+    /// The subject of its table.
     #[serde(skip)]
     pub kind: String,
     /// A short name.
     pub name: String,
     /// The file, from the root of the repository.
     pub file: PathBuf,
-    /// What is wrong with it.
+    /// The description of the fault.
     pub what: String,
     /// The right text.
     pub right: String,
-    /// What stands there instead.
+    /// The text that stands there instead.
     pub wrong: String,
 }
 
@@ -121,7 +121,7 @@ pub fn plant(file: &Path, source: &str, faults: &[Fault]) -> Result<String, Stri
     Ok(planted)
 }
 
-/// What of the crate's folder is needed to build a target: all that its manifest names.
+/// The parts of the crate's folder that a target needs to be built: all that its manifest names.
 const NEEDED: [&str; 6] = [
     "Cargo.toml",
     "README.md",
@@ -130,7 +130,7 @@ const NEEDED: [&str; 6] = [
     "examples",
     "src",
 ];
-/// What of the fuzz workspace.
+/// The parts of the fuzz workspace.
 const NEEDED_OF_FUZZ: [&str; 5] = [
     "Cargo.toml",
     "Cargo.lock",
@@ -139,7 +139,7 @@ const NEEDED_OF_FUZZ: [&str; 5] = [
     "properties",
 ];
 
-/// What was built is not copied.
+/// The folder of built files, which is not copied.
 const BUILT: &str = "target";
 
 /// The source that chooses a fault. Only the copy has it.

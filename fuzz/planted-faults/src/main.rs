@@ -73,7 +73,7 @@ fn in_parallel(numbers: &[Option<usize>], make: impl Fn(Option<usize>) -> Row + 
     done.into_inner().expect("no panic")
 }
 
-/// What each target finds of a fault, or without one.
+/// The finds of each target with a fault, or without one.
 fn row(runner: &Path, number: Option<usize>) -> Row {
     let run = |target: &Target, executions| run(runner, number, target.name, executions);
     let mut row: Row = TARGETS.iter().map(|target| run(target, FEW)).collect();
@@ -87,7 +87,7 @@ fn row(runner: &Path, number: Option<usize>) -> Row {
     row
 }
 
-/// What each target found.
+/// The finds of each target.
 fn messages(row: &Row) -> String {
     let found = TARGETS.iter().zip(row);
     found
@@ -160,12 +160,12 @@ Written by
 
 ";
 
-/// What a target found.
+/// A find of a target.
 #[derive(Clone, Debug)]
 struct Find {
     /// The execution that failed, or "died" if the process ended with it.
     execution: String,
-    /// What it said.
+    /// The message.
     message: String,
 }
 

@@ -13,7 +13,7 @@ use sweep_cdt_testing::oracle::{check_answer, found};
 /// So many edges are split: each may cross all others, and the judge tries everything.
 const EDGES: usize = 10;
 
-/// What a split in doubles came to.
+/// The outcome of a split in doubles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Rounded {
     /// How many pairs of edges cross.
@@ -84,8 +84,8 @@ fn judge_exact(points: &[Exact], edges: &[[usize; 2]], crossing: &[([usize; 2], 
     }
 }
 
-/// What was split in doubles: no pieces cross, each edge goes through its rounded crossings, and moves as little as is
-/// said.
+/// Judges edges split in doubles: no pieces cross, each edge goes through its rounded crossings, and moves as little
+/// as is said.
 fn judge_rounded(
     points: &[Exact],
     edges: &[[usize; 2]],

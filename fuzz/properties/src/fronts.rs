@@ -127,7 +127,7 @@ const SPECIAL: [f64; 12] = [
     -1e300,
 ];
 
-/// What happens to a front without a sweep.
+/// An operation on a front without a sweep.
 #[derive(Clone, Copy, Debug)]
 enum Change {
     /// The next vertex goes on the front, before some of the equal ones.
@@ -184,7 +184,7 @@ fn coordinate(bytes: &mut Unstructured<'_>) -> Result<f64> {
     })
 }
 
-/// What is on the front, and the structures, which must know.
+/// The nodes of the front, and the structures, which must know them.
 struct Model<'a> {
     points: &'a [[f64; 2]],
     inserted: usize,

@@ -1,4 +1,4 @@
-//! What must hold of every triangulation, as functions of bytes: the bodies of the fuzz targets.
+//! Properties of every triangulation, as functions of bytes: the bodies of the fuzz targets.
 //!
 //! Each module named as a fuzz target in `fuzz/fuzz_targets` is one property, a function that panics where
 //! the property does not hold. `sweep_cdt_testing` turns the bytes into degenerate inputs and judges the

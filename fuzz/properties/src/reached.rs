@@ -17,7 +17,7 @@ const EVERY: u64 = 16;
 /// So many inputs looked at pass between two writings of the file.
 const WRITE: u64 = 16;
 
-/// What an input led to.
+/// The run that an input led to.
 struct Run {
     edges: usize,
     events: Vec<Event>,
@@ -25,7 +25,7 @@ struct Run {
     counters: Counters,
 }
 
-/// What may be reached, as it is named in the file, and whether a run has.
+/// Each thing to be reached, as it is named in the file, and whether a run has reached it.
 type Reachable = (&'static str, fn(&Run) -> bool);
 
 const REACHABLE: [Reachable; 16] = [

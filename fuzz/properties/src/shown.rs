@@ -1,4 +1,4 @@
-//! What the bytes of a finding stand for, as files to look at.
+//! The input that the bytes of a finding stand for, as files to look at.
 //!
 //! Points and edges become a row for the table of cases, JSON for the command, the steps of their sweep and a
 //! picture: of the triangles, of the edges that cross, or, where the sweep panics or does not end, of the input
@@ -124,7 +124,7 @@ fn picture(input: &Input, result: Option<Result<Triangulation, Error>>) -> Optio
     drawn.ok()
 }
 
-/// What a function returns, or why it does not: it panics, or is not done in time. It then goes on until the
+/// The result of a function, or why there is none: it panics, or is not done in time. It then goes on until the
 /// process ends.
 fn within<T: Send + 'static>(
     patience: Duration,

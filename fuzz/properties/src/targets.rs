@@ -6,7 +6,7 @@ use sweep_cdt_testing::generators::{self, BYTES};
 use crate::file::File;
 use crate::{bits, canonical, differential, formats, fronts, replay, scalars, valid, verify};
 
-/// What the bytes before those of the generated input choose, and these bytes.
+/// The choice made by the bytes before those of the generated input, and these bytes.
 pub type Lead = (&'static str, &'static [u8]);
 
 /// A property by its name.
@@ -18,13 +18,13 @@ pub struct Target {
     pub test: fn(&[u8]),
     /// The points and edges that the bytes stand for, if the property tests these.
     pub input: fn(&[u8]) -> Option<Input>,
-    /// What else the bytes stand for.
+    /// The files that the bytes stand for, beside points and edges.
     pub files: fn(&[u8]) -> Vec<File>,
     /// A fuzzer makes inputs of at most so many bytes: what the property can read of an input of [`BYTES`].
     pub max_len: usize,
     /// Bytes that stand for points and edges, if there are any.
     encode: fn(&Input) -> Option<Vec<u8>>,
-    /// What comes before these bytes: a seed is made with each.
+    /// The bytes before these: a seed is made with each.
     leads: &'static [Lead],
 }
 

@@ -1,4 +1,4 @@
-//! What must not change a result does not, on small and larger random inputs.
+//! Changes that must not change a result do not, on small and larger random inputs.
 
 use sweep_cdt_properties::canonical;
 use sweep_cdt_testing::generators::{medium, small};

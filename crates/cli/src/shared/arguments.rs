@@ -38,7 +38,7 @@ impl InputArgs {
         }
     }
 
-    /// What messages call the input.
+    /// The name of the input in messages.
     pub(crate) fn name(&self) -> String {
         self.input.input_name()
     }

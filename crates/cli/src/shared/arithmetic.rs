@@ -41,7 +41,7 @@ enum Kind {
     Rational,
 }
 
-/// What a subcommand does with its input, in any arithmetic.
+/// The work of a subcommand on its input, in any arithmetic.
 pub(crate) trait Job {
     /// Does it.
     fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure>;
@@ -49,17 +49,17 @@ pub(crate) trait Job {
 
 /// An input in the arithmetic of a run.
 pub(crate) struct Given<'a, S, T> {
-    /// What messages call the input.
+    /// The name of the input in messages.
     pub(crate) name: &'a str,
     pub(crate) file: &'a GraphFile<S>,
     /// The points of its graph, in this arithmetic.
     pub(crate) points: &'a [[T; 2]],
-    /// What the arithmetic is called.
+    /// The name of the arithmetic.
     pub(crate) scalar: &'static str,
 }
 
 impl<S, T> Given<'_, S, T> {
-    /// What is wrong with the input, vertices and edges numbered as in its file.
+    /// The fault of the input, vertices and edges numbered as in its file.
     pub(crate) fn refused(&self, error: Error) -> Failure {
         self.failure(self.file.as_numbered(error))
     }

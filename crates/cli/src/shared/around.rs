@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use sweep_cdt::trace::{Event, Vertex, Why};
 
-/// What `--around` names.
+/// The place that `--around` names.
 #[derive(Clone, Copy)]
 pub(crate) enum Around {
     Vertex(u32),

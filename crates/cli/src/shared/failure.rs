@@ -16,7 +16,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use sweep_cdt_formats::ReadError;
 
-/// What the process prints and how it exits.
+/// The words that the process prints, and how it exits.
 pub(crate) enum Failure {
     /// The arguments contradict each other, or would have the run overwrite what it must not.
     Usage(String),

@@ -30,7 +30,7 @@ impl From<OsString> for FileArgument {
 }
 
 impl FileArgument {
-    /// What reports call it where it is an input.
+    /// The name in reports where it is an input.
     pub(crate) fn input_name(&self) -> String {
         printable(&self.raw_name())
     }
@@ -195,7 +195,7 @@ impl Identity {
     }
 }
 
-/// What kind of file standard input is, and which; only Unix tells.
+/// The kind of file that standard input is, and which; only Unix tells.
 fn standard_input() -> Option<(Metadata, Identity)> {
     #[cfg(unix)]
     return open(io::stdin());
@@ -203,7 +203,7 @@ fn standard_input() -> Option<(Metadata, Identity)> {
     None
 }
 
-/// What kind of file standard output is, and which; only Unix tells.
+/// The kind of file that standard output is, and which; only Unix tells.
 pub(crate) fn standard_output() -> Option<(Metadata, Identity)> {
     #[cfg(unix)]
     return open(io::stdout());

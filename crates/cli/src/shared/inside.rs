@@ -1,4 +1,4 @@
-//! What of the hull is inside, and results that fill this interior in place of the hull.
+//! The part of the hull that is inside, and results that fill this interior in place of the hull.
 //!
 //! The interior comes from a triangulation of the input, which is proven right before anything is concluded from
 //! it. Its boundary and the edges in it are what the verifier then asks of the result.
@@ -40,7 +40,7 @@ pub(crate) enum Inside {
 }
 
 impl Inside {
-    /// What messages and the command line call it.
+    /// The name in messages and on the command line.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Inside::Hull => "hull",
@@ -104,7 +104,7 @@ impl InsideArgs {
     }
 }
 
-/// What a result must fill.
+/// The domain that a result must fill.
 struct Wanted {
     boundary: Vec<Vec<usize>>,
     /// How many triangles fill it.

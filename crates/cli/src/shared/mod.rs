@@ -1,4 +1,4 @@
-//! What the subcommands share.
+//! Parts that the subcommands share.
 
 pub(crate) mod arguments;
 pub(crate) mod arithmetic;

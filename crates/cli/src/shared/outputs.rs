@@ -113,7 +113,7 @@ fn half_done(name: &Path, error: &io::Error, done: &[String]) -> Failure {
 
 /// An output that can be written.
 pub(crate) struct Destination {
-    /// What messages call it.
+    /// The name in messages.
     pub(crate) name: PathBuf,
     pub(crate) place: Place,
     /// Which file it is, where the system tells; a device is none.

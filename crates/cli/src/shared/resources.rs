@@ -1,4 +1,4 @@
-//! What the work ahead takes: whether there is memory for it, how many threads it gets, and the progress bar, on a
+//! The needs of the work ahead: whether there is memory for it, how many threads it gets, and the progress bar, on a
 //! terminal, for work that takes some time.
 //!
 //! An allocation that fails ends a process without a word of its own. So before much is allocated its size

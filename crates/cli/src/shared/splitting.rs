@@ -44,7 +44,7 @@ impl SplitArgs {
         })
     }
 
-    /// What edges that cross are refused with.
+    /// The message with which edges that cross are refused.
     pub(crate) fn advice(error: &Error) -> &'static str {
         match error {
             Error::CrossingEdges { .. } => {
@@ -63,7 +63,7 @@ fn divided<S: Coordinate + Exact>(
         .map_err(|error| Failure::Error(format!("{name}: {}", file.split_as_numbered(error))))
 }
 
-/// What was triangulated in place of the input called `name`.
+/// The graph that was triangulated in place of the input called `name`.
 pub(crate) fn triangulated(splitting: &Splitting, name: &str) -> String {
     if splitting.rounds == 0 {
         name.to_owned()

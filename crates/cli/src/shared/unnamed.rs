@@ -13,7 +13,7 @@ use std::thread::{self, JoinHandle};
 
 use tempfile::{Builder, TempPath};
 
-/// What contents are written to.
+/// The target to which contents are written.
 pub(crate) type Out<'w> = BufWriter<&'w mut dyn Write>;
 
 /// A file without a name, and the path where it will be.

@@ -1,4 +1,4 @@
-//! What a verification leaves behind: certificates and pictures.
+//! Files that a verification leaves behind: certificates and pictures.
 
 use std::fs;
 

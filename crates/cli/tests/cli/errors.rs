@@ -1,4 +1,4 @@
-//! What is refused, in which words, and what is left behind.
+//! Refusals: of which inputs, in which words, and the files left behind.
 
 use std::fs;
 use std::io::Write;

@@ -1,4 +1,4 @@
-//! What `triangulate --inside` writes.
+//! The files that `triangulate --inside` writes.
 
 use std::fs;
 
@@ -53,7 +53,7 @@ fn lines(text: &str, start: &str) -> usize {
     text.lines().filter(|line| line.starts_with(start)).count()
 }
 
-/// What a run prints as JSON.
+/// The JSON that a run prints.
 fn object(folder: &tempfile::TempDir, arguments: &str) -> Value {
     let output = run(folder, &format!("{arguments} -o - --output-format json"));
     serde_json::from_str(printed(&output)).expect("JSON")

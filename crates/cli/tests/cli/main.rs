@@ -84,7 +84,7 @@ fn in_time<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
     done.expect("half a minute is enough")
 }
 
-/// What a successful run prints.
+/// The words that a successful run prints.
 #[track_caller]
 fn printed(output: &Output) -> &str {
     assert_eq!(text(&output.stderr), "");

@@ -36,7 +36,7 @@ fn replay_prints_the_triangles_of_the_result() {
     }
 }
 
-/// What a replay alone cannot notice, and what it can, is noticed beside the input.
+/// Damage that a replay alone cannot notice, and damage that it can, is noticed beside the input.
 #[test]
 fn a_replay_beside_its_input_notices_every_edit() {
     let trace = run("trace ten.poly");

@@ -94,7 +94,7 @@ fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("JSON")
 }
 
-/// What a run on the contour lines says of itself.
+/// The statistics of a run on the contour lines.
 fn of_contours(more: &str) -> Value {
     let output = run(FORMATS, &format!("{CONTOURS} --stats-json - {more}"));
     json(printed(&output))

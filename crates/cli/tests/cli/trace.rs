@@ -49,7 +49,7 @@ fn files_are_written_by_their_extension() {
     );
 }
 
-/// What `trace` draws of `ten.poly` in a file with this name.
+/// The picture that `trace` draws of `ten.poly` in a file with this name.
 fn drawn(name: &str, arguments: &str) -> String {
     let folder = folder(&[]);
     let path = folder.path().join(name);

@@ -1,4 +1,4 @@
-//! What an event changes in the picture.
+//! Changes of the picture by an event.
 
 use sweep_cdt::trace::{Event, Outcome, PseudoPolygon, Vertex, Why};
 
@@ -116,7 +116,7 @@ fn number(vertex: Vertex) -> i64 {
     }
 }
 
-/// What an event changes.
+/// The changes by an event.
 pub(super) fn changes(event: &Event) -> Vec<Change> {
     use Change as C;
     match *event {

@@ -1,4 +1,4 @@
-//! What a page holds of a long run: the steps that fit into its bytes, and of a large input the vertices that these
+//! The part of a long run on a page: the steps that fit into its bytes, and of a large input the vertices that these
 //! steps are about.
 //!
 //! Sorting shows no triangle, so a page that cannot hold every step begins at the first point event. Where the
@@ -64,7 +64,7 @@ pub(super) struct Detail {
 }
 
 impl Detail {
-    /// What matters to `events`, which follow `before`, out of `count` vertices; and about `sample` of the others.
+    /// The vertices of `events`, which follow `before`, out of `count` vertices; and about `sample` of the others.
     pub(super) fn new(
         events: impl Iterator<Item = Change>,
         before: &Scene,

@@ -1,4 +1,4 @@
-//! What the script of the page reads.
+//! The data that the script of the page reads.
 //!
 //! A step is a list of whole numbers: which heading, which sentence, the numbers in that sentence, and the changes of
 //! the picture, each as its kind and the numbers that this kind takes. So a step takes some 40 bytes, and the script
@@ -24,7 +24,7 @@ pub(super) struct Data {
     pub(super) first: usize,
     pub(super) total: usize,
     pub(super) start: usize,
-    /// What the reader should know of this page.
+    /// Notes for the reader of this page.
     pub(super) notices: Vec<String>,
     /// Why the run ended before its end.
     pub(super) refused: Option<String>,
@@ -54,7 +54,7 @@ pub(super) struct Data {
 }
 
 impl Data {
-    /// What does not depend on the input.
+    /// The data that do not depend on the input.
     pub(super) fn new() -> Data {
         Data {
             first: 1,

@@ -65,7 +65,7 @@ pub struct StepsPage<'a, S> {
 }
 
 impl<'a, S: Scalar> StepsPage<'a, S> {
-    /// What [`most_bytes`](Self::most_bytes) is by default: 20 million, which a browser shows within a second or two.
+    /// The default of [`most_bytes`](Self::most_bytes): 20 million, which a browser shows within a second or two.
     pub const MOST_BYTES: usize = 20_000_000;
 
     /// A page for a run on `graph`, of which `events` are all events.

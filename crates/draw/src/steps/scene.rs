@@ -21,7 +21,7 @@ pub(super) struct Scene {
     pub(super) pierced: Vec<[Vertex; 3]>,
     /// The borders of the upper and lower pseudo-polygon.
     pub(super) borders: [Vec<Vertex>; 2],
-    /// What the last step changed.
+    /// The changes by the last step.
     pub(super) step: Vec<Change>,
 }
 

@@ -39,7 +39,7 @@ pub(super) fn heading(event: &Event) -> &'static str {
     }
 }
 
-/// What happens, as a sentence; vertices and edges by their input indices.
+/// The event as a sentence; vertices and edges by their input indices.
 pub(super) fn sentence(event: &Event) -> String {
     match event {
         Event::Sorted { vertex } => format!("Vertex {vertex} is the next one in sweep order."),

@@ -12,7 +12,7 @@ use crate::window::{PIXEL, units};
 pub(super) struct Style {
     /// The class in the sheet, and the key in the page's script.
     name: &'static str,
-    /// What it shows, for the legend; nothing if it needs no explanation.
+    /// The meaning, for the legend; nothing if it needs no explanation.
     meaning: &'static str,
     stroke: &'static str,
     width: f64,

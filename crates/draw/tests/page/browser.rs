@@ -111,7 +111,7 @@ impl Browser {
         self.send("/execute/sync", &json!({"script": script, "args": []}))
     }
 
-    /// What a script passes to `done`.
+    /// The value that a script passes to `done`.
     pub(crate) fn run_async(&self, script: &str) -> Value {
         let script = format!("const done = arguments[0]; {script}");
         self.send("/execute/async", &json!({"script": script, "args": []}))
@@ -161,7 +161,7 @@ impl Browser {
         self.perform(&json!([{"type": "wheel", "id": "wheel", "actions": [turn]}]));
     }
 
-    /// What the page has written to the console.
+    /// The lines that the page has written to the console.
     pub(crate) fn console(&self) -> Vec<Value> {
         let log = self.send("/se/log", &json!({"type": "browser"}));
         log.as_array().expect("a list").clone()

@@ -2,7 +2,7 @@
 
 use super::{ALL, Browser, assert_quiet, events, page, scattered, wait};
 
-/// What `WebDriver` calls some keys.
+/// The names of some keys in `WebDriver`.
 const ARROW_LEFT: &str = "\u{E012}";
 const ARROW_RIGHT: &str = "\u{E014}";
 const PAGE_DOWN: &str = "\u{E00F}";
@@ -141,7 +141,7 @@ fn a_step_is_the_same_from_everywhere() {
     assert_quiet(&browser);
 }
 
-/// What is above the list of steps has room for every sentence, so that nothing moves from step to
+/// The part above the list of steps has room for every sentence, so that nothing moves from step to
 /// step; nothing is wider or higher than the window, the legend ends above the controls, and no vertex
 /// is below a button.
 #[test]

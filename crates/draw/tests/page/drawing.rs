@@ -1,4 +1,4 @@
-//! What is drawn: labels, triangles with artificial points, a view that follows, many vertices in time.
+//! Drawing: labels, triangles with artificial points, a view that follows, many vertices in time.
 
 use serde_json::json;
 
@@ -94,7 +94,7 @@ fn the_view_follows() {
     assert_quiet(&browser);
 }
 
-/// What is drawn where a step changed something is what is drawn anew. (Pixels where two lines meet may differ a
+/// A picture changed by a step is the picture drawn anew. (Pixels where two lines meet may differ a
 /// little.)
 #[test]
 fn a_part_drawn_anew_fits_the_rest() {

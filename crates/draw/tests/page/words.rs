@@ -1,4 +1,4 @@
-//! What the page says: counters, sections of the paper, what is searched for, what it lacks.
+//! Words of the page: counters, sections of the paper, the text searched for, missing parts.
 
 use serde_json::json;
 use sweep_cdt::Error;

@@ -18,7 +18,7 @@ pub(crate) use structures::{ADVERSARIES, FRONTS, SCALING};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Experiment {
     pub(crate) name: &'static str,
-    /// What it asks, as a sentence.
+    /// The question, as a sentence.
     pub(crate) about: &'static str,
     /// The experiment's cells: all, or a few small ones that take less than a minute.
     pub(crate) cells: fn(quick: bool) -> Vec<Cell>,

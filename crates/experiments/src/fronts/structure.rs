@@ -1,4 +1,4 @@
-//! What the experiments ask of a search structure beyond [`FrontSearch`]: the work it has done.
+//! The experiments ask more of a search structure than [`FrontSearch`]: the work it has done.
 //!
 //! The simplest structure, the walk from the left end, is here too, and one that holds another one and forgets
 //! its type.

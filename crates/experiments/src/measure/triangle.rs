@@ -19,7 +19,7 @@ use sweep_cdt_testing::Input;
 use super::row::{Row, Timed};
 use super::variant::Variant;
 
-/// What the variant is called.
+/// The name of the variant.
 pub(crate) const TRIANGLE: &str = "Triangle";
 
 impl Variant {
@@ -64,7 +64,7 @@ fn file(input: &Input) -> GraphFile<f64> {
     graph.into()
 }
 
-/// What it prints.
+/// Runs the program, and returns its output.
 fn run(
     program: &Path,
     options: &str,

@@ -34,7 +34,7 @@ impl fmt::Debug for Variant {
 }
 
 impl Variant {
-    /// What counts, and what is timed; its time does not grow with the length of the front.
+    /// The structure that counts, and the one that is timed; its time does not grow with the length of the front.
     pub(super) fn new(
         name: &str,
         count: impl Fn(&Input, &mut Row) -> Result<()> + 'static,

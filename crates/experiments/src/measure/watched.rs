@@ -1,11 +1,11 @@
-//! What can be seen of a search structure and of the front from outside: searches, hits, lengths.
+//! A search structure and the front, seen from outside: searches, hits, lengths.
 //!
 //! The observer holds the structure and passes every call on, so it counts the same for every structure. It costs
 //! an array of x, and time: runs whose time counts are made without it.
 
 use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
 
-/// What a run asked of its structure.
+/// The calls that a run made of its structure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Seen {
     pub(super) searches: u64,

@@ -55,7 +55,7 @@ pub(super) fn map(table: &Table, scale: Scale) -> String {
     })
 }
 
-/// What colour a number has.
+/// The colour of a number.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Scale {
     /// From white to blue by logarithm.

@@ -1,8 +1,8 @@
-//! What a report shows of the rows: views, their plots, and numbers as text, with about three digits.
+//! Views of the rows in a report: their plots, and numbers as text, with about three digits.
 
 use crate::measure::Row;
 
-/// What is shown of the rows: a number of each, as tables and plots.
+/// A view of the rows: a number of each, as tables and plots.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     /// The names of the view's files begin so.

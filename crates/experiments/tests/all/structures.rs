@@ -8,7 +8,7 @@ use sweep_cdt_experiments::standard;
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::{Input, Random, Steps, generators};
 
-/// What is on the front, from left to right, and a structure that must know.
+/// The nodes of the front, from left to right, and a structure that must know them.
 struct Model<'a, F> {
     points: &'a [[f64; 2]],
     nodes: Vec<FrontNode>,

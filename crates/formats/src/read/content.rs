@@ -19,7 +19,7 @@ pub(super) struct Vertices<'a> {
     pub(super) syntax: Syntax,
     /// Where the coordinates stand: pieces of the source.
     pub(super) coordinates: Vec<[&'a [u8]; 2]>,
-    /// What else the file says of each vertex.
+    /// Further columns of each vertex.
     pub(super) fields: Vec<Field<'a>>,
     /// The file's number of the first vertex.
     pub(super) first: usize,
@@ -73,7 +73,7 @@ pub(super) struct Corners<'a> {
     pub(super) labels: Labels,
 }
 
-/// What a file says of the regions that its triangles lie in.
+/// The regions that the triangles of a file lie in, as the file names them.
 pub(super) enum Labels {
     Nothing,
     /// The attribute of each triangle.
@@ -152,7 +152,7 @@ impl<'a> Vertices<'a> {
         Ok(list)
     }
 
-    /// What else the file says of the vertices. All of it must be finite doubles.
+    /// Further columns of the vertices. All numbers must be finite doubles.
     pub(super) fn columns(&self) -> Result<Vec<Column>, ReadError> {
         let column = |field: &Field<'a>| {
             let value = |&piece: &&'a [u8]| {
@@ -185,7 +185,7 @@ impl<'a> Vertices<'a> {
         self.syntax.text(self.coordinates[vertex][axis])
     }
 
-    /// What messages call a vertex: the file, the line, and its number there.
+    /// The name of a vertex in messages: the file, the line, and its number there.
     pub(super) fn name(&self, vertex: usize) -> (String, Option<usize>, usize) {
         let line = match self.syntax {
             Syntax::Plain | Syntax::Json => {
@@ -201,7 +201,7 @@ impl<'a> Vertices<'a> {
         self.wrong(self.syntax, piece, &error.to_string())
     }
 
-    /// What is wrong with a number.
+    /// The fault of a number.
     fn wrong(&self, syntax: Syntax, piece: &[u8], why: &str) -> ReadError {
         let message = |shown: &[u8]| format!("{} {why}", quoted(shown));
         let text = syntax.text(piece);

@@ -8,7 +8,7 @@ use sweep_cdt::threads::on_all_cores;
 
 /// Fewer bytes are read by one thread.
 const LARGE: u64 = 1 << 22;
-/// What each thread reads at a time.
+/// The bytes that each thread reads at a time.
 const PART: usize = 1 << 20;
 
 impl Source {
@@ -35,7 +35,7 @@ impl Source {
     }
 }
 
-/// What a regular file holds now, from where it stands, if that is much; otherwise nothing is read.
+/// The rest of a regular file, from where it stands, if that is much; otherwise nothing is read.
 #[cfg(unix)]
 fn read_in_parts(file: &mut File) -> io::Result<Vec<u8>> {
     use std::os::unix::fs::FileExt;

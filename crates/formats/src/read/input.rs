@@ -14,7 +14,7 @@ use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
 
 named! {
-    /// What [`read()`] understands. Each format is named by the extension of its files.
+    /// A format that [`read()`] understands, named by the extension of its files.
     /// All after `Off` need the feature `mesh-formats`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
@@ -66,7 +66,7 @@ impl InputFormat {
     }
 }
 
-/// What a file holds: rationals if any coordinate in it is a fraction `p/q`, doubles otherwise.
+/// The contents of a file: rationals if any coordinate in it is a fraction `p/q`, doubles otherwise.
 ///
 /// ```
 /// use num_rational::BigRational;

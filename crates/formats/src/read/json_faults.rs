@@ -1,4 +1,4 @@
-//! What is wrong with a JSON file that could not be read, and where.
+//! The fault of a JSON file that could not be read, and its place.
 //!
 //! A file that is right never comes here. One that is wrong is read once more, piece by piece.
 
@@ -7,18 +7,18 @@ use serde_json::value::RawValue;
 use crate::read::json_pieces::{File, no_json};
 use crate::read::source::{ReadError, Source, no_vertex, quoted};
 
-/// What a file has lists of.
+/// The items that a file has lists of.
 struct Kind {
     /// The names that the list may have; the first one is ours.
     members: &'static [&'static str],
-    /// What messages call an item of it.
+    /// The name of an item in messages.
     item: &'static str,
     /// How many parts an item has, and how many at most.
     parts: usize,
     most: usize,
-    /// What these are called.
+    /// The name of several.
     part: &'static str,
-    /// What to do about one part more.
+    /// The advice about one part more.
     advice: &'static str,
 }
 
@@ -49,7 +49,7 @@ const TRIANGLES: Kind = Kind {
     advice: ": split it into triangles",
 };
 
-/// What is wrong with a file that should hold a graph.
+/// The fault of a file that should hold a graph.
 pub(super) fn of_graph(source: &Source, error: &serde_json::Error) -> ReadError {
     let find = |file: &File<'_>| {
         for point in file.list(&POINTS)?.ok_or_else(|| file.without(&POINTS))? {
@@ -63,7 +63,7 @@ pub(super) fn of_graph(source: &Source, error: &serde_json::Error) -> ReadError 
     found(source, error, find)
 }
 
-/// What is wrong with a file that should hold triangles.
+/// The fault of a file that should hold triangles.
 pub(super) fn of_triangles(source: &Source, error: &serde_json::Error) -> ReadError {
     let find = |file: &File<'_>| {
         let list = file.list(&TRIANGLES)?;

@@ -270,7 +270,7 @@ pub enum Matched {
 }
 
 impl Matched {
-    /// What decided: `coordinates` or `number`.
+    /// The rule that decided: `coordinates` or `number`.
     pub fn by(self) -> &'static str {
         match self {
             Matched::Equal | Matched::Single { .. } => "coordinates",

@@ -1,4 +1,4 @@
-//! What formats of meshes have in common: vertices, lines and faces.
+//! Formats of meshes have in common: vertices, lines and faces.
 //!
 //! An input takes the vertices and the lines, and no faces. A result takes the vertices and the faces, which must be
 //! triangles, and no lines. So one file can be both: an input, and its triangulation.
@@ -9,7 +9,7 @@ use crate::read::source::{ReadError, Source, no_vertex};
 /// The contents of a file.
 pub(super) struct Mesh<'a> {
     pub(super) vertices: Vertices<'a>,
-    /// What the faces and the lines are made of.
+    /// The vertices of the faces and the lines.
     pub(super) faces: Faces,
     /// The file's number of the first line and of the first face.
     pub(super) first: usize,
@@ -57,7 +57,7 @@ impl Faces {
     }
 }
 
-/// What is wrong with a face of so many corners.
+/// The fault of a face of so many corners.
 pub(super) fn no_triangle(corners: usize) -> String {
     format!(
         "the face has {corners} corners, and only triangles are read: split it, for example by the option \

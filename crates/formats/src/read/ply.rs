@@ -160,7 +160,7 @@ fn place(source: &Source, element: &Element<'_>, names: &[&[u8]; 1]) -> Result<u
     })
 }
 
-/// What follows the header.
+/// The part that follows the header.
 enum Body<'a> {
     /// A line for each record.
     Text(Lines<'a>),

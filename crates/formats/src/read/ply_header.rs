@@ -14,7 +14,7 @@ use crate::read::binary::Kind;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::{Line, Lines};
 
-/// What a header says.
+/// The contents of a header.
 pub(super) struct Header<'a> {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element<'a>>,

@@ -15,7 +15,7 @@ use sweep_cdt::Pslg;
 use sweep_cdt::verify::{Offenders, Violation};
 
 named! {
-    /// What [`read_result`] understands. Each format is named by the extension of its files.
+    /// A format that [`read_result`] understands, named by the extension of its files.
     /// All after `Off` need the feature `mesh-formats`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]

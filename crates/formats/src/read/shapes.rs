@@ -19,7 +19,7 @@ pub(super) struct Shapes<'a> {
     parts: Vec<(Part, Range<usize>)>,
 }
 
-/// What some positions are together.
+/// The geometry that some positions make together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Part {
     Points,

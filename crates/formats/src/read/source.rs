@@ -15,7 +15,7 @@ use crate::Coordinate;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Source {
-    /// What errors call it.
+    /// The name in errors.
     pub name: String,
     /// The file's contents.
     pub bytes: Vec<u8>,
@@ -73,7 +73,7 @@ impl Source {
     }
 }
 
-/// What some editors write before text, to say that it is UTF-8.
+/// The bytes that some editors write before text, to say that it is UTF-8.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// The first line with its end, which is a line feed, a carriage return or both, and all after it.
@@ -105,7 +105,7 @@ pub struct ReadError {
     pub line: Option<usize>,
     /// The column, counted from 1, where known.
     pub column: Option<usize>,
-    /// What is wrong there.
+    /// The fault found there.
     pub message: String,
     /// Whether the file is a `.poly` that leaves its vertices to the `.node` beside it, which was not
     /// given.

@@ -178,9 +178,9 @@ impl<'a> Line<'a> {
 /// follows that of the last record before. From the first chunk that does not, line after line is read: so of several
 /// errors the one that stands first in the file is found.
 pub(super) struct Records {
-    /// What messages call a record.
+    /// The name of a record in messages.
     pub(super) name: &'static str,
-    /// What they call its number.
+    /// The name of its number there.
     pub(super) number: &'static str,
     /// How many there must be.
     pub(super) count: usize,

@@ -76,7 +76,7 @@ struct File<'a> {
     faces: Faces,
 }
 
-/// What the data are about, and of how many things.
+/// The things that the data belong to, and their number.
 #[derive(Clone, Copy)]
 enum Data {
     None,
@@ -257,7 +257,7 @@ pub(super) fn add_cell(
     }
 }
 
-/// What is wrong with a cell.
+/// The fault of a cell.
 fn of_cell(source: &Source, at: usize, what: &str) -> ReadError {
     ReadError::of_file(&source.name, format!("cell {at}: {what}"))
 }

@@ -5,7 +5,7 @@ use crate::read::content::Syntax;
 use crate::read::source::ReadError;
 use crate::read::words::Words;
 
-/// What is left of a file, and how its numbers stand in it.
+/// The rest of a file, and how its numbers stand in it.
 pub(super) struct Arrays<'a> {
     pub(super) words: Words<'a>,
     pub(super) is_binary: bool,

@@ -95,7 +95,7 @@ impl Unpacked {
         })
     }
 
-    /// What the arrays say.
+    /// The contents of the arrays.
     pub(super) fn mesh(&self) -> Result<Mesh<'_>, ReadError> {
         let pieces = self.pieces(&self.points);
         let (points, _) = pieces.as_chunks();

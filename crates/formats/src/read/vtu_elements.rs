@@ -11,7 +11,7 @@ use crate::read::binary::Kind;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::vtu_arrays::{Appended, Packing, Stored};
 
-/// What the elements say.
+/// The contents of the elements.
 pub(super) struct Elements<'a> {
     pub(super) packing: Packing<'a>,
     /// How many points there are, if the piece is there.
@@ -31,7 +31,7 @@ pub(super) struct Array {
     pub(super) line: usize,
 }
 
-/// What an array belongs to.
+/// The things that an array belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Section {
     PointData,
@@ -291,7 +291,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// What is wrong with a piece of the file.
+    /// The fault of a piece of the file.
     fn error(&self, piece: &[u8], message: impl Into<String>) -> ReadError {
         let (line, _) = self.source.position(piece);
         self.source.error_in_line(line, message)

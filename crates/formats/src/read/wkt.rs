@@ -60,7 +60,7 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
 
 /// A kind of geometry.
 struct Geometry {
-    /// What its lists of positions are; of a polygon the first one.
+    /// The meaning of its lists of positions; of a polygon the first one.
     part: Part,
     /// In how many parentheses a position stands; in none in a collection.
     depth: usize,
@@ -149,7 +149,7 @@ impl Geometry {
     }
 }
 
-/// What is left of a file.
+/// The rest of a file.
 #[derive(Clone)]
 struct Tokens<'a> {
     source: &'a Source,
@@ -223,7 +223,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// What is wrong with a token.
+    /// The fault of a token.
     fn wrong(&self, token: &'a [u8], what: &str) -> ReadError {
         let (line, _) = self.source.position(token);
         let message = format!("{} stands where {what} should", quoted(token));

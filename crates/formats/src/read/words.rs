@@ -2,7 +2,7 @@
 
 use crate::read::source::{ReadError, Source, quoted, split_line};
 
-/// What is left of a file.
+/// The rest of a file.
 #[derive(Clone)]
 pub(super) struct Words<'a> {
     source: &'a Source,
@@ -56,7 +56,7 @@ impl<'a> Words<'a> {
         self.rest.len()
     }
 
-    /// What is wrong with a word.
+    /// The fault of a word.
     pub(super) fn error(&self, word: &'a [u8], why: &str) -> ReadError {
         let (line, _) = self.source.position(word);
         let message = format!("{} {why}", quoted(word));

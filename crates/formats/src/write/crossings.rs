@@ -22,7 +22,7 @@ use crate::{Coordinate, Numbering};
 use sweep_cdt::crossings::Crossing;
 
 named! {
-    /// What [`write_crossings`] makes. Each format is named by the extension of its files.
+    /// A format that [`write_crossings`] makes, named by the extension of its files.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum CrossingsFormat {

@@ -7,7 +7,7 @@ use super::rows::{numbers, write_rows};
 use crate::{Column, Coordinate, GraphFile};
 use sweep_cdt::interior::Interior;
 
-/// What is written: the vertices of a graph with triangles of a result, or with the edges.
+/// The mesh that is written: the vertices of a graph with triangles of a result, or with the edges.
 pub(super) struct Mesh<'a, S> {
     pub(super) file: &'a GraphFile<S>,
     pub(super) heights: Option<&'a Column>,

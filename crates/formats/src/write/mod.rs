@@ -22,7 +22,7 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 
 named! {
-    /// What [`write()`] makes. Each format is named by the extension of its files.
+    /// A format that [`write()`] makes, named by the extension of its files.
     /// All after `Off` need the feature `mesh-formats`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]

@@ -12,7 +12,7 @@ use sweep_cdt::interior::Interior;
 struct Positions<'a, S> {
     graph: &'a Pslg<S>,
     heights: Option<&'a Column>,
-    /// What stands before, between and after the coordinates of a position.
+    /// The text before, between and after the coordinates of a position.
     marks: [&'static str; 3],
 }
 
@@ -33,7 +33,7 @@ impl<'a, S: Coordinate> Positions<'a, S> {
         }
     }
 
-    /// What the names of geometries end with in WKT.
+    /// The endings of the names of geometries in WKT.
     fn dimension(&self) -> &'static str {
         if self.heights.is_some() { " Z" } else { "" }
     }

@@ -24,7 +24,7 @@ struct Terrain {
 /// A file with it.
 #[derive(Deserialize)]
 struct Sample {
-    /// What is in it: `triangles`, lines too (`all`), triangles without a list of vertices (`soup`), triangles in
+    /// The contents: `triangles`, lines too (`all`), triangles without a list of vertices (`soup`), triangles in
     /// single precision (`single`), no triangles (`graph`), or what is not read (`refused`).
     kind: String,
     format: String,
@@ -261,7 +261,7 @@ fn counts_are_not_believed() {
     }
 }
 
-/// What is written, as the specifications of the formats have it.
+/// The files that are written, as the specifications of the formats have it.
 #[test]
 fn triangles_are_written_by_the_book() {
     let graph = Pslg {

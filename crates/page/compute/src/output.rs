@@ -1,4 +1,4 @@
-//! What a request asks for, written.
+//! The answer to a request, written.
 
 use std::error::Error;
 

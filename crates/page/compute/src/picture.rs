@@ -1,4 +1,4 @@
-//! What the page draws and says of an input: a line of JSON, and then numbers.
+//! The answer that the page draws and says: a line of JSON, and then numbers.
 //!
 //! The numbers are little-endian, places as pairs of doubles, the rest in 32 bits each: the vertices, those of the input
 //! first; the edges of the input; the triangles; their sides, first those between two of them, then those of one; the

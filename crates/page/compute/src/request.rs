@@ -1,4 +1,4 @@
-//! What the page asks for. The names of formats and kinds are those of the command.
+//! The requests of the page. The names of formats and kinds are the names that the command has for them.
 
 use serde::Deserialize;
 use sweep_cdt::Algorithm;
@@ -31,7 +31,7 @@ pub(crate) enum Given {
 }
 
 impl Given {
-    /// What messages call it.
+    /// The name in messages.
     pub(crate) fn name(&self) -> String {
         match self {
             Given::File { name, .. } => name.clone(),
@@ -100,11 +100,11 @@ pub(crate) enum Inside {
     Holes,
 }
 
-/// What the answer holds.
+/// The contents of the answer.
 #[derive(Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Wanted {
-    /// What the page draws and says.
+    /// The part that the page draws and says.
     Picture,
     /// The file that `sweep-cdt triangulate -o` writes, in this format.
     Result(String),

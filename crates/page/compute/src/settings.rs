@@ -12,7 +12,7 @@ use sweep_cdt_formats::{Coordinate, GraphFile};
 use super::request::{Front, Inside, Preset, Settings};
 
 impl Settings {
-    /// What is triangulated: the graph of the file, or its edges split, if they are to be split and any cross.
+    /// The graph that is triangulated: that of the file, or its edges split, if they are to be split and any cross.
     pub(crate) fn pieces<'a, S: Coordinate + Exact>(
         &self,
         file: &'a GraphFile<S>,
@@ -50,7 +50,7 @@ impl Settings {
         Ok((run.triangulation, run.stats))
     }
 
-    /// What is inside; nothing, if that is the whole hull.
+    /// The interior; nothing, if that is the whole hull.
     pub(crate) fn domain<'a, S: Coordinate>(
         &self,
         graph: &'a Pslg<S>,

@@ -31,7 +31,7 @@ for (let number = 0; fs.existsSync(`${folder}/${number}.request`); number++) {
 }
 "#;
 
-/// What a process of the program answers, or what it says as it fails.
+/// The answer of a process of the program, or its last words as it fails.
 type Answer = Result<Vec<u8>, String>;
 
 /// The answers to requests, each with the bytes of its files; nothing where they cannot be had here.
@@ -87,7 +87,7 @@ fn given(path: &Path) -> (Value, Vec<u8>) {
     (json!({ "file": file }), bytes)
 }
 
-/// What a result of the page is compared with: the arguments of a command that prints it.
+/// The counterpart of a result of the page: the arguments of a command that prints it.
 struct Case {
     request: Value,
     files: Vec<u8>,

@@ -1,4 +1,4 @@
-//! What the tests do on the page, in headless Chromium.
+//! Acts of the tests on the page, in headless Chromium.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -37,7 +37,7 @@ pub(super) fn assert_quiet(browser: &Browser) {
     assert_eq!(browser.console(), Vec::<Value>::new());
 }
 
-/// What the page says of the input, of edges that cross, and of what is wrong.
+/// The words of the page for the input, for edges that cross, and for faults.
 #[track_caller]
 pub(super) fn said(browser: &Browser) -> [String; 3] {
     wait(browser, "!isBusy");

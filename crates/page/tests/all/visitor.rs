@@ -1,4 +1,4 @@
-//! What a visitor of the page does, in headless Chromium.
+//! Acts of a visitor of the page, in headless Chromium.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
-//! What is wrong with a scalar.
+//! The faults of a scalar.
 
 use std::error::Error;
 use std::fmt;
 
-/// What a scalar promises and does not keep.
+/// A promise that a scalar does not keep.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Nonconformity {
@@ -11,9 +11,9 @@ pub enum Nonconformity {
     WrongAnswer {
         /// The function and its arguments, as fractions.
         call: String,
-        /// What the scalar answers.
+        /// The answer of the scalar.
         answer: String,
-        /// What it must answer.
+        /// The right answer.
         expected: String,
     },
     /// There is no answer: the call panics, as arithmetic does that overflows.

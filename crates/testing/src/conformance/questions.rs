@@ -1,4 +1,4 @@
-//! What is asked about one sample: each function of [`Scalar`](sweep_cdt::scalar::Scalar) and [`Measure`], in several
+//! The questions about one sample: each function of [`Scalar`](sweep_cdt::scalar::Scalar) and [`Measure`], in several
 //! orders of the points.
 
 use std::cell::Cell;
@@ -200,7 +200,7 @@ impl<'a, S: Measure> Questions<'a, S> {
         require(answer == expected, call, answer, &format!("{expected:?}"))
     }
 
-    /// What the scalar answers, unless it panics.
+    /// The answer of the scalar, unless it panics.
     fn answer<T>(
         &self,
         call: impl Fn() -> String,

@@ -1,4 +1,4 @@
-//! What the answers must be, by the definitions, in whole numbers.
+//! The right answers, by the definitions, in whole numbers.
 
 use std::cmp::Ordering;
 

@@ -1,4 +1,4 @@
-//! What a family is, the shapes that several families share, and the families of points without edges: in rows
+//! The type of a family, the shapes that several families share, and the families of points without edges: in rows
 //! and in crowds.
 
 use std::f64::consts::TAU;
@@ -10,7 +10,7 @@ use crate::Input;
 /// A family of inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// What it is.
+    /// The name.
     pub name: &'static str,
     /// The family's member of about `n` points; `n` is at least 100.
     pub member: fn(n: usize) -> Input,

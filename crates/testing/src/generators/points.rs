@@ -4,7 +4,7 @@ use arbitrary::{Result, Unstructured};
 
 use super::bytes::{FAR_POINTS, MAGNITUDES, Points, byte, each, integer, nudged, rounded, wide};
 
-/// What is special about the points of an input.
+/// Special positions of the points of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// Nothing: integers of 16 bits.

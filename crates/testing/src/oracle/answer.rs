@@ -20,7 +20,7 @@ pub struct Answer {
     pub chains: Vec<Vec<usize>>,
 }
 
-/// What the crate found for `points` points and `edges` edges, its links checked on the way.
+/// The answer of the crate for `points` points and `edges` edges, its links checked on the way.
 pub fn found(result: &Triangulation, points: usize, edges: usize) -> Answer {
     check_links(result);
     let mut constrained: Vec<_> = result.constrained_sides().map(sorted).collect();

@@ -21,7 +21,7 @@ use crate::with_integers;
 /// The answer, or all pairs of edges that cross (at least one).
 pub type Verdict = Result<Answer, Vec<[usize; 2]>>;
 
-/// What must come out for these points and edges.
+/// The right answer for these points and edges.
 pub fn verdict(points: &[[f64; 2]], edges: &[[usize; 2]]) -> Verdict {
     with_integers!(points, |exact| exact_verdict(&exact, edges))
 }

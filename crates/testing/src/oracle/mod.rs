@@ -1,4 +1,4 @@
-//! What the result must be: the canonical constrained Delaunay triangulation by its definition.
+//! The right result: the canonical constrained Delaunay triangulation by its definition.
 //!
 //! Nothing here is shared with the crate. The numbers are integers (`numbers`), and each part of the answer
 //! is found by trying everything (`graph`: vertices, pieces of edges, crossings; `definition`: triangles,

@@ -13,7 +13,7 @@ use super::arrangement::Exact;
 use super::naive::{Side, Triangle, are_delaunay, is_made, is_on, is_within, separates, sides};
 use super::numbers::{cross, in_circle, orient, vector};
 
-/// What a result must be a triangulation of.
+/// The domain of which a result must be a triangulation.
 pub struct Wanted<'a> {
     /// The points of the input.
     pub points: &'a [Exact],

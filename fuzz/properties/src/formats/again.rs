@@ -1,4 +1,4 @@
-//! What was read, written and read again.
+//! Data read, written and read again.
 
 use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
@@ -44,7 +44,7 @@ const NUMBERS: usize = 4;
 
 /// A coordinate of files that can be compared by all its bits.
 pub(super) trait Exact: Coordinate + std::fmt::Debug {
-    /// What was read, in this type.
+    /// The data that were read, in this type.
     fn file(input: Input) -> GraphFile<Self>;
     fn is_same(&self, other: &Self) -> bool;
 }

@@ -1,4 +1,4 @@
-//! What reads bytes, and files with a generated input and its triangulation, whole and damaged.
+//! Readers given bytes, and files with a generated input and its triangulation, whole and damaged.
 
 use std::fmt::Write;
 use std::ops::Range;
@@ -58,7 +58,7 @@ impl Reader {
     }
 }
 
-/// What damage puts in.
+/// The text that damage puts in.
 const TOKENS: [&str; 16] = [
     "",
     "\n",

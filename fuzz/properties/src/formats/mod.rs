@@ -37,7 +37,7 @@ const FOREIGN: u8 = 11;
 /// A fuzzer makes files of at most so many bytes.
 pub const BYTES: usize = 512;
 
-/// What the bytes stand for.
+/// The case that the bytes stand for.
 enum Case {
     Nothing,
     /// A file, and who reads it.

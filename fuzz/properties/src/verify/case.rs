@@ -13,7 +13,7 @@ use sweep_cdt_testing::oracle::arrangement::fractions;
 use sweep_cdt_testing::oracle::refined::Wanted;
 use sweep_cdt_testing::oracle::{canonical, check, crosses, firm_sides, is_right, sorted};
 
-/// What is verified.
+/// The case that is verified.
 #[derive(Debug, Default)]
 pub(super) struct Case {
     pub(super) points: Vec<[f64; 2]>,

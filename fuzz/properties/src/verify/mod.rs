@@ -51,7 +51,7 @@ const RIM: [[f64; 2]; 12] = [
 /// So many bytes come before those of a generated input at most: which case, and three changes.
 pub const LEAD: usize = 13;
 
-/// What the bytes stand for.
+/// The case that the bytes stand for.
 enum Kind {
     /// Or dented triangles around a hub, of which no more is known.
     Garbage,

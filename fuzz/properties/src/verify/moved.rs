@@ -22,7 +22,7 @@ pub(super) struct Moved {
 }
 
 impl Moved {
-    /// What the bytes stand for, if there are points and all are finite.
+    /// The case that the bytes stand for, if there are points and all are finite.
     pub(super) fn read(bytes: &mut Unstructured<'_>) -> Result<Option<Moved>> {
         let [kind, which, how, digits]: [u8; 4] = bytes.arbitrary()?;
         let points = generators::read(bytes)?.points;

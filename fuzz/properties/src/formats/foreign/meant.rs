@@ -1,6 +1,6 @@
-//! What a file of a mesh must be read as.
+//! The meaning of a file of a mesh.
 
-/// What a file means.
+/// The meaning of a file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Meant {
     pub(super) points: Vec<[f64; 2]>,

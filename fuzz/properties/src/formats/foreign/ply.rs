@@ -5,7 +5,7 @@ use std::io::Write;
 use super::meant::Meant;
 use super::numbers::{Form, Kind, Order};
 
-/// What is written goes to memory.
+/// Files are written to memory, which takes all of them.
 const GROWS: &str = "memory takes it";
 
 /// Stanford's format: x, y and z in any order, other properties between them, lists of any types.

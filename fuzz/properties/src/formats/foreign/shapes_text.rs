@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// What is written goes to memory.
+/// Files are written to memory, which takes all of them.
 const GROWS: &str = "memory takes it";
 
 /// A geometry: lists of positions, each a point of the input.
@@ -21,7 +21,7 @@ pub(super) enum Kind {
     Polygons,
 }
 
-/// What stands behind x and y.
+/// The numbers behind x and y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Third {
     Nothing,

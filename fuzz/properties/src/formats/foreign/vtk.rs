@@ -5,7 +5,7 @@ use std::io::Write;
 use super::meant::Meant;
 use super::numbers::{Form, Kind, Order};
 
-/// What is written goes to memory.
+/// Files are written to memory, which takes all of them.
 const GROWS: &str = "memory takes it";
 
 /// VTK's legacy format: polygons or strips beside lines, or cells of all types; counts or offsets.
@@ -66,7 +66,7 @@ pub(super) fn write(meant: &Meant, style: u8, number: u8) -> Vec<u8> {
     file
 }
 
-/// What is meant as cells of VTK's types.
+/// The meant faces as cells of VTK's types.
 pub(super) struct Cells {
     pub(super) list: Vec<Vec<usize>>,
     pub(super) types: Vec<usize>,
