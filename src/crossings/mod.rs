@@ -7,36 +7,29 @@
 //!
 //! | | file |
 //! |---|---|
+//! | the pairs that cross | `find` |
 //! | boxes that meet: edges that may cross | `boxes` |
 //! | coordinates as fractions, and back; where two lines meet | `exact` |
 //! | which points are equal | `vertices` |
 //! | the points that round to a vertex, and whether a piece passes there | `cells` |
 //! | edges split at their crossings, exactly or rounded | `split` |
 //!
-//! Why it is right: boxes of two edges that cross have a point in common, so no pair is left out. Four exact signs
-//! decide each pair: the ends of each edge lie on different sides of the other one. Then the edges have one point in
-//! common, inside both. It is computed as a pair of fractions, and is listed unless a vertex equals it.
-//!
-//! Cost: O((n + k) log n) for n edges with k pairs of boxes that meet, plus some microseconds for each crossing. If
-//! edges are short beside the whole, or far apart, k is about the number of crossings. At worst, where all boxes meet
-//! (long parallel diagonals), k is n²/2. A crossing of doubles takes some 300 bytes.
+//! Cost: see `find`, plus some microseconds for each crossing. A crossing of doubles takes some 300 bytes.
 
 mod boxes;
 mod cells;
 mod error;
 mod exact;
+mod find;
 mod split;
 mod vertices;
 
 use alloc::vec::Vec;
-use core::cmp::Ordering;
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::scalar::{Scalar, filtered_orient2d};
-use boxes::{Bounds, Boxes};
-use exact::meeting;
+use find::find;
 use vertices::Vertices;
 
 pub use error::SplitError;
@@ -88,44 +81,6 @@ pub fn crossings<S: Exact>(
     let vertices = Vertices::new(points)?;
     vertices.check(edges)?;
     find(points, &vertices, edges)
-}
-
-/// Finds the crossings of edges whose ends exist, among points that are finite.
-fn find<S: Exact>(
-    points: &[[S; 2]],
-    vertices: &Vertices<S>,
-    edges: &[[usize; 2]],
-) -> Result<Vec<Crossing>, SplitError> {
-    let mut found = Vec::new();
-    let bounds = edges
-        .iter()
-        .map(|edge| Bounds::of(edge.map(|v| &points[v])));
-    Boxes::new(bounds).pairs(|pair| {
-        let ends = pair.map(|edge| edges[edge].map(|v| &points[v]));
-        if !cross(ends) {
-            return Ok(());
-        }
-        let point = meeting(ends);
-        if vertices.has(&point) {
-            return Ok(());
-        }
-        if found.len() == LIMIT {
-            return Err(SplitError::TooManyCrossings { limit: LIMIT });
-        }
-        let edges = [pair[0].min(pair[1]), pair[0].max(pair[1])];
-        found.push(Crossing { edges, point });
-        Ok(())
-    })?;
-    found.sort_unstable_by_key(|crossing| crossing.edges);
-    Ok(found)
-}
-
-/// Whether two edges have a point in common that is inside both, and no other.
-fn cross<S: Scalar>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> bool {
-    let are_apart =
-        |one: Ordering, other: Ordering| one != Ordering::Equal && one == other.reverse();
-    let turn = filtered_orient2d;
-    are_apart(turn(a, b, c), turn(a, b, d)) && are_apart(turn(c, d, a), turn(c, d, b))
 }
 
 #[cfg(test)]

@@ -41,7 +41,7 @@ use num_traits::ToPrimitive;
 use super::cells::passed;
 use super::error::SplitError;
 use super::exact::{Exact, distance, spacing};
-use super::find;
+use super::find::find;
 use super::vertices::Vertices;
 use crate::triangulation::Triangulation;
 

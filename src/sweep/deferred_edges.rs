@@ -140,7 +140,10 @@ impl<P: Probe> Sweep<'_, P> {
     }
 
     /// Inserts the part at one end of what is still open of an edge, upper end first. Returns what is open then.
-    fn insert_at_one_end(&mut self, open: [VertexId; 2]) -> Result<[VertexId; 2], CrossedSide> {
+    pub(super) fn insert_at_one_end(
+        &mut self,
+        open: [VertexId; 2],
+    ) -> Result<[VertexId; 2], CrossedSide> {
         let ([from, to], mut around) = self.nearer_departure(open);
         let part = self.traverse(from, to, &mut around)?;
         self.insert_part(from, part);

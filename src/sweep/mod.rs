@@ -22,6 +22,7 @@
 //! | none | | the sweep on all cores | `bands` (feature `parallel`) |
 //! | none | | other algorithms of section 4, and the sweep of 2005 | `comparison` (feature `comparison`) |
 //! | none | | memory for many runs | [`scratch`] |
+//! | none | | edges that cross none of the others, for the list of crossings | [`mod@separate`] |
 //!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the settings of the
 //! heuristics [`crate::Heuristics`]. Each file names its differences from the paper.
@@ -49,6 +50,7 @@ mod pending_edges;
 mod point_event;
 mod predicates;
 mod scratch;
+mod separate;
 mod traversal;
 mod vertices;
 
@@ -73,6 +75,7 @@ use edges::Edges;
 use flip_limit::FlipLimit;
 use pending_edges::{PendingEdges, VertexTriangles};
 pub(crate) use scratch::Scratch;
+pub(crate) use separate::{Separated, separate};
 use traversal::Traversed;
 use vertices::Vertices;
 

@@ -81,7 +81,7 @@ impl Traversed {
 
 /// How an edge leaves a vertex.
 #[derive(Clone, Copy, Debug)]
-enum Departure {
+pub(super) enum Departure {
     Along(Part),
     /// Into a triangle, across its side opposite the vertex.
     Into(HalfEdge),
@@ -107,13 +107,9 @@ impl<P: Probe> Sweep<'_, P> {
         to: VertexId,
         around: &mut HalfEdge,
     ) -> Result<Part, CrossedSide> {
-        let triangles = self.delaunay.mesh.len();
-        self.traversed.begin_part(self.deferred.most(triangles));
-        // No vertex has more triangles around it than there are.
-        let Some(departure) = self.depart([from, to], *around, triangles) else {
-            inexact_scalar();
-        };
-        let mut place = match departure {
+        let most = self.deferred.most(self.delaunay.mesh.len());
+        self.traversed.begin_part(most);
+        let mut place = match self.departure([from, to], *around) {
             Departure::Along(part) => {
                 *around = part.start;
                 return Ok(part);
@@ -172,8 +168,18 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// Turns counter-clockwise around `from` to where the edge leaves towards `to` (figure 11): over `most` triangles
-    /// at most.
+    /// Turns counter-clockwise around `from` to where the edge leaves towards `to` (figure 11).
+    #[inline(always)]
+    pub(super) fn departure(&mut self, ends: [VertexId; 2], around: HalfEdge) -> Departure {
+        // No vertex has more triangles around it than there are.
+        let most = self.delaunay.mesh.len();
+        match self.depart(ends, around, most) {
+            Some(departure) => departure,
+            None => inexact_scalar(),
+        }
+    }
+
+    /// Turns around `from` to where the edge leaves, over `most` triangles at most.
     #[inline(always)]
     fn depart(
         &mut self,
