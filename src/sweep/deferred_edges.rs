@@ -35,6 +35,7 @@ use core::mem::take;
 
 use super::Sweep;
 use super::delaunay::{Delaunay, Random};
+use super::flip_limit::inexact_scalar;
 use super::pending_edges::PendingEdge;
 use super::traversal::CrossedSide;
 use crate::error::Error;
@@ -148,11 +149,15 @@ impl<P: Probe> Sweep<'_, P> {
         let part = self.traverse(from, to, &mut around)?;
         self.insert_part(from, part);
         let is_upper = from == open[0];
-        Ok(if is_upper {
+        let [upper, lower] = if is_upper {
             [part.end, to]
         } else {
             [to, part.end]
-        })
+        };
+        if upper < lower {
+            inexact_scalar();
+        }
+        Ok([upper, lower])
     }
 
     /// Inserts an edge down to the first vertex on it, which is returned; the hull is complete, and nothing is deferred.

@@ -75,7 +75,7 @@ impl<P: Probe> Sweep<'_, P> {
         };
         random.shuffle(&mut edges);
         for edge in &mut edges {
-            while edge.from > last && edge.from != edge.lower {
+            while edge.from > last && edge.from > edge.lower {
                 self.advance(edge)?;
             }
         }

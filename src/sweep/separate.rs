@@ -18,6 +18,7 @@ use core::cmp::Ordering::{Equal, Greater, Less};
 
 use super::Sweep;
 use super::delaunay::Random;
+use super::flip_limit::inexact_scalar;
 use super::initialization::{begin, initialize};
 use super::scratch::Scratch;
 use super::traversal::{CrossedSide, Departure};
@@ -134,10 +135,15 @@ impl Sweep<'_, ()> {
     /// Follows an edge from end to end; `crosses` gets the constrained sides that it crosses.
     fn follow(&mut self, ends: [VertexId; 2], mut crosses: impl FnMut(CrossedSide)) {
         let ([mut from, to], mut around) = self.nearer_departure(ends);
+        let mut passed = 0;
         while from != to {
             from = match self.departure([from, to], around) {
                 Departure::Along(part) => part.end,
                 Departure::Into(mut side) => loop {
+                    passed += 1;
+                    if passed > self.delaunay.mesh.len() {
+                        inexact_scalar();
+                    }
                     let twin = self.delaunay.mesh.twin(side);
                     if twin.is_constrained() {
                         let [_, a, b] = self.delaunay.mesh.around(side);
@@ -151,7 +157,7 @@ impl Sweep<'_, ()> {
                         Less => entry.prev(),
                     };
                 },
-                Departure::Above => unreachable!("the hull is complete"),
+                Departure::Above => inexact_scalar(),
             };
             around = self.side_opposite(from);
         }

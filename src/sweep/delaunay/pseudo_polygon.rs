@@ -135,6 +135,9 @@ impl<P: Probe> Delaunay<'_, P> {
             }
             self.flip_stack.push(spoke);
             at = twin.triangle();
+            if at == t {
+                inexact_scalar();
+            }
         }
     }
 }
