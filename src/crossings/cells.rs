@@ -20,13 +20,11 @@ use super::boxes::{Bounds, Boxes};
 use super::exact::Exact;
 use crate::scalar::{Scalar, filtered_orient2d};
 
-/// Pairs of a piece, by its position, and a vertex, none of its ends, that it passes; without those that are `known`, a
-/// sorted list.
+/// Pairs of a piece, by its position, and a vertex, none of its ends, that it passes.
 pub(super) fn passed<S: Exact>(
     points: &[[S; 2]],
     pieces: &[[usize; 2]],
     vertices: &[usize],
-    known: &[(usize, usize)],
 ) -> Vec<(usize, usize)> {
     let around = |v: usize| corners(&points[v]);
     let bounds = vertices.iter().map(|&v| {
@@ -39,11 +37,7 @@ pub(super) fn passed<S: Exact>(
         let [a, b] = ends.map(|v| &points[v]);
         for position in boxes.meeting(&Bounds::of([a, b])) {
             let v = vertices[position];
-            if !ends.contains(&v)
-                && may_pass([a, b], &around(v))
-                && known.binary_search(&(piece, v)).is_err()
-                && passes([a, b], &points[v])
-            {
+            if !ends.contains(&v) && may_pass([a, b], &around(v)) && passes([a, b], &points[v]) {
                 passed.push((piece, v));
             }
         }

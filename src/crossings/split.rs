@@ -144,23 +144,14 @@ pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<
             return Ok(finished(points, &chains, rounds, displacement));
         }
         let mut on_edges = chains.concat();
-        // Each piece with a vertex that it passes: those of its own crossings need no test.
-        let mut cuts = Vec::new();
         for crossing in found {
             let place = crossing.point.each_ref().map(S::nearest);
-            let v = vertices.number(place, &mut points);
-            on_edges.push(v);
-            let inside = crossing
-                .edges
-                .into_iter()
-                .filter(|&piece| !pieces[piece].contains(&v));
-            cuts.extend(inside.map(|piece| (piece, v)));
+            on_edges.push(vertices.number(place, &mut points));
         }
         on_edges.sort_unstable();
         on_edges.dedup();
-        cuts.sort_unstable();
-        cuts.dedup();
-        cuts.append(&mut passed(&points, &pieces, &on_edges, &cuts));
+        // Each piece with a vertex that it passes.
+        let mut cuts = passed(&points, &pieces, &on_edges);
         cuts.sort_unstable_by(|&(piece, v), &(other, w)| {
             let along = || along(&points, pieces[piece], v, w);
             piece.cmp(&other).then_with(along)
