@@ -212,7 +212,9 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
     /// Triangulates with statistics, and passes every step to `observer` as it happens.
     ///
     /// The steps are those of the sweep, which [`Algorithm::Auto`] does not abandon here. The other algorithms pass on
-    /// the steps of their edge events alone, which are no trace that can be replayed.
+    /// the steps of their edge events alone, which are no trace that can be replayed. Edges are inserted in the paper's
+    /// order. Other runs defer edges that pierce many triangles, so that their counters and the order of their triangles
+    /// can differ.
     ///
     /// # Errors
     /// See [`Error`]; the steps before it have been reported.

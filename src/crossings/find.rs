@@ -2,8 +2,8 @@
 //!
 //! Boxes of edges that cross meet ([`super::boxes`]). Short edges, and edges far apart, have few boxes that meet without
 //! a crossing. Long edges side by side, such as a hatch, have many. After [`PATIENCE`] such pairs for each edge the boxes
-//! are given up. Then the edges are separated ([`separate`]): most hatches cross nothing, and go into
-//! one triangulation. Only the rest, with what the rest crosses, is looked at again, by boxes first.
+//! are given up. Then the edges are separated ([`separate`]): most lines of a hatch cross nothing, and go into one
+//! triangulation. It tells what the rest crosses among them. Crossings within the rest are looked for by boxes again.
 //!
 //! Why it is right: a pair that crosses is in one of two sets. Either a triangulation meets it, or both of its edges are
 //! of the rest. Four exact signs decide each pair: the ends of each edge lie on different sides of the other one. Then

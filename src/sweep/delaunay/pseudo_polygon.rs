@@ -1,5 +1,5 @@
 //! Long pseudo-polygons: their vertices are inserted in random order (Shewchuk and Brown 2015), so that one edge flips
-//! as many sides as it pierces triangles, expected and up to a constant, whatever the chain is.
+//! few sides for each triangle that it pierces, whatever the chain is.
 //!
 //! The edge, its two ends and any vertices of the chain, in the order of the chain, make a polygon. The empty one is the
 //! edge alone; each vertex inserted makes the polygon of one vertex more; the last one is the pseudo-polygon. A vertex
@@ -25,8 +25,8 @@
 //! triangle beside or in the surface. After the flips every triangle is counter-clockwise. Then all sides around `u`
 //! are legalized, and a triangulation of such a surface whose sides are locally Delaunay is the only one (the canonical
 //! rule). The last polygon is the pseudo-polygon, which lies in the plane. A hanging edge is two sides of the surface,
-//! and a vertex that the chain visits twice is two vertices of it, with two legs. Neighbours at the same point there are
-//! none: what is left between two visits has an angle of 360 degrees, and is not taken out.
+//! and a vertex that the chain visits twice is two vertices of it, with two legs. No two neighbours lie at
+//! the same point: the last vertex between two visits has an angle of 360 degrees, and is not taken out.
 //!
 //! So the vertices are taken out in random order, but only where the angle is less than 360 degrees. Of two neighbours
 //! the one that is farther from the edge has such an angle (Shewchuk and Brown, section 3), so there is a choice among
