@@ -58,11 +58,11 @@ pub(super) fn sort<S: Scalar>(
 }
 
 /// The exact order of two points along an axis, by their input indices.
-type Exact<'a> = &'a dyn Fn(usize, [u32; 2]) -> Ordering;
+type ExactOrder<'a> = &'a dyn Fn(usize, [u32; 2]) -> Ordering;
 
 /// Sorts and merges the points within each bucket. Compiled once, whatever the scalar.
 #[inline(never)]
-fn sort_buckets(exact: Exact<'_>, vertices: &mut Vertices, buffers: &mut SortBuffers) {
+fn sort_buckets(exact: ExactOrder<'_>, vertices: &mut Vertices, buffers: &mut SortBuffers) {
     let scale = vertices.scale;
     vertices.duplicates.clear();
     let compare = |a: &Key, b: &Key| compare(exact, scale, a, b);
@@ -156,7 +156,7 @@ fn sort_few(sites: &mut [Key]) {
 
 /// The exact sweep order of two sites.
 #[inline(always)]
-fn compare(exact: Exact<'_>, scale: Scale, a: &Key, b: &Key) -> Ordering {
+fn compare(exact: ExactOrder<'_>, scale: Scale, a: &Key, b: &Key) -> Ordering {
     let axis = |i: usize| match a.0[i].partial_cmp(&b.0[i]) {
         Some(order) if order.is_ne() || scale.is_injective() => order,
         _ => exact(i, [a.1, b.1]),
