@@ -12,7 +12,8 @@
 //!
 //! Why it is right: boxes are made of approximations, which are monotone ([`Scalar::approx`]), and are only compared.
 //! So edges and cells with a point in common have boxes that meet, however large, small or close the coordinates are. A
-//! range that is skipped holds no box that meets the given one. Cost: O(n log n) to build, with one selection for each
+//! range that is skipped holds no box that meets the given one. A search along a segment also skips ranges whose box is
+//! beside it, by more than the errors of doubles. Cost: O(n log n) to build, with one selection for each
 //! range; for each search O(log n) where boxes are spread, and all that it finds.
 
 use crate::scalar::Scalar;
@@ -53,7 +54,35 @@ impl Bounds {
         (0..2).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
     }
 
-    /// The middle along an axis, as far as doubles tell: it is used to sort only.
+    /// Whether the box lies on one side of the line through two points, for certain, the doubles being no more than
+    /// approximations of box and points.
+    ///
+    /// With the larger size M of all coordinates each of them is off by at most 2^-52 M, and so each difference by at
+    /// most 2^-50 M, its rounding included. The corner that is nearest to the line is where the cross product of the
+    /// line and the way to the middle falls by the half sizes of the box. A product of two differences is off by at most
+    /// 2^-50 M times their sizes, where these are larger than that; if they are not, the answer is `false`. With what is
+    /// rounded afterwards all of it is less than 2^-48 M times the sum of the sizes; the bound has 2^-47. Where numbers
+    /// overflow or are so small that digits are lost, the answer is `false` as well.
+    fn is_beside(&self, [a, b]: [[f64; 2]; 2]) -> bool {
+        const OFF: f64 = 32.0 * f64::EPSILON;
+        let all = [a, b, self.low, self.high];
+        let largest = all
+            .as_flattened()
+            .iter()
+            .fold(0.0, |m: f64, x| m.max(x.abs()));
+        let along = [0, 1].map(|i| b[i] - a[i]);
+        let to = [0, 1].map(|i| self.middle(i) - a[i]);
+        let half = [0, 1].map(|i| self.high[i] / 2.0 - self.low[i] / 2.0);
+        let cross = along[0] * to[1] - along[1] * to[0];
+        let reach = along[0].abs() * half[1] + along[1].abs() * half[0];
+        let sizes = [along, to, half]
+            .as_flattened()
+            .iter()
+            .fold(0.0, |sum, x| sum + x.abs());
+        cross.abs() > reach + OFF * largest * sizes + f64::MIN_POSITIVE
+    }
+
+    /// The middle along an axis, as far as doubles tell.
     fn middle(&self, axis: usize) -> f64 {
         self.low[axis] / 2.0 + self.high[axis] / 2.0
     }
@@ -113,39 +142,42 @@ impl Boxes {
         mut report: impl FnMut([usize; 2]) -> Result<(), E>,
     ) -> Result<(), E> {
         for (position, &(one, bounds)) in self.list.iter().enumerate() {
-            self.search(position + 1, &bounds, |other| report([one, other]))?;
+            let meets = |other: &Bounds| bounds.meets(other);
+            self.search(position + 1, meets, |other| report([one, other]))?;
         }
         Ok(())
     }
 
-    /// The positions of the boxes that meet `bounds`.
-    pub(super) fn meeting(&self, bounds: &Bounds) -> Vec<usize> {
-        let mut found = Vec::new();
-        let Ok(()) = self.search(0, bounds, |one| {
-            found.push(one);
+    /// Passes each box that meets the segment between two points to `report`, and some that do not.
+    pub(super) fn near<S: Scalar>(&self, ends: [&[S; 2]; 2], mut report: impl FnMut(usize)) {
+        let bounds = Bounds::of(ends);
+        let ends = ends.map(|point| point.each_ref().map(S::approx));
+        let meets = |other: &Bounds| bounds.meets(other) && !other.is_beside(ends);
+        let Ok(()) = self.search(0, meets, |one| {
+            report(one);
             Ok::<(), Infallible>(())
         });
-        found
     }
 
-    /// Passes each box that meets `bounds`, from position `first` on, to `report`, until that returns an error.
+    /// Passes each box of which `meets` holds, from position `first` on, to `report`, until that returns an error.
+    /// Boxes inside a box of which `meets` does not hold are left out.
     fn search<E>(
         &self,
         first: usize,
-        bounds: &Bounds,
+        meets: impl Fn(&Bounds) -> bool,
         mut report: impl FnMut(usize) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut number = 1;
         loop {
             let (from, to) = self.range(number);
-            let is_of_use = first < to && self.around[number].meets(bounds);
+            let is_of_use = first < to && meets(&self.around[number]);
             if is_of_use && number >> self.height == 0 {
                 number *= 2;
                 continue;
             }
             if is_of_use {
                 let range = self.list[from.max(first)..to].iter();
-                for (one, _) in range.filter(|(_, at)| at.meets(bounds)) {
+                for (one, _) in range.filter(|(_, at)| meets(at)) {
                     report(*one)?;
                 }
             }

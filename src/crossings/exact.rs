@@ -3,14 +3,17 @@
 //! Why it is right: every finite double is a fraction whose denominator is a power of two. The point where two lines
 //! meet is computed in whole numbers, over one denominator for all four points, and reduced at the end. A fraction is
 //! rounded to the nearest double, and of two that are equally near to the one whose last bit is zero (`num-rational`),
-//! subnormal ones included. So rounding is monotone, and a fraction that is a double stays as it is. Cost: some
-//! microseconds for a point; more where exponents differ much.
+//! subnormal ones included. So rounding is monotone, and a fraction that is a double stays as it is. Of doubles the
+//! place and the distance are enclosed first ([`super::enclosure`]); fractions are made where that decides nothing.
+//! Cost: some 0.2 microseconds for a place or a distance that is enclosed, some twenty in fractions; more where
+//! exponents differ much.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
-use crate::scalar::{Scalar, integers};
+use super::enclosure::Enclosure;
+use crate::scalar::{Scalar, filtered_orient2d, integers};
 
 /// A coordinate whose value is a fraction.
 ///
@@ -33,6 +36,17 @@ pub trait Exact: Scalar + Clone {
 
     /// The nearest values below and above; the value itself where there is none, or if every fraction is a value.
     fn around(&self) -> [Self; 2];
+
+    /// The value in doubles; `None` where fractions are to be asked for it, as for every value of a type that does not
+    /// say otherwise.
+    fn enclosure(&self) -> Option<Enclosure> {
+        None
+    }
+
+    /// What [`nearest`](Exact::nearest) returns for every number enclosed, if it is one value and the type can tell.
+    fn nearest_of(_: &Enclosure) -> Option<Self> {
+        None
+    }
 }
 
 impl Exact for f64 {
@@ -46,6 +60,14 @@ impl Exact for f64 {
 
     fn around(&self) -> [f64; 2] {
         [self.next_down(), self.next_up()].map(|x| x.clamp(f64::MIN, f64::MAX))
+    }
+
+    fn enclosure(&self) -> Option<Enclosure> {
+        Enclosure::new(*self)
+    }
+
+    fn nearest_of(number: &Enclosure) -> Option<f64> {
+        number.nearest()
     }
 }
 
@@ -84,6 +106,30 @@ pub(super) fn meeting<S: Exact>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> [BigRati
     })
 }
 
+/// A point or a vector, enclosed.
+pub(super) type Vector = [Enclosure; 2];
+
+fn enclosed<S: Exact>(point: &[S; 2]) -> Option<Vector> {
+    Some([point[0].enclosure()?, point[1].enclosure()?])
+}
+
+fn from_to(a: Vector, b: Vector) -> Vector {
+    [0, 1].map(|i| b[i].minus(a[i]))
+}
+
+fn enclosed_cross(u: Vector, v: Vector) -> Enclosure {
+    u[0].times(v[1]).minus(u[1].times(v[0]))
+}
+
+/// The point where two lines meet, as [`meeting`] says, if doubles can tell.
+pub(super) fn enclosed_meeting<S: Exact>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> Option<Vector> {
+    let (a, b) = (enclosed(a)?, enclosed(b)?);
+    let (c, d) = (enclosed(c)?, enclosed(d)?);
+    let (along, across) = (from_to(a, b), from_to(c, d));
+    let part = enclosed_cross(from_to(a, c), across).over(enclosed_cross(along, across))?;
+    Some([0, 1].map(|i| along[i].times(part).plus(a[i])))
+}
+
 /// The distance of a point from the line through two others, which differ: the least d so that a point of the line
 /// differs by at most d units from the point in each coordinate, where `units` are the lengths along x and y that count
 /// as 1. Zero if these are zero. With w from a point of the line to the point, and v along the line, the distance is
@@ -101,6 +147,23 @@ pub(super) fn distance<S: Exact>(
     let [x, y] = along.map(size);
     let under = x * &units[1] + y * &units[0];
     if under.is_zero() { under } else { over / under }
+}
+
+/// At least the [`distance`], if doubles can tell.
+pub(super) fn greatest_distance<S: Exact>(
+    point: &[S; 2],
+    [a, b]: [&[S; 2]; 2],
+    units: &[Enclosure; 2],
+) -> Option<f64> {
+    if filtered_orient2d(a, b, point).is_eq() {
+        return Some(0.0);
+    }
+    let from = enclosed(a)?;
+    let (along, to) = (from_to(from, enclosed(b)?), from_to(from, enclosed(point)?));
+    let over = enclosed_cross(along, to).size();
+    let [x, y] = along.map(Enclosure::size);
+    let under = x.times(units[1]).plus(y.times(units[0]));
+    Some(over.over(under)?.most())
 }
 
 fn vector(a: &[BigInt; 2], b: &[BigInt; 2]) -> [BigInt; 2] {

@@ -7,8 +7,8 @@
 //!
 //! Why it is right: a pair that crosses is in one of two sets. Either a triangulation meets it, or both of its edges are
 //! of the rest. Four exact signs decide each pair: the ends of each edge lie on different sides of the other one. Then
-//! the edges have one point in common, inside both. It is computed as a pair of fractions, and the pair is listed unless
-//! a vertex equals the point.
+//! the edges have one point in common, inside both. The pair is listed unless a vertex equals the point: a vertex at
+//! the values nearest to it, which is compared with the point in fractions.
 //!
 //! Cost: O((n + k) log n) for n edges with k pairs of boxes that meet, where these are at most [`PATIENCE`] for each edge
 //! and crossing. Otherwise that of the separation. Where this takes less than an eighth of the edges away, each of the
@@ -19,7 +19,7 @@ use core::cmp::Ordering;
 
 use super::boxes::{Bounds, Boxes};
 use super::error::SplitError;
-use super::exact::{Exact, meeting};
+use super::exact::Exact;
 use super::vertices::Vertices;
 use super::{Crossing, LIMIT};
 use crate::scalar::{Scalar, filtered_orient2d};
@@ -33,7 +33,7 @@ pub(super) fn find<S: Exact>(
     points: &[[S; 2]],
     vertices: &Vertices<S>,
     edges: &[[usize; 2]],
-) -> Result<Vec<Crossing>, SplitError> {
+) -> Result<Vec<Crossing<S>>, SplitError> {
     let mut search = Find {
         points,
         vertices,
@@ -58,7 +58,7 @@ struct Find<'a, S> {
     points: &'a [[S; 2]],
     vertices: &'a Vertices<S>,
     edges: &'a [[usize; 2]],
-    found: Vec<Crossing>,
+    found: Vec<Crossing<S>>,
 }
 
 /// Why the comparison of boxes ends early.
@@ -133,15 +133,14 @@ impl<S: Exact> Find<'_, S> {
         if !cross(ends) {
             return Ok(false);
         }
-        let point = meeting(ends);
-        if self.vertices.has(&point) {
+        let crossing = Crossing::new(pair, ends);
+        if self.vertices.has(&crossing.nearest()) && self.vertices.has_exactly(&crossing.point()) {
             return Ok(false);
         }
         if self.found.len() == LIMIT {
             return Err(SplitError::TooManyCrossings { limit: LIMIT });
         }
-        let edges = [pair[0].min(pair[1]), pair[0].max(pair[1])];
-        self.found.push(Crossing { edges, point });
+        self.found.push(crossing);
         Ok(true)
     }
 }

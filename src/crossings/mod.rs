@@ -10,14 +10,17 @@
 //! | the pairs that cross | `find` |
 //! | boxes that meet: edges that may cross | `boxes` |
 //! | coordinates as fractions, and back; where two lines meet | `exact` |
+//! | numbers known up to an error, before fractions are made | `enclosure` |
 //! | which points are equal | `vertices` |
 //! | the points that round to a vertex, and whether a piece passes there | `cells` |
 //! | edges split at their crossings, exactly or rounded | `split` |
 //!
-//! Cost: see `find`, plus some microseconds for each crossing. A crossing of doubles takes some 300 bytes.
+//! Cost: see `find`, plus half a microsecond for each crossing. A crossing of doubles takes 80 bytes. Its point in
+//! fractions takes some 20 microseconds, and is computed when it is asked for.
 
 mod boxes;
 mod cells;
+mod enclosure;
 mod error;
 mod exact;
 mod find;
@@ -29,9 +32,11 @@ use alloc::vec::Vec;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
+use exact::{enclosed_meeting, meeting};
 use find::find;
 use vertices::Vertices;
 
+pub use enclosure::Enclosure;
 pub use error::SplitError;
 pub use exact::Exact;
 pub use split::{Split, joined, split};
@@ -42,18 +47,54 @@ const LIMIT: usize = if cfg!(test) { 100 } else { 1 << 22 };
 /// Two edges that cross, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Crossing {
+pub struct Crossing<S> {
     /// The positions of the two edges in the list of edges, lower one first.
     pub edges: [usize; 2],
-    /// The exact point inside both.
-    pub point: [BigRational; 2],
+    /// The ends of each of the two.
+    pub ends: [[[S; 2]; 2]; 2],
 }
 
-impl Crossing {
+impl<S: Exact> Crossing<S> {
+    fn new(edges: [usize; 2], ends: [[&[S; 2]; 2]; 2]) -> Crossing<S> {
+        let mut both = [0, 1].map(|i| (edges[i], ends[i].map(Clone::clone)));
+        both.sort_unstable_by_key(|&(edge, _)| edge);
+        Crossing {
+            edges: both.each_ref().map(|&(edge, _)| edge),
+            ends: both.map(|(_, ends)| ends),
+        }
+    }
+
+    /// The exact point inside both edges.
+    pub fn point(&self) -> [BigRational; 2] {
+        meeting(self.borrowed())
+    }
+
+    /// The values of the scalar that are nearest to the coordinates of the point.
+    pub fn nearest(&self) -> [S; 2] {
+        self.rounded(S::nearest_of, S::nearest)
+    }
+
     /// The doubles nearest to the coordinates of the point; infinite where these are too large.
     pub fn near(&self) -> [f64; 2] {
         let near = |x: &BigRational| x.to_f64().expect("a fraction has a double near it");
-        self.point.each_ref().map(near)
+        self.rounded(Enclosure::nearest, near)
+    }
+
+    /// The point rounded: where it can be, as it is enclosed, else in fractions.
+    fn rounded<T>(
+        &self,
+        enclosed: impl Fn(&Enclosure) -> Option<T>,
+        exact: impl Fn(&BigRational) -> T,
+    ) -> [T; 2] {
+        let quickly = || {
+            let [x, y] = enclosed_meeting(self.borrowed())?;
+            Some([enclosed(&x)?, enclosed(&y)?])
+        };
+        quickly().unwrap_or_else(|| self.point().each_ref().map(exact))
+    }
+
+    fn borrowed(&self) -> [[&[S; 2]; 2]; 2] {
+        self.ends.each_ref().map(|ends| ends.each_ref())
     }
 }
 
@@ -70,14 +111,14 @@ impl Crossing {
 /// let found = sweep_cdt::crossings::crossings(&points, &[[0, 1], [1, 4], [2, 3]])?;
 /// assert_eq!(found.len(), 1);
 /// assert_eq!(found[0].edges, [0, 2]);
-/// assert_eq!(found[0].point.each_ref().map(|x| x.to_string()), ["3/2", "1/2"]);
-/// assert_eq!(found[0].near(), [1.5, 0.5]);
+/// assert_eq!(found[0].point().map(|x| x.to_string()), ["3/2", "1/2"]);
+/// assert_eq!(found[0].nearest(), [1.5, 0.5]);
 /// # Ok::<(), sweep_cdt::crossings::SplitError>(())
 /// ```
 pub fn crossings<S: Exact>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-) -> Result<Vec<Crossing>, SplitError> {
+) -> Result<Vec<Crossing<S>>, SplitError> {
     let vertices = Vertices::new(points)?;
     vertices.check(edges)?;
     find(points, &vertices, edges)

@@ -36,11 +36,12 @@ use core::cmp::Ordering;
 use core::ops::Range;
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{ToPrimitive, Zero};
 
 use super::cells::passed;
+use super::enclosure::Enclosure;
 use super::error::SplitError;
-use super::exact::{Exact, distance, spacing};
+use super::exact::{Exact, distance, greatest_distance, spacing};
 use super::find::find;
 use super::vertices::Vertices;
 use crate::triangulation::Triangulation;
@@ -145,8 +146,7 @@ pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<
         }
         let mut on_edges = chains.concat();
         for crossing in found {
-            let place = crossing.point.each_ref().map(S::nearest);
-            on_edges.push(vertices.number(place, &mut points));
+            on_edges.push(vertices.number(crossing.nearest(), &mut points));
         }
         on_edges.sort_unstable();
         on_edges.dedup();
@@ -176,9 +176,15 @@ fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// The order of two vertices along a piece. Neither x nor y turns back along it, so comparing both is enough.
+/// The order of two vertices along a piece. Neither x nor y turns back along it, so comparing both is enough. Of two
+/// approximations that differ the order is that of the values.
 fn along<S: Exact>(points: &[[S; 2]], [a, b]: [usize; 2], v: usize, w: usize) -> Ordering {
-    let compare = |v: usize, w: usize, i: usize| points[v][i].compare(&points[w][i]);
+    let compare = |v: usize, w: usize, i: usize| {
+        let [x, y] = [v, w].map(|v| &points[v][i]);
+        let near = x.approx().partial_cmp(&y.approx());
+        near.expect("approximations are numbers")
+            .then_with(|| x.compare(y))
+    };
     let forward = |i: usize| match compare(a, b, i) {
         Ordering::Less => compare(v, w, i),
         _ => compare(w, v, i),
@@ -204,25 +210,36 @@ fn cut(chain: &[usize], pieces: &[[usize; 2]], cuts: &[(usize, usize)]) -> Vec<u
     longer
 }
 
-/// The greatest distance of a vertex from the edge whose chain it is on, in units of that edge.
+/// The greatest distance of a vertex from the edge whose chain it is on, in units of that edge. Only those distances are
+/// computed in fractions that may be the greatest.
 fn displacement<S: Exact>(points: &[[S; 2]], chains: &[Vec<usize>]) -> f64 {
     let mut greatest = 0.0_f64;
     for chain in chains {
         let [first, inner @ .., last] = &chain[..] else {
             continue;
         };
-        let ends = [first, last].map(|&v| &points[v]);
         if inner.is_empty() {
             continue;
         }
+        let ends = [first, last].map(|&v| &points[v]);
         let unit = |i: usize| {
             let [one, other] = ends.map(|end| spacing(&end[i]));
             one.max(other)
         };
         let units: [BigRational; 2] = [unit(0), unit(1)];
+        if units.iter().all(Zero::is_zero) {
+            continue;
+        }
+        let doubles = units.each_ref().map(Enclosure::of);
         for &v in inner {
-            let moved = distance(&points[v], ends, &units);
-            greatest = greatest.max(moved.to_f64().unwrap_or(f64::INFINITY));
+            let at_most = match &doubles {
+                [Some(x), Some(y)] => greatest_distance(&points[v], ends, &[*x, *y]),
+                _ => None,
+            };
+            if at_most.is_none_or(|at_most| at_most > greatest) {
+                let moved = distance(&points[v], ends, &units);
+                greatest = greatest.max(moved.to_f64().unwrap_or(f64::INFINITY));
+            }
         }
     }
     greatest

@@ -9,13 +9,27 @@ use num_rational::BigRational;
 use super::exact::Exact;
 use crate::error::Error;
 
-/// A point as a key.
+/// A point as a key, with its approximation, which is compared first: it is monotone.
 #[derive(Clone, Debug)]
-struct Place<S>([S; 2]);
+struct Place<S> {
+    near: [f64; 2],
+    point: [S; 2],
+}
+
+impl<S: Exact> Place<S> {
+    fn new(point: [S; 2]) -> Place<S> {
+        let near = point.each_ref().map(S::approx);
+        Place { near, point }
+    }
+}
 
 impl<S: Exact> Ord for Place<S> {
     fn cmp(&self, other: &Self) -> Ordering {
-        let by = |i: usize| self.0[i].compare(&other.0[i]);
+        let by = |i: usize| {
+            let near = self.near[i].partial_cmp(&other.near[i]);
+            let near = near.expect("approximations are numbers");
+            near.then_with(|| self.point[i].compare(&other.point[i]))
+        };
         by(0).then_with(|| by(1))
     }
 }
@@ -52,7 +66,7 @@ impl<S: Exact> Vertices<S> {
         let numbered = points.iter().enumerate().rev();
         Ok(Vertices {
             at: numbered
-                .map(|(v, point)| (Place(point.clone()), v))
+                .map(|(v, point)| (Place::new(point.clone()), v))
                 .collect(),
             points: points.len(),
         })
@@ -67,17 +81,25 @@ impl<S: Exact> Vertices<S> {
         Ok(())
     }
 
-    /// Whether a point equals `point` exactly.
-    pub(super) fn has(&self, point: &[BigRational; 2]) -> bool {
-        let near = Place(point.each_ref().map(S::nearest));
-        self.at.contains_key(&near) && near.0.each_ref().map(S::to_fraction) == *point
+    /// Whether a point equals `place`.
+    pub(super) fn has(&self, place: &[S; 2]) -> bool {
+        self.at.contains_key(&Place::new(place.clone()))
+    }
+
+    /// Whether a point equals these fractions.
+    pub(super) fn has_exactly(&self, point: &[BigRational; 2]) -> bool {
+        let near = point.each_ref().map(S::nearest);
+        self.has(&near) && near.each_ref().map(S::to_fraction) == *point
     }
 
     /// The first point that equals `point`; it is added to `points` if there is none.
     pub(super) fn number(&mut self, point: [S; 2], points: &mut Vec<[S; 2]>) -> usize {
-        *self.at.entry(Place(point)).or_insert_with_key(|place| {
-            points.push(place.0.clone());
-            points.len() - 1
-        })
+        *self
+            .at
+            .entry(Place::new(point))
+            .or_insert_with_key(|place| {
+                points.push(place.point.clone());
+                points.len() - 1
+            })
     }
 }

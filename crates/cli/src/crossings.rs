@@ -122,12 +122,17 @@ impl Crossings {
 }
 
 /// Writes a pair of edges, numbered as in their file: one line.
-fn print(numbering: Numbering, crossing: &Crossing, out: &mut impl Write) -> io::Result<()> {
+fn print<S: Exact>(
+    numbering: Numbering,
+    crossing: &Crossing<S>,
+    out: &mut impl Write,
+) -> io::Result<()> {
     let [edge, other] = numbering.edges(crossing.edges);
-    let [x, y] = crossing.point.each_ref().map(BigRational::text);
+    let point = crossing.point();
+    let [x, y] = point.each_ref().map(BigRational::text);
     write!(out, "edges {edge} and {other} cross at ({x}, {y})")?;
     let near = crossing.near();
-    if near.map(BigRational::from_float) == crossing.point.clone().map(Some) {
+    if near.map(BigRational::from_float) == point.map(Some) {
         return writeln!(out);
     }
     let [x, y] = near.map(|x| x.text());

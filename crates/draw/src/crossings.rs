@@ -12,8 +12,7 @@ use super::svg;
 use super::violations::{draw_overview, overview_window, rules};
 use super::window::{Bounds, PIXEL, Window, places};
 use sweep_cdt::Pslg;
-use sweep_cdt::crossings::Crossing;
-use sweep_cdt::scalar::Scalar;
+use sweep_cdt::crossings::{Crossing, Exact};
 use sweep_cdt_formats::{Coordinate, Numbering};
 
 /// More dots than this are left out of the overview, so that a file stays readable.
@@ -37,15 +36,15 @@ const MOST_DOTS: usize = 30_000;
 #[derive(Debug)]
 pub struct CrossingsPicture<'a, S> {
     graph: &'a Pslg<S>,
-    crossings: &'a [Crossing],
+    crossings: &'a [Crossing<S>],
     numbering: Numbering,
     close_ups: usize,
 }
 
-impl<'a, S: Scalar> CrossingsPicture<'a, S> {
+impl<'a, S: Exact> CrossingsPicture<'a, S> {
     /// A picture of `crossings`, those of the edges of `graph`.
     #[must_use]
-    pub fn new(graph: &'a Pslg<S>, crossings: &'a [Crossing]) -> CrossingsPicture<'a, S> {
+    pub fn new(graph: &'a Pslg<S>, crossings: &'a [Crossing<S>]) -> CrossingsPicture<'a, S> {
         CrossingsPicture {
             graph,
             crossings,
@@ -121,7 +120,7 @@ impl<'a, S: Scalar> CrossingsPicture<'a, S> {
     fn draw(
         &self,
         background: &Background,
-        crossing: &Crossing,
+        crossing: &Crossing<S>,
         at: usize,
         size: i64,
         out: &mut impl Write,

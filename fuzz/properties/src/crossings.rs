@@ -3,7 +3,8 @@
 //! The judge is [`arrangement`], which tries every pair of edges in fractions and shares no code with the crate. The
 //! triangulations of the pieces are tested by the verifier and by the oracle's local tests.
 
-use sweep_cdt::crossings::{Split, crossings, split};
+use num_rational::BigRational;
+use sweep_cdt::crossings::{Crossing, Split, crossings, split};
 use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::{Error, Triangulation, triangulate};
 use sweep_cdt_testing::Input;
@@ -32,18 +33,23 @@ pub fn judge(input: &Input) -> Rounded {
     let exact = fractions(points);
     let crossing = arrangement::crossings(&exact, edges);
     let in_doubles = crossings(points, edges).expect("a valid input");
+    let in_fractions = crossings(&exact, edges).expect("a valid input");
+    let listed = |found: &Crossing<f64>| (found.edges, found.point());
+    let in_doubles_listed: Vec<_> = in_doubles.iter().map(listed).collect();
     assert_eq!(
-        crossings(&exact, edges).as_ref(),
-        Ok(&in_doubles),
-        "in fractions (left) and in doubles"
+        in_doubles_listed, crossing,
+        "crossings listed (left) and tried"
     );
-    let listed: Vec<_> = in_doubles
-        .iter()
-        .map(|c| (c.edges, c.point.clone()))
-        .collect();
-    assert_eq!(listed, crossing, "crossings listed (left) and tried");
+    let listed = |found: &Crossing<BigRational>| (found.edges, found.nearest());
+    let in_fractions: Vec<_> = in_fractions.iter().map(listed).collect();
+    assert_eq!(
+        in_fractions, crossing,
+        "crossings in fractions (left) and tried"
+    );
     for found in &in_doubles {
-        for (near, exact) in found.near().into_iter().zip(&found.point) {
+        let (near, nearest) = (found.near(), found.nearest());
+        assert_eq!(near, nearest, "the nearest doubles");
+        for (near, exact) in near.into_iter().zip(&found.point()) {
             assert!(is_nearest(near, exact), "{near} is not nearest to {exact}");
         }
     }

@@ -19,7 +19,7 @@ use serde_json::value::RawValue;
 
 use super::json::json_coordinate;
 use crate::{Coordinate, Numbering};
-use sweep_cdt::crossings::Crossing;
+use sweep_cdt::crossings::{Crossing, Exact};
 
 named! {
     /// A format that [`write_crossings`] makes, named by the extension of its files.
@@ -59,10 +59,10 @@ struct Element {
 ///
 /// # Errors
 /// Errors of `out`.
-pub fn write_crossings(
+pub fn write_crossings<S: Exact>(
     format: CrossingsFormat,
     numbering: Numbering,
-    crossings: &[Crossing],
+    crossings: &[Crossing<S>],
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
@@ -70,7 +70,7 @@ pub fn write_crossings(
             writeln!(out, "edge,other,x,y,near_x,near_y")?;
             crossings.iter().try_for_each(|crossing| {
                 let [edge, other] = numbering.edges(crossing.edges);
-                let [x, y] = crossing.point.each_ref().map(BigRational::text);
+                let [x, y] = crossing.point().each_ref().map(BigRational::text);
                 let [near_x, near_y] = crossing.near().map(|x| x.text());
                 writeln!(out, "{edge},{other},{x},{y},{near_x},{near_y}")
             })
@@ -81,7 +81,7 @@ pub fn write_crossings(
                 out.write_all(if at == 0 { b"\n" } else { b",\n" })?;
                 let element = Element {
                     edges: numbering.edges(crossing.edges),
-                    point: crossing.point.each_ref().map(json_coordinate),
+                    point: crossing.point().each_ref().map(json_coordinate),
                     near: crossing
                         .near()
                         .map(|x| x.is_finite().then(|| json_coordinate(&x))),

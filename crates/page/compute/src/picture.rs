@@ -20,7 +20,8 @@ pub(crate) struct Picture {
     vertices: Vec<[f64; 2]>,
     edges: Vec<[usize; 2]>,
     shown: Shown,
-    crossings: Vec<Crossing>,
+    /// The edges of each pair that crosses, and where.
+    crossings: Vec<([usize; 2], [f64; 2])>,
 }
 
 /// Triangles and their sides: those of two triangles, and those of one.
@@ -78,15 +79,15 @@ impl Picture {
     ) -> Result<Picture, SplitError> {
         let graph = &file.graph;
         match settings.triangulate(graph, None) {
-            Ok(run) => Ok(Picture::of(graph, file, Some(run), Vec::new(), settings)),
+            Ok(run) => Ok(Picture::of(graph, file, Some(run), &[], settings)),
             Err(Error::CrossingEdges { .. }) => {
                 let found = crossings(&graph.points, &graph.edges)?;
                 if !settings.split {
-                    return Ok(Picture::of(graph, file, None, found, settings));
+                    return Ok(Picture::of(graph, file, None, &found, settings));
                 }
                 let (pieces, splitting) = file.split_crossings()?;
                 let run = settings.triangulate(&pieces.graph, None)?;
-                let picture = Picture::of(graph, &pieces, Some(run), found, settings);
+                let picture = Picture::of(graph, &pieces, Some(run), &found, settings);
                 Ok(picture.displaced(splitting))
             }
             Err(error) => Err(error.into()),
@@ -94,11 +95,11 @@ impl Picture {
     }
 
     /// The picture of `graph`, of which `pieces` were triangulated.
-    fn of<S: Coordinate>(
+    fn of<S: Coordinate + Exact>(
         graph: &Pslg<S>,
         pieces: &GraphFile<S>,
         run: Option<(Triangulation, Stats)>,
-        crossings: Vec<Crossing>,
+        crossings: &[Crossing<S>],
         settings: &Settings,
     ) -> Picture {
         let mut domain_refused = None;
@@ -131,7 +132,10 @@ impl Picture {
             vertices: pieces.graph.points.iter().map(near).collect(),
             edges: graph.edges.clone(),
             shown,
-            crossings,
+            crossings: crossings
+                .iter()
+                .map(|found| (found.edges, found.near()))
+                .collect(),
         }
     }
 
@@ -149,8 +153,8 @@ impl Picture {
         indices(out, &self.shown.triangles);
         indices(out, &self.shown.inner);
         indices(out, &self.shown.border);
-        doubles(out, self.crossings.iter().map(Crossing::near));
-        let pairs: Vec<[usize; 2]> = self.crossings.iter().map(|found| found.edges).collect();
+        doubles(out, self.crossings.iter().map(|&(_, near)| near));
+        let pairs: Vec<[usize; 2]> = self.crossings.iter().map(|&(edges, _)| edges).collect();
         indices(out, &pairs);
         Ok(())
     }
