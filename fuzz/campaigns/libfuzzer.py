@@ -12,8 +12,6 @@ import re
 from . import processes
 
 LIMITS = ["-timeout=25", "-rss_limit_mb=2560", "-print_final_stats=1"]
-# The crate forbids unsafe code, so what only finds misuse of memory is kept cheap.
-SANITIZER = "detect_leaks=0:detect_stack_use_after_return=0:malloc_context_size=0:quarantine_size_mb=4"
 # Weighing rare features costs more executions than it gains with generated inputs.
 SLICE = ["-entropic=0", "-reload=30"]
 # libFuzzer looks at its clock between two inputs; after so many seconds more it is interrupted.
@@ -55,6 +53,6 @@ def kind(file):
 def run(binary, *words, seconds=None, **environment):
     """Runs a fuzz target and waits for its end, at most so many seconds and some grace."""
     limit = None if seconds is None else seconds + GRACE
-    settings = {**os.environ, "ASAN_OPTIONS": SANITIZER, **environment}
+    settings = {**os.environ, **environment}
     _, text = processes.run([binary, *LIMITS, *words], seconds=limit, env=settings)
     return Outcome(text)
