@@ -7,8 +7,9 @@
 //! the hull. That is so if no two lie to the left of one side, each can be reached from the first, the sides with
 //! nothing across are those of the hull, which passes no vertex twice, and the numbers of vertices, sides and triangles
 //! obey Euler's formula. (A surface of triangles with one border has v - e + f at most 1, and 1 only if it is a disk; a
-//! vertex at which two fans meet costs one more.) Duplicates must be in order, each chain a row of sides. Cost: a sort
-//! of the sides.
+//! vertex at which two fans meet costs one more.) Duplicates must be in order, each chain a row of sides. Every point is
+//! a corner or a duplicate, so the numbers of both must be all numbers from 0 on. This also keeps data small that is made
+//! to do harm: no table by vertex is longer than the data. Cost: a sort of the sides.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -77,6 +78,12 @@ impl Parts {
             )?;
             require(!sides.start_at(v), "a duplicate is a corner")?;
         }
+        let last = vertices.last().max(duplicates.last().map(|[v, _]| v));
+        let points = last.map_or(0, |&v| v as usize + 1);
+        require(
+            triangles.is_empty() || points == vertices.len() + duplicates.len(),
+            "a point is no corner and no duplicate",
+        )?;
         let mut lists = Vec::with_capacity(self.edges.len());
         for list in &self.edges {
             let list = all(list, |&v| number(v))?;
@@ -84,6 +91,10 @@ impl Parts {
             require(
                 !list.iter().any(|&v| is_duplicate(v)),
                 "an edge passes a duplicate",
+            )?;
+            require(
+                triangles.is_empty() || list.iter().all(|&v| (v as usize) < points),
+                "an edge passes no corner",
             )?;
             require(
                 list.len() == 1 || list.first() != list.last(),

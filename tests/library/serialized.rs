@@ -181,6 +181,12 @@ fn data_of_no_triangulation_is_refused() {
             "the duplicates are not in order",
         ),
         ("duplicates", json!([[3, 1]]), "a duplicate is a corner"),
+        (
+            "duplicates",
+            json!([[6, 1]]),
+            "a point is no corner and no duplicate",
+        ),
+        ("edges", json!([[6]]), "an edge passes no corner"),
         ("edges", json!([[]]), "an edge passes no vertex"),
         ("edges", json!([[2, 0]]), "an edge passes where no side is"),
         ("edges", json!([[2, 2]]), "an edge ends where it begins"),
@@ -205,6 +211,18 @@ fn data_of_no_triangulation_is_refused() {
         let data = json!({"triangles": triangles, "hull": hull, "duplicates": [], "edges": []});
         let refused = serde_json::from_value::<Triangulation>(data).expect_err("no disk");
         assert_eq!(refused.to_string(), "the triangles are no disk");
+    }
+}
+
+/// A table by vertex would take 512 MB (the stars of the first), or 1 GB (the canonical order of the second).
+#[test]
+fn a_few_bytes_cannot_ask_for_long_tables() {
+    let most = (1 << 27) - 1;
+    for [a, b, c] in [[0, 1, most], [most - 2, most - 1, most]] {
+        let data =
+            json!({"triangles": [[a, b, c]], "hull": [a, b, c], "duplicates": [], "edges": []});
+        let refused = serde_json::from_value::<Triangulation>(data).expect_err("a gap");
+        assert_eq!(refused.to_string(), "a point is no corner and no duplicate");
     }
 }
 
