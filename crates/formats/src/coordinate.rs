@@ -1,5 +1,7 @@
 //! Coordinates as text: doubles, and rationals, the exact scalar of files with fractions in them.
 
+use std::num::IntErrorKind;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
@@ -48,9 +50,12 @@ pub enum CoordinateError {
     /// The text is a number beyond the largest double.
     #[error("is too large for a double")]
     TooLarge,
-    /// The text has more digits than are read.
-    #[error("has too many digits")]
+    /// The text is to be read exactly, and has more digits than [`MAX_DIGITS`].
+    #[error("has more than {MAX_DIGITS} digits, the most that are read exactly")]
     TooLong,
+    /// The text is to be read exactly, and its exponent is beyond [`MAX_EXPONENT`].
+    #[error("has an exponent beyond {MAX_EXPONENT}, the limit where numbers are read exactly")]
+    ExponentTooLarge,
 }
 
 /// The nearest double. `nan` and `inf` are read too, for the library to refuse them.
@@ -114,17 +119,25 @@ impl Coordinate for f64 {
     }
 }
 
-/// How many digits a numerator or a denominator may have. A double needs at most 1,100.
-const MAX_DIGITS: usize = 10_000;
+/// The most digits that a numerator or a denominator may have. A double needs at most 1,100.
+pub const MAX_DIGITS: usize = 10_000;
 
-/// A decimal means just what it says: `0.1` is one tenth, not the double near it.
+/// The most that an exponent of a number that is read exactly may be, up or down. A double needs at most 324.
+///
+/// It is less than [`MAX_DIGITS`] since digits that are written out make a file longer, as they make the arithmetic, and
+/// an exponent does not.
+pub const MAX_EXPONENT: u32 = 400;
+
+/// A decimal means just what it says: `0.1` is one tenth, not the double near it. The limits are [`MAX_DIGITS`] and
+/// [`MAX_EXPONENT`].
 ///
 /// ```
 /// use num_rational::BigRational;
-/// use sweep_cdt_formats::Coordinate;
+/// use sweep_cdt_formats::{Coordinate, CoordinateError};
 ///
 /// assert_eq!(BigRational::from_text("0.25e1"), BigRational::from_text("10/4"));
 /// assert_eq!(BigRational::from_text("-2/6").unwrap().text(), "-1/3");
+/// assert_eq!(BigRational::from_text("1e-401"), Err(CoordinateError::ExponentTooLarge));
 /// ```
 impl Coordinate for BigRational {
     fn from_text(token: &str) -> Result<Self, CoordinateError> {
@@ -174,9 +187,14 @@ fn decimal(token: &str) -> Result<(String, String), CoordinateError> {
     let (whole, digits) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let exponent = exponent
         .parse::<i32>()
-        .map_err(|_| CoordinateError::NotANumber)?;
-    if digits.len().max(exponent.unsigned_abs() as usize) > MAX_DIGITS {
-        return Err(CoordinateError::TooLong);
+        .map_err(|error| match error.kind() {
+            IntErrorKind::PosOverflow | IntErrorKind::NegOverflow => {
+                CoordinateError::ExponentTooLarge
+            }
+            _ => CoordinateError::NotANumber,
+        })?;
+    if exponent.unsigned_abs() > MAX_EXPONENT {
+        return Err(CoordinateError::ExponentTooLarge);
     }
     let mut numerator = [whole, digits].concat();
     let mut denominator = format!("1{}", "0".repeat(digits.len()));

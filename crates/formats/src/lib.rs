@@ -40,7 +40,7 @@ mod threads;
 mod trace;
 mod write;
 
-pub use coordinate::{Coordinate, CoordinateError};
+pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT};
 #[cfg(feature = "geo-types")]
 pub use geo::{geo_graph, geo_triangles};
 pub use graph_file::{Column, GraphFile, Numbering, sorted_pairs};

@@ -77,7 +77,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "a.node",
         "2\n0 1/2 1\n1 1e99999 0",
-        "a.node:3: `1e99999` has too many digits",
+        "a.node:3: `1e99999` has an exponent beyond 400, the limit where numbers are read exactly",
     ),
     (
         "a.node",

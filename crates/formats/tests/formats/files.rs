@@ -7,8 +7,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::{Error, Pslg};
 use sweep_cdt_formats::{
-    self as formats, Coordinate, GraphFile, Input, InputFormat, Matched, Numbering, ResultFormat,
-    Source, Triangles, read_result, write_node,
+    self as formats, Coordinate, CoordinateError, GraphFile, Input, InputFormat, MAX_DIGITS,
+    Matched, Numbering, ResultFormat, Source, Triangles, read_result, write_node,
 };
 use sweep_cdt_testing::Random;
 
@@ -89,9 +89,49 @@ fn whole_numbers_beyond_doubles_stay_rationals() {
 }
 
 #[test]
-fn a_denominator_of_too_many_digits_is_refused() {
-    let fraction = |digits| BigRational::from_text(&format!("1/{}", "3".repeat(digits)));
-    assert!(fraction(10_000).is_ok() && fraction(10_001).is_err());
+fn numbers_of_too_many_digits_are_refused() {
+    for before in ["1/", "", "0."] {
+        let number = |digits| {
+            let denominator = usize::from(before == "0.");
+            BigRational::from_text(&format!("{before}{}", "3".repeat(digits - denominator)))
+        };
+        assert!(number(MAX_DIGITS).is_ok(), "{before}");
+        let longer = number(MAX_DIGITS + 1);
+        assert_eq!(longer, Err(CoordinateError::TooLong), "{before}");
+    }
+}
+
+/// An exponent of few characters stands for a number of many digits, so it has a lower limit: all are doubles' own.
+#[test]
+fn exponents_of_exact_numbers_are_limited() {
+    for number in [
+        "1e400",
+        "1E-400",
+        "-2.5e+400",
+        "4.9406564584124654e-324",
+        "0e400",
+    ] {
+        assert!(BigRational::from_text(number).is_ok(), "{number}");
+    }
+    for number in [
+        "1e401",
+        "1e-401",
+        "0e401",
+        "-1E+2147483647",
+        "1e-2147483648",
+        "1e99999999999",
+    ] {
+        let error = BigRational::from_text(number);
+        assert_eq!(error, Err(CoordinateError::ExponentTooLarge), "{number}");
+    }
+    let bytes = b"2 2\n1 1/3 0\n2 0 7e-9999\n".to_vec();
+    let source = Source {
+        name: "a.node".to_owned(),
+        bytes,
+    };
+    let error = formats::read(InputFormat::Node, &source, None).expect_err("too many zeros");
+    let why = "`7e-9999` has an exponent beyond 400, the limit where numbers are read exactly";
+    assert_eq!(error.to_string(), format!("a.node:3: {why}"));
 }
 
 #[test]
