@@ -21,10 +21,7 @@ pub(crate) fn files(
     triangles: &[[usize; 3]],
     number: impl Fn(f64) -> String,
 ) -> (Source, Option<Source>) {
-    let source = |name: &str, text: String| Source {
-        name: name.to_owned(),
-        bytes: text.into_bytes(),
-    };
+    let source = |name: &str, text: String| Source::new(name, text.into_bytes());
     let (mut node, mut ele) = (
         format!("{} 2\n", points.len()),
         format!("{} 3\n", triangles.len()),

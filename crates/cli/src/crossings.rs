@@ -12,7 +12,7 @@ use sweep_cdt_formats::{
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, FilesRead, format_of_output, format_parser};
+use crate::shared::files::{FileArgument, LimitArgs, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 
 /// List the edges that cross
@@ -25,6 +25,9 @@ use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 pub(crate) struct Crossings {
     #[command(flatten)]
     input: InputArgs,
+
+    #[command(flatten)]
+    packed: LimitArgs,
 
     /// File to write the list to: .csv or .json; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT")]
@@ -65,7 +68,7 @@ impl Crossings {
         let svg = self.svg.clone().map(Destination::of_path).transpose()?;
         let outputs = || list.iter().map(|(_, list)| list).chain(&svg);
         refuse_twice(outputs())?;
-        let mut read = FilesRead::default();
+        let mut read = self.packed.files();
         let input = self.input.read(&mut read, |_| ())?;
         refuse_read(&read, outputs())?;
         match input {

@@ -12,7 +12,7 @@ use sweep_cdt_formats::{Coordinate, Splitting};
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, FilesRead};
+use crate::shared::files::{FileArgument, FilesRead, LimitArgs};
 use crate::shared::inside::InsideArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::resources::limit_threads;
@@ -32,6 +32,9 @@ use crate::shared::verification::{self, verify};
 pub(crate) struct Triangulate {
     #[command(flatten)]
     input: InputArgs,
+
+    #[command(flatten)]
+    packed: LimitArgs,
 
     #[command(flatten)]
     inside: InsideArgs,
@@ -137,7 +140,7 @@ impl Triangulate {
         if let Some(threads) = self.threads {
             limit_threads(threads)?;
         }
-        let mut read = FilesRead::default();
+        let mut read = self.packed.files();
         let input = self.input.read(&mut read, |_| ())?;
         let name = self.input.name();
         let (input, splitting) = if self.split.is_asked() {

@@ -13,8 +13,8 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Input, Matching, ResultError, add
 use crate::certificate::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
-use crate::shared::failure::Failure;
-use crate::shared::files::FilesRead;
+use crate::shared::failure::{Failure, way_out};
+use crate::shared::files::LimitArgs;
 use crate::shared::inside::{Inside, fitting_rule, verify_interior};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::verification::{self, violations};
@@ -40,6 +40,9 @@ pub(crate) struct Verify {
 
     #[command(flatten)]
     result: ResultArgs,
+
+    #[command(flatten)]
+    packed: LimitArgs,
 
     #[command(flatten)]
     scalar: ScalarArgs,
@@ -160,7 +163,7 @@ impl Verify {
         let certificate = certificate.transpose()?;
         let standard = Destination::standard();
         refuse_twice([&standard].into_iter().chain(&svg).chain(&certificate))?;
-        let mut read = FilesRead::default();
+        let mut read = self.packed.files();
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
         let mut input = self
             .input
@@ -353,6 +356,7 @@ fn refusal(error: &ResultError) -> Failure {
         ResultError::Elsewhere { .. } => {
             " (--tolerance allows for more, --by-number ignores coordinates)"
         }
+        ResultError::Unreadable(error) => way_out(error),
         _ => "",
     };
     Failure::Error(format!("{error}{way_out}"))

@@ -60,7 +60,7 @@ impl Numbering {
 /// use sweep_cdt_formats::{Input, InputFormat, Source, read};
 ///
 /// let bytes = b"2 2 1 0\n1 0 0 812.5\n2 1 0.5 790\n".to_vec();
-/// let source = Source { name: "hill.node".to_owned(), bytes };
+/// let source = Source::new("hill.node", bytes);
 /// let Input::Doubles(file) = read(InputFormat::Node, &source, None)? else {
 ///     unreachable!("no fraction in the file")
 /// };

@@ -94,7 +94,7 @@ fn again(format: InputFormat, file: &GraphFile<f64>) -> Input {
     let mut bytes = Vec::new();
     write_graph(format, file, &mut bytes).expect("memory takes all that is written");
     let name = "written".to_owned();
-    read(format, &Source { name, bytes }, None).expect("what is written can be read")
+    read(format, &Source::new(name, bytes), None).expect("what is written can be read")
 }
 
 #[test]

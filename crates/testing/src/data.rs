@@ -162,7 +162,7 @@ pub fn poly(path: &Path) -> Input {
 /// # Panics
 /// If they are no such file.
 pub fn poly_of(name: String, bytes: Vec<u8>) -> Input {
-    let source = Source { name, bytes };
+    let source = Source::new(name, bytes);
     match formats::read(InputFormat::Poly, &source, None) {
         Ok(formats::Input::Doubles(file)) => file.graph.into(),
         Ok(formats::Input::Rationals(_)) => panic!("{}: fractions", source.name),

@@ -8,7 +8,8 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt_draw::Output;
 use sweep_cdt_formats::{
-    Coordinate, GraphFile, Input, InputFormat, OutputFormat, ResultFormat, Source, read, write_node,
+    Coordinate, GraphFile, Input, InputFormat, OutputFormat, ReadErrorKind, ResultFormat, Source,
+    read, write_node,
 };
 
 use super::failure::Failure;
@@ -54,7 +55,7 @@ impl InputArgs {
         show(&source);
         // The `.node` beside a `.poly` is loaded only if the `.poly` turns out to need it.
         match (read(format, &source, None), self.input.beside("node")) {
-            (Err(error), Some(file)) if error.missing_node => {
+            (Err(error), Some(file)) if error.kind == ReadErrorKind::MissingNode => {
                 let node = files.load(&file)?;
                 show(&node);
                 Ok(read(format, &source, Some(&node))?)

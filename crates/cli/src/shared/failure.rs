@@ -14,7 +14,7 @@ use std::io;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use sweep_cdt_formats::ReadError;
+use sweep_cdt_formats::{ReadError, ReadErrorKind};
 
 /// The words that the process prints, and how it exits.
 pub(crate) enum Failure {
@@ -37,7 +37,15 @@ impl Failure {
 
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
-        Failure::Error(error.to_string())
+        Failure::Error(format!("{error}{}", way_out(&error)))
+    }
+}
+
+/// The option that helps where a file is not read.
+pub(crate) fn way_out(error: &ReadError) -> &'static str {
+    match error.kind {
+        ReadErrorKind::UnpackedLimit { .. } => " (--unpacked-limit allows more)",
+        _ => "",
     }
 }
 

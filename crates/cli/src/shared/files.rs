@@ -6,6 +6,7 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use bytesize::ByteSize;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use sweep_cdt_formats::{Named, ReadError, Source};
 
@@ -117,9 +118,31 @@ fn names<F: Format>() -> Vec<&'static str> {
     F::ALL.iter().map(|format| format.name()).collect()
 }
 
+/// Arguments that limit what files may grow to when they are read.
+#[derive(clap::Args)]
+pub(crate) struct LimitArgs {
+    /// Most bytes that the arrays of a .vtu may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB, or 32 times
+    /// the file's size]
+    #[arg(long, value_name = "SIZE")]
+    unpacked_limit: Option<ByteSize>,
+}
+
+impl LimitArgs {
+    /// No files, of which none may grow beyond the limit.
+    pub(crate) fn files(&self) -> FilesRead {
+        FilesRead {
+            unpacked_limit: self.unpacked_limit,
+            ..FilesRead::default()
+        }
+    }
+}
+
 /// The regular files that a run has read, named or by implication: none of them may be overwritten.
 #[derive(Default)]
-pub(crate) struct FilesRead(Vec<Identity>);
+pub(crate) struct FilesRead {
+    identities: Vec<Identity>,
+    unpacked_limit: Option<ByteSize>,
+}
 
 impl FilesRead {
     /// Reads all of a file to memory, and notes which one it is.
@@ -135,8 +158,11 @@ impl FilesRead {
                 Err(ReadError::of_file(name, "out of memory"))
             }
             Ok((source, identity)) => {
-                self.0.extend(identity);
-                Ok(source)
+                self.identities.extend(identity);
+                Ok(match self.unpacked_limit {
+                    Some(ByteSize(bytes)) => source.unpacked_limit(bytes),
+                    None => source,
+                })
             }
             Err(error) => Err(ReadError::of_file(name, reason(&error))),
         }
@@ -144,7 +170,7 @@ impl FilesRead {
 
     /// Whether this file was read.
     pub(crate) fn has(&self, identity: &Identity) -> bool {
-        self.0.contains(identity)
+        self.identities.contains(identity)
     }
 }
 
@@ -164,7 +190,10 @@ fn read_standard_input(name: &str) -> io::Result<(Source, Option<Identity>)> {
     io::stdin().lock().read_to_end(&mut bytes)?;
     let which = standard_input().filter(|(kind, _)| kind.is_file());
     let name = name.to_owned();
-    Ok((Source { name, bytes }, which.map(|(_, identity)| identity)))
+    Ok((
+        Source::new(name, bytes),
+        which.map(|(_, identity)| identity),
+    ))
 }
 
 #[cfg(unix)]

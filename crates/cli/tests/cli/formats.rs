@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use crate::{CONTOURS, FORMATS, assert_fails, folder, names, printed, run, run_with_input};
+use crate::{
+    CONTOURS, FORMATS, assert_fails, folder, names, printed, run, run_with_input, sweep_cdt,
+};
 
 #[test]
 fn all_input_formats_are_read() {
@@ -173,4 +175,51 @@ fn svg_is_the_same_for_subnormal_and_huge_coordinates() {
     for exponent in ["e-323", "e-300", "e307"] {
         assert_eq!(picture(exponent), expected, "4{exponent}");
     }
+}
+
+/// Three points of 72 bytes, packed by zlib.
+#[test]
+fn what_a_file_unpacks_to_has_a_limit_that_can_be_raised() {
+    let points = "AQAAAEgAAAAAAAAAEQAAAHjaY2DABz7YMxApDwA9VgJf";
+    let array = |kind: &str, name: &str, numbers: &str| {
+        format!("<DataArray type=\"{kind}\" Name=\"{name}\">{numbers}</DataArray>\n")
+    };
+    let cells = [
+        array("Int64", "connectivity", "0 1 2"),
+        array("Int64", "offsets", "3"),
+        array("UInt8", "types", "5"),
+    ];
+    let text = format!(
+        "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\">\n\
+         <UnstructuredGrid><Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\n\
+         <Points><DataArray type=\"Float64\" Name=\"P\" NumberOfComponents=\"3\" format=\"binary\">\n\
+         {points}</DataArray></Points>\n<Cells>{}</Cells></Piece></UnstructuredGrid></VTKFile>\n",
+        cells.concat()
+    );
+    let folder = folder(&[("a.vtu", &text)]);
+    let error = "a.vtu:3: the array `P`: with its 72 bytes the file would unpack to more than the limit of 71 bytes \
+         (--unpacked-limit allows more)";
+    let ran = |arguments: &str| {
+        sweep_cdt(&folder, arguments)
+            .output()
+            .expect("the command starts")
+    };
+    for arguments in [
+        "triangulate a.vtu",
+        "verify a.vtu a.vtu",
+        "crossings a.vtu",
+        "trace a.vtu",
+    ] {
+        assert_fails(&ran(&format!("{arguments} --unpacked-limit 71")), error);
+        for size in ["72", "1kB", "16G", "2GiB"] {
+            printed(&ran(&format!("{arguments} --unpacked-limit {size}")));
+        }
+        printed(&ran(arguments));
+    }
+    printed(&ran("trace a.vtu -o a.txt"));
+    let replay = "replay a.txt --input a.vtu --unpacked-limit";
+    assert_fails(&ran(&format!("{replay} 71")), error);
+    printed(&ran(&format!("{replay} 72")));
+    let output = ran("triangulate a.vtu --unpacked-limit much");
+    assert_eq!(output.status.code(), Some(2));
 }

@@ -233,10 +233,7 @@ fn bytes_of(name: &str) -> Vec<u8> {
 }
 
 fn source(bytes: Vec<u8>) -> Source {
-    Source {
-        name: "damaged".to_owned(),
-        bytes,
-    }
+    Source::new("damaged", bytes)
 }
 
 fn load(name: &str) -> Input {

@@ -86,10 +86,10 @@ fn violations() {
     let mut list = result.canonical_triangles();
     list.retain(|corners| !(corners.contains(&4) && corners.contains(&5)));
     list.extend([[4, 7, 6], [7, 5, 6]]);
-    let source = Source {
-        name: "flipped.json".to_owned(),
-        bytes: format!("{{\"triangles\": {list:?}}}").into_bytes(),
-    };
+    let source = Source::new(
+        "flipped.json",
+        format!("{{\"triangles\": {list:?}}}").into_bytes(),
+    );
     let file = GraphFile {
         numbering: Numbering::FROM_ONE,
         ..graph.clone().into()

@@ -45,10 +45,7 @@ impl Variant {
 fn count(program: &Path, input: &Input, row: &mut Row) -> Result<(), Box<dyn Error>> {
     let (folder, file) = (tempfile::tempdir()?, file(input));
     run(program, "-pcNP", folder.path(), &file)?;
-    let source = Source {
-        name: TRIANGLE.to_owned(),
-        bytes: fs::read(folder.path().join("input.1.ele"))?,
-    };
+    let source = Source::new(TRIANGLE, fs::read(folder.path().join("input.1.ele"))?);
     let triangles = read_result(ResultFormat::Ele, &source, None, &file)?;
     let report = verify(&input.points, &input.edges, &triangles.list)?;
     row.triangles = report.triangles;

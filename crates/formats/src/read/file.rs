@@ -30,8 +30,7 @@ impl Source {
     pub fn of_file(name: impl Into<String>, file: &mut File) -> io::Result<Source> {
         let mut bytes = read_in_parts(file)?;
         file.read_to_end(&mut bytes)?;
-        let name = name.into();
-        Ok(Source { name, bytes })
+        Ok(Source::new(name, bytes))
     }
 }
 

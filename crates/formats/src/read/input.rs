@@ -73,7 +73,7 @@ impl InputFormat {
 /// use sweep_cdt_formats::{Coordinate, Input, InputFormat, Source, read};
 ///
 /// let bytes = br#"{"points": [[0.1, "1/3"]]}"#.to_vec();
-/// let source = Source { name: "example".to_owned(), bytes };
+/// let source = Source::new("example", bytes);
 /// let Input::Rationals(file) = read(InputFormat::Json, &source, None)? else {
 ///     unreachable!("there is a fraction in the file")
 /// };
@@ -94,7 +94,7 @@ pub enum Input {
 /// use sweep_cdt_formats::{Input, InputFormat, Source, read};
 ///
 /// let bytes = br#"{"points": [[0, 0], [1, 0.5]], "edges": [[0, 1]]}"#.to_vec();
-/// let source = Source { name: "example".to_owned(), bytes };
+/// let source = Source::new("example", bytes);
 /// let Input::Doubles(file) = read(InputFormat::Json, &source, None)? else {
 ///     unreachable!("no fraction in the file")
 /// };

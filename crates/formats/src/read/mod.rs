@@ -48,4 +48,4 @@ pub(crate) use input::merged;
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, added_points, read_result};
-pub use source::{ReadError, ResultError, Source};
+pub use source::{ReadError, ReadErrorKind, ResultError, Source};

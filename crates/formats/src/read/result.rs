@@ -119,7 +119,7 @@ pub struct Triangles {
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 1 0\nv 0 0 0\nv 1 0 0\nf 1 2 3".to_vec();
-/// let source = Source { name: "example".to_owned(), bytes };
+/// let source = Source::new("example", bytes);
 /// let triangles = read_result(ResultFormat::Obj, &source, None, &input)?;
 /// assert_eq!(triangles.list, [[2, 0, 1]]);
 /// assert_eq!(triangles.matched, Matched::Equal);
@@ -147,7 +147,7 @@ impl Matching {
     /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     /// let input = Pslg { points, ..Pslg::default() }.into();
     /// let bytes = b"v 0.25 0\nv 1 0\nv 0 1\nf 1 2 3".to_vec();
-    /// let source = Source { name: "example".to_owned(), bytes };
+    /// let source = Source::new("example", bytes);
     /// let matching = Matching::new().tolerance(0.5);
     /// let triangles = matching.read(ResultFormat::Obj, &source, None, &input)?;
     /// assert_eq!(triangles.matched, Matched::Near { difference: 0.25 });
@@ -188,7 +188,7 @@ impl Matching {
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 1\nv 0 0\nv 1 0\nv 0.5 0.5\nf 1 2 4\nf 2 3 4".to_vec();
-/// let source = Source { name: "example".to_owned(), bytes };
+/// let source = Source::new("example", bytes);
 /// assert_eq!(added_points(ResultFormat::Obj, &source, None, &input)?, [[0.5, 0.5]]);
 /// # Ok::<(), sweep_cdt_formats::ResultError>(())
 /// ```

@@ -9,8 +9,7 @@ use crate::Coordinate;
 /// ```
 /// use sweep_cdt_formats::{Input, InputFormat, Source, read};
 ///
-/// let bytes = b"2 2 0 0\n1 0 0\n2 1 0.5\n".to_vec();
-/// let source = Source { name: "two.node".to_owned(), bytes };
+/// let source = Source::new("two.node", b"2 2 0 0\n1 0 0\n2 1 0.5\n");
 /// assert!(matches!(read(InputFormat::Node, &source, None), Ok(Input::Doubles(_))));
 /// ```
 #[derive(Clone, Debug)]
@@ -19,15 +18,51 @@ pub struct Source {
     pub name: String,
     /// The file's contents.
     pub bytes: Vec<u8>,
+    /// The limit that was asked for.
+    unpacked_limit: Option<u64>,
 }
 
+/// The bytes that every file may unpack to.
+#[cfg(feature = "mesh-formats")]
+const UNPACKED: u64 = 16 << 20;
+/// How often its size a file may unpack to, if that is more. Arrays of meshes unpack to 2 to 10 times their size.
+#[cfg(feature = "mesh-formats")]
+const TIMES: u64 = 32;
+
 impl Source {
+    /// A file of this name with these contents.
+    pub fn new(name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Source {
+        Source {
+            name: name.into(),
+            bytes: bytes.into(),
+            unpacked_limit: None,
+        }
+    }
+
+    /// Limits the bytes that what is packed in the file may unpack to, all together. (Only a `.vtu` has packed arrays.)
+    ///
+    /// Without a call the limit is 16 MiB, or 32 times the size of the file where that is more. A file that needs more
+    /// is refused before memory is taken for it ([`ReadErrorKind::UnpackedLimit`]). Beside what is unpacked, a reader
+    /// takes memory in proportion to it, as for a text: three to thirty times as much, the most for numbers of a byte.
+    #[must_use]
+    pub fn unpacked_limit(mut self, bytes: u64) -> Source {
+        self.unpacked_limit = Some(bytes);
+        self
+    }
+
+    /// How many bytes the file may unpack to.
+    #[cfg(feature = "mesh-formats")]
+    pub(super) fn most_unpacked(&self) -> u64 {
+        let by_size = (self.bytes.len() as u64).saturating_mul(TIMES);
+        self.unpacked_limit.unwrap_or(by_size.max(UNPACKED))
+    }
+
     /// The contents after the byte order mark, if they begin with one.
     ///
     /// ```
     /// use sweep_cdt_formats::Source;
     ///
-    /// let file = |bytes: &[u8]| Source { name: "a.node".to_owned(), bytes: bytes.to_vec() };
+    /// let file = |bytes: &[u8]| Source::new("a.node", bytes);
     /// assert_eq!(file(b"\xef\xbb\xbf1 2\n").text()?, b"1 2\n");
     /// let error = file(b"\xff\xfe1\0 \x002\0").text().unwrap_err();
     /// assert_eq!(error.to_string(), "a.node: the text is UTF-16; save it as UTF-8");
@@ -91,7 +126,7 @@ pub(super) fn split_line(text: &[u8]) -> (&[u8], &[u8]) {
 /// ```
 /// use sweep_cdt_formats::{InputFormat, Source, read};
 ///
-/// let source = Source { name: "a.node".to_owned(), bytes: b"1\n0 0 zero".to_vec() };
+/// let source = Source::new("a.node", b"1\n0 0 zero");
 /// let error = read(InputFormat::Node, &source, None).unwrap_err();
 /// assert_eq!(error.to_string(), "a.node:2: `zero` is not a coordinate");
 /// assert_eq!(error.line, Some(2));
@@ -107,9 +142,23 @@ pub struct ReadError {
     pub column: Option<usize>,
     /// The fault found there.
     pub message: String,
-    /// Whether the file is a `.poly` that leaves its vertices to the `.node` beside it, which was not
-    /// given.
-    pub missing_node: bool,
+    /// What a caller may do about it.
+    pub kind: ReadErrorKind,
+}
+
+/// What a caller may do about a [`ReadError`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ReadErrorKind {
+    /// Nothing: the contents are wrong, or the file cannot be read.
+    Content,
+    /// Give the `.node` beside the file, a `.poly` that leaves its vertices to it.
+    MissingNode,
+    /// Raise the limit of unpacked data ([`Source::unpacked_limit`]), if the file can be trusted.
+    UnpackedLimit {
+        /// The limit, in bytes.
+        limit: u64,
+    },
 }
 
 impl ReadError {
@@ -127,7 +176,7 @@ impl ReadError {
             line: None,
             column: None,
             message: message.into(),
-            missing_node: false,
+            kind: ReadErrorKind::Content,
         }
     }
 }
@@ -181,7 +230,7 @@ pub(super) fn no_vertex(number: usize, first: usize, count: usize) -> String {
 /// let points = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// let input = Pslg { points, ..Pslg::default() }.into();
 /// let bytes = b"v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3".to_vec();
-/// let source = Source { name: "a.obj".to_owned(), bytes };
+/// let source = Source::new("a.obj", bytes);
 /// let error = read_result(ResultFormat::Obj, &source, None, &input).unwrap_err();
 /// assert!(matches!(error, ResultError::Elsewhere { vertex: 3, .. }));
 /// let text = "a.obj:3: vertex 3 is at (0, 3), but vertex 2 of the input at (0, 1), which is more than \

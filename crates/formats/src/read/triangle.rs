@@ -21,7 +21,7 @@
 //! as in the `.node` beside it; without one, from 0 or 1 as the triangles are, as Triangle does.
 
 use crate::read::content::{Corners, Edges, Field, Labels, Syntax, Vertices};
-use crate::read::source::{ReadError, Source, no_vertex, quoted};
+use crate::read::source::{ReadError, ReadErrorKind, Source, no_vertex, quoted};
 use crate::read::token_lines::{Line, Lines, Records};
 use crate::{Column, Coordinate};
 
@@ -47,7 +47,7 @@ pub(super) fn read_poly<'a>(
         ((0, _), Some(node)) => read_node(node)?,
         ((0, _), None) => {
             return Err(ReadError {
-                missing_node: true,
+                kind: ReadErrorKind::MissingNode,
                 ..ReadError::of_file(&source.name, "no vertices, and no .node beside it")
             });
         }

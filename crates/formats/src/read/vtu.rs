@@ -13,16 +13,17 @@
 //! of several components.
 //!
 //! What is packed is unpacked into a copy of the file, behind its text. So numbers are pieces of one source here as in
-//! all other readers. It costs the memory of the copy: what zlib packs well grows by up to a factor of 1,032.
+//! all other readers. It costs the memory of the copy, for which there is a limit ([`Source::unpacked_limit`]).
 
+use std::iter;
 use std::ops::Range;
 
 use crate::read::binary::{Kind, Number};
 use crate::read::content::{Field, Syntax, Vertices};
 use crate::read::mesh::{Faces, Mesh};
-use crate::read::source::{ReadError, Source, quoted};
+use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::vtk;
-use crate::read::vtu_arrays::{Packing, Stored};
+use crate::read::vtu_arrays::{Fault, Packing, Stored};
 use crate::read::vtu_elements::{Array, Elements, Section};
 
 /// A file with its arrays unpacked behind the text.
@@ -97,10 +98,10 @@ impl Unpacked {
 
     /// The contents of the arrays.
     pub(super) fn mesh(&self) -> Result<Mesh<'_>, ReadError> {
-        let pieces = self.pieces(&self.points);
-        let (points, _) = pieces.as_chunks();
+        let mut pieces = self.pieces(&self.points);
+        let points = iter::from_fn(|| Some([pieces.next()?, pieces.next()?, pieces.next()?]));
         let (coordinates, heights): (Vec<_>, Vec<_>) =
-            points.iter().map(|&[x, y, z]| ([x, y], Some(z))).unzip();
+            points.map(|[x, y, z]| ([x, y], Some(z))).unzip();
         let vertices = Vertices {
             syntax: self.points.syntax,
             ..Vertices::plain(&self.source, coordinates, 0)
@@ -111,7 +112,7 @@ impl Unpacked {
             .extend(self.columns.iter().map(|(name, numbers)| Field {
                 name: name.clone(),
                 syntax: numbers.syntax,
-                pieces: self.pieces(numbers),
+                pieces: self.pieces(numbers).collect(),
             }));
         Ok(Mesh {
             vertices,
@@ -121,11 +122,12 @@ impl Unpacked {
     }
 
     fn faces(&self) -> Result<Faces, ReadError> {
-        let corners = self.indices(&self.corners)?;
-        let (ends, types) = (self.indices(&self.ends)?, self.indices(&self.types)?);
+        let corners: Vec<usize> = self.indices(&self.corners).collect::<Result<_, _>>()?;
+        let (ends, types) = (self.indices(&self.ends), self.indices(&self.types));
         let mut faces = Faces::default();
         let mut begin = 0;
-        for (at, (end, kind)) in ends.into_iter().zip(types).enumerate() {
+        for (at, (end, kind)) in ends.zip(types).enumerate() {
+            let (end, kind) = (end?, kind?);
             let Some(cell) = corners.get(begin..end) else {
                 let message = format!("cell {at}: its corners are not in `connectivity`");
                 return Err(ReadError::of_file(&self.source.name, message));
@@ -136,28 +138,32 @@ impl Unpacked {
         Ok(faces)
     }
 
-    fn indices(&self, numbers: &Numbers) -> Result<Vec<usize>, ReadError> {
-        let index = |piece: &[u8]| {
+    fn indices(&self, numbers: &Numbers) -> impl Iterator<Item = Result<usize, ReadError>> {
+        let syntax = numbers.syntax;
+        let index = move |piece: &[u8]| {
             let error = || {
-                let text = numbers.syntax.text(piece);
+                let text = syntax.text(piece);
                 let message = format!(
                     "{} in `Cells` is not a whole number",
                     quoted(text.as_bytes())
                 );
                 ReadError::of_file(&self.source.name, message)
             };
-            numbers.syntax.index(piece).ok_or_else(error)
+            syntax.index(piece).ok_or_else(error)
         };
-        self.pieces(numbers).into_iter().map(index).collect()
+        self.pieces(numbers).map(index)
     }
 
     /// The numbers one by one.
-    fn pieces(&self, numbers: &Numbers) -> Vec<&[u8]> {
+    fn pieces(&self, numbers: &Numbers) -> impl Iterator<Item = &[u8]> {
         let bytes = &self.source.bytes[numbers.range.clone()];
-        match numbers.syntax {
-            Syntax::Binary(number) => bytes.chunks_exact(number.kind.size()).collect(),
-            _ => words(bytes).collect(),
-        }
+        let size = match numbers.syntax {
+            Syntax::Binary(number) => Some(number.kind.size()),
+            _ => None,
+        };
+        let binary = size.map(|size| bytes.chunks_exact(size));
+        let text = size.is_none().then(|| words(bytes));
+        (binary.into_iter().flatten()).chain(text.into_iter().flatten())
     }
 }
 
@@ -176,10 +182,21 @@ fn place(
         });
     }
     let begin = unpacked.bytes.len();
-    let unpack = packing.unpack(&array.stored, &source.bytes, &mut unpacked.bytes);
-    unpack.map_err(|what| {
+    let limit = source.most_unpacked();
+    let room = limit.saturating_sub((begin - source.bytes.len()) as u64);
+    let unpack = packing.unpack(&array.stored, &source.bytes, &mut unpacked.bytes, room);
+    unpack.map_err(|fault| {
         let name = quoted(array.name.as_bytes());
-        source.error_in_line(array.line, format!("the array {name}: {what}"))
+        let error = |what| source.error_in_line(array.line, format!("the array {name}: {what}"));
+        match fault {
+            Fault::Wrong(what) => error(what),
+            Fault::NoRoom(bytes) => ReadError {
+                kind: ReadErrorKind::UnpackedLimit { limit },
+                ..error(format!(
+                    "with its {bytes} bytes the file would unpack to more than the limit of {limit} bytes"
+                ))
+            },
+        }
     })?;
     let range = begin..unpacked.bytes.len();
     Ok(Numbers {

@@ -7,12 +7,16 @@
 //!
 //! Arrays in `AppendedData` end where the next one begins, and no two begin at the same place: so no byte of a file is
 //! unpacked twice, however the file lies.
+//!
+//! What zlib packs may grow by a factor of 1,032, so there is a limit. A block unpacks to as many bytes as the header
+//! says, or the array is refused. So it is the header that is compared with the limit, before anything is unpacked.
 
+use std::io::Read;
 use std::ops::Range;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
+use flate2::bufread::ZlibDecoder;
 
 /// Where the numbers of an array stand.
 pub(super) enum Stored {
@@ -41,31 +45,53 @@ pub(super) struct Appended<'a> {
     pub(super) offsets: Vec<usize>,
 }
 
+/// Why an array is not unpacked.
+pub(super) enum Fault {
+    /// It is wrong, and how.
+    Wrong(String),
+    /// It says that it has so many bytes, which is more than there is room for.
+    NoRoom(u64),
+}
+
+impl<T: Into<String>> From<T> for Fault {
+    fn from(what: T) -> Fault {
+        Fault::Wrong(what.into())
+    }
+}
+
 impl Packing<'_> {
-    /// Appends the bytes of an array's numbers to `unpacked`; an error says what is wrong with the array. Text has none.
+    /// Appends the bytes of an array's numbers to `unpacked`, at most `room` if they are packed. Text has none.
     pub(super) fn unpack(
         &self,
         stored: &Stored,
         file: &[u8],
         unpacked: &mut Vec<u8>,
-    ) -> Result<(), String> {
+        room: u64,
+    ) -> Result<(), Fault> {
         match stored {
             Stored::Text(_) => Ok(()),
-            Stored::Base64(range) => self.unpack_blocks(&decoded(&file[range.clone()])?, unpacked),
+            Stored::Base64(range) => {
+                self.unpack_blocks(&decoded(&file[range.clone()])?, unpacked, room)
+            }
             &Stored::Appended(offset) => {
                 let appended = self.appended.as_ref();
                 let appended = appended.ok_or("there is no `AppendedData`")?;
                 let bytes = appended.array(offset)?;
                 if appended.is_base64 {
-                    self.unpack_blocks(&decoded(bytes)?, unpacked)
+                    self.unpack_blocks(&decoded(bytes)?, unpacked, room)
                 } else {
-                    self.unpack_blocks(bytes, unpacked)
+                    self.unpack_blocks(bytes, unpacked, room)
                 }
             }
         }
     }
 
-    fn unpack_blocks(&self, mut bytes: &[u8], unpacked: &mut Vec<u8>) -> Result<(), String> {
+    fn unpack_blocks(
+        &self,
+        mut bytes: &[u8],
+        unpacked: &mut Vec<u8>,
+        room: u64,
+    ) -> Result<(), Fault> {
         const SHORT: &str = "there are fewer bytes than it says";
         if bytes.is_empty() {
             return Ok(());
@@ -81,6 +107,11 @@ impl Packing<'_> {
         let mut sizes = Vec::new();
         for _ in 0..blocks {
             sizes.push(header()?);
+        }
+        let before = blocks.saturating_sub(1).saturating_mul(full);
+        let said = before.saturating_add(if last > 0 { last } else { full }) as u64;
+        if blocks > 0 && said > room {
+            return Err(Fault::NoRoom(said));
         }
         for (at, size) in sizes.into_iter().enumerate() {
             let (block, rest) = bytes.split_at_checked(size).ok_or(SHORT)?;
@@ -145,16 +176,12 @@ fn decoded(text: &[u8]) -> Result<Vec<u8>, String> {
 /// Appends what a block is when it is unpacked, which must have this size.
 fn inflate(block: &[u8], size: usize, unpacked: &mut Vec<u8>) -> Result<(), String> {
     // A byte more than there may be tells a block that is too large.
-    match decompress_to_vec_zlib_with_limit(block, size.saturating_add(1)) {
-        Ok(bytes) if bytes.len() == size => {
-            unpacked.extend(bytes);
-            Ok(())
-        }
-        Err(error) if error.status != TINFLStatus::HasMoreOutput => {
-            Err(format!("a block is not packed by zlib: {error}"))
-        }
-        _ => Err(format!(
+    let most = (size as u64).saturating_add(1);
+    match ZlibDecoder::new(block).take(most).read_to_end(unpacked) {
+        Ok(length) if length == size => Ok(()),
+        Ok(_) => Err(format!(
             "a block does not have the {size} bytes that it says"
         )),
+        Err(error) => Err(format!("a block is not packed by zlib: {error}")),
     }
 }

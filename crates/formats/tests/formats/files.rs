@@ -13,10 +13,7 @@ use sweep_cdt_formats::{
 use sweep_cdt_testing::Random;
 
 fn source(text: &str) -> Source {
-    Source {
-        name: "file".to_owned(),
-        bytes: text.as_bytes().to_vec(),
-    }
+    Source::new("file", text.as_bytes().to_vec())
 }
 
 /// The input has two points at the origin, and one more.
@@ -125,10 +122,7 @@ fn exponents_of_exact_numbers_are_limited() {
         assert_eq!(error, Err(CoordinateError::ExponentTooLarge), "{number}");
     }
     let bytes = b"2 2\n1 1/3 0\n2 0 7e-9999\n".to_vec();
-    let source = Source {
-        name: "a.node".to_owned(),
-        bytes,
-    };
+    let source = Source::new("a.node", bytes);
     let error = formats::read(InputFormat::Node, &source, None).expect_err("too many zeros");
     let why = "`7e-9999` has an exponent beyond 400, the limit where numbers are read exactly";
     assert_eq!(error.to_string(), format!("a.node:3: {why}"));

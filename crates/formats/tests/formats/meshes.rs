@@ -67,10 +67,7 @@ impl Sample {
 }
 
 fn source(bytes: &[u8]) -> Source {
-    Source {
-        name: "file".to_owned(),
-        bytes: bytes.to_vec(),
-    }
+    Source::new("file", bytes.to_vec())
 }
 
 /// An input of doubles.

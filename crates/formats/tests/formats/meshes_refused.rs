@@ -7,10 +7,7 @@ use sweep_cdt_formats::{
 };
 
 fn source(text: &str) -> Source {
-    Source {
-        name: "file".to_owned(),
-        bytes: text.replace('|', "\n").into_bytes(),
-    }
+    Source::new("file", text.replace('|', "\n").into_bytes())
 }
 
 fn square() -> GraphFile<f64> {
@@ -314,10 +311,7 @@ fn single(corners: [[f32; 2]; 3]) -> Source {
         bytes.extend([x, y, 0.0].map(f32::to_le_bytes).concat());
     }
     bytes.extend([0; 2]);
-    Source {
-        name: "file".to_owned(),
-        bytes,
-    }
+    Source::new("file", bytes)
 }
 
 #[test]

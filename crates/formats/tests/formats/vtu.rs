@@ -1,11 +1,16 @@
 //! VTK's XML: what is refused, and why; what is read over; and files that lie about their arrays.
 
 use std::fmt::Write as _;
+use std::io::Read;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use miniz_oxide::deflate::compress_to_vec_zlib;
-use sweep_cdt_formats::{GraphFile, Input, InputFormat, ResultFormat, Source, read, read_result};
+use flate2::Compression;
+use flate2::read::ZlibEncoder;
+use sweep_cdt_formats::{
+    GraphFile, Input, InputFormat, ReadError, ReadErrorKind, ResultFormat, Source, read,
+    read_result,
+};
 
 /// A file of two points and a line: what the elements `VTKFile` and `Points` say, and what stands behind the piece.
 fn file(head: &str, points: &str, tail: &str) -> Vec<u8> {
@@ -32,7 +37,7 @@ const TEXT: &str = "1 0 0 2 0.5 0";
 
 fn input(bytes: Vec<u8>) -> Result<GraphFile<f64>, String> {
     let name = "file".to_owned();
-    match read(InputFormat::Vtu, &Source { name, bytes }, None) {
+    match read(InputFormat::Vtu, &Source::new(name, bytes), None) {
         Ok(Input::Doubles(file)) => Ok(file),
         Ok(other) => panic!("{other:?}"),
         Err(error) => Err(error.to_string()),
@@ -161,7 +166,7 @@ fn wrong_cells_are_named() {
     );
     let name = "file".to_owned();
     let bytes = changed(">3<", ">10<");
-    let source = Source { name, bytes };
+    let source = Source::new(name, bytes);
     let result = read_result(
         ResultFormat::Vtu,
         &source,
@@ -226,10 +231,16 @@ fn appended_arrays_are_read_and_share_no_bytes() {
     );
 }
 
+fn zlib(bytes: impl Read) -> Vec<u8> {
+    let mut packed = Vec::new();
+    let mut encoder = ZlibEncoder::new(bytes, Compression::default());
+    encoder.read_to_end(&mut packed).expect("memory takes it");
+    packed
+}
+
 /// Blocks of 20 bytes packed by zlib, with a header of this size for each but the last and for the last.
 fn packed(full: u32, last: u32) -> Vec<u8> {
-    let pack = |block: &[u8]| compress_to_vec_zlib(block, 6);
-    let blocks: Vec<Vec<u8>> = bytes()[4..].chunks(20).map(pack).collect();
+    let blocks: Vec<Vec<u8>> = bytes()[4..].chunks(20).map(zlib).collect();
     let size = |block: &Vec<u8>| u32::try_from(block.len()).expect("a small block");
     let sizes = blocks.iter().map(size);
     let header = [3, full, last].into_iter().chain(sizes);
@@ -261,4 +272,82 @@ fn blocks_have_the_sizes_that_they_say() {
         file("compressor=\"vtkZLibDataCompressor\"", &array, ""),
         "file:5: the array `P`: there are fewer bytes than it says",
     );
+}
+
+/// A file of so many points and of a column, all zeros, packed in so many equal blocks each.
+fn zeros(points: u64, blocks: u64) -> Source {
+    let array = |size: u64| {
+        let block = zlib(std::io::repeat(0).take(size / blocks));
+        let sizes = (0..blocks).map(|_| block.len() as u64);
+        let header = [blocks, size / blocks, 0].into_iter().chain(sizes);
+        let header: Vec<u8> = header.flat_map(u64::to_le_bytes).collect();
+        let count = usize::try_from(blocks).expect("a few");
+        [header, block.repeat(count)].concat()
+    };
+    let (places, column) = (array(24 * points), array(8 * points));
+    let text = format!(
+        "<VTKFile type=\"UnstructuredGrid\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n\
+         <UnstructuredGrid><Piece NumberOfPoints=\"{points}\" NumberOfCells=\"0\"><Cells>\n\
+         <DataArray type=\"Int64\" Name=\"connectivity\"/>\n<DataArray type=\"Int64\" Name=\"offsets\"/>\n\
+         <DataArray type=\"UInt8\" Name=\"types\"/>\n</Cells><Points>\n\
+         <DataArray type=\"Float64\" Name=\"P\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/>\n\
+         </Points><PointData>\n\
+         <DataArray type=\"Float64\" Name=\"depth\" format=\"appended\" offset=\"{}\"/>\n\
+         </PointData></Piece></UnstructuredGrid>\n<AppendedData encoding=\"raw\">_",
+        places.len()
+    );
+    let tail = b"</AppendedData></VTKFile>\n";
+    let bytes = [text.as_bytes(), &places, &column, tail].concat();
+    Source::new("file", bytes)
+}
+
+/// The error; a file that is read is not shown.
+fn refused(source: &Source) -> ReadError {
+    match read(InputFormat::Vtu, source, None) {
+        Err(error) => error,
+        Ok(_) => panic!("it is read"),
+    }
+}
+
+/// Who believes the file takes 6 GB for its points; nothing at all is unpacked of them.
+#[test]
+fn what_would_unpack_to_gigabytes_is_refused() {
+    let source = zeros(250_000_000, 250);
+    let limit = 32 * source.bytes.len() as u64;
+    assert!(limit < 250 << 20, "{limit}");
+    let error = refused(&source);
+    assert_eq!(error.kind, ReadErrorKind::UnpackedLimit { limit });
+    let what = "with its 6000000000 bytes the file would unpack to more than the limit of";
+    let message = format!("file:7: the array `P`: {what} {limit} bytes");
+    assert_eq!(error.to_string(), message);
+}
+
+#[test]
+fn the_limit_of_what_is_unpacked_is_for_all_arrays_and_can_be_raised() {
+    let points: u64 = 1 << 19;
+    let all = 32 * points;
+    let source = zeros(points, 4);
+    assert!(read(InputFormat::Vtu, &source, None).is_ok(), "16 MiB are");
+    let lower = source.clone().unpacked_limit(all - 1);
+    let error = refused(&lower);
+    assert_eq!(error.kind, ReadErrorKind::UnpackedLimit { limit: all - 1 });
+    let what =
+        "with its 4194304 bytes the file would unpack to more than the limit of 16777215 bytes";
+    assert_eq!(
+        error.to_string(),
+        format!("file:9: the array `depth`: {what}")
+    );
+
+    let source = zeros(points + 4, 4);
+    let limit = all;
+    assert_eq!(
+        refused(&source).kind,
+        ReadErrorKind::UnpackedLimit { limit }
+    );
+    let raised = source.unpacked_limit(all + 4 * 32);
+    let Ok(Input::Doubles(file)) = read(InputFormat::Vtu, &raised, None) else {
+        panic!("it has as many bytes as it may have")
+    };
+    assert_eq!(file.graph.points.len() as u64, points + 4);
+    assert_eq!(file.columns[0].name, "depth");
 }

@@ -18,11 +18,9 @@ pub(crate) fn read(given: Given, mut files: Vec<u8>) -> Result<Input, Box<dyn Er
         } => {
             let format = named::<InputFormat>(&format)?;
             let rest = files.split_off(bytes.min(files.len()));
-            let source = Source { name, bytes: files };
-            let node = node.map(|(name, bytes)| Source {
-                name,
-                bytes: rest[..bytes.min(rest.len())].to_vec(),
-            });
+            let source = Source::new(name, files);
+            let node =
+                node.map(|(name, bytes)| Source::new(name, rest[..bytes.min(rest.len())].to_vec()));
             Ok(read_file(format, &source, node.as_ref())?)
         }
         Given::Generated { kind, points, seed } => {

@@ -328,8 +328,5 @@ pub(super) fn number(token: &str) {
 
 /// Bytes as a file.
 pub(super) fn source(bytes: &[u8]) -> Source {
-    Source {
-        name: "file".to_owned(),
-        bytes: bytes.to_vec(),
-    }
+    Source::new("file", bytes.to_vec())
 }

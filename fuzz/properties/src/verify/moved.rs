@@ -78,10 +78,7 @@ impl Moved {
             obj,
             ..
         } = self;
-        let source = Source {
-            name: "file".to_owned(),
-            bytes: obj.clone().into_bytes(),
-        };
+        let source = Source::new("file", obj.clone().into_bytes());
         let input = GraphFile::from(Pslg {
             points: self.points.clone(),
             ..Pslg::default()

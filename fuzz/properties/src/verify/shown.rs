@@ -31,10 +31,7 @@ impl Case {
             edges: self.edges.clone(),
             ..Pslg::default()
         });
-        let source = Source {
-            name: "result.json".to_owned(),
-            bytes: result,
-        };
+        let source = Source::new("result.json", result);
         let triangles = read_result(ResultFormat::Json, &source, None, &file).ok()?;
         let graph = &file.graph;
         let verdict = Verifier::new().verify(&graph.points, &graph.edges, &triangles.list);
