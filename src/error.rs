@@ -51,6 +51,12 @@ pub enum Error {
         /// How many there may be.
         limit: usize,
     },
+    /// There is not as much memory as the triangulation takes. Less than 32 MiB are not asked for, and of more it is the
+    /// greatest part that is: where the rest is not to be had, the process ends, as it does without memory elsewhere.
+    OutOfMemory {
+        /// How many bytes it takes, about.
+        bytes: usize,
+    },
     /// More vertices inside edges than can be held, each counted for each edge; equal edges count once.
     TooManyVerticesOnEdges {
         /// How many there may be.
@@ -76,6 +82,12 @@ impl fmt::Display for Error {
             }
             Error::TooManyEdges { given, limit } => {
                 write!(f, "{given} edges are more than the limit of {limit}")
+            }
+            Error::OutOfMemory { bytes } => {
+                write!(
+                    f,
+                    "out of memory: the triangulation takes some {bytes} bytes"
+                )
             }
             Error::TooManyVerticesOnEdges { limit } => write!(
                 f,
@@ -116,6 +128,7 @@ impl Error {
             },
             Error::TooManyPoints { .. }
             | Error::TooManyEdges { .. }
+            | Error::OutOfMemory { .. }
             | Error::TooManyVerticesOnEdges { .. } => self,
         }
     }

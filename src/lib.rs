@@ -11,6 +11,8 @@ pub mod front;
 mod ids;
 mod input;
 pub mod interior;
+#[doc(hidden)]
+pub mod memory;
 mod mesh;
 mod observe;
 mod pslg;

@@ -14,6 +14,7 @@ use super::vertices::Vertices;
 use crate::error::Error;
 use crate::front::{FrontInput, Search};
 use crate::ids::{BorderId, VertexId, narrow};
+use crate::memory::{expect_room, of_triangulation};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::scalar::{ExactPoints, Scalar};
@@ -34,17 +35,21 @@ pub(super) fn initialize<S: Scalar>(
             limit: LIMIT,
         });
     }
-    let approx = ApproxPoints::new(points)?;
-    let memory = take(&mut scratch.vertices);
-    let inputs = 0..narrow(points.len());
-    let vertices = Vertices::new(&approx, inputs, memory, &mut scratch.sort);
-    drop(approx);
     if edges.len() > LIMIT {
         return Err(Error::TooManyEdges {
             given: edges.len(),
             limit: LIMIT,
         });
     }
+    // What earlier runs have left is there.
+    if scratch.vertices.approx.capacity() < points.len() {
+        expect_room(of_triangulation(points.len(), edges.len()))?;
+    }
+    let approx = ApproxPoints::new(points)?;
+    let memory = take(&mut scratch.vertices);
+    let inputs = 0..narrow(points.len());
+    let vertices = Vertices::new(&approx, inputs, memory, &mut scratch.sort);
+    drop(approx);
     let mut ends = take(&mut scratch.ends);
     scratch
         .edges

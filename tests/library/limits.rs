@@ -148,6 +148,37 @@ fn more_than_can_be_numbered_is_refused() {
     assert_eq!(violations.list, [Violation::TooLarge { given, limit }]);
 }
 
+/// Runs itself again where the address space ends before the memory that eight million points take.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_there_is_no_memory_for_is_refused() {
+    const INSIDE: &str = "SWEEP_CDT_WITHOUT_MEMORY";
+    let (count, limit) = (1 << 23, 700 << 20);
+    if std::env::var_os(INSIDE).is_some() {
+        let points = vec![[Nothing; 2]; count];
+        let bytes = 96 * count;
+        let error = triangulate(&points, &[]).unwrap_err();
+        assert_eq!(error, Error::OutOfMemory { bytes });
+        let sentence = "out of memory: the triangulation takes some 805306368 bytes";
+        assert_eq!(error.to_string(), sentence);
+        let run = Triangulator::new().triangulate_parallel(&points, &[]);
+        assert_eq!(run.unwrap_err(), Error::OutOfMemory { bytes });
+        return;
+    }
+    let program = std::env::current_exe().expect("the tests");
+    let output = std::process::Command::new("prlimit")
+        .arg(format!("--as={limit}"))
+        .arg(program)
+        .args(["--exact", "limits::what_there_is_no_memory_for_is_refused"])
+        .args(["--test-threads", "1"])
+        .env(INSIDE, "")
+        .output()
+        .expect("prlimit starts");
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{text}");
+    assert!(text.contains("1 passed"), "{text}");
+}
+
 /// A double with wrong signs, which contradict each other; the kind of wrong is a constant.
 #[derive(Clone, Copy, Debug)]
 struct Wrong<const KIND: u8>(f64);

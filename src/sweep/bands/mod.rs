@@ -24,6 +24,7 @@ use super::scratch::Scratch;
 use super::vertices::ApproxPoints;
 use crate::front::Search;
 use crate::ids::VertexId;
+use crate::memory::{has_room, of_bands};
 use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::{Algorithm, Heuristics, Settings};
 use crate::threads::in_pool;
@@ -45,8 +46,9 @@ pub(crate) fn run<'f, S: Scalar + Sync>(
     structure: &mut (dyn FnMut() -> Structure<'f> + Send),
     bands: usize,
 ) -> Option<Triangulation> {
-    // All bands together have a few triangles more than one sweep.
-    if points.len() + bands > LIMIT || edges.len() > LIMIT {
+    // All bands together have a few triangles more than one sweep. One sweep may have room where they have none.
+    let is_large = points.len() + bands > LIMIT || edges.len() > LIMIT;
+    if is_large || !has_room(of_bands(points.len(), edges.len())) {
         return None;
     }
     let choice = (settings.algorithm, settings.heuristics);

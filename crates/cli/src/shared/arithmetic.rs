@@ -12,12 +12,13 @@ use num_rational::BigRational as Rational;
 use rug::Rational;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::{InteriorError, Seed};
+use sweep_cdt::memory::of_triangulation;
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::{Error, Pslg, Region};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 
 use super::failure::Failure;
-use super::resources::{has_room, memory_of_triangulation};
+use super::resources::has_room;
 
 /// Arguments that select the arithmetic.
 #[derive(clap::Args)]
@@ -146,7 +147,7 @@ fn refuse_without_memory<S>(
     name: &str,
     GraphFile { graph, .. }: &GraphFile<S>,
 ) -> Result<(), Failure> {
-    let bytes = memory_of_triangulation(graph.points.len(), graph.edges.len());
+    let bytes = of_triangulation(graph.points.len(), graph.edges.len()) as u64;
     if has_room(bytes) {
         return Ok(());
     }

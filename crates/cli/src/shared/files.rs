@@ -153,8 +153,8 @@ impl FilesRead {
             FileArgument::Standard => read_standard_input(&name),
         };
         match read {
-            // What is read from text takes about as much memory as the text.
-            Ok((source, _)) if !has_room(source.bytes.len() as u64) => {
+            // What is read from text takes about as much memory as the text, and while it grows twice as much more.
+            Ok((source, _)) if !has_room(source.bytes.len() as u64 / 2 * 5) => {
                 Err(ReadError::of_file(name, "out of memory"))
             }
             Ok((source, identity)) => {

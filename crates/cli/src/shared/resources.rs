@@ -13,20 +13,6 @@ use rayon::ThreadPoolBuilder;
 
 use super::failure::Failure;
 
-/// Bytes that the sweep takes for a point and for an edge.
-const POINT: u64 = 96;
-const EDGE: u64 = 24;
-
-/// The bytes that a triangulation of so many points and edges takes beside them, on one thread.
-pub(crate) fn memory_of_triangulation(points: usize, edges: usize) -> u64 {
-    points as u64 * POINT + edges as u64 * EDGE
-}
-
-/// The bytes that a triangulation on many threads takes.
-pub(crate) fn memory_of_bands(points: usize, edges: usize) -> u64 {
-    memory_of_triangulation(points, edges) * 3 / 2
-}
-
 /// Whether so many bytes can be allocated.
 pub(crate) fn has_room(bytes: u64) -> bool {
     room().is_none_or(|room| bytes <= room)

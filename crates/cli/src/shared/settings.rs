@@ -4,11 +4,12 @@ use std::cell::RefCell;
 
 use clap::ValueEnum;
 use sweep_cdt::front::{AnyFront, HashTable, Linear, SkipList};
+use sweep_cdt::memory::of_bands;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Algorithm, Error, Heuristics, Stats, Triangulation, Triangulator};
 
-use super::resources::{Progress, has_room, memory_of_bands};
+use super::resources::{Progress, has_room};
 
 /// Arguments that select how the sweep runs.
 #[derive(clap::Args)]
@@ -83,7 +84,7 @@ impl Settings {
             let run = triangulator.triangulate_with_stats(points, edges)?;
             return Ok((run.triangulation, Some(run.stats)));
         }
-        let bytes = memory_of_bands(points.len(), edges.len());
+        let bytes = of_bands(points.len(), edges.len()) as u64;
         let result = if has_room(bytes) {
             triangulator.triangulate_parallel(points, edges)?
         } else {

@@ -210,6 +210,34 @@ fn a_run_without_memory_says_so() {
     }
 }
 
+/// The lists of a `.json` take more memory than the triangulation.
+#[test]
+fn an_output_without_memory_says_so() {
+    let folder = folder(&[]);
+    let square = |i: u32| i64::from(i).pow(2) % 200_003;
+    let points: String = (0..200_000)
+        .map(|i| format!("{i} {i} {}\n", square(i)))
+        .collect();
+    fs::write(folder.path().join("a.node"), format!("200000 2\n{points}")).expect("a file");
+    let mut said = Vec::new();
+    for megabytes in (40..300).step_by(10) {
+        let limit = format!("--as={}", megabytes << 20);
+        let arguments = "triangulate a.node -o a.json --threads 1";
+        let output = output(by("prlimit", &[&limit], &folder, arguments));
+        let error = text(&output.stderr);
+        if output.status.success() {
+            break;
+        }
+        if output.status.code() == Some(1) {
+            assert_eq!(error.lines().count(), 1, "{error}");
+            said.push(error.to_owned());
+        }
+        assert!(!folder.path().join("a.json").exists());
+    }
+    let message = "error: a.json: out of memory\n";
+    assert!(said.iter().any(|error| error == message), "{said:?}");
+}
+
 #[test]
 fn a_run_that_cannot_make_threads_ends_well() {
     let folder = folder(&[("a.json", TRIANGLE), ("old.svg", "old")]);

@@ -11,7 +11,7 @@
 //! What zlib packs may grow by a factor of 1,032, so there is a limit. A block unpacks to as many bytes as the header
 //! says, or the array is refused. So it is the header that is compared with the limit, before anything is unpacked.
 
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::ops::Range;
 
 use base64::Engine as _;
@@ -182,6 +182,7 @@ fn inflate(block: &[u8], size: usize, unpacked: &mut Vec<u8>) -> Result<(), Stri
         Ok(_) => Err(format!(
             "a block does not have the {size} bytes that it says"
         )),
+        Err(error) if error.kind() == ErrorKind::OutOfMemory => Err("out of memory".to_owned()),
         Err(error) => Err(format!("a block is not packed by zlib: {error}")),
     }
 }

@@ -20,6 +20,7 @@ use self::mesh::Mesh;
 use crate::{Coordinate, GraphFile, InputFormat};
 use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
+use sweep_cdt::memory::has_room;
 
 named! {
     /// A format that [`write()`] makes, named by the extension of its files.
@@ -76,13 +77,14 @@ named! {
 /// ```
 ///
 /// # Errors
-/// Errors of `out`.
+/// Errors of `out`; [`io::ErrorKind::OutOfMemory`] where there is no room for the lists of triangles.
 pub fn write<S: Coordinate>(
     format: OutputFormat,
     file: &GraphFile<S>,
     result: &Triangulation,
     out: &mut impl Write,
 ) -> io::Result<()> {
+    expect_room(format, result.len())?;
     match format {
         // These two need no domain, which takes a look at all triangles.
         OutputFormat::Ele => {
@@ -114,13 +116,14 @@ pub fn write<S: Coordinate>(
 /// ```
 ///
 /// # Errors
-/// Errors of `out`.
+/// Errors of `out`; [`io::ErrorKind::OutOfMemory`] where there is no room for the lists of triangles.
 pub fn write_interior<S: Coordinate>(
     format: OutputFormat,
     file: &GraphFile<S>,
     interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
+    expect_room(format, interior.triangulation().len())?;
     match format {
         OutputFormat::Ele => rows::write_ele(file, interior, out),
         OutputFormat::Node => write_node(file, out),
@@ -141,6 +144,22 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Geojson => shapes::write_geojson(file, interior, out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
+    }
+}
+
+/// Refuses to write so many triangles where there is no memory for their lists.
+fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
+    // Groups; with them the sorted list; with both the places in it, and the neighbours.
+    let each = match format {
+        OutputFormat::Node => 0,
+        OutputFormat::Ele => 12,
+        OutputFormat::Json => 108,
+        _ => 36,
+    };
+    if has_room(triangles.saturating_mul(each)) {
+        Ok(())
+    } else {
+        Err(io::ErrorKind::OutOfMemory.into())
     }
 }
 
