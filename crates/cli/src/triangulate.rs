@@ -7,7 +7,7 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
-use sweep_cdt_formats::{Coordinate, Splitting};
+use sweep_cdt_formats::{Column, Coordinate, GraphFile, Splitting};
 
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
@@ -228,8 +228,56 @@ impl Job for Run<'_> {
                 }
             })?;
         }
-        outputs.finish()
+        outputs.finish()?;
+        if let Some(note) = why_nothing(file, &result, domain) {
+            // A note that cannot be written changes nothing about the files.
+            let _ = writeln!(io::stderr(), "note: {note}");
+        }
+        Ok(())
     }
+}
+
+/// Why there are no triangles, or none inside, if there are none.
+fn why_nothing<S: Coordinate>(
+    GraphFile { graph, columns, .. }: &GraphFile<S>,
+    result: &Triangulation,
+    domain: Option<&Interior<'_>>,
+) -> Option<String> {
+    if !result.is_empty() {
+        let is_empty = domain.is_some_and(|domain| domain.inside().len() == 0);
+        let message = match graph.edges.len() {
+            0 => "no triangles are inside: there are no edges".to_owned(),
+            edges => format!(
+                "no triangles are inside: {edges} edges enclose nothing by the rule of --inside"
+            ),
+        };
+        return is_empty.then_some(message);
+    }
+    let Some(first) = graph.points.first() else {
+        return Some("no triangles: there are no points".to_owned());
+    };
+    let is_same = |axis: usize| {
+        let mut points = graph.points.iter();
+        points.all(|point| point[axis].compare(&first[axis]).is_eq())
+    };
+    if is_same(0) && is_same(1) {
+        return Some("no triangles: all points are one".to_owned());
+    }
+    let mut heights = columns
+        .iter()
+        .filter(|column| column.name == Column::HEIGHT);
+    let has_heights = heights.any(|column| {
+        column
+            .values
+            .iter()
+            .any(|height| !height.total_cmp(&column.values[0]).is_eq())
+    });
+    let advice = match (is_same(0), is_same(1), has_heights) {
+        (_, true, true) => " (y is the same everywhere and z is not: perhaps y is up in this file)",
+        (true, _, true) => " (x is the same everywhere and z is not: perhaps x is up in this file)",
+        _ => "",
+    };
+    Some(format!("no triangles: all points lie on one line{advice}"))
 }
 
 fn summarize<S, T>(

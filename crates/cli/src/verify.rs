@@ -8,7 +8,9 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_draw::ViolationsPicture;
-use sweep_cdt_formats::{Coordinate, GraphFile, Input, Matching, ResultError, added_points};
+use sweep_cdt_formats::{
+    Coordinate, GraphFile, Input, Matching, ResultError, Triangles, added_points,
+};
 
 use crate::certificate::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
@@ -323,6 +325,13 @@ impl Job for Run<'_> {
                 let (interior, name) = (interior(rule), rule.name());
                 writeln!(out, "it is one of {interior}: ask with --domain {name}")?;
             }
+            if counts_from_one(&triangles, file.graph.points.len()) {
+                let advice = "and this format counts from 0: subtract 1";
+                writeln!(
+                    out,
+                    "its corners run from 1 to the number of points, {advice}"
+                )?;
+            }
             verification::write_matching(triangles.matched, out)?;
             writeln!(out)?;
             verification::write_counts(verification::report(&answer), out)?;
@@ -336,6 +345,17 @@ impl Job for Run<'_> {
             Err(_) => Err(Failure::Wrong),
         }
     }
+}
+
+/// Whether corners that are counted from 0 run from 1 to the number of points.
+fn counts_from_one(
+    Triangles {
+        list, strangers, ..
+    }: &Triangles,
+    points: usize,
+) -> bool {
+    let least = list.as_flattened().iter().min();
+    least == Some(&1) && !strangers.is_empty() && strangers.iter().all(|&number| number == points)
 }
 
 /// Reads a difference.

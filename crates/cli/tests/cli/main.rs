@@ -14,6 +14,7 @@ mod outputs;
 mod places;
 mod refuted;
 mod replay;
+mod reports;
 mod runs;
 mod statistics;
 #[cfg(target_os = "linux")]
@@ -88,6 +89,18 @@ fn in_time<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
 #[track_caller]
 fn printed(output: &Output) -> &str {
     assert_eq!(text(&output.stderr), "");
+    assert_eq!(output.status.code(), Some(0));
+    text(&output.stdout)
+}
+
+/// The words that a run prints, which says in a note why it has no triangles.
+#[track_caller]
+fn printed_without_triangles(output: &Output) -> &str {
+    let note = text(&output.stderr);
+    assert!(
+        note.starts_with("note: no triangles") && note.lines().count() == 1,
+        "{note}"
+    );
     assert_eq!(output.status.code(), Some(0));
     text(&output.stdout)
 }

@@ -1,4 +1,5 @@
-//! `GeoJSON` (RFC 7946): a geometry, a feature, or collections of them.
+//! `GeoJSON` (RFC 7946): a geometry, a feature, or collections of them; one, or a sequence of them, one a line or as
+//! RFC 8142 has them.
 //!
 //! | type | an input takes | a result takes |
 //! |---|---|---|
@@ -7,8 +8,8 @@
 //! | `Polygon`, `MultiPolygon` | points and edges of the rings | triangles: polygons of three corners |
 //! | `GeometryCollection`, `Feature`, `FeatureCollection` | what is in it | what is in it |
 //!
-//! The third coordinate is a height. Properties and all other members are ignored, and so is a geometry that is `null`.
-//! A coordinate may be a string with a fraction, as in our own JSON.
+//! The third coordinate is a height. Properties and all other members are ignored, and so is a geometry that is `null` or whose
+//! coordinates are an empty list. A coordinate may be a string with a fraction, as in our own JSON.
 //!
 //! Cost: each object is read once for each object around it, of which there may be [`NESTED`].
 
@@ -16,7 +17,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::read::content::Syntax;
-use crate::read::json_pieces::{File, Position};
+use crate::read::json_pieces::{Position, fault, texts};
 use crate::read::shapes::{Part, Shapes};
 use crate::read::source::{ReadError, Source, quoted};
 
@@ -38,27 +39,55 @@ struct Object<'a> {
     features: Vec<&'a RawValue>,
 }
 
+/// Whether a `.json` holds `GeoJSON`: its first text has a type of it.
+pub(super) fn is_in(source: &Source) -> bool {
+    const TYPES: [&str; 9] = [
+        "Point",
+        "MultiPoint",
+        "LineString",
+        "MultiLineString",
+        "Polygon",
+        "MultiPolygon",
+        "GeometryCollection",
+        "Feature",
+        "FeatureCollection",
+    ];
+    let text = source.text().unwrap_or_default();
+    let mut texts = serde_json::Deserializer::from_slice(text).into_iter::<&RawValue>();
+    let first = texts.next().and_then(Result::ok).map(RawValue::get);
+    first
+        .filter(|text| text.starts_with('{'))
+        .and_then(|text| serde_json::from_str::<Object<'_>>(text).ok())
+        .is_some_and(|object| TYPES.contains(&object.kind.get().trim_matches('"')))
+}
+
 /// Reads a `.geojson`.
 pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
-    let file = File::new(source)?;
     let mut shapes = Shapes::new(source, Syntax::Json);
     // What is still to be read, each with the number of objects around it, the next one last.
-    let mut waiting = vec![(file.whole, 0)];
+    let mut waiting: Vec<_> = texts(source)?
+        .into_iter()
+        .rev()
+        .map(|text| (text, 0))
+        .collect();
     while let Some((piece, around)) = waiting.pop() {
         if piece.get() == "null" {
             continue;
         }
         if around > NESTED {
             let message = format!("more than {NESTED} objects are in each other");
-            return Err(file.fault(piece, message));
+            return Err(fault(source, piece, message));
         }
         let in_it = |piece| (piece, around + 1);
         let wrong = |piece: &RawValue, what: &str| {
             let shown = quoted(piece.get().as_bytes());
-            file.fault(piece, format!("{shown} is not {what}"))
+            fault(source, piece, format!("{shown} is not {what}"))
         };
-        let object: Object<'_> = serde_json::from_str(piece.get())
-            .map_err(|_| wrong(piece, "a geometry, a feature or a collection of them"))?;
+        // Serde would take a list for an object without names.
+        let object = Some(piece.get()).filter(|text| text.starts_with('{'));
+        let object: Object<'_> = object
+            .and_then(|text| serde_json::from_str(text).ok())
+            .ok_or_else(|| wrong(piece, "a geometry, a feature or a collection of them"))?;
         let coordinates = || object.coordinates.unwrap_or(piece);
         match object.kind.get().trim_matches('"') {
             "Feature" => waiting.extend(object.geometry.map(in_it)),
@@ -68,6 +97,7 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
             "GeometryCollection" => {
                 waiting.extend(object.geometries.into_iter().rev().map(in_it));
             }
+            "Point" if is_empty(coordinates()) => {}
             "Point" => {
                 let point: Position<'_> = serde_json::from_str(coordinates().get())
                     .map_err(|_| wrong(coordinates(), "a position"))?;
@@ -106,6 +136,11 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         }
     }
     Ok(shapes)
+}
+
+/// Whether a list is empty, as coordinates are that stand for none.
+fn is_empty(list: &RawValue) -> bool {
+    serde_json::from_str(list.get()).is_ok_and(|list: Vec<&RawValue>| list.is_empty())
 }
 
 fn add_polygon<'a>(shapes: &mut Shapes<'a>, rings: Vec<Vec<Position<'a>>>) {

@@ -113,7 +113,11 @@ pub fn read(
     let content = match format {
         InputFormat::Node => triangle::read_node(source).map(without_edges)?,
         InputFormat::Poly => triangle::read_poly(source, node)?,
-        InputFormat::Json => json::read(source)?,
+        InputFormat::Json => match json::read(source) {
+            #[cfg(feature = "mesh-formats")]
+            Err(_) if geojson::is_in(source) => return read(InputFormat::Geojson, source, node),
+            content => content?,
+        },
         InputFormat::Obj => obj::read(source)?.into_graph()?,
         InputFormat::Off => off::read(source)?.into_graph()?,
         #[cfg(feature = "mesh-formats")]

@@ -8,6 +8,8 @@
 //!
 //! A coordinate is a number, or a string for what a JSON number cannot be: `"2/3"`, `"nan"`, `"inf"`,
 //! `"-inf"`. Other members are ignored.
+//!
+//! A file without `points` that has a `type` of `GeoJSON` is read as that format.
 
 use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};
 use crate::read::json_faults;

@@ -132,7 +132,7 @@ fn found(
     find: impl FnOnce(&File<'_>) -> Result<(), ReadError>,
 ) -> ReadError {
     let fault = File::new(source).and_then(|file| find(&file)).err();
-    fault.unwrap_or_else(|| no_json(source, error))
+    fault.unwrap_or_else(|| no_json(source, source.text().unwrap_or_default(), error))
 }
 
 impl<'a> File<'a> {

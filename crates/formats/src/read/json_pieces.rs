@@ -3,7 +3,8 @@
 use std::fmt;
 
 use serde::Deserialize;
-use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{self, Error, MapAccess, SeqAccess, Visitor};
+use serde_json::Deserializer;
 use serde_json::value::RawValue;
 
 use crate::read::source::{ReadError, Source, quoted};
@@ -20,7 +21,7 @@ impl<'a> File<'a> {
     pub(super) fn new(source: &'a Source) -> Result<File<'a>, ReadError> {
         let text = source.text()?;
         let whole: Result<&RawValue, _> = serde_json::from_slice(text);
-        let whole = whole.map_err(|error| no_json(source, &error))?;
+        let whole = whole.map_err(|error| no_json(source, text, &error))?;
         let mut file = File {
             source,
             whole,
@@ -32,26 +33,55 @@ impl<'a> File<'a> {
                 let object = "an object such as {\"points\": [[x, y], ...]} should stand here";
                 return Err(file.fault(whole, object));
             }
-            Err(error) => return Err(no_json(source, &error)),
+            Err(error) => return Err(no_json(source, text, &error)),
         }
         Ok(file)
     }
 
     /// A fault of a piece of the file.
     pub(super) fn fault(&self, piece: &RawValue, message: impl Into<String>) -> ReadError {
-        let (line, column) = self.source.position(piece.get().as_bytes());
-        ReadError {
-            column: Some(column),
-            ..self.source.error_in_line(line, message)
-        }
+        fault(self.source, piece, message)
     }
 }
 
-/// The error that a file is no JSON, or not all of it. Serde counts lines by line feeds alone.
-pub(super) fn no_json(source: &Source, error: &serde_json::Error) -> ReadError {
-    let text = source.text().unwrap_or_default();
+/// A fault of a piece of a file.
+pub(super) fn fault(source: &Source, piece: &RawValue, message: impl Into<String>) -> ReadError {
+    let (line, column) = source.position(piece.get().as_bytes());
+    ReadError {
+        column: Some(column),
+        ..source.error_in_line(line, message)
+    }
+}
+
+/// The JSON texts of a file: one, or several one after the other, each of them after a record separator (RFC 8142) or on
+/// lines of its own.
+pub(super) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
+    const SEPARATOR: u8 = 0x1e;
+    let mut texts = Vec::new();
+    let mut rest = source.text()?;
+    loop {
+        let is_between = |byte: &u8| byte.is_ascii_whitespace() || *byte == SEPARATOR;
+        let begin = rest.iter().position(|byte| !is_between(byte));
+        rest = &rest[begin.unwrap_or(rest.len())..];
+        if rest.is_empty() && !texts.is_empty() {
+            return Ok(texts);
+        }
+        let mut stream = Deserializer::from_slice(rest).into_iter::<&RawValue>();
+        match stream.next() {
+            Some(Ok(text)) => texts.push(text),
+            Some(Err(error)) => return Err(no_json(source, rest, &error)),
+            None => return Err(source.error_in_line(1, EMPTY)),
+        }
+        rest = &rest[stream.byte_offset()..];
+    }
+}
+
+const EMPTY: &str = "the file is empty";
+
+/// The error that `text`, the file or the rest of it, is no JSON, or not all of it. Serde counts lines by line feeds alone.
+pub(super) fn no_json(source: &Source, text: &[u8], error: &serde_json::Error) -> ReadError {
     if text.trim_ascii().is_empty() {
-        return source.error_in_line(1, "the file is empty");
+        return source.error_in_line(1, EMPTY);
     }
     let (_, last) = text.split_at(text.trim_ascii_end().len());
     if error.is_eof() {
@@ -87,7 +117,7 @@ fn word_at(text: &[u8], at: usize) -> &[u8] {
 struct Members<'a>(Vec<(String, &'a RawValue)>);
 
 impl<'de> Deserialize<'de> for Members<'de> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_map(MembersVisitor)
     }
 }
@@ -117,7 +147,7 @@ pub(super) struct Position<'a>(
 );
 
 impl<'de: 'a, 'a> Deserialize<'de> for Position<'a> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+    fn deserialize<D: de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_seq(PositionVisitor)
     }
 }

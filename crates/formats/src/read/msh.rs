@@ -15,7 +15,8 @@
 //! $EndElements                                  <element> <node> ...                           all of its elements
 //! ```
 //!
-//! Elements of type 1 are lines, of type 2 triangles; points (15) are read over. Nodes that are not numbered from 0 or 1
+//! Elements of type 1 are lines, of type 2 triangles, of type 8 lines of second order: two ends, and a node between them
+//! that the line goes through. Points (15) are read over. Nodes that are not numbered from 0 or 1
 //! in the order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are not read.
 
 use std::collections::HashMap;
@@ -42,6 +43,11 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
             }
             (b"$Elements", Some(has_blocks), Some(nodes)) => {
                 read_elements(has_blocks, nodes, &mut faces, &mut lines)?;
+            }
+            (b"$NOD", None, _) => {
+                let message =
+                    "the version is 1, and only 2 and 4.1 are read: save it again with Gmsh";
+                return Err(line.error(message));
             }
             (b"$Nodes" | b"$Elements", ..) => {
                 return Err(
@@ -214,6 +220,11 @@ fn add(
 ) -> Result<(), ReadError> {
     match kind {
         1 => faces.lines.push([nodes.next(line)?, nodes.next(line)?]),
+        8 => {
+            let [from, to] = [nodes.next(line)?, nodes.next(line)?];
+            let between = nodes.next(line)?;
+            faces.lines.extend([[from, between], [between, to]]);
+        }
         2 => faces
             .triangles
             .push([nodes.next(line)?, nodes.next(line)?, nodes.next(line)?]),

@@ -2,7 +2,7 @@
 //!
 //! A vertex is x, y and a height z, which may be missing. The vertex of a corner may be followed by texture and
 //! normal (`7/1/2`), which are ignored, and may be counted back from the last vertex so far (`-1`). A line may go
-//! through more than two vertices. Vertices, lines and faces are numbered from 1. Other lines of the file are ignored.
+//! through more than two vertices. A backslash at the end of a line says that the next one goes on with it. Vertices, lines and faces are numbered from 1. Other lines of the file are ignored.
 
 use crate::read::content::Vertices;
 use crate::read::mesh::{Faces, Mesh};
@@ -15,11 +15,16 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     let (mut coordinates, mut heights) = (Vec::new(), Vec::new());
     let mut faces = Faces::default();
     let mut corners = Vec::new();
-    while let Some(mut line) = lines.next_line() {
+    while let Some(line) = lines.next_line() {
+        let mut line = Wrapped {
+            lines: &mut lines,
+            line,
+        };
         let keyword = line.token();
         let least = match keyword {
             Some(b"v") => {
-                coordinates.push(line.coordinates()?);
+                let x = line.expect_token("an x coordinate")?;
+                coordinates.push([x, line.expect_token("a y coordinate")?]);
                 heights.push(line.token());
                 continue;
             }
@@ -34,7 +39,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
         if least == 2 {
             faces.add_lines(&corners);
         } else {
-            faces.add(&corners, |message| line.error(message));
+            faces.add(&corners, |message| line.line.error(message));
         }
     }
     Ok(Mesh {
@@ -44,8 +49,41 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     })
 }
 
+/// A line, with the lines that go on with it.
+struct Wrapped<'a, 'l> {
+    lines: &'l mut Lines<'a>,
+    line: Line<'a>,
+}
+
+impl<'a> Wrapped<'a, '_> {
+    fn token(&mut self) -> Option<&'a [u8]> {
+        loop {
+            let token = self.line.token()?;
+            let Some(before) = token.strip_suffix(b"\\").filter(|_| self.line.is_empty()) else {
+                return Some(token);
+            };
+            self.line = self.lines.next_line()?;
+            if !before.is_empty() {
+                return Some(before);
+            }
+        }
+    }
+
+    /// Whether no token is left, of this line at least.
+    fn is_empty(&self) -> bool {
+        self.line.is_empty()
+    }
+
+    fn expect_token(&mut self, what: &str) -> Result<&'a [u8], ReadError> {
+        self.token().ok_or_else(|| {
+            self.line
+                .error(format!("the line ends where {what} should follow"))
+        })
+    }
+}
+
 /// The vertex of a corner, where `count` vertices are listed so far.
-fn corner(line: &mut Line<'_>, count: usize) -> Result<usize, ReadError> {
+fn corner(line: &mut Wrapped<'_, '_>, count: usize) -> Result<usize, ReadError> {
     const WHAT: &str = "a vertex's number";
     let token = line.expect_token(WHAT)?;
     let end = token.iter().position(|&byte| byte == b'/');
@@ -58,5 +96,5 @@ fn corner(line: &mut Line<'_>, count: usize) -> Result<usize, ReadError> {
             .filter(|vertex| (1..=count).contains(vertex)),
         None => number.parse().ok(),
     };
-    vertex.ok_or_else(|| line.error(format!("{} is not {WHAT}", quoted(token))))
+    vertex.ok_or_else(|| line.line.error(format!("{} is not {WHAT}", quoted(token))))
 }

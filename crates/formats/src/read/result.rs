@@ -62,7 +62,11 @@ impl ResultFormat {
     ) -> Result<T, ResultError> {
         let corners = match self {
             ResultFormat::Ele => triangle::read_ele(source, node)?,
-            ResultFormat::Json => json::read_triangles(source)?,
+            ResultFormat::Json => match json::read_triangles(source) {
+                #[cfg(feature = "mesh-formats")]
+                Err(_) if geojson::is_in(source) => geojson::read(source)?.into_triangles()?,
+                corners => corners?,
+            },
             ResultFormat::Obj => obj::read(source)?.into_triangles()?,
             ResultFormat::Off => off::read(source)?.into_triangles()?,
             #[cfg(feature = "mesh-formats")]

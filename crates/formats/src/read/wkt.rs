@@ -16,6 +16,15 @@ use crate::read::content::Syntax;
 use crate::read::shapes::{Part, Shapes};
 use crate::read::source::{ReadError, Source, quoted};
 
+/// Geometries with parts that are not straight (SQL/MM).
+const CURVES: [&[u8]; 5] = [
+    b"CIRCULARSTRING",
+    b"COMPOUNDCURVE",
+    b"CURVEPOLYGON",
+    b"MULTICURVE",
+    b"MULTISURFACE",
+];
+
 /// Reads a `.wkt`.
 pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
     let mut tokens = Tokens {
@@ -30,7 +39,12 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
             continue;
         }
         let Some(geometry) = Geometry::named(token) else {
-            return Err(tokens.wrong(token, "a geometry"));
+            let name = token.to_ascii_uppercase();
+            return Err(if CURVES.contains(&&name[..]) {
+                tokens.fault(token, "is a curve, and only straight lines are read: ST_CurveToLine of PostGIS makes these")
+            } else {
+                tokens.wrong(token, "a geometry")
+            });
         };
         let has_measure = tokens.skip(b"M") || geometry.has_measure;
         if !has_measure && !tokens.skip(b"Z") {
@@ -223,10 +237,15 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The fault of a token.
+    /// The fault of a token that stands in another one's place.
     fn wrong(&self, token: &'a [u8], what: &str) -> ReadError {
+        self.fault(token, &format!("stands where {what} should"))
+    }
+
+    /// The fault of a token: what it is.
+    fn fault(&self, token: &'a [u8], what: &str) -> ReadError {
         let (line, _) = self.source.position(token);
-        let message = format!("{} stands where {what} should", quoted(token));
+        let message = format!("{} {what}", quoted(token));
         self.source.error_in_line(line, message)
     }
 

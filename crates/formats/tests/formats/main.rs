@@ -6,5 +6,6 @@ mod files;
 mod meshes;
 #[cfg(feature = "mesh-formats")]
 mod meshes_refused;
+mod reports;
 #[cfg(feature = "mesh-formats")]
 mod vtu;

@@ -1,0 +1,84 @@
+//! Verdicts and results that strangers asked about: what the command says of them.
+
+use crate::{folder, printed, sweep_cdt, text};
+
+/// Blender exports y up: all points are on one line.
+#[test]
+fn a_result_without_triangles_says_why() {
+    let flat = "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv 0.2 0 -0.3\n";
+    let folder = folder(&[
+        ("y_up.obj", flat),
+        ("line.json", "{\"points\": [[0, 0], [1, 1], [2, 2]]}"),
+        ("one.json", "{\"points\": [[0, 0], [0, 0]]}"),
+        ("none.json", "{\"points\": []}"),
+        ("open.json", "{\"points\": [[0, 0], [3, 0], [0, 3]]}"),
+        (
+            "right.json",
+            "{\"points\": [[0, 0], [3, 0], [0, 3]], \"edges\": [[0, 1], [1, 2], [2, 0]]}",
+        ),
+    ]);
+    let note = |arguments: &str| {
+        let output = sweep_cdt(&folder, arguments)
+            .output()
+            .expect("the command starts");
+        assert!(output.status.success(), "{arguments}");
+        text(&output.stderr).to_owned()
+    };
+    let line = "note: no triangles: all points lie on one line";
+    assert_eq!(
+        note("triangulate y_up.obj"),
+        format!("{line} (y is the same everywhere and z is not: perhaps y is up in this file)\n")
+    );
+    assert_eq!(
+        note("triangulate line.json -o line.ele"),
+        format!("{line}\n")
+    );
+    assert_eq!(
+        note("triangulate one.json"),
+        "note: no triangles: all points are one\n"
+    );
+    assert_eq!(
+        note("triangulate none.json"),
+        "note: no triangles: there are no points\n"
+    );
+    assert_eq!(
+        note("triangulate open.json --inside even-odd -o open.ele"),
+        "note: no triangles are inside: there are no edges\n"
+    );
+    assert_eq!(note("triangulate right.json --inside even-odd"), "");
+}
+
+/// Julia and Matlab count from 1.
+#[test]
+fn corners_counted_from_one_are_said_to_be() {
+    let folder = folder(&[
+        (
+            "five.json",
+            "{\"points\": [[0, 0], [4, 0], [4, 4], [0, 4], [1, 2]]}",
+        ),
+        (
+            "from1.json",
+            "{\"triangles\": [[1, 2, 5], [1, 5, 4], [2, 3, 5], [3, 4, 5]]}",
+        ),
+        (
+            "from0.json",
+            "{\"triangles\": [[0, 1, 4], [0, 4, 3], [1, 2, 4], [2, 3, 4]]}",
+        ),
+        (
+            "wrong.json",
+            "{\"triangles\": [[0, 1, 5], [0, 4, 3], [1, 2, 4], [2, 3, 4]]}",
+        ),
+    ]);
+    let report = |result: &str| {
+        let arguments = format!("verify five.json {result}");
+        let output = sweep_cdt(&folder, &arguments)
+            .output()
+            .expect("the command starts");
+        text(&output.stdout).to_owned()
+    };
+    let advice = "its corners run from 1 to the number of points, and this format counts from 0: subtract 1\n";
+    assert!(report("from1.json").contains(advice));
+    assert!(!report("wrong.json").contains(advice));
+    let right = sweep_cdt(&folder, "verify five.json from0.json").output();
+    assert!(!printed(&right.expect("the command starts")).contains(advice));
+}
