@@ -4,9 +4,10 @@ use core::fmt;
 
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
+use crate::interior::{FillRule, InteriorError};
 use crate::scalar::Scalar;
-use crate::settings::Settings;
-use crate::sweep::{self, Scratch};
+use crate::settings::{Algorithm, Settings};
+use crate::sweep::{self, PolygonScratch, Scratch};
 use crate::triangulation::Triangulation;
 
 /// Triangulates one input after the other, and keeps its memory from each to the next.
@@ -35,7 +36,8 @@ pub struct Session<'p, F = HashTable> {
     /// The search structure as the last run left it.
     search: Option<F>,
     scratch: Scratch,
-    result: Triangulation,
+    result: Option<Triangulation>,
+    polygon: PolygonScratch,
 }
 
 impl<'p, F> Session<'p, F> {
@@ -45,7 +47,8 @@ impl<'p, F> Session<'p, F> {
             front,
             search: None,
             scratch: Scratch::kept(),
-            result: Triangulation::default(),
+            result: None,
+            polygon: PolygonScratch::default(),
         }
     }
 }
@@ -60,12 +63,66 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<&Triangulation, Error> {
-        self.scratch.recycle(core::mem::take(&mut self.result));
+        if let Some(result) = self.result.take() {
+            self.scratch.recycle(result);
+        }
         let mut search = self.search.take().unwrap_or_else(|| self.front.clone());
         let scratch = &mut self.scratch;
         let (result, ()) = sweep::run(points, edges, self.settings, &mut search, (), scratch)?;
-        (self.result, self.search) = (result, Some(search));
-        Ok(&self.result)
+        self.search = Some(search);
+        Ok(self.result.insert(result))
+    }
+
+    /// The triangles inside by a [`FillRule`], in canonical order: those that [`Triangulation::interior`] finds in the
+    /// whole triangulation, and [`Interior::canonical_triangles`] lists. The next call overwrites them.
+    ///
+    /// Polygons are faster this way: of edges that are rings, and neither touch nor cross, only the inside is
+    /// triangulated. (That is what [`Algorithm::Auto`] does, without reports of progress.) By winding number this holds
+    /// where rings in one another run in opposite directions. All else takes both steps, and a little longer.
+    ///
+    /// # Errors
+    /// [`InteriorError`]. [`InteriorError::Refused`] holds the error of [`triangulate`](Session::triangulate).
+    ///
+    /// ```
+    /// use sweep_cdt::interior::FillRule;
+    ///
+    /// // A square with a square hole.
+    /// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
+    /// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+    /// let mut session = sweep_cdt::Triangulator::new().session();
+    /// let triangles = session.triangulate_inside(&points, &edges, FillRule::EvenOdd)?;
+    /// assert_eq!(triangles[..2], [[0, 1, 4], [0, 4, 3]]);
+    /// assert_eq!(triangles.len(), 8);
+    /// # Ok::<(), sweep_cdt::interior::InteriorError>(())
+    /// ```
+    ///
+    /// [`Interior::canonical_triangles`]: crate::interior::Interior::canonical_triangles
+    pub fn triangulate_inside<S: Scalar>(
+        &mut self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        rule: FillRule<'_>,
+    ) -> Result<&[[usize; 3]], InteriorError> {
+        if let Some(result) = self.result.take() {
+            self.scratch.recycle(result);
+        }
+        let directed = match rule {
+            _ if self.settings.algorithm != Algorithm::Auto => None,
+            FillRule::EvenOdd => Some(false),
+            FillRule::NonZero(ruled) if ruled == edges => Some(true),
+            _ => None,
+        };
+        let (scratch, polygon) = (&mut self.scratch, &mut self.polygon);
+        let is_done = directed.is_some_and(|directed| {
+            sweep::triangulate_rings(points, edges, directed, scratch, polygon)
+        });
+        if !is_done {
+            let result = self.triangulate(points, edges);
+            let result = result.map_err(|error| InteriorError::Refused { error })?;
+            let list = result.interior(rule)?.canonical_triangles();
+            self.polygon.triangles = list;
+        }
+        Ok(&self.polygon.triangles)
     }
 }
 

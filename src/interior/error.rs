@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::error::Error;
+
 /// Why a rule gives no interior. Every error names the offenders by the caller's own indices.
 ///
 /// ```
@@ -34,6 +36,11 @@ pub enum InteriorError {
     SeedNotFinite {
         /// The first such seed.
         seed: Seed,
+    },
+    /// The points and edges cannot be triangulated.
+    Refused {
+        /// Why not.
+        error: Error,
     },
     /// A seed lies outside of the convex hull.
     SeedOutside {
@@ -74,6 +81,7 @@ impl fmt::Display for InteriorError {
             InteriorError::MissingPoint { vertex } => {
                 write!(f, "vertex {vertex} of the triangulation does not exist")
             }
+            InteriorError::Refused { error } => error.fmt(f),
             InteriorError::SeedNotFinite { seed } => {
                 write!(f, "the seed of {seed} has a coordinate that is not finite")
             }
@@ -112,7 +120,7 @@ impl InteriorError {
     pub fn renumbered(
         self,
         mut on_vertex: impl FnMut(usize) -> usize,
-        on_edge: impl FnOnce(usize) -> usize,
+        mut on_edge: impl FnMut(usize) -> usize,
         on_hole: impl Fn(usize) -> usize,
         on_region: impl Fn(usize) -> usize,
     ) -> InteriorError {
@@ -130,6 +138,9 @@ impl InteriorError {
             },
             E::MissingPoint { vertex } => E::MissingPoint {
                 vertex: on_vertex(vertex),
+            },
+            E::Refused { error } => E::Refused {
+                error: error.renumbered(on_vertex, on_edge),
             },
             E::SeedNotFinite { seed } => E::SeedNotFinite { seed: named(seed) },
             E::SeedOutside { seed } => E::SeedOutside { seed: named(seed) },

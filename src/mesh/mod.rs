@@ -217,8 +217,14 @@ impl Mesh {
 
     /// Makes a new border half-edge, on which no triangle borders yet; [`Mesh::truncate_borders`] removes it.
     pub(crate) fn add_border(&mut self) -> BorderId {
+        self.add_border_to(HalfEdge::NO_TRIANGLE)
+    }
+
+    /// Makes a new border half-edge with this twin, which is no side of a triangle yet.
+    #[inline(always)]
+    pub(crate) fn add_border_to(&mut self, twin: HalfEdge) -> BorderId {
         let border = BorderId::at(self.borders.len());
-        self.borders.push(HalfEdge::NO_TRIANGLE);
+        self.borders.push(twin);
         border
     }
 

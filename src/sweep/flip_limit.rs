@@ -98,7 +98,8 @@ impl FlipLimit {
         self.grant(FOR_CORNER * corners as u64);
     }
 
-    fn grant(&mut self, flips: u64) {
+    /// Grants more flips.
+    pub(super) fn grant(&mut self, flips: u64) {
         if self.stage == Stage::Budget {
             self.left += flips;
             self.counted += flips;

@@ -21,6 +21,7 @@
 //! | none | | the net under it: divide and conquer | [`divide_and_conquer`] |
 //! | none | | the sweep on all cores | `bands` (feature `parallel`) |
 //! | none | | other algorithms of section 4, and the sweep of 2005 | `comparison` (feature `comparison`) |
+//! | none | | the inside of a polygon alone | [`polygon`] |
 //! | none | | memory for many runs | [`scratch`] |
 //! | none | | edges that cross none of the others, for the list of crossings | [`mod@separate`] |
 //!
@@ -48,6 +49,7 @@ mod heuristics;
 mod initialization;
 mod pending_edges;
 mod point_event;
+mod polygon;
 mod predicates;
 mod scratch;
 mod separate;
@@ -74,6 +76,7 @@ use delaunay::{ChainVertex, Delaunay};
 use edges::Edges;
 use flip_limit::FlipLimit;
 use pending_edges::{PendingEdges, VertexTriangles};
+pub(crate) use polygon::{PolygonScratch, triangulate_rings};
 pub(crate) use scratch::Scratch;
 pub(crate) use separate::{Separated, separate};
 use traversal::Traversed;

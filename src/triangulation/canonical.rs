@@ -70,6 +70,28 @@ pub(crate) fn canonical(
     list
 }
 
+/// Memory for [`canonical_into`].
+#[derive(Debug, Default)]
+pub(crate) struct CanonicalBuffers {
+    listed: Vec<Listed>,
+    places: Vec<usize>,
+}
+
+/// Sets `list` to `count` triangles in canonical order; `triangle` gives each by its number.
+pub(crate) fn canonical_into(
+    list: &mut Vec<[usize; 3]>,
+    count: usize,
+    triangle: impl Fn(usize) -> Listed,
+    buffers: &mut CanonicalBuffers,
+) {
+    let CanonicalBuffers { listed, places } = buffers;
+    listed.clear();
+    listed.extend((0..count).map(|t| lowest_first(triangle(t))));
+    list.clear();
+    list.resize(count, [0; 3]);
+    by_vertex(listed.iter(), 0, list, places);
+}
+
 impl CanonicalGroups {
     pub(crate) fn new(
         count: usize,
@@ -109,7 +131,7 @@ impl CanonicalGroups {
     /// Puts the triangles of a group in canonical order into `list`, which is as long.
     fn sort(&self, group: usize, list: &mut [[usize; 3]]) {
         let listed = self.chunks.iter().flat_map(|chunk| chunk.of_group(group));
-        by_vertex(listed, group << self.bits, list);
+        by_vertex(listed, group << self.bits, list, &mut Vec::new());
     }
 }
 
@@ -120,7 +142,8 @@ impl Chunk {
 }
 
 fn by_group(chunk: &[Listed], groups: usize, group: impl Fn(&Listed) -> usize) -> Chunk {
-    let begins = begins(chunk.iter().map(&group), groups);
+    let mut begins = Vec::new();
+    set_begins(chunk.iter().map(&group), groups, &mut begins);
     let mut list = vec![[0; 3]; chunk.len()];
     let mut places = begins.clone();
     for listed in chunk {
@@ -131,15 +154,16 @@ fn by_group(chunk: &[Listed], groups: usize, group: impl Fn(&Listed) -> usize) -
     Chunk { list, begins }
 }
 
-/// Puts the triangles of a group in their order; none begins with a vertex below `first`.
+/// Puts the triangles of a group in their order; none begins with a vertex below `first`. `places` is a buffer.
 fn by_vertex<'a>(
     listed: impl Iterator<Item = &'a Listed> + Clone,
     first: usize,
     part: &mut [[usize; 3]],
+    places: &mut Vec<usize>,
 ) {
     let vertex = |listed: &Listed| listed[0] as usize - first;
     let vertices = listed.clone().map(vertex).max().map_or(0, |v| v + 1);
-    let mut places = begins(listed.clone().map(vertex), vertices);
+    set_begins(listed.clone().map(vertex), vertices, places);
     for listed in listed {
         let place = &mut places[vertex(listed)];
         part[*place] = listed.map(|v| v as usize);
@@ -151,15 +175,15 @@ fn by_vertex<'a>(
 }
 
 /// Exclusive prefix sum: where the items of each kind begin, once in order, and where the last ones end.
-fn begins(kinds: impl Iterator<Item = usize>, count: usize) -> Vec<usize> {
-    let mut begins = vec![0; count + 1];
+fn set_begins(kinds: impl Iterator<Item = usize>, count: usize, begins: &mut Vec<usize>) {
+    begins.clear();
+    begins.resize(count + 1, 0);
     for kind in kinds {
         begins[kind + 1] += 1;
     }
     for kind in 0..count {
         begins[kind + 1] += begins[kind];
     }
-    begins
 }
 
 /// The triangle with its lowest vertex first; without branches, which the processor could not predict.

@@ -1,6 +1,7 @@
 //! Domains: the rules on small inputs with known answers, here; random inputs against ray casting and geometry in
 //! exact integers.
 
+mod inside;
 mod oracle;
 mod random;
 mod seeds;

@@ -2,8 +2,9 @@
 //!
 //! The points are spread over *buckets* of y, each of some hundred points, or some thousand where there are millions. A
 //! bucket is sorted by a finer key of y, by counting ([`super::counting`]). A long run of one key is sorted again by
-//! counting, by a still finer key, and a long row of equal y by a key of x. In a short row each point goes where as
-//! many points come before it. The rest is sorted by exact comparison. Equal points merge into the one of lowest index.
+//! counting, by a still finer key, and a long row of equal y by a key of x. In a short run or row each point goes where
+//! as many points come before it. The rest is sorted by exact comparison. Equal points merge into the one of lowest
+//! index.
 //!
 //! Why it is right: no key decreases where its coordinate grows, so points of different keys are in order, and equal
 //! points have one key. In a sorted run they are neighbours, and the lowest index comes first.
@@ -25,6 +26,8 @@ use crate::scalar::{Scalar, Scale};
 /// The mean number of points in a bucket, and the largest number of buckets.
 const BUCKET: usize = 256;
 const BUCKETS: usize = 1024;
+/// At most so many points in no row are sorted by comparison although there is a way without branches.
+const VERY_FEW: usize = 5;
 /// One of how many points is sampled to find the range of y, and how many at most.
 const SAMPLE: (usize, usize) = (16, 1024);
 /// Samples beyond the middle half of them by more than this many times its height are far outside.
@@ -73,12 +76,11 @@ fn sort_buckets(exact: ExactOrder<'_>, vertices: &mut Vertices, buffers: &mut So
         run,
         row,
     } = buffers;
-    let is_long = |sites: &[Key]| sites.len() > FEW && scale.is_injective();
     let is_row = |sites: &[Key]| scale.is_injective() && is_row(sites);
     let is_sorted = |sites: &[Key]| sites.is_sorted_by(|a, b| by_index(a, b).is_lt());
     let mut sort_row = |sites: &mut [Key]| {
         if sites.len() <= FEW {
-            sort_few(sites);
+            sort_few::<0>(sites);
         } else if !is_sorted(sites) {
             row.set(sites.iter().copied(), 0);
             row.sort_runs(|sites| sites.sort_unstable_by(by_index));
@@ -96,8 +98,15 @@ fn sort_buckets(exact: ExactOrder<'_>, vertices: &mut Vertices, buffers: &mut So
         bucket.sort_runs(|sites| {
             if is_row(sites) {
                 sort_row(sites);
-            } else if !is_long(sites) {
+            } else if sites.len() <= VERY_FEW || !scale.is_injective() {
                 sites.sort_unstable_by(by_index);
+            } else if sites.len() <= FEW {
+                sort_few::<1>(sites);
+                for row in sites.chunk_by_mut(|a, b| a.0[1] >= b.0[1]) {
+                    if row.len() > 1 {
+                        sort_few::<0>(row);
+                    }
+                }
             } else if !is_sorted(sites) {
                 run.set(sites.iter().copied(), 1);
                 run.sort_runs(|sites| {
@@ -137,13 +146,13 @@ fn is_row(sites: &[Key]) -> bool {
     sites.iter().all(|site| Some(site.0[1]) == first)
 }
 
-/// Sorts up to [`FEW`] sites of one y by x, without a branch: each goes where as many come before it. Stable.
-fn sort_few(sites: &mut [Key]) {
+/// Sorts up to [`FEW`] sites by one coordinate, without a branch: each goes where as many come before it. Stable.
+fn sort_few<const AXIS: usize>(sites: &mut [Key]) {
     let n = sites.len();
     let mut xs = [0.0; FEW];
     let mut sorted = [([0.0; 2], 0); FEW];
     for (x, site) in xs.iter_mut().zip(&*sites) {
-        *x = site.0[0];
+        *x = site.0[AXIS];
     }
     for (i, site) in sites.iter().enumerate() {
         let x = xs[i];
