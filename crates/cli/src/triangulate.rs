@@ -7,7 +7,7 @@ use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
-use sweep_cdt_formats::{Column, Coordinate, GraphFile, Splitting};
+use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
@@ -198,6 +198,7 @@ impl Job for Run<'_> {
         let domain = arguments.inside.domain(given.name, file, &result)?;
         let domain = domain.as_ref();
         let summary = targets.is_empty();
+        let asks_heights = targets.iter().any(Target::asks_heights);
         // Standard output holds either a result or a report.
         let report =
             !has_standard(&targets) && !self.json.as_ref().is_some_and(Destination::is_standard);
@@ -229,7 +230,8 @@ impl Job for Run<'_> {
             })?;
         }
         outputs.finish()?;
-        if let Some(note) = why_nothing(file, &result, domain) {
+        let missing = asks_heights.then(|| without_heights(file)).flatten();
+        for note in why_nothing(file, &result, domain).iter().chain(&missing) {
             // A note that cannot be written changes nothing about the files.
             let _ = writeln!(io::stderr(), "note: {note}");
         }
@@ -237,12 +239,21 @@ impl Job for Run<'_> {
     }
 }
 
+/// How many vertices have no height, if others have.
+fn without_heights<S>(file: &GraphFile<S>) -> Option<String> {
+    let missing = file.heights()?.missing();
+    let points = file.graph.points.len();
+    (missing > 0)
+        .then(|| format!("{missing} of {points} vertices have no height: z is `NaN` there"))
+}
+
 /// Why there are no triangles, or none inside, if there are none.
 fn why_nothing<S: Coordinate>(
-    GraphFile { graph, columns, .. }: &GraphFile<S>,
+    file: &GraphFile<S>,
     result: &Triangulation,
     domain: Option<&Interior<'_>>,
 ) -> Option<String> {
+    let graph = &file.graph;
     if !result.is_empty() {
         let is_empty = domain.is_some_and(|domain| domain.inside().len() == 0);
         let message = match graph.edges.len() {
@@ -263,10 +274,7 @@ fn why_nothing<S: Coordinate>(
     if is_same(0) && is_same(1) {
         return Some("no triangles: all points are one".to_owned());
     }
-    let mut heights = columns
-        .iter()
-        .filter(|column| column.name == Column::HEIGHT);
-    let has_heights = heights.any(|column| {
+    let has_heights = file.heights().is_some_and(|column| {
         column
             .values
             .iter()

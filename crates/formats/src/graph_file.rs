@@ -68,21 +68,36 @@ impl Numbering {
 /// assert_eq!(file.columns[0].values, [812.5, 790.0]);
 /// # Ok::<(), sweep_cdt_formats::ReadError>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Column {
     /// The name in the file; `z` are the heights.
     pub name: String,
-    /// The number of each vertex.
+    /// The number of each vertex; NaN where it is missing.
     pub values: Vec<f64>,
+}
+
+impl PartialEq for Column {
+    /// Equal columns have the same name and values; missing numbers are equal.
+    fn eq(&self, other: &Column) -> bool {
+        let is_same = |(x, y): (&f64, &f64)| x == y || x.is_nan() && y.is_nan();
+        self.name == other.name
+            && self.values.len() == other.values.len()
+            && self.values.iter().zip(&other.values).all(is_same)
+    }
 }
 
 impl Column {
     /// The name of the heights.
     pub const HEIGHT: &str = "z";
 
-    /// The number of a vertex, 0 where there is none.
+    /// How many vertices have no number.
+    pub fn missing(&self) -> usize {
+        self.values.iter().filter(|value| value.is_nan()).count()
+    }
+
+    /// The number of a vertex, NaN where there is none.
     pub(crate) fn of(&self, vertex: usize) -> f64 {
-        self.values.get(vertex).copied().unwrap_or(0.0)
+        self.values.get(vertex).copied().unwrap_or(f64::NAN)
     }
 }
 

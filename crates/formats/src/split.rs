@@ -72,7 +72,7 @@ impl<S: Coordinate + Exact> GraphFile<S> {
     }
 }
 
-/// A column with the numbers of new vertices.
+/// A column with the numbers of new vertices, from the first edge through each that has numbers at both ends.
 fn extended<S: Coordinate>(column: &Column, graph: &Pslg<S>, split: &Split<S>) -> Column {
     let mut values = column.values.clone();
     values.resize(split.points.len(), f64::NAN);
@@ -82,11 +82,18 @@ fn extended<S: Coordinate>(column: &Column, graph: &Pslg<S>, split: &Split<S>) -
         let [from, to] = [a, b].map(near);
         let direction = [to[0] - from[0], to[1] - from[1]];
         let axis = usize::from(direction[1].abs() > direction[0].abs());
-        for &v in piece {
+        // Points of the input keep what they have, or have not.
+        let is_new = |&&v: &&usize| v >= column.values.len();
+        for &v in piece.iter().filter(is_new) {
             if values[v].is_nan() {
                 let share = (near(v)[axis] - from[axis]) / direction[axis];
                 let value = values[a] + share * (values[b] - values[a]);
-                values[v] = if value.is_finite() { value } else { values[a] };
+                let is_known = !values[a].is_nan() && !values[b].is_nan();
+                values[v] = if value.is_finite() || !is_known {
+                    value
+                } else {
+                    values[a]
+                };
             }
         }
     }

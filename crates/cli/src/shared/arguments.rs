@@ -130,6 +130,17 @@ pub(crate) struct Target {
     format: Output,
 }
 
+impl Target {
+    /// Whether the format has a height for every vertex.
+    pub(crate) fn asks_heights(&self) -> bool {
+        use OutputFormat::{Msh, Obj, Off, Ply, Stl, Vtk, Vtu};
+        matches!(
+            self.format,
+            Output::File(Obj | Off | Ply | Vtk | Vtu | Msh | Stl)
+        )
+    }
+}
+
 impl OutputArgs {
     /// The outputs, each with its format. No two may be one file.
     pub(crate) fn targets(&self) -> Result<Vec<Target>, Failure> {

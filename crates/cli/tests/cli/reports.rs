@@ -48,6 +48,37 @@ fn a_result_without_triangles_says_why() {
     assert_eq!(note("triangulate right.json --inside even-odd"), "");
 }
 
+/// `qgis/QGIS#44501`, `jblindsay/whitebox-tools#180`: a line without heights among points with some.
+#[test]
+fn vertices_without_a_height_are_counted() {
+    let soft =
+        "{\"points\": [[0, 0, 5], [9, 0, 6], [9, 9, 7], [3, 2], [4, 6]], \"edges\": [[3, 4]]}";
+    let folder = folder(&[("soft.json", soft)]);
+    let noted = |format: &str| {
+        let arguments = format!("triangulate soft.json -o - --output-format {format}");
+        let output = sweep_cdt(&folder, &arguments)
+            .output()
+            .expect("the command starts");
+        (
+            text(&output.stdout).to_owned(),
+            text(&output.stderr).to_owned(),
+        )
+    };
+    let note = "note: 2 of 5 vertices have no height: z is `NaN` there\n";
+    for format in ["obj", "off", "ply", "vtk", "vtu", "msh", "stl"] {
+        let (written, notes) = noted(format);
+        assert_eq!(notes, note, "{format}");
+        assert!(
+            written.contains("3 2 NaN") && !written.contains("3 2 0\n"),
+            "{format}"
+        );
+    }
+    assert_eq!(noted("wkt").1, "");
+    assert!(noted("wkt").0.contains("3 2 NaN"));
+    assert!(noted("geojson").0.contains("[3,2]"));
+    assert!(noted("json").0.contains("[3,2]"));
+}
+
 /// Julia and Matlab count from 1.
 #[test]
 fn corners_counted_from_one_are_said_to_be() {

@@ -121,10 +121,10 @@ impl<'a> Vertices<'a> {
         }
     }
 
-    /// Gives the vertices their heights, if any has one. The others then have 0.
+    /// Gives the vertices their heights, if any has one. Those of the others are missing.
     pub(super) fn with_heights(mut self, heights: &[Option<&'a [u8]>]) -> Vertices<'a> {
         if heights.iter().any(Option::is_some) {
-            let pieces = heights.iter().map(|height| height.unwrap_or(b"0"));
+            let pieces = heights.iter().map(|height| height.unwrap_or_default());
             self.fields.push(Field {
                 name: Column::HEIGHT.to_owned(),
                 syntax: self.syntax,
@@ -152,16 +152,17 @@ impl<'a> Vertices<'a> {
         Ok(list)
     }
 
-    /// Further columns of the vertices. All numbers must be finite doubles.
+    /// Further columns of the vertices. All numbers must be finite doubles, or missing: an empty piece, NaN, or JSON's
+    /// `null`.
     pub(super) fn columns(&self) -> Result<Vec<Column>, ReadError> {
         let column = |field: &Field<'a>| {
             let value = |&piece: &&'a [u8]| {
-                let value = field
-                    .syntax
-                    .value(piece)
-                    .ok()
-                    .filter(|x: &f64| x.is_finite());
+                if piece.is_empty() || piece == b"null" {
+                    return Ok(f64::NAN);
+                }
+                let value = field.syntax.value(piece).ok();
                 value
+                    .filter(|x: &f64| !x.is_infinite())
                     .ok_or_else(|| self.wrong(field.syntax, piece, "is not an attribute, a number"))
             };
             Ok(Column {

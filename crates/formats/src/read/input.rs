@@ -185,8 +185,8 @@ fn file<S: Coordinate>(
     })
 }
 
-/// A file with one vertex for equal points: the first of them, which keeps its numbers in the columns. Graphs
-/// with points that are not finite stay as they are; nothing is made of them.
+/// A file with one vertex for equal points: the first of them. In each column it has the first number that any of these
+/// points has. Graphs with points that are not finite stay as they are; nothing is made of them.
 pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
     let GraphFile { graph, columns, .. } = file;
     if !graph.points.iter().all(is_finite) {
@@ -203,9 +203,15 @@ pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
         let first = firsts[v].expect("every point equals itself");
         kept.binary_search(&first).expect("the first one is kept")
     };
-    let column = |column: Column| Column {
-        values: kept.iter().map(|&v| column.of(v)).collect(),
-        ..column
+    let column = |column: Column| {
+        let mut values = vec![f64::NAN; kept.len()];
+        for v in 0..graph.points.len() {
+            let value = &mut values[place(v)];
+            if value.is_nan() {
+                *value = column.of(v);
+            }
+        }
+        Column { values, ..column }
     };
     GraphFile {
         columns: columns.into_iter().map(column).collect(),
@@ -218,13 +224,15 @@ pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
     }
 }
 
-/// The columns of the vertices. Where every vertex must have a height, heights that are all 0 say that there are none.
+/// The columns of the vertices. Where every vertex must have a height, heights that are all 0 say that there are none. So
+/// do heights that are all missing.
 fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, ReadError> {
     let mut columns = vertices.columns()?;
-    if format.is_spatial() {
-        let is_flat = |column: &Column| column.values.iter().all(|&height| height == 0.0);
-        columns.retain(|column| column.name != Column::HEIGHT || !is_flat(column));
-    }
+    let says_nothing = |height: f64| height.is_nan() || height == 0.0 && format.is_spatial();
+    columns.retain(|column| {
+        let mut values = column.values.iter();
+        column.name != Column::HEIGHT || !values.all(|&height| says_nothing(height))
+    });
     Ok(columns)
 }
 

@@ -2,7 +2,7 @@
 //!
 //! | member | one element for each | which is |
 //! |---|---|---|
-//! | `points` | vertex | `[x, y]`, or `[x, y, z]` with heights; numbers, fractions as strings `"p/q"` |
+//! | `points` | vertex | `[x, y]`, or `[x, y, z]` with a height; numbers, fractions as strings `"p/q"` |
 //! | `edges` | input edge | its two vertices |
 //! | `triangles` | triangle | its vertices counter-clockwise, the lowest first; sorted |
 //! | `neighbors` | triangle | the triangles opposite its vertices, `null` beyond the hull |
@@ -112,7 +112,9 @@ fn write_members<S: Coordinate>(
 fn write_input<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
     let heights = file.heights();
     let point = |(vertex, point): (usize, &[S; 2])| {
-        let height = heights.map(|column| json_coordinate(&column.of(vertex)));
+        let height = heights.map(|column| column.of(vertex));
+        let height = height.filter(|height| !height.is_nan());
+        let height = height.map(|height| json_coordinate(&height));
         let point = point.each_ref().map(json_coordinate);
         point.into_iter().chain(height).collect::<Vec<_>>()
     };

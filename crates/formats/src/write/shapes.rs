@@ -67,8 +67,14 @@ impl<'a, S: Coordinate> Positions<'a, S> {
         text.extend_from_slice(between);
         y.write_text(text);
         if let Some(heights) = self.heights {
-            text.extend_from_slice(between);
-            heights.of(vertex).write_text(text);
+            let height = heights.of(vertex);
+            // A position of GeoJSON has two or three numbers, one of WKT as many as all others.
+            if !height.is_nan() {
+                text.extend_from_slice(between);
+                height.write_text(text);
+            } else if before.is_empty() {
+                text.extend_from_slice(b" NaN");
+            }
         }
         text.extend_from_slice(after);
     }

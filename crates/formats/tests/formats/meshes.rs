@@ -12,6 +12,7 @@ use sweep_cdt_formats::{
     Column, GraphFile, Input, InputFormat, Matched, Named, OutputFormat, ResultFormat, Source,
     read, read_result, write, write_graph,
 };
+use sweep_cdt_testing::Random;
 
 /// The terrain.
 #[derive(Deserialize)]
@@ -193,6 +194,73 @@ fn every_format_reads_what_it_writes() {
             assert_eq!(again.list, result.canonical_triangles(), "{format:?}");
         }
     }
+}
+
+/// Random heights, some of them 0 and some missing, through every pair of formats: none is invented, none is lost.
+#[test]
+fn missing_heights_stay_missing() {
+    let (terrain, _) = samples();
+    let mut dice = Random::new(1);
+    for _ in 0..20 {
+        let mut written = terrain.file();
+        let values = &mut written.columns[0].values;
+        for value in values.iter_mut() {
+            *value = match dice.below(3) {
+                0 => f64::NAN,
+                1 => 0.0,
+                _ => 100.0 * dice.unit(),
+            };
+        }
+        values[0] = 1.5;
+        values[1] = f64::NAN;
+        let through = |format, written: &GraphFile<f64>| {
+            let mut text = Vec::new();
+            write_graph(format, written, &mut text).expect("memory takes it");
+            let again = file(format, &source(&text));
+            assert_eq!(again.columns, written.columns, "{format:?}");
+            again
+        };
+        for &one in InputFormat::ALL {
+            let again = through(one, &written);
+            for &other in InputFormat::ALL {
+                through(other, &again);
+            }
+        }
+    }
+}
+
+/// `GenericMappingTools/gmt#2268`: of a place that is named with and without a height, the known one counts.
+/// `developmentseed/geojson-pydantic#139`: `NaN` is no height, as GEOS writes it.
+/// `qgis/QGIS#44501`, `jblindsay/whitebox-tools#180`: none is made up for lines without one.
+#[test]
+fn what_a_file_says_of_heights_is_kept() {
+    let heights = |format, text: &str| {
+        let columns = file(format, &source(text.as_bytes())).columns;
+        columns
+            .into_iter()
+            .next()
+            .map_or(Vec::new(), |column| column.values)
+    };
+    let is = |found: &[f64], expected: &[f64]| {
+        // NaN equals itself in text.
+        assert_eq!(format!("{found:?}"), format!("{expected:?}"));
+    };
+    let nan = f64::NAN;
+    let wkt = "LINESTRING (0 0, 10 10)\nLINESTRING Z (0 0 5, 5 5 6, 10 10 7)";
+    is(&heights(InputFormat::Wkt, wkt), &[5.0, 7.0, 6.0]);
+    is(
+        &heights(InputFormat::Wkt, "MULTIPOINT Z (0 0 NaN, 1 0 2)"),
+        &[nan, 2.0],
+    );
+    is(
+        &heights(InputFormat::Wkt, "MULTIPOINT Z (0 0 NaN, 1 0 nan)"),
+        &[],
+    );
+    let json = "{\"points\": [[0, 0, null], [1, 0, 2], [0, 1]]}";
+    is(&heights(InputFormat::Json, json), &[nan, 2.0, nan]);
+    let ply = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n\
+               property float intensity\nend_header\n0 0 nan\n1 0 0.5\n";
+    is(&heights(InputFormat::Ply, ply), &[nan, 0.5]);
 }
 
 #[test]
