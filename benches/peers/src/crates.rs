@@ -1,7 +1,7 @@
 //! Crates behind one signature, and the time and memory of their calls that triangulate.
 //!
-//! The triangles of the first six cover the hull, those of the others the polygon that the points bound in
-//! their order: one ring, or the outer one and then holes, each closed by an edge to its first point.
+//! The triangles of those that take points alone, of `spade` and of this crate, unless it is asked for the inside, cover
+//! the hull, those of the others the polygon that the points bound in their order: one ring, or the outer one and then holes, each closed by an edge to its first point.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -22,6 +22,7 @@ use i_triangle::i_overlay::i_float::int::point::IntPoint;
 use i_triangle::int::unchecked::IntUncheckedTriangulatable;
 use poly2tri_rs::{Point, SweeperBuilder};
 use spade::{ConstrainedDelaunayTriangulation, DelaunayTriangulation, Point2, Triangulation as _};
+use sweep_cdt::interior::FillRule;
 use sweep_cdt::{Session, Triangulator};
 use sweep_cdt_testing::Input;
 
@@ -41,6 +42,16 @@ pub(crate) fn ours_kept(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
         let result = stopwatch.time(|| session.triangulate(&input.points, &input.edges));
         let result = result.map_err(|error| error.to_string())?;
         Ok(result.triangles().collect())
+    })
+}
+
+/// This crate, asked for the inside of a polygon alone, in memory that is kept from one input to the next.
+pub(crate) fn ours_inside(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
+    SESSION.with_borrow_mut(|session| {
+        let result = stopwatch
+            .time(|| session.triangulate_inside(&input.points, &input.edges, FillRule::EvenOdd));
+        let triangles = result.map_err(|error| error.to_string())?;
+        Ok(triangles.to_vec())
     })
 }
 

@@ -10,7 +10,7 @@ use sweep_cdt::verify::{Verifier, Violation};
 use sweep_cdt_testing::{Input, binary};
 
 use crate::data::{Aim, DataSet, Kind, Of};
-use crate::programs::{OURS, OURS_KEPT, Program};
+use crate::programs::{OURS, OURS_INSIDE, OURS_KEPT, Program};
 
 /// How it is measured.
 pub(crate) struct Settings<'a> {
@@ -155,10 +155,15 @@ impl Row {
             .map(|(_, outcome)| outcome)
     }
 
-    /// The measurement of this crate: in memory that is kept where there are many inputs or last calls count.
+    /// The measurement of this crate: of polygons the inside alone; otherwise in memory that is kept where there are many
+    /// inputs or last calls count.
     pub(crate) fn ours(&self, calls: Calls) -> Option<&Cell> {
         let is_kept = self.inputs > 1 || calls == Calls::Last;
-        let name = if is_kept { OURS_KEPT } else { OURS };
+        let name = match (self.kind, is_kept) {
+            (Kind::Polygons, _) => OURS_INSIDE,
+            (_, true) => OURS_KEPT,
+            (_, false) => OURS,
+        };
         self.cells.iter().find(|cell| cell.program == name)
     }
 
@@ -191,7 +196,7 @@ impl Row {
 
 /// Whether a cell is one of this crate.
 fn is_ours(cell: &Cell) -> bool {
-    [OURS, OURS_KEPT].contains(&cell.program)
+    [OURS, OURS_KEPT, OURS_INSIDE].contains(&cell.program)
 }
 
 /// An answer, as the verifier judges it.

@@ -51,10 +51,14 @@ pub(crate) const OURS: &str = "sweep-cdt";
 /// Our library in memory that is kept from one call to the next.
 pub(crate) const OURS_KEPT: &str = "sweep-cdt kept";
 
+/// Our library in memory that is kept, asked for the inside of a polygon alone.
+pub(crate) const OURS_INSIDE: &str = "sweep-cdt inside";
+
 #[rustfmt::skip]
-const CRATES: [Crate; 15] = [
+const CRATES: [Crate; 16] = [
     Crate { name: OURS, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: crates::ours },
     Crate { name: OURS_KEPT, package: "sweep-cdt", kinds: ALL, is_inside: false, is_exact: true, call: crates::ours_kept },
+    Crate { name: OURS_INSIDE, package: "sweep-cdt", kinds: POLYGONS, is_inside: true, is_exact: true, call: crates::ours_inside },
     Crate { name: "spade", package: "spade", kinds: ALL, is_inside: false, is_exact: true, call: crates::spade },
     Crate { name: "delaunator", package: "delaunator", kinds: POINTS, is_inside: false, is_exact: false, call: crates::delaunator },
     Crate { name: "cdt", package: "cdt", kinds: POINTS, is_inside: false, is_exact: true, call: crates::cdt },
