@@ -15,7 +15,7 @@ use sweep_cdt::{Pslg, Region};
 
 named! {
     /// A format that [`read()`] understands, named by the extension of its files.
-    /// All after `Off` need the feature `mesh-formats`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `geojson` and `wkt`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum InputFormat {
@@ -23,7 +23,7 @@ named! {
         Node = "node",
         /// Triangle's vertices and edges.
         Poly = "poly",
-        /// An object with `points` and `edges`.
+        /// An object with `points` and `edges`, or `vertices` and `segments`.
         Json = "json",
         /// Wavefront's vertices and lines.
         Obj = "obj",

@@ -16,13 +16,13 @@ use sweep_cdt::verify::{Offenders, Violation};
 
 named! {
     /// A format that [`read_result`] understands, named by the extension of its files.
-    /// All after `Off` need the feature `mesh-formats`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `stl`, `geojson` and `wkt`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum ResultFormat {
         /// Triangle's triangles.
         Ele = "ele",
-        /// An object with `triangles`.
+        /// An object with `triangles`, `simplices` or `faces`.
         Json = "json",
         /// Wavefront's vertices and faces.
         Obj = "obj",
