@@ -90,7 +90,7 @@ impl<F: fmt::Debug> fmt::Debug for Triangulator<'_, F> {
 
 impl<'p, F> Triangulator<'p, F> {
     /// Uses another search structure for the advancing front, with its parameters. Each run works on a clone of
-    /// `front`, and returns the clone in [`Run::front`].
+    /// `front`, which [`Run::front`] holds afterwards.
     #[must_use]
     pub fn front<G: FrontSearch + Clone>(self, front: G) -> Triangulator<'p, G> {
         Triangulator {

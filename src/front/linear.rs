@@ -4,7 +4,7 @@
 use super::list::{Front, FrontNode};
 use super::search::{FrontInput, FrontSearch};
 
-/// Starts at the node inserted last: O(n). Shows what [`FrontSearch`] requires.
+/// Starts at the node inserted last: O(n).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Linear {
     last: Option<FrontNode>,

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | [`HashTable`] | O(1) expected, O(log n) at worst | everything measured; the default |
 //! | [`SkipList`] | O(log n) expected | comparison |
-//! | [`Linear`] | O(n) | showing what a structure must do |
+//! | [`Linear`] | O(n) | points that come next to the one before |
 //!
 //! A structure knows x as a double, which may tell too little: crowded, equal or infinite. If its answers lead to long
 //! walks, it may ask for *x-ranks* instead: the numbers of the vertices from left to right, by exact comparison

@@ -40,44 +40,70 @@ pub const LONG_WALK: usize = 32;
 ///
 /// [`locate`](FrontSearch::locate) does the work. The other functions may be left out: they report what happens to the
 /// front, or let a structure ask for better keys than x ([`wants_ranks`](FrontSearch::wants_ranks)). A structure is a
-/// value: it may carry parameters, a seed and counters. Each run of a [`Triangulator`](crate::Triangulator) works on a
-/// clone, and returns the clone in [`Run::front`](crate::Run::front). The sweep calls structures through `dyn`.
+/// value: it may carry parameters, a seed and counters. The sweep calls structures through `dyn`.
 ///
 /// From left to right on the front, the x that a structure gets never falls. It may repeat: where a new vertex comes
 /// straight above another, and where two coordinates have one approximation. So a structure keyed by x needs the node
-/// in its key too. Your own structure takes a few lines:
+/// in its key too. Of nodes of equal x the one of the lesser exact coordinate stands left, whatever their ranks; of two
+/// one above the other the lower one does, and leaves the front before the next search.
+///
+/// To measure a structure take [`Algorithm::Sweep`](crate::Algorithm::Sweep), or see whether
+/// [`Stats::is_divided`](crate::Stats::is_divided), since `Auto` may abandon the sweep.
+/// [`Counters::front_steps`](crate::Counters::front_steps) says how good the answers were. Each run of a
+/// [`Triangulator`](crate::Triangulator) works on a clone, which `triangulate_with_stats` and `observe` return in
+/// [`Run::front`](crate::Run::front). A clone that a [`Session`](crate::Session) keeps cannot be read.
 ///
 /// ```
-/// use sweep_cdt::Triangulator;
-/// use sweep_cdt::front::{Front, FrontNode, FrontSearch};
+/// use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
+/// use sweep_cdt::{Algorithm, Triangulator, triangulate};
 ///
-/// /// Always starts at the left end, and counts how often it is asked.
+/// /// The nodes by x, and how many searches there were.
 /// #[derive(Clone, Default)]
-/// struct LeftEnd {
+/// struct Sorted {
+///     nodes: Vec<(f64, FrontNode)>,
 ///     searches: usize,
 /// }
 ///
-/// impl FrontSearch for LeftEnd {
-///     fn locate(&mut self, _x: f64, front: &Front) -> FrontNode {
+/// impl FrontSearch for Sorted {
+///     fn begin(&mut self, _: FrontInput<'_>) {
+///         self.nodes.clear();
+///     }
+///
+///     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
 ///         self.searches += 1;
-///         front.left_end()
+///         let place = self.nodes.partition_point(|&(other, _)| other <= x);
+///         self.nodes[..place].last().map_or(front.left_end(), |&(_, node)| node)
+///     }
+///
+///     fn inserted(&mut self, node: FrontNode, x: f64) {
+///         let place = self.nodes.partition_point(|&other| other < (x, node));
+///         self.nodes.insert(place, (x, node));
+///     }
+///
+///     fn removed(&mut self, node: FrontNode, x: f64) {
+///         let place = self.nodes.partition_point(|&other| other < (x, node));
+///         self.nodes.remove(place);
 ///     }
 /// }
 ///
-/// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]];
-/// let triangulator = Triangulator::new().front(LeftEnd::default());
+/// let points: Vec<_> = (0..1000).map(|i| [i * i % 997, i]).collect();
+/// let triangulator = Triangulator::new().algorithm(Algorithm::Sweep).front(Sorted::default());
 /// let run = triangulator.triangulate_with_stats(&points, &[])?;
-/// assert_eq!((run.triangulation.len(), run.front.searches), (1, 2));
+/// println!("{} searches, {} steps", run.front.searches, run.stats.counters.front_steps);
+/// let expected = triangulate(&points, &[])?.canonical_triangles();
+/// assert_eq!(run.triangulation.canonical_triangles(), expected);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 pub trait FrontSearch {
-    /// A run begins. The front has only its two artificial ends, which `inserted` and `removed` never name. The
-    /// structure must forget what an earlier run left in it.
+    /// A run begins, or goes on with x-ranks after [`wants_ranks`](FrontSearch::wants_ranks). The structure must clear
+    /// its nodes, and keeps its counters if it likes. `inserted` follows for each node that the front has between its
+    /// two artificial ends; it and `removed` never name these.
     fn begin(&mut self, input: FrontInput<'_>) {
         let _ = input;
     }
 
-    /// A node of `front`, best the last one whose x is at most `x`. The sweep panics if the node is not on the front.
+    /// A node of `front`, best the last one whose x is at most `x`. Every node on the front is a legal answer,
+    /// [`Front::left_end`] and [`Front::right_end`] too. The sweep panics if the node is not on the front.
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode;
 
     /// The walk from the node that [`locate`](FrontSearch::locate) named took `steps` steps, more than [`LONG_WALK`].
@@ -86,7 +112,7 @@ pub trait FrontSearch {
     /// If so, the sweep numbers all vertices from left to right by exact comparison, from 0, in O(n log n) time. It
     /// calls [`begin`](FrontSearch::begin) with these numbers as x, and `inserted` for each node on the front, from
     /// left to right. Every later `x` is an x-rank too. No two x-ranks are equal, and they are spread evenly, whatever
-    /// the coordinates. `wants_ranks` is not called again.
+    /// the coordinates. After `true`, `wants_ranks` is not called again in this run.
     ///
     /// ```
     /// use sweep_cdt::Triangulator;
