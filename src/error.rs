@@ -51,8 +51,8 @@ pub enum Error {
         /// How many there may be.
         limit: usize,
     },
-    /// There is not as much memory as the triangulation takes. Less than 32 MiB are not asked for, and of more it is the
-    /// greatest part that is: where the rest is not to be had, the process ends, as it does without memory elsewhere.
+    /// There is less memory than the triangulation takes. Only runs that take 32 MiB and more are checked, and only for
+    /// the greatest part of what they take. Where the rest is missing, the process ends, as after any failed allocation.
     OutOfMemory {
         /// How many bytes it takes, about.
         bytes: usize,

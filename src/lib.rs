@@ -48,7 +48,7 @@ pub use triangulator::{Run, Triangulator};
 ///
 /// # Errors
 /// [`Error`] names the offender: a coordinate that is not finite, an edge with an end that is no point, two edges that
-/// cross, or what is too many: points, or vertices on edges.
+/// cross, or what is too many: points, edges, or vertices on edges. It is an error too if memory does not suffice.
 ///
 /// ```
 /// let points = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]];

@@ -7,18 +7,7 @@ use alloc::vec::Vec;
 
 /// The triangles of a triangulation that are inside, and the depth of each. Methods panic if there is no triangle `t`.
 ///
-/// ```
-/// use sweep_cdt::interior::FillRule;
-///
-/// // A square with a square hole.
-/// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
-/// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
-/// let result = sweep_cdt::triangulate(&points, &edges)?;
-/// let domain = result.interior(FillRule::EvenOdd)?;
-/// assert_eq!(domain.inside().len(), 8);
-/// assert_eq!(domain.boundary(), [vec![0, 1, 2, 3], vec![4, 7, 6, 5]]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
+/// [The page of this module](super) has an example.
 #[derive(Clone, Debug)]
 pub struct Interior<'a> {
     result: &'a Triangulation,

@@ -4,17 +4,35 @@
 //! is a part of it: an [`Interior`]. Edges are chains of sides, so each triangle lies wholly inside or wholly outside,
 //! and a rule counts which sides a path from outside crosses. Only seeds have coordinates; exact signs locate them.
 //!
-//! | | inside is | file |
-//! |---|---|---|
-//! | [`FillRule::Hull`] | everything | `mod.rs` |
-//! | [`FillRule::EvenOdd`] | what a path from outside enters by an odd number of edges | `flow` |
-//! | [`FillRule::NonZero`] | what the edges go round | `flow` |
-//! | [`interior_of_seeds`](crate::WithPoints::interior_of_seeds) | what no hole and no gap of edges opens | `holes` |
+//! | | inside is |
+//! |---|---|
+//! | [`FillRule::Hull`] | everything |
+//! | [`FillRule::EvenOdd`] | what a path from outside enters by an odd number of edges |
+//! | [`FillRule::NonZero`] | what the edges go round |
+//! | [`interior_of_seeds`](crate::WithPoints::interior_of_seeds) | what no hole and no gap of edges opens |
 //!
-//! Why it is right: `flow` counts the edges on each side, shows that all paths to a triangle agree, and follows one of
-//! them; `holes` joins the triangles that no edge parts, and asks in which face a seed is; `labels` collects the
-//! boundary. Cost: O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
+//! ```
+//! use sweep_cdt::interior::FillRule;
+//!
+//! // A square with a square hole, and twice its area.
+//! let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
+//! let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+//! let result = sweep_cdt::triangulate(&points, &edges)?;
+//! let domain = result.interior(FillRule::EvenOdd)?;
+//! let area = |[a, b, c]: [usize; 3]| {
+//!     let [[ax, ay], [bx, by], [cx, cy]] = [points[a], points[b], points[c]];
+//!     (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+//! };
+//! assert_eq!(domain.triangles().map(area).sum::<i32>(), 2 * (9 * 9 - 3 * 3));
+//! assert_eq!(domain.boundary(), [vec![0, 1, 2, 3], vec![4, 7, 6, 5]]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Why it is right: for the rules the edges on each side are counted, all paths to a triangle agree, and one of them is
+//! followed. For seeds the triangles that no edge parts are joined, and each seed is in one such face. Cost:
+//! O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
 
+// The rules are in `flow`, the seeds in `holes`, the boundary of what is inside in `labels`.
 mod error;
 mod flow;
 mod holes;

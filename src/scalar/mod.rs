@@ -5,9 +5,9 @@
 //! floating-point filter, which returns a sign only if it is certain, and choose what only costs time: hash buckets,
 //! and the angles of the heuristics. All else saves time. [`Measure`] tells the verifier how much is wrong.
 //!
-//! Each sign comes from the first stage that is certain of it (`predicates`): the filter for doubles (`filter`);
-//! doubles that are not rounded, as all points are on a lattice (`lattice`); doubles as integers in one unit
-//! (`integer_points`, `lattice`, `wide`); doubles that are the coordinates (`f64`); the type's arithmetic.
+//! Each sign comes from the first stage that is certain of it: the filter for doubles; doubles that are not rounded,
+//! as all points are on a lattice; doubles as integers in one unit; doubles that are the coordinates; the type's
+//! arithmetic.
 //!
 //! | type | how it is exact |
 //! |---|---|
@@ -17,7 +17,7 @@
 //! | `BigRational`, `Ratio<i64>` | integers over a common denominator |
 //! | any [`Unbounded`] number (`BigInt`, your own, ...) | its own arithmetic |
 //! | `rug::Rational`, `rug::Integer` (feature `rug`) | GMP's arithmetic |
-//! | `&S` for each of these but your own | as `S` |
+//! | references to the built-in types | as the type |
 
 mod determinants;
 mod doubles;
@@ -103,6 +103,10 @@ pub use unbounded::Unbounded;
 ///         self.0.cmp(&other.0)
 ///     }
 ///
+///     fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+///         Scalar::as_doubles(&points.iter().map(whole).collect::<Vec<_>>())
+///     }
+///
 ///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
 ///         Scalar::orient2d(&whole(a), &whole(b), &whole(c))
 ///     }
@@ -149,7 +153,7 @@ pub trait Scalar: Sized {
     fn approx(&self) -> f64;
 
     /// Doubles that are exactly the coordinates of these points, all of them multiplied by one positive number; `None`
-    /// where there are none, or the type cannot tell at little cost.
+    /// if no number makes all coordinates doubles, or the type cannot tell at little cost.
     ///
     /// A positive factor changes no sign. So the sweep triangulates these doubles in place of the points, and the exact
     /// stages of `f64` decide what the filter leaves open. Types with [`Scalar::APPROX_IS_EXACT`] are not asked.
@@ -174,6 +178,9 @@ pub trait Scalar: Sized {
     /// The sweep asks for differences where approximations cannot tell the points apart: points close to each other and
     /// far from zero, or all too large or too small for a double. Then the doubles that feed the filter and choose what
     /// costs time are relative to one of the points. Without differences such points take the time of exact arithmetic.
+    ///
+    /// The unit must be that of `approx`: the sweep may take differences along one axis and approximations along the
+    /// other. So where another type computes the difference in 2^-16 of the unit, take 16 from its power.
     ///
     /// ```
     /// use num_bigint::BigInt;

@@ -15,8 +15,8 @@ use super::{Scalar, Stage, all_doubles};
 
 /// Marks a number whose `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a [`Scalar`].
 ///
-/// Implement `Unbounded` for exact numbers of your own; there is nothing to write. `to_f64` must return what
-/// [`Scalar::approx`] demands, never `None`, and infinity only for what is too large.
+/// Implement `Unbounded` for exact numbers of your own; beyond the traits that it asks for there is nothing to write.
+/// `to_f64` must return what [`Scalar::approx`] demands, never `None`, and infinity only for what is too large.
 ///
 /// The `BigInt` of `num-bigint` 0.4 implements it; the `BigRational` of `num-rational` 0.4 is a [`Scalar`] too. Other
 /// versions have other types. The traits asked for are those of `num-traits` 0.2.

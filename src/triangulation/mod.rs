@@ -20,11 +20,11 @@ use crate::triangulation::edge_chains::EdgeChains;
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
 ///
 /// Triangles are numbered `0..len()`, in the order in which the sweep left them. As a *set* they are the same for every
-/// order of the input, front, scalar and heuristic setting; [`canonical_triangles`](Triangulation::canonical_triangles)
-/// lists them in an order that is the same too. The vertices of a triangle run counter-clockwise; side `i` lies
-/// opposite vertex `i`. Of equal input points only the one with the lowest index, their
-/// [`representative`](Triangulation::representative), occurs in triangles, hull and chains. Methods panic if there is
-/// no triangle `t`, side `side` (0, 1 or 2) or edge `e`.
+/// front, scalar and heuristic setting and, up to the numbers of the points, for every order of the input. Compare
+/// results by [`canonical_triangles`](Triangulation::canonical_triangles). The vertices of a triangle run
+/// counter-clockwise; side `i` lies opposite vertex `i`. Of equal input points only the one with the lowest index,
+/// their [`representative`](Triangulation::representative), occurs in triangles, hull and chains. Methods panic if
+/// there is no triangle `t`, side `side` (0, 1 or 2) or edge `e`.
 ///
 /// ```
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0], [2.0, 1.0]];

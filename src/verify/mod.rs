@@ -3,17 +3,17 @@
 //! The verifier reads points, edges and triangles as bare arrays, made by any program, and decides all by exact signs.
 //! With the sweep it shares the predicates of [`scalar`](crate::scalar), and nothing else. The checks, in order:
 //!
-//! | | check | file |
-//! |---|---|---|
-//! | 1 | all coordinates are finite and all indices in range | `input` |
-//! | 2 | every triangle turns left, strictly | `turns` |
-//! | 3 | every half-edge (a side of a triangle in its direction) occurs once | `sides` |
-//! | 4 | the sides without a triangle on their right form one closed chain, which never turns right nor back and goes round once | `boundary`, `declared` |
-//! | 5 | every distinct point is a corner | `boundary` |
-//! | 6 | the number of triangles is Euler's, 2 n - 2 - h for n points, h of them on the boundary | `boundary` |
-//! | 7 | every input edge is a chain of sides | `edges` |
-//! | 8 | every other side between two triangles is *locally Delaunay*: the corner opposite to it in one triangle is not strictly inside the circumcircle of the other | `delaunay` |
-//! | 9 | if the caller gives the attributes of regions: each triangle has that of the region it lies in | `regions` |
+//! | | check |
+//! |---|---|
+//! | 1 | all coordinates are finite and all indices in range |
+//! | 2 | every triangle turns left, strictly |
+//! | 3 | every half-edge (a side of a triangle in its direction) occurs once |
+//! | 4 | the sides without a triangle on their right form one closed chain, which never turns right nor back and goes round once |
+//! | 5 | every distinct point is a corner |
+//! | 6 | the number of triangles is Euler's, 2 n - 2 - h for n points, h of them on the boundary |
+//! | 7 | every input edge is a chain of sides |
+//! | 8 | every other side between two triangles is *locally Delaunay*: the corner opposite to it in one triangle is not strictly inside the circumcircle of the other |
+//! | 9 | if the caller gives the attributes of regions: each triangle has that of the region it lies in |
 //!
 //! # Why that proves it
 //! *The triangles cover the convex hull once.* Take a point q that is on no side. The triangles turn left (2), so the
@@ -24,7 +24,7 @@
 //!
 //! *A domain that the caller declares* takes the place of the hull. (4) then asks that the boundary is the declared
 //! one, whichever way its chains run, and (5) that the declared sides do not cross and go round each place once or not
-//! at all (`scanline`). So the triangles cover the domain once, and points outside it need no corner.
+//! at all. So the triangles cover the domain once, and points outside it need no corner.
 //!
 //! *Points may be added* to those of the input, if the caller allows it. The corners at which the hull of all points
 //! turns must be the input's (4), so it is the hull of the input's points. Sides of a declared domain may have added
@@ -56,6 +56,13 @@
 //!
 //! Cost: O(n log n) on every input, since sides, straight chains and points in a declared domain are found by sorting
 //! and searching; usually linear but for one sort, about 0.4 s for a million points on one core. 60 bytes a triangle.
+//!
+//! # Results of other programs
+//! Corners are `usize`. The `simplices` of `scipy.spatial.Delaunay` are `i32`:
+//! `simplices.iter().map(|t| t.map(|v| v as usize))` converts them, and makes of -1 an index out of range. Clockwise
+//! triangles need [`Verifier::accept_clockwise`]. A program that decides by rounded numbers, as Qhull does, may leave a
+//! side wrong where four points are nearly on one circle: [`Violations::depth`] tells that from a wrong triangulation.
+//! It may also drop points that are nearly equal to others; each is a [`Violation::UnusedPoint`], which has no depth.
 
 mod boundary;
 mod chunks;
@@ -83,12 +90,14 @@ use crate::scalar::Measure;
 
 /// Verifies that `triangles` is a constrained Delaunay triangulation of `points` with `edges`.
 ///
-/// The proof is in the documentation of this module. Triangles are counter-clockwise triples of indices. Equal points
-/// count as one, and triangles and edges may name any of them. Points on one line have no triangles, and their edges
-/// are not checked. [`Verifier`] has options, and can use all cores.
+/// The proof is in the documentation of this module. Triangles are counter-clockwise triples of indices; clockwise ones
+/// need [`Verifier::accept_clockwise`]. Equal points count as one, and triangles and edges may name any of them. Points
+/// on one line have no triangles, and their edges are not checked. The level asked for is [`Level::Delaunay`], so of
+/// four points on a circle either diagonal is right. [`Verifier`] has options, and can use all cores.
 ///
 /// # Errors
-/// [`Violations`], if `triangles` is no such triangulation, or if the input is out of range or not finite.
+/// [`Violations`], if `triangles` is no such triangulation, or if the input is out of range or not finite. At most 100
+/// violations are listed ([`Verifier::limit`]); all are counted.
 ///
 /// ```
 /// use sweep_cdt::verify::verify;

@@ -152,8 +152,8 @@ impl<'a> Verifier<'a> {
         Verifier { limit, ..self }
     }
 
-    /// Whether every [depth](super::Depth) is measured, however many violations there are. By default only the first
-    /// 1000 in each 16384 triangles are, and those of the boundary if it has no more.
+    /// Whether every [depth](super::Depth) is measured, however many violations there are. By default only those of the
+    /// first 1000 wrong sides in each 16384 triangles are, and those of wrong turns if there are at most 1000 of them.
     #[must_use]
     pub fn all_depths(self, all: bool) -> Self {
         let measured = if all { usize::MAX } else { MEASURED };
