@@ -2,14 +2,19 @@
 //!
 //! The input is triangulated again by divide and conquer; in bands; with other heuristics; scaled by a power of two, and moved, both
 //! exactly; in another order of points, edges and ends; and with sides of the result as further edges:
-//! the answer is the same. Mirrored or turned by 90 degrees, the rule for four vertices on a circle draws
-//! other diagonals, but all other sides are the same. Where edges cross, every one of these says so.
+//! the answer is the same. The inside alone is the inside of the whole. Mirrored or turned by 90 degrees, the rule for
+//! four vertices on a circle draws other diagonals, but all other sides are the same. Where edges cross, every one of
+//! these says so.
 //!
 //! The judge is the crate itself, which takes other ways on the other input: filters fail elsewhere, other
 //! sides are flipped, left and right change places. The oracle, which shares no code with the crate, says
 //! what mirrors may change, and whether edges cross.
 
-use sweep_cdt::{Algorithm, Corners, Error, Heuristics, Triangulator};
+use std::cmp::Ordering;
+
+use sweep_cdt::interior::{FillRule, InteriorError};
+use sweep_cdt::scalar::filtered_orient2d;
+use sweep_cdt::{Algorithm, Corners, Error, Heuristics, Triangulator, triangulate};
 
 use crate::reached;
 use sweep_cdt_testing::Random;
@@ -35,6 +40,7 @@ pub fn judge(input: &Input, choices: u64) {
     assert_eq!(answer_by(input, heuristics), here, "{heuristics:?}");
     judge_algorithms(input, here.as_ref());
     judge_kept_memory(input, here.as_ref());
+    judge_inside(input);
     let limit = random.pick(&[60, 900]);
     let scale = random.integer(limit).exp2();
     // What overflows or loses digits does not come back.
@@ -108,6 +114,34 @@ fn judge_kept_memory(Input { points, edges }: &Input, here: Option<&Answer>) {
         let there = session.triangulate(points, edges);
         let there = there.map(|result| found(result, points.len(), edges.len()));
         assert_eq!(there.ok().as_ref(), here, "in memory that was kept");
+    }
+}
+
+/// The inside alone is the inside of the whole: of the edges, and of a ring that goes from the leftmost point to the
+/// rightmost below the line between them, and back above it.
+fn judge_inside(Input { points, edges }: &Input) {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&a, &b| points[a].partial_cmp(&points[b]).expect("finite"));
+    let (mut lower, mut upper) = (Vec::new(), Vec::new());
+    for &v in &order {
+        let ends = [order[0], order[order.len() - 1]].map(|v| &points[v]);
+        match filtered_orient2d(ends[0], ends[1], &points[v]) {
+            Ordering::Greater => upper.push(v),
+            _ => lower.push(v),
+        }
+    }
+    let corners: Vec<usize> = lower.into_iter().chain(upper.into_iter().rev()).collect();
+    let next = corners.iter().cycle().skip(1);
+    let ring: Vec<[usize; 2]> = corners.iter().zip(next).map(|(&v, &w)| [v, w]).collect();
+    let mut session = Triangulator::new().session();
+    for edges in [edges, &ring] {
+        let whole = triangulate(points, edges).map_err(|error| InteriorError::Refused { error });
+        for rule in [FillRule::EvenOdd, FillRule::NonZero(edges)] {
+            let whole = whole.as_ref().map_err(|error| *error);
+            let inside = whole.and_then(|whole| Ok(whole.interior(rule)?.canonical_triangles()));
+            let there = session.triangulate_inside(points, edges, rule);
+            assert_eq!(there, inside.as_deref().map_err(|error| *error), "{rule:?}");
+        }
     }
 }
 

@@ -224,15 +224,17 @@ pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
     }
 }
 
-/// The columns of the vertices. Where every vertex must have a height, heights that are all 0 say that there are none. So
-/// do heights that are all missing.
+/// The columns of the vertices. Where every vertex must have a height, heights that are all 0 or missing say that there
+/// are none. So do heights that are all missing, but for the attributes of Triangle's files.
 fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, ReadError> {
     let mut columns = vertices.columns()?;
-    let says_nothing = |height: f64| height.is_nan() || height == 0.0 && format.is_spatial();
-    columns.retain(|column| {
-        let mut values = column.values.iter();
-        column.name != Column::HEIGHT || !values.all(|&height| says_nothing(height))
-    });
+    if !matches!(format, InputFormat::Node | InputFormat::Poly) {
+        let says_nothing = |height: f64| height.is_nan() || height == 0.0 && format.is_spatial();
+        columns.retain(|column| {
+            let mut values = column.values.iter();
+            column.name != Column::HEIGHT || !values.all(|&height| says_nothing(height))
+        });
+    }
     Ok(columns)
 }
 

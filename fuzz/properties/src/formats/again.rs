@@ -141,13 +141,15 @@ pub(super) fn assert_reads<S: Exact>(
         assert_eq!(heights(&again), heights(file), "{format:?}");
     } else if !file.graph.points.is_empty() {
         // The first column is read as heights, whatever it was. Without vertices there are no lines for columns.
-        let values = |file: &GraphFile<S>| -> Vec<Vec<f64>> {
-            file.columns
-                .iter()
-                .map(|column| column.values.clone())
-                .collect()
+        let without_names = |file: &GraphFile<S>| -> Vec<Column> {
+            let columns = file.columns.iter().cloned();
+            let unnamed = |column| Column {
+                name: String::new(),
+                ..column
+            };
+            columns.map(unnamed).collect()
         };
-        assert_eq!(values(&again), values(file));
+        assert_eq!(without_names(&again), without_names(file));
     }
     let counts = |file: &GraphFile<S>| {
         [
@@ -161,13 +163,22 @@ pub(super) fn assert_reads<S: Exact>(
     }
 }
 
-/// The height of each vertex, 0 where there is none.
-pub(super) fn heights<S>(file: &GraphFile<S>) -> Vec<f64> {
-    let mut columns = file.columns.iter();
-    let column = columns.find(|column| column.name == Column::HEIGHT);
-    let mut heights = column.map_or_else(Vec::new, |column| column.values.clone());
-    heights.resize(file.graph.points.len(), 0.0);
-    heights
+/// The height of each vertex of a file, as [`as_heights`] has them.
+pub(super) fn heights<S>(file: &GraphFile<S>) -> Column {
+    let column = file.heights().cloned().unwrap_or_default();
+    as_heights(column.values, file.graph.points.len())
+}
+
+/// Heights as a column, which compares them; 0 for all points where no height is given but 0.
+pub(super) fn as_heights(mut values: Vec<f64>, points: usize) -> Column {
+    let is_given = |height: &f64| !height.is_nan() && *height != 0.0;
+    if !values.iter().any(is_given) {
+        values = vec![0.0; points];
+    }
+    Column {
+        name: Column::HEIGHT.to_owned(),
+        values,
+    }
 }
 
 /// Each format of results, and the file of it with the triangulation; the vertices of an `ele` follow

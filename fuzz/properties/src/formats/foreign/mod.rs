@@ -21,7 +21,7 @@ use sweep_cdt_formats::{
 use sweep_cdt_testing::generators;
 
 use self::meant::Meant;
-use super::again::{heights, source};
+use super::again::{as_heights, heights, source};
 use sweep_cdt_testing::oracle::canonical;
 
 /// The heights of vertices, in turn.
@@ -89,8 +89,7 @@ fn judge_input(format: InputFormat, bytes: &[u8], meant: &Meant) {
     };
     assert_eq!(file.graph.points, meant.points, "{}", shown());
     assert_eq!(file.graph.edges, meant.edges, "{}", shown());
-    let mut expected = meant.heights.clone();
-    expected.resize(meant.points.len(), 0.0);
+    let expected = as_heights(meant.heights.clone(), meant.points.len());
     assert_eq!(heights(&file), expected, "{}", shown());
 }
 
