@@ -119,9 +119,8 @@ fn passes_enclosed<S: Exact>([a, b]: [&[S; 2]; 2], point: &[S; 2]) -> Option<boo
     if pairs().any(|(first, last)| last.is_less_than(first)) {
         return Some(false);
     }
-    pairs()
-        .all(|(first, last)| first.is_less_than(last))
-        .then_some(true)
+    let has_common = pairs().all(|(first, last)| first.is_less_than(last));
+    has_common.then_some(true)
 }
 
 /// A part of a piece: from where to where, each with whether that end belongs to the part.
