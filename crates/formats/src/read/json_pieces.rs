@@ -4,7 +4,6 @@ use std::fmt;
 
 use serde::Deserialize;
 use serde::de::{self, Error, MapAccess, SeqAccess, Visitor};
-use serde_json::Deserializer;
 use serde_json::value::RawValue;
 
 use crate::read::source::{ReadError, Source, quoted};
@@ -55,6 +54,7 @@ pub(super) fn fault(source: &Source, piece: &RawValue, message: impl Into<String
 
 /// The JSON texts of a file: one, or several one after the other, each of them after a record separator (RFC 8142) or on
 /// lines of its own.
+#[cfg(feature = "mesh-formats")]
 pub(super) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
     const SEPARATOR: u8 = 0x1e;
     let mut texts = Vec::new();
@@ -66,7 +66,7 @@ pub(super) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
         if rest.is_empty() && !texts.is_empty() {
             return Ok(texts);
         }
-        let mut stream = Deserializer::from_slice(rest).into_iter::<&RawValue>();
+        let mut stream = serde_json::Deserializer::from_slice(rest).into_iter::<&RawValue>();
         match stream.next() {
             Some(Ok(text)) => texts.push(text),
             Some(Err(error)) => return Err(no_json(source, rest, &error)),
