@@ -91,7 +91,7 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
     /// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
     /// let mut session = sweep_cdt::Triangulator::new().session();
     /// let triangles = session.triangulate_inside(&points, &edges, FillRule::EvenOdd)?;
-    /// assert_eq!(triangles[..2], [[0, 1, 4], [0, 4, 3]]);
+    /// assert_eq!(triangles[..2], [[0, 1, 5], [0, 4, 3]]);
     /// assert_eq!(triangles.len(), 8);
     /// # Ok::<(), sweep_cdt::interior::InteriorError>(())
     /// ```
