@@ -11,12 +11,11 @@
 //! What zlib packs may grow by a factor of 1,032, so there is a limit. A block unpacks to as many bytes as the header
 //! says, or the array is refused. So it is the header that is compared with the limit, before anything is unpacked.
 
-use std::io::{ErrorKind, Read};
 use std::ops::Range;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use flate2::bufread::ZlibDecoder;
+use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_zlib_with_limit};
 
 /// Where the numbers of an array stand.
 pub(super) enum Stored {
@@ -176,13 +175,16 @@ fn decoded(text: &[u8]) -> Result<Vec<u8>, String> {
 /// Appends what a block is when it is unpacked, which must have this size.
 fn inflate(block: &[u8], size: usize, unpacked: &mut Vec<u8>) -> Result<(), String> {
     // A byte more than there may be tells a block that is too large.
-    let most = (size as u64).saturating_add(1);
-    match ZlibDecoder::new(block).take(most).read_to_end(unpacked) {
-        Ok(length) if length == size => Ok(()),
-        Ok(_) => Err(format!(
+    match decompress_to_vec_zlib_with_limit(block, size.saturating_add(1)) {
+        Ok(bytes) if bytes.len() == size => {
+            unpacked.extend(bytes);
+            Ok(())
+        }
+        Err(error) if error.status != TINFLStatus::HasMoreOutput => {
+            Err(format!("a block is not packed by zlib: {error}"))
+        }
+        _ => Err(format!(
             "a block does not have the {size} bytes that it says"
         )),
-        Err(error) if error.kind() == ErrorKind::OutOfMemory => Err("out of memory".to_owned()),
-        Err(error) => Err(format!("a block is not packed by zlib: {error}")),
     }
 }
