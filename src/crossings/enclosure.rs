@@ -2,12 +2,12 @@
 //!
 //! The number differs from a *double-double*, the sum of two doubles of which the second is at most half a unit of the
 //! first, by at most a bound on the error (ball arithmetic). Sums, products and quotients are those of Dekker (1971) and
-//! of Joldes, Muller and Popescu (2017, *Tight and rigorous error bounds for basic building blocks of double-word
-//! arithmetic*).
+//! of Joldes, Muller and Popescu (2017).
 //!
-//! Why it is right: write u for 2^-53. For operands without an error Joldes et al. prove that a sum is off by at most
-//! 4 u^2 of its size, a product without fused operations by 6 u^2, a quotient by 20 u^2, as long as nothing under- or
-//! overflows; [`ROUNDING`] is 64 u^2. The errors of operands are carried along: |x y - X Y| <= |X| e + |Y| d + d e for
+//! Why it is right: write u for 2^-53. For operands without an error, and as long as nothing under- or overflows, Joldes
+//! et al. bound the error of a sum by about 3 u^2 of its size, of a product without fused operations by 7 u^2, of a
+//! quotient by 15 u^2. The quotient here takes another product of theirs, which costs less than 10 u^2 more.
+//! [`ROUNDING`] is 64 u^2. The errors of operands are carried along: |x y - X Y| <= |X| e + |Y| d + d e for
 //! |x - X| <= d and |y - Y| <= e, and |x/y - X/Y| <= (d + |X/Y| e) / (|Y| - e). These bounds are sums and products of
 //! numbers that are not negative, of less than ten roundings each; [`UP`] pays for sixteen.
 //!

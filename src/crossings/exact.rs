@@ -149,8 +149,8 @@ pub(super) fn distance<S: Exact>(
     if under.is_zero() { under } else { over / under }
 }
 
-/// At least the [`distance`], if doubles can tell.
-pub(super) fn greatest_distance<S: Exact>(
+/// A bound on the [`distance`], if doubles can tell.
+pub(super) fn distance_at_most<S: Exact>(
     point: &[S; 2],
     [a, b]: [&[S; 2]; 2],
     units: &[Enclosure; 2],

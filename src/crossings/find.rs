@@ -28,12 +28,15 @@ use crate::sweep::{Separated, separate};
 /// How many boxes may meet in vain for each edge and each crossing. Small inputs are tested as if they were large.
 const PATIENCE: usize = if cfg!(any(test, fuzzing)) { 1 } else { 16 };
 
+/// A crossing, with the values nearest to its point.
+type Found<S> = (Crossing<S>, [S; 2]);
+
 /// Finds the crossings of edges whose ends exist, among points that are finite.
 pub(super) fn find<S: Exact>(
     points: &[[S; 2]],
     vertices: &Vertices<S>,
     edges: &[[usize; 2]],
-) -> Result<Vec<Crossing<S>>, SplitError> {
+) -> Result<Vec<Found<S>>, SplitError> {
     let mut search = Find {
         points,
         vertices,
@@ -50,7 +53,7 @@ pub(super) fn find<S: Exact>(
         open = rest;
     }
     let mut found = search.found;
-    found.sort_unstable_by_key(|crossing| crossing.edges);
+    found.sort_unstable_by_key(|(crossing, _)| crossing.edges);
     Ok(found)
 }
 
@@ -58,7 +61,7 @@ struct Find<'a, S> {
     points: &'a [[S; 2]],
     vertices: &'a Vertices<S>,
     edges: &'a [[usize; 2]],
-    found: Vec<Crossing<S>>,
+    found: Vec<Found<S>>,
 }
 
 /// Why the comparison of boxes ends early.
@@ -134,13 +137,14 @@ impl<S: Exact> Find<'_, S> {
             return Ok(false);
         }
         let crossing = Crossing::new(pair, ends);
-        if self.vertices.has(&crossing.nearest()) && self.vertices.has_exactly(&crossing.point()) {
+        let nearest = crossing.nearest();
+        if self.vertices.has(&nearest) && self.vertices.has_exactly(&crossing.point()) {
             return Ok(false);
         }
         if self.found.len() == LIMIT {
             return Err(SplitError::TooManyCrossings { limit: LIMIT });
         }
-        self.found.push(crossing);
+        self.found.push((crossing, nearest));
         Ok(true)
     }
 }

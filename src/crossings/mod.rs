@@ -116,7 +116,8 @@ pub fn crossings<S: Exact>(
 ) -> Result<Vec<Crossing<S>>, SplitError> {
     let vertices = Vertices::new(points)?;
     vertices.check(edges)?;
-    find(points, &vertices, edges)
+    let found = find(points, &vertices, edges)?;
+    Ok(found.into_iter().map(|(crossing, _)| crossing).collect())
 }
 
 #[cfg(test)]

@@ -41,7 +41,7 @@ use num_traits::{ToPrimitive, Zero};
 use super::cells::passed;
 use super::enclosure::Enclosure;
 use super::error::SplitError;
-use super::exact::{Exact, distance, greatest_distance, spacing};
+use super::exact::{Exact, distance, distance_at_most, spacing};
 use super::find::find;
 use super::vertices::Vertices;
 use crate::triangulation::Triangulation;
@@ -145,8 +145,8 @@ pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<
             return Ok(finished(points, &chains, rounds, displacement));
         }
         let mut on_edges = chains.concat();
-        for crossing in found {
-            on_edges.push(vertices.number(crossing.nearest(), &mut points));
+        for (_, place) in found {
+            on_edges.push(vertices.number(place, &mut points));
         }
         on_edges.sort_unstable();
         on_edges.dedup();
@@ -233,7 +233,7 @@ fn displacement<S: Exact>(points: &[[S; 2]], chains: &[Vec<usize>]) -> f64 {
         let doubles = units.each_ref().map(Enclosure::of);
         for &v in inner {
             let at_most = match &doubles {
-                [Some(x), Some(y)] => greatest_distance(&points[v], ends, &[*x, *y]),
+                [Some(x), Some(y)] => distance_at_most(&points[v], ends, &[*x, *y]),
                 _ => None,
             };
             if at_most.is_none_or(|at_most| at_most > greatest) {
