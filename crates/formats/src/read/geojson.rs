@@ -39,26 +39,36 @@ struct Object<'a> {
     features: Vec<&'a RawValue>,
 }
 
+/// The types of objects.
+#[derive(Clone, Copy, Deserialize)]
+enum Kind {
+    Point,
+    MultiPoint,
+    LineString,
+    MultiLineString,
+    Polygon,
+    MultiPolygon,
+    GeometryCollection,
+    Feature,
+    FeatureCollection,
+}
+
+impl Object<'_> {
+    /// The type, if the format has it.
+    fn kind(&self) -> Option<Kind> {
+        serde_json::from_str(self.kind.get()).ok()
+    }
+}
+
 /// Whether a `.json` holds `GeoJSON`: its first text has a type of it.
 pub(super) fn is_in(source: &Source) -> bool {
-    const TYPES: [&str; 9] = [
-        "Point",
-        "MultiPoint",
-        "LineString",
-        "MultiLineString",
-        "Polygon",
-        "MultiPolygon",
-        "GeometryCollection",
-        "Feature",
-        "FeatureCollection",
-    ];
     let text = source.text().unwrap_or_default();
     let mut texts = serde_json::Deserializer::from_slice(text).into_iter::<&RawValue>();
     let first = texts.next().and_then(Result::ok).map(RawValue::get);
     first
         .filter(|text| text.starts_with('{'))
         .and_then(|text| serde_json::from_str::<Object<'_>>(text).ok())
-        .is_some_and(|object| TYPES.contains(&object.kind.get().trim_matches('"')))
+        .is_some_and(|object| object.kind().is_some())
 }
 
 /// Reads a `.geojson`.
@@ -89,34 +99,35 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
             .and_then(|text| serde_json::from_str(text).ok())
             .ok_or_else(|| wrong(piece, "a geometry, a feature or a collection of them"))?;
         let coordinates = || object.coordinates.unwrap_or(piece);
-        match object.kind.get().trim_matches('"') {
-            "Feature" => waiting.extend(object.geometry.map(in_it)),
-            "FeatureCollection" => {
+        let kind = object.kind();
+        match kind.ok_or_else(|| wrong(object.kind, "a type of GeoJSON"))? {
+            Kind::Feature => waiting.extend(object.geometry.map(in_it)),
+            Kind::FeatureCollection => {
                 waiting.extend(object.features.into_iter().rev().map(in_it));
             }
-            "GeometryCollection" => {
+            Kind::GeometryCollection => {
                 waiting.extend(object.geometries.into_iter().rev().map(in_it));
             }
-            "Point" if is_empty(coordinates()) => {}
-            "Point" => {
+            Kind::Point if is_empty(coordinates()) => {}
+            Kind::Point => {
                 let point: Position<'_> = serde_json::from_str(coordinates().get())
                     .map_err(|_| wrong(coordinates(), "a position"))?;
                 add(&mut shapes, vec![point], Part::Points);
             }
-            kind @ ("MultiPoint" | "LineString") => {
+            kind @ (Kind::MultiPoint | Kind::LineString) => {
                 let list: Vec<Position<'_>> = serde_json::from_str(coordinates().get())
                     .map_err(|_| wrong(coordinates(), "a list of positions"))?;
-                let is_line = kind == "LineString";
+                let is_line = matches!(kind, Kind::LineString);
                 add(
                     &mut shapes,
                     list,
                     if is_line { Part::Line } else { Part::Points },
                 );
             }
-            kind @ ("MultiLineString" | "Polygon") => {
+            kind @ (Kind::MultiLineString | Kind::Polygon) => {
                 let lists: Vec<Vec<Position<'_>>> = serde_json::from_str(coordinates().get())
                     .map_err(|_| wrong(coordinates(), "a list of lists of positions"))?;
-                if kind == "Polygon" {
+                if matches!(kind, Kind::Polygon) {
                     add_polygon(&mut shapes, lists);
                 } else {
                     lists
@@ -124,7 +135,7 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
                         .for_each(|list| add(&mut shapes, list, Part::Line));
                 }
             }
-            "MultiPolygon" => {
+            Kind::MultiPolygon => {
                 let polygons: Vec<Vec<Vec<Position<'_>>>> =
                     serde_json::from_str(coordinates().get())
                         .map_err(|_| wrong(coordinates(), "a list of polygons"))?;
@@ -132,7 +143,6 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
                     .into_iter()
                     .for_each(|rings| add_polygon(&mut shapes, rings));
             }
-            _ => return Err(wrong(object.kind, "a type of GeoJSON")),
         }
     }
     Ok(shapes)
