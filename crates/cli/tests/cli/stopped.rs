@@ -181,6 +181,31 @@ fn outputs_are_copied_where_no_name_can_be_given() {
     assert_eq!(text(&output.stdout), expected);
 }
 
+/// What the command says where it fails in so many megabytes, which grow until it succeeds: one line each, and no file
+/// appears or goes.
+fn said_under_limits(
+    folder: &TempDir,
+    arguments: &str,
+    megabytes: impl Iterator<Item = u64>,
+) -> Vec<String> {
+    let before = names(folder.path());
+    let mut said = Vec::new();
+    for megabytes in megabytes {
+        let limit = format!("--as={}", megabytes << 20);
+        let output = output(by("prlimit", &[&limit], folder, arguments));
+        if output.status.success() {
+            break;
+        }
+        assert_eq!(names(folder.path()), before);
+        if output.status.code() == Some(1) {
+            let error = text(&output.stderr);
+            assert_eq!(error.lines().count(), 1, "{error}");
+            said.push(error.to_owned());
+        }
+    }
+    said
+}
+
 #[test]
 fn a_run_without_memory_says_so() {
     let folder = folder(&[("old.svg", "old")]);
@@ -188,20 +213,8 @@ fn a_run_without_memory_says_so() {
         .map(|i| format!("{i} {i} {}\n", i64::from(i).pow(2) % 1009))
         .collect();
     fs::write(folder.path().join("a.node"), format!("200000 2\n{points}")).expect("a file");
-    let mut said = Vec::new();
     // From less than the program itself needs to more than enough.
-    for megabytes in (16..160).step_by(4) {
-        let limit = format!("--as={}", megabytes << 20);
-        let output = output(by("prlimit", &[&limit], &folder, "triangulate a.node"));
-        let error = text(&output.stderr);
-        if output.status.success() {
-            break;
-        }
-        if output.status.code() == Some(1) {
-            assert_eq!(error.lines().count(), 1, "{error}");
-            said.push(error.to_owned());
-        }
-    }
+    let said = said_under_limits(&folder, "triangulate a.node", (16..160).step_by(4));
     for message in [
         "error: a.node: out of memory\n",
         "error: a.node: out of memory: it takes some 20 MB more\n",
@@ -219,21 +232,8 @@ fn an_output_without_memory_says_so() {
         .map(|i| format!("{i} {i} {}\n", square(i)))
         .collect();
     fs::write(folder.path().join("a.node"), format!("200000 2\n{points}")).expect("a file");
-    let mut said = Vec::new();
-    for megabytes in (40..300).step_by(10) {
-        let limit = format!("--as={}", megabytes << 20);
-        let arguments = "triangulate a.node -o a.json --threads 1";
-        let output = output(by("prlimit", &[&limit], &folder, arguments));
-        let error = text(&output.stderr);
-        if output.status.success() {
-            break;
-        }
-        if output.status.code() == Some(1) {
-            assert_eq!(error.lines().count(), 1, "{error}");
-            said.push(error.to_owned());
-        }
-        assert!(!folder.path().join("a.json").exists());
-    }
+    let arguments = "triangulate a.node -o a.json --threads 1";
+    let said = said_under_limits(&folder, arguments, (40..300).step_by(10));
     let message = "error: a.json: out of memory\n";
     assert!(said.iter().any(|error| error == message), "{said:?}");
 }
