@@ -78,7 +78,7 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
     ///
     /// Polygons are faster this way: of edges that are rings, and neither touch nor cross, only the inside is
     /// triangulated. (That is what [`Algorithm::Auto`] does, without reports of progress.) By winding number this holds
-    /// where rings in one another run in opposite directions. All else takes both steps, and a little longer.
+    /// where rings in one another run in opposite directions. All other input is triangulated as a whole first.
     ///
     /// # Errors
     /// [`InteriorError`]. [`InteriorError::Refused`] holds the error of [`triangulate`](Session::triangulate).
