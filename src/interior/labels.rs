@@ -51,8 +51,10 @@ impl<'a> Interior<'a> {
 
     /// How deep triangle `t` lies. For [`EvenOdd`](super::FillRule::EvenOdd) this is the least number of sides with an
     /// odd number of edges on them that a path from outside the hull to the triangle crosses. For
-    /// [`NonZero`](super::FillRule::NonZero) it is the winding number: how often the edges go round the triangle
-    /// counter-clockwise, less than 0 where they go clockwise. Otherwise it is 1 inside and 0 outside.
+    /// [`NonZero`](super::FillRule::NonZero) and the rules below it the depth is the winding number: how often the edges
+    /// go round the triangle counter-clockwise, less than 0 where they go clockwise. For
+    /// [`interior_of_polygons`](Triangulation::interior_of_polygons) it is the number of polygons that cover the
+    /// triangle. Otherwise it is 1 inside and 0 outside.
     pub fn depth(&self, t: usize) -> i32 {
         self.depths[t]
     }
@@ -63,7 +65,8 @@ impl<'a> Interior<'a> {
     }
 
     /// The region that triangle `t` belongs to, as a position in the regions of
-    /// [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds); `None` if it belongs to none.
+    /// [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds), or as the number of a
+    /// [`Ring`](super::Ring)'s polygon; `None` if it belongs to none.
     pub fn region(&self, t: usize) -> Option<usize> {
         assert!(t < self.result.len(), "there is no triangle {t}");
         let region = *self.regions.get(t)?;
