@@ -16,6 +16,8 @@ pub struct Interior<'a> {
     is_inside: Vec<bool>,
     /// For each triangle its region; empty if there are no regions.
     regions: Vec<Option<u32>>,
+    /// Whether the regions are polygons.
+    is_of_polygons: bool,
 }
 
 impl<'a> Interior<'a> {
@@ -32,11 +34,20 @@ impl<'a> Interior<'a> {
             inside,
             is_inside,
             regions: Vec::new(),
+            is_of_polygons: false,
         }
     }
 
     pub(super) fn with_regions(self, regions: Vec<Option<u32>>) -> Interior<'a> {
         Interior { regions, ..self }
+    }
+
+    /// The interior whose regions are polygons.
+    pub(super) fn with_polygons(self, polygons: Vec<Option<u32>>) -> Interior<'a> {
+        Interior {
+            is_of_polygons: true,
+            ..self.with_regions(polygons)
+        }
     }
 
     /// The interior that is the whole hull of a triangulation.
@@ -76,6 +87,12 @@ impl<'a> Interior<'a> {
     /// Whether there are regions.
     pub fn has_regions(&self) -> bool {
         !self.regions.is_empty()
+    }
+
+    /// Whether the regions are numbers of polygons, of
+    /// [`Triangulation::interior_of_polygons`].
+    pub fn is_of_polygons(&self) -> bool {
+        self.is_of_polygons
     }
 
     /// The triangles inside, as their vertices, in ascending order of their numbers.

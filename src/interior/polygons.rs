@@ -100,7 +100,7 @@ impl Triangulation {
         });
         let of_face = faces.iter().map(|&face| depths[face]).collect();
         let regions = faces.iter().map(|&face| lowest[face]).collect();
-        Ok(Interior::new(self, of_face, |depth| depth > 0).with_regions(regions))
+        Ok(Interior::new(self, of_face, |depth| depth > 0).with_polygons(regions))
     }
 }
 

@@ -9,6 +9,7 @@ mod geojson;
 mod input;
 mod json;
 mod json_faults;
+mod json_more;
 mod json_pieces;
 mod matching;
 mod mesh;
@@ -20,6 +21,7 @@ mod off;
 mod ply;
 #[cfg(feature = "mesh-formats")]
 mod ply_header;
+mod remarks;
 mod result;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
@@ -32,6 +34,8 @@ mod triangle;
 mod vtk;
 #[cfg(feature = "mesh-formats")]
 mod vtk_arrays;
+#[cfg(feature = "mesh-formats")]
+mod vtk_cells;
 #[cfg(feature = "mesh-formats")]
 mod vtu;
 #[cfg(feature = "mesh-formats")]

@@ -20,6 +20,8 @@ pub struct Source {
     pub bytes: Vec<u8>,
     /// The limit that was asked for.
     unpacked_limit: Option<u64>,
+    /// The name of a property that is a height, if it was named.
+    pub(super) height_property: Option<String>,
 }
 
 /// The bytes that every file may unpack to.
@@ -36,7 +38,17 @@ impl Source {
             name: name.into(),
             bytes: bytes.into(),
             unpacked_limit: None,
+            height_property: None,
         }
+    }
+
+    /// Names the property of a feature that is the height of its positions, where these have no third coordinate. Of a
+    /// `GeoJSON` alone. Without a call a number is found by its usual names, `elev` or `height` for instance, for points
+    /// and lines; [`Remark::HeightProperty`](crate::Remark::HeightProperty) says which.
+    #[must_use]
+    pub fn height_property(mut self, name: impl Into<String>) -> Source {
+        self.height_property = Some(name.into());
+        self
     }
 
     /// Limits the bytes that what is packed in the file may unpack to, all together. (Only a `.vtu` has packed arrays.)

@@ -20,9 +20,11 @@ use std::ops::Range;
 
 use crate::read::binary::{Kind, Number};
 use crate::read::content::{Field, Syntax, Vertices};
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::vtk;
+use crate::read::vtk_cells::CellData;
 use crate::read::vtu_arrays::{Fault, Packing, Stored};
 use crate::read::vtu_elements::{Array, Elements, Section};
 
@@ -36,6 +38,10 @@ pub(super) struct Unpacked {
     ends: Numbers,
     types: Numbers,
     columns: Vec<(String, Numbers)>,
+    /// Data of the cells that are read.
+    cell_data: Vec<(String, Numbers)>,
+    /// The names of arrays that are not.
+    others: Vec<String>,
 }
 
 /// Where numbers stand, and how.
@@ -79,19 +85,37 @@ impl Unpacked {
         let corners = unpack(array(Section::Cells, "connectivity")?, None)?;
         let ends = unpack(array(Section::Cells, "offsets")?, cells)?;
         let types = unpack(array(Section::Cells, "types")?, cells)?;
-        let is_column =
-            |array: &&Array| array.section == Section::PointData && array.components == 1;
-        let columns = elements.arrays.iter().filter(is_column);
-        let columns = columns.map(|array| {
-            let numbers = unpack(array, Some(elements.points))?;
-            Ok((array.name.clone(), numbers))
-        });
+        let is_column = |array: &&Array| {
+            array.components == 1
+                && match array.section {
+                    Section::PointData => true,
+                    Section::CellData => CellData::is_read(array.name.as_bytes()),
+                    Section::Points | Section::Cells => false,
+                }
+        };
+        let (mut columns, mut cell_data) = (Vec::new(), Vec::new());
+        for array in elements.arrays.iter().filter(is_column) {
+            let (list, count) = match array.section {
+                Section::CellData => (&mut cell_data, elements.cells),
+                _ => (&mut columns, elements.points),
+            };
+            list.push((array.name.clone(), unpack(array, Some(count))?));
+        }
+        let is_data =
+            |array: &&Array| matches!(array.section, Section::PointData | Section::CellData);
+        let others = elements
+            .arrays
+            .iter()
+            .filter(|array| is_data(array) && !is_column(array));
+        let others = others.map(|array| array.name.clone());
         Ok(Unpacked {
             points,
             corners,
             ends,
             types,
-            columns: columns.collect::<Result<_, ReadError>>()?,
+            columns,
+            cell_data,
+            others: others.chain(elements.others.iter().cloned()).collect(),
             source: unpacked,
         })
     }
@@ -114,17 +138,22 @@ impl Unpacked {
                 syntax: numbers.syntax,
                 pieces: self.pieces(numbers).collect(),
             }));
+        let mut remarks = Remarks::default();
+        for name in &self.others {
+            remarks.ignore_named(1, "array", name.as_bytes());
+        }
         Ok(Mesh {
             vertices,
-            faces: self.faces()?,
+            cells: self.cells(&mut remarks)?,
             first: 0,
+            remarks,
         })
     }
 
-    fn faces(&self) -> Result<Faces, ReadError> {
+    fn cells(&self, remarks: &mut Remarks) -> Result<Cells, ReadError> {
         let corners: Vec<usize> = self.indices(&self.corners).collect::<Result<_, _>>()?;
         let (ends, types) = (self.indices(&self.ends), self.indices(&self.types));
-        let mut faces = Faces::default();
+        let (mut cells, mut data) = (Cells::default(), CellData::default());
         let mut begin = 0;
         for (at, (end, kind)) in ends.zip(types).enumerate() {
             let (end, kind) = (end?, kind?);
@@ -132,10 +161,15 @@ impl Unpacked {
                 let message = format!("cell {at}: its corners are not in `connectivity`");
                 return Err(ReadError::of_file(&self.source.name, message));
             };
-            vtk::add_cell(&mut faces, kind, cell, &self.source, at);
+            vtk::add_cell(&mut cells, kind, cell, &self.source, at);
+            data.end_cell(&cells);
             begin = end;
         }
-        Ok(faces)
+        for (name, numbers) in &self.cell_data {
+            let value = |piece| numbers.syntax.value(piece).unwrap_or(f64::NAN);
+            data.add(name.as_bytes(), self.pieces(numbers).map(value).collect());
+        }
+        Ok(data.given_to(cells, remarks))
     }
 
     fn indices(&self, numbers: &Numbers) -> impl Iterator<Item = Result<usize, ReadError>> {

@@ -18,6 +18,8 @@ pub(super) struct Elements<'a> {
     pub(super) points: usize,
     pub(super) cells: usize,
     pub(super) arrays: Vec<Array>,
+    /// The names of arrays of points and cells that are no numbers.
+    pub(super) others: Vec<String>,
 }
 
 /// A `DataArray` of numbers.
@@ -35,6 +37,7 @@ pub(super) struct Array {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Section {
     PointData,
+    CellData,
     Points,
     Cells,
 }
@@ -72,6 +75,7 @@ impl<'a> Elements<'a> {
                 points: 0,
                 cells: 0,
                 arrays: Vec::new(),
+                others: Vec::new(),
             },
         };
         scan.read(text)?;
@@ -136,6 +140,7 @@ impl<'a> Scan<'a> {
             "Piece" => return self.enter_piece(element),
             "DataArray" => return self.enter_array(element),
             "PointData" => Section::PointData,
+            "CellData" => Section::CellData,
             "Points" => Section::Points,
             "Cells" => Section::Cells,
             _ => return Ok(Open::Other),
@@ -170,7 +175,9 @@ impl<'a> Scan<'a> {
         };
         let kind = self.attribute(element, "type")?;
         let Some(kind) = kind_of(&kind) else {
-            if section == Section::PointData {
+            if matches!(section, Section::PointData | Section::CellData) {
+                let name = self.attribute(element, "Name")?;
+                self.elements.others.push(name.into_owned());
                 return Ok(Open::Other);
             }
             let message = format!("{} is not a type that is read", quoted(kind.as_bytes()));

@@ -2,6 +2,7 @@
 
 mod crossings;
 mod json;
+mod labels;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod mesh_formats;
@@ -129,7 +130,7 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Node => write_node(file, out),
         OutputFormat::Json => json::write_interior(file, interior, out),
         OutputFormat::Obj => Mesh::of(file, interior).write_obj(out),
-        OutputFormat::Off => Mesh::of(file, interior).write_off(out),
+        OutputFormat::Off => Mesh::of(file, interior).without_lines().write_off(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Ply => Mesh::of(file, interior).write_ply(out),
         #[cfg(feature = "mesh-formats")]

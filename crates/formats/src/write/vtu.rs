@@ -6,7 +6,7 @@ use quick_xml::escape::escape;
 
 use super::mesh::{Mesh, write_faces};
 use super::rows::{number, write_rows};
-use crate::Coordinate;
+use crate::{Column, Coordinate};
 
 impl<S: Coordinate> Mesh<'_, S> {
     /// Writes VTK's XML format with all columns.
@@ -39,12 +39,33 @@ impl<S: Coordinate> Mesh<'_, S> {
             })?;
             writeln!(out, "</DataArray>")?;
         }
-        writeln!(out, "</PointData>\n<Points>")?;
+        writeln!(out, "</PointData>")?;
+        if !self.markers.is_empty() || self.labels.is_some() {
+            writeln!(out, "<CellData>")?;
+            if !self.markers.is_empty() {
+                begin(out, "Int64", Column::MARKER, 1)?;
+                write_rows(out, cells, |cell, text| {
+                    self.write_marker(cell, text);
+                    text.push(b'\n');
+                })?;
+                writeln!(out, "</DataArray>")?;
+            }
+            if let Some(labels) = &self.labels {
+                begin(out, "Float64", labels.name, 1)?;
+                write_rows(out, cells, |cell, text| {
+                    self.write_label(cell, labels, text);
+                    text.push(b'\n');
+                })?;
+                writeln!(out, "</DataArray>")?;
+            }
+            writeln!(out, "</CellData>")?;
+        }
+        writeln!(out, "<Points>")?;
         begin(out, "Float64", "Points", 3)?;
         self.write_vertices(|_, _| (), &[], out)?;
         writeln!(out, "</DataArray>\n</Points>\n<Cells>")?;
         begin(out, "Int64", "connectivity", 1)?;
-        write_faces(b"", 0, self.lines, out)?;
+        write_faces(b"", 0, &self.lines, out)?;
         write_faces(b"", 0, &self.triangles, out)?;
         writeln!(out, "</DataArray>")?;
         begin(out, "Int64", "offsets", 1)?;
