@@ -46,13 +46,14 @@ pub use geo::{geo_graph, geo_triangles};
 pub use graph_file::{Column, GraphFile, Numbering, sorted_pairs};
 pub use named::Named;
 pub use read::{
-    Input, InputFormat, Matched, Matching, ReadError, ReadErrorKind, ResultError, ResultFormat,
-    Source, Triangles, added_points, read, read_result,
+    Input, InputFormat, Matched, Matching, Nearest, ReadError, ReadErrorKind, ResultError,
+    ResultFormat, Source, Triangles, added_points, read, read_result,
 };
 pub use split::Splitting;
 pub use trace::{read_trace, write_trace};
 pub use write::{
     CrossingsFormat, OutputFormat, write, write_crossings, write_graph, write_interior, write_node,
+    write_violations,
 };
 
 /// The example of the README, as a test.

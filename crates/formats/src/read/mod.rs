@@ -14,6 +14,7 @@ mod matching;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod msh;
+mod nearby;
 mod obj;
 mod off;
 #[cfg(feature = "mesh-formats")]
@@ -21,6 +22,7 @@ mod ply;
 #[cfg(feature = "mesh-formats")]
 mod ply_header;
 mod result;
+mod rounding;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
 mod source;
@@ -48,4 +50,4 @@ pub(crate) use input::merged;
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, added_points, read_result};
-pub use source::{ReadError, ReadErrorKind, ResultError, Source};
+pub use source::{Nearest, ReadError, ReadErrorKind, ResultError, Source};
