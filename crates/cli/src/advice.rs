@@ -73,7 +73,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
             .or_else(|| self.left_out(violations));
         change
             .or_else(|| fit.map(|fit| self.in_words(&fit)))
-            .unwrap_or_else(|| self.without_advice())
+            .unwrap_or_else(|| self.without_advice(violations))
     }
 
     /// The options that accept these triangles, with the fewest violations.
@@ -260,15 +260,22 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
     }
 
     /// What is said where no option and no change that is known helps.
-    fn without_advice(&self) -> String {
+    fn without_advice(&self, violations: &Violations) -> String {
         let what = if self.triangles.list.is_empty() {
-            "the result has no triangles"
+            "the result has no triangles".to_owned()
         } else if !self.triangles.strangers.is_empty() {
             "corners are no vertices of the input: perhaps this is the result of another one"
+                .to_owned()
         } else {
-            "no option accepts this"
+            match violations.list.first() {
+                Some(first) => format!(
+                    "no option accepts this, the first violation is {}",
+                    first.name()
+                ),
+                None => "no option accepts this".to_owned(),
+            }
         };
-        format!("{what}; `--svg wrong.svg` and `--geojson wrong.geojson` show where it is wrong")
+        format!("{what}: `--svg wrong.svg` and `--geojson wrong.geojson` show where it is wrong")
     }
 }
 

@@ -370,7 +370,7 @@ fn difference(text: &str) -> Result<f64, String> {
 
 /// The failure of a result that is not read, with what helps.
 fn refusal(error: &ResultError) -> Failure {
-    let accepting = |tolerance: f64| format!("--tolerance {tolerance} accepts it");
+    let accepting = |tolerance: f64| format!("--tolerance {} accepts it", tolerance.text());
     let ways_out = match *error {
         ResultError::Stranger {
             accepted: Some(tolerance),

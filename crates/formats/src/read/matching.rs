@@ -16,7 +16,7 @@ use num_rational::BigRational;
 
 use crate::read::content::Vertices;
 use crate::read::nearby::{Nearby, around};
-use crate::read::rounding::{Rule, are_singles};
+use crate::read::rounding::{Rule, are_singles, fixed_places};
 use crate::read::source::{Nearest, ReadError, ResultError};
 use crate::{Coordinate, GraphFile};
 use sweep_cdt::scalar::Scalar;
@@ -108,7 +108,7 @@ impl Matching {
                 let difference = pairs.fold(0.0, f64::max);
                 let matched = match (self.tolerance, rule) {
                     (Some(_), _) => Matched::Within { difference },
-                    (None, Rule::Decimals) => Matched::Printed { difference },
+                    (None, Rule::Decimals | Rule::Fixed(_)) => Matched::Printed { difference },
                     (None, Rule::Singles) => Matched::Single { difference },
                 };
                 return Ok((matched, Some(places)));
@@ -176,7 +176,7 @@ struct Rounded<'a, S> {
     /// The points, as doubles.
     values: Vec<[f64; 2]>,
     /// How they may be rounded: all of them by one of these.
-    rules: &'static [Rule],
+    rules: Vec<Rule>,
 }
 
 impl<'a, S: Coordinate> Rounded<'a, S> {
@@ -188,10 +188,11 @@ impl<'a, S: Coordinate> Rounded<'a, S> {
         found: &'a [Option<usize>],
     ) -> Rounded<'a, S> {
         let values = approximations(points);
-        let rules: &[Rule] = match (vertices.is_single(), are_singles(vertices, &values)) {
-            (true, _) => &[Rule::Singles],
-            (_, true) => &[Rule::Decimals, Rule::Singles],
-            (_, false) => &[Rule::Decimals],
+        let rules = if vertices.is_single() {
+            vec![Rule::Singles]
+        } else {
+            let singles = are_singles(vertices, &values).then_some(Rule::Singles);
+            [Rule::Decimals].into_iter().chain(singles).collect()
         };
         Rounded {
             tolerance,
@@ -252,9 +253,11 @@ impl<'a, S: Coordinate> Rounded<'a, S> {
             let places: Result<Vec<usize>, usize> = places.collect();
             places.map(|places| (places, rule))
         };
-        let first = by(self.rules[0]);
-        let others = self.rules[1..].iter();
-        first.or_else(|at| others.map(|&rule| by(rule)).find_map(Result::ok).ok_or(at))
+        let fixed = fixed_places(self.vertices).map(Rule::Fixed);
+        let mut rules = fixed.into_iter().chain(self.rules.iter().copied());
+        rules
+            .find_map(|rule| by(rule).ok())
+            .map_or_else(|| by(self.rules[0]), Ok)
     }
 }
 

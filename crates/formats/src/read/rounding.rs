@@ -3,10 +3,11 @@
 //! A program that prints a coordinate with k significant digits moves it by at most half a unit of its k-th digit. How
 //! many digits were printed is seen in the file: as many as stand there, without leading zeros, but 6 at least, since
 //! many programs (`%g`, C++ streams) drop zeros at the end of their 6. So a number that is written with more digits
-//! than 6 must agree in all of them. A half may be rounded to either side. A number of single precision stands for the
-//! doubles to which it is the nearest.
+//! than 6 must agree in all of them. A half may be rounded to either side. A program that prints a fixed number of
+//! decimals prints few digits of small numbers: where all numbers of a file are such, and one has 6 decimals or more, the
+//! greatest number of decimals counts. A number of single precision stands for the doubles to which it is the nearest.
 //!
-//! Both are ranges of doubles, because rounding keeps the order. The ends of a range are the halves, each as the nearest
+//! All are ranges of doubles, because rounding keeps the order. The ends of a range are the halves, each as the nearest
 //! double; beyond 15 digits, where a double has several texts, an end must also be printed as the number in the file.
 //!
 //! Cost: a number is printed once, and two are read.
@@ -19,6 +20,8 @@ use sweep_cdt::scalar::Scalar;
 pub(super) enum Rule {
     /// To the digits that it prints.
     Decimals,
+    /// To so many decimals.
+    Fixed(usize),
     /// To single precision.
     Singles,
 }
@@ -34,6 +37,7 @@ impl Rule {
     pub(super) fn doubles(self, text: &str, value: f64) -> Option<[f64; 2]> {
         match self {
             Rule::Decimals => decimals(digits(text)?.clamp(FEWEST, MOST), value),
+            Rule::Fixed(places) => fixed(places, value),
             Rule::Singles => singles(value),
         }
     }
@@ -47,6 +51,39 @@ pub(super) fn are_singles(vertices: &Vertices<'_>, values: &[[f64; 2]]) -> bool 
         digits.is_some_and(|digits| is_printed(single(value), digits.clamp(1, MOST), value))
     };
     (0..values.len()).all(|v| is_single(v, 0) && is_single(v, 1))
+}
+
+/// How many decimals the numbers of a file have, the most of them; `None`, if these are too few to tell, or if numbers
+/// have exponents or are fractions.
+pub(super) fn fixed_places(vertices: &Vertices<'_>) -> Option<usize> {
+    let mut places = 0;
+    for vertex in 0..vertices.coordinates.len() {
+        for axis in 0..2 {
+            let text = vertices.text(vertex, axis);
+            if text.contains(['e', 'E', '/']) {
+                return None;
+            }
+            places = places.max(
+                text.split_once('.')
+                    .map_or(0, |(_, decimals)| decimals.len()),
+            );
+        }
+    }
+    (FEWEST..=MOST).contains(&places).then_some(places)
+}
+
+/// The doubles that are printed with so many decimals as this value.
+fn fixed(places: usize, value: f64) -> Option<[f64; 2]> {
+    if value == 0.0 {
+        let half: f64 = format!("0.5e-{places}").parse().ok()?;
+        return Some([-half, half]);
+    }
+    // Digits are counted from the first one of the value.
+    let text = format!("{:e}", value.abs());
+    let exponent: i32 = text.split_once('e')?.1.parse().ok()?;
+    let digits = exponent + 1 + i32::try_from(places).ok()?;
+    let digits = usize::try_from(digits).ok()?;
+    decimals(digits.clamp(1, MOST), value)
 }
 
 /// The doubles that are printed with so many digits as this value.
