@@ -50,8 +50,8 @@ pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};
 pub use named::Named;
 pub use polygons::Polygons;
 pub use read::{
-    Input, InputFormat, Matched, Matching, ReadError, ReadErrorKind, ResultError, ResultFormat,
-    Source, Triangles, added_points, read, read_result,
+    Input, InputFormat, Matched, Matching, Nearest, ReadError, ReadErrorKind, ResultError,
+    ResultFormat, Source, Triangles, added_points, read, read_result,
 };
 pub use remark::Remark;
 pub use split::Splitting;
@@ -59,6 +59,7 @@ pub use system::CoordinateSystem;
 pub use trace::{read_trace, write_trace};
 pub use write::{
     CrossingsFormat, OutputFormat, write, write_crossings, write_graph, write_interior, write_node,
+    write_violations,
 };
 
 /// The example of the README, as a test.

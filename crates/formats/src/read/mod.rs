@@ -15,6 +15,7 @@ mod matching;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod msh;
+mod nearby;
 mod obj;
 mod off;
 #[cfg(feature = "mesh-formats")]
@@ -23,6 +24,7 @@ mod ply;
 mod ply_header;
 mod remarks;
 mod result;
+mod rounding;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
 mod source;
@@ -52,4 +54,4 @@ pub(crate) use input::merged;
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, added_points, read_result};
-pub use source::{ReadError, ReadErrorKind, ResultError, Source};
+pub use source::{Nearest, ReadError, ReadErrorKind, ResultError, Source};

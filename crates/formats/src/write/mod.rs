@@ -1,6 +1,7 @@
 //! Writers: a [`GraphFile`] and its [`Triangulation`] in, or a graph alone, and text out.
 
 mod crossings;
+mod features;
 mod json;
 mod labels;
 mod mesh;
@@ -9,6 +10,7 @@ mod mesh_formats;
 mod rows;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
+mod violations;
 #[cfg(feature = "mesh-formats")]
 mod vtu;
 
@@ -16,6 +18,7 @@ use std::io::{self, Write};
 
 pub use crossings::{CrossingsFormat, write_crossings};
 pub use rows::write_node;
+pub use violations::write_violations;
 
 use self::mesh::Mesh;
 use crate::{Coordinate, GraphFile, InputFormat};
