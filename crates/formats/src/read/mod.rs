@@ -14,13 +14,19 @@ mod matching;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod msh;
+#[cfg(feature = "mesh-formats")]
+mod npy;
+#[cfg(feature = "mesh-formats")]
+mod numpy;
 mod obj;
 mod off;
 #[cfg(feature = "mesh-formats")]
 mod ply;
 #[cfg(feature = "mesh-formats")]
 mod ply_header;
+mod points;
 mod result;
+mod rows;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
 mod source;
