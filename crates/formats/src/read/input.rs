@@ -7,16 +7,18 @@ use crate::read::matching::{find, is_finite};
 use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source};
 #[cfg(feature = "mesh-formats")]
+use crate::read::numpy::Arrays;
+#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
 #[cfg(feature = "mesh-formats")]
 use crate::read::{geojson, msh, ply, vtk, wkt};
-use crate::read::{json, obj, off, triangle};
+use crate::read::{json, obj, off, points, triangle};
 use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
 
 named! {
     /// A format that [`read()`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `geojson` and `wkt`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `geojson`, `wkt`, `npy` and `npz`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum InputFormat {
@@ -30,6 +32,12 @@ named! {
         Obj = "obj",
         /// Geomview's vertices, and faces of two corners.
         Off = "off",
+        /// Points, a row for each, with or without the names of columns.
+        Csv = "csv",
+        /// Points as in `.csv`.
+        Xyz = "xyz",
+        /// Points as in `.csv`.
+        Txt = "txt",
         /// Stanford's vertices and edges, as text or binary.
         #[cfg(feature = "mesh-formats")]
         Ply = "ply",
@@ -48,14 +56,25 @@ named! {
         /// Points, lines and polygons as text.
         #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
+        /// Points as an array of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npy = "npy",
+        /// Points and edges as arrays of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npz = "npz",
     }
 }
 
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        use InputFormat::{Json, Node, Poly};
-        !matches!(self, Node | Poly | Json) && !self.is_without_vertices()
+        use InputFormat::{Obj, Off};
+        #[cfg(feature = "mesh-formats")]
+        use InputFormat::{Msh, Ply, Vtk, Vtu};
+        #[cfg(feature = "mesh-formats")]
+        return matches!(self, Obj | Off | Ply | Vtk | Vtu | Msh);
+        #[cfg(not(feature = "mesh-formats"))]
+        matches!(self, Obj | Off)
     }
 
     /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
@@ -128,6 +147,7 @@ pub fn read(
         },
         InputFormat::Obj => obj::read(source)?.into_graph()?,
         InputFormat::Off => off::read(source)?.into_graph()?,
+        InputFormat::Csv | InputFormat::Xyz | InputFormat::Txt => points::read(source)?,
         #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => ply::read(source)?.into_graph()?,
         #[cfg(feature = "mesh-formats")]
@@ -143,6 +163,10 @@ pub fn read(
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Npy => return input(format, Arrays::of_points(source)?.graph()?),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Npz => return input(format, Arrays::of_archive(source)?.graph()?),
     };
     input(format, content)
 }

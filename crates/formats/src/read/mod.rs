@@ -16,15 +16,21 @@ mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod msh;
 mod nearby;
+#[cfg(feature = "mesh-formats")]
+mod npy;
+#[cfg(feature = "mesh-formats")]
+mod numpy;
 mod obj;
 mod off;
 #[cfg(feature = "mesh-formats")]
 mod ply;
 #[cfg(feature = "mesh-formats")]
 mod ply_header;
+mod points;
 mod remarks;
 mod result;
 mod rounding;
+mod rows;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
 mod source;

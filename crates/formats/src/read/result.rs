@@ -6,6 +6,8 @@ use crate::read::content::{Corners, Labels, Vertices};
 use crate::read::matching::{self, Matched, Matching};
 use crate::read::source::{ReadError, ResultError, Source};
 #[cfg(feature = "mesh-formats")]
+use crate::read::numpy::Arrays;
+#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
 #[cfg(feature = "mesh-formats")]
 use crate::read::{geojson, msh, ply, stl, vtk, wkt};
@@ -16,7 +18,8 @@ use sweep_cdt::verify::{Offenders, Violation};
 
 named! {
     /// A format that [`read_result`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `stl`, `geojson` and `wkt`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `stl`, `geojson`, `wkt`,
+    /// `npy` and `npz`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum ResultFormat {
@@ -49,6 +52,12 @@ named! {
         /// Polygons as text.
         #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
+        /// Triangles as an array of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npy = "npy",
+        /// Triangles, and maybe points, as arrays of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npz = "npz",
     }
 }
 
@@ -86,6 +95,10 @@ impl ResultFormat {
             ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
             #[cfg(feature = "mesh-formats")]
             ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
+            ResultFormat::Npy => return make(Arrays::of_triangles(source)?.triangles()?),
+            #[cfg(feature = "mesh-formats")]
+            ResultFormat::Npz => return make(Arrays::of_archive(source)?.triangles()?),
         };
         make(corners)
     }

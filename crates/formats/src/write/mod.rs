@@ -7,6 +7,9 @@ mod labels;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod mesh_formats;
+#[cfg(feature = "mesh-formats")]
+mod numpy;
+mod points;
 mod rows;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
@@ -28,7 +31,7 @@ use sweep_cdt::memory::has_room;
 
 named! {
     /// A format that [`write()`] makes, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `stl`, `geojson` and `wkt`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `stl`, `geojson`, `wkt`, `npy` and `npz`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum OutputFormat {
@@ -63,6 +66,12 @@ named! {
         /// Polygons as text.
         #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
+        /// Triangles as an array of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npy = "npy",
+        /// Points, edges and triangles as arrays of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npz = "npz",
     }
 }
 
@@ -148,6 +157,10 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Geojson => shapes::write_geojson(file, interior, out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Npy => Mesh::of(file, interior).write_triangles(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Npz => Mesh::of(file, interior).write_npz(&file.graph.edges, out),
     }
 }
 
@@ -168,7 +181,8 @@ fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
 }
 
 /// Writes a graph that is not triangulated, in a format from which [`read()`](crate::read()) makes the same
-/// one, but for fractions, which only the first three hold: the others have the nearest doubles. A `.node` holds vertices alone, a `.json` no seeds, and a `.poly` without vertices is read as one whose
+/// one, but for fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest doubles. A `.node` and points as text hold
+/// vertices alone, a `.json` no seeds, and a `.poly` without vertices is read as one whose
 /// vertices are in the `.node` beside it.
 ///
 /// ```
@@ -196,6 +210,8 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Json => json::write_graph(file, out),
         InputFormat::Obj => Mesh::of_graph(file).write_obj(out),
         InputFormat::Off => Mesh::of_graph(file).write_off(out),
+        InputFormat::Csv => points::write(file, b',', out),
+        InputFormat::Xyz | InputFormat::Txt => points::write(file, b' ', out),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => Mesh::of_graph(file).write_ply(out),
         #[cfg(feature = "mesh-formats")]
@@ -208,5 +224,9 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Geojson => shapes::write_geojson_graph(file, out),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => shapes::write_wkt_graph(file, out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Npy => Mesh::of_graph(file).write_points(out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Npz => Mesh::of_graph(file).write_npz(&file.graph.edges, out),
     }
 }

@@ -6,6 +6,7 @@ mod files;
 mod meshes;
 #[cfg(feature = "mesh-formats")]
 mod meshes_refused;
+mod points;
 mod reports;
 #[cfg(feature = "mesh-formats")]
 mod vtu;
