@@ -52,7 +52,8 @@ pub use read::{
 pub use split::Splitting;
 pub use trace::{read_trace, write_trace};
 pub use write::{
-    CrossingsFormat, OutputFormat, write, write_crossings, write_graph, write_interior, write_node,
+    CrossingsFormat, OutputFormat, write, write_crossings, write_graph, write_interior,
+    write_lines, write_node,
 };
 
 /// The example of the README, as a test.

@@ -2,6 +2,7 @@
 
 mod crossings;
 mod json;
+mod lines;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod mesh_formats;
@@ -14,6 +15,7 @@ mod vtu;
 use std::io::{self, Write};
 
 pub use crossings::{CrossingsFormat, write_crossings};
+pub use lines::write_lines;
 pub use rows::write_node;
 
 use self::mesh::Mesh;
