@@ -107,6 +107,14 @@ impl Column {
     /// The name of the markers of vertices, which are whole numbers, as Triangle and Gmsh have them.
     pub const MARKER: &str = "marker";
 
+    /// The column of these heights.
+    pub fn heights(values: Vec<f64>) -> Column {
+        Column {
+            name: Column::HEIGHT.to_owned(),
+            values,
+        }
+    }
+
     /// How many vertices have no number.
     pub fn missing(&self) -> usize {
         self.values.iter().filter(|value| value.is_nan()).count()

@@ -102,8 +102,7 @@ impl ScalarArgs {
     pub(crate) fn convert(&self, name: &str, input: Input) -> Result<Input, Failure> {
         match (input, self.scalar) {
             (Input::Doubles(file), Some(Kind::Rational)) => {
-                refuse_non_finite(name, &file)?;
-                Ok(Input::Rationals(as_rationals(name, file)?))
+                Ok(Input::Rationals(as_rationals(name, Input::Doubles(file))?))
             }
             (Input::Rationals(_), Some(Kind::F64)) => Err(has_fractions(name)),
             (input, _) => Ok(input),
@@ -115,8 +114,13 @@ fn has_fractions(name: &str) -> Failure {
     Failure::Error(format!("{name}: has fractions, which --scalar f64 refuses"))
 }
 
-/// A file whose points are finite, with the exact values of its doubles.
-fn as_rationals(name: &str, file: GraphFile<f64>) -> Result<GraphFile<BigRational>, Failure> {
+/// The input called `name`, with the exact values of its doubles, which must be finite.
+pub(crate) fn as_rationals(name: &str, input: Input) -> Result<GraphFile<BigRational>, Failure> {
+    let file = match input {
+        Input::Rationals(file) => return Ok(file),
+        Input::Doubles(file) => file,
+    };
+    refuse_non_finite(name, &file)?;
     let graph = &file.graph;
     let seeds = (0..).map(Seed::Hole).zip(&graph.holes);
     let regions = graph.regions.iter().map(|region| &region.seed);
@@ -140,6 +144,12 @@ fn as_rationals(name: &str, file: GraphFile<f64>) -> Result<GraphFile<BigRationa
         },
         columns: file.columns,
         pieces_of: file.pieces_of,
+        edge_markers: file.edge_markers,
+        polygons: file.polygons,
+        faces: file.faces,
+        system: file.system,
+        merged: file.merged,
+        remarks: file.remarks,
         numbering: file.numbering,
     })
 }

@@ -13,5 +13,6 @@ pub(crate) mod resources;
 pub(crate) mod settings;
 pub(crate) mod splitting;
 pub(crate) mod tables;
+pub(crate) mod terrain;
 pub(crate) mod unnamed;
 pub(crate) mod verification;

@@ -4,10 +4,10 @@ use num_rational::BigRational;
 
 use crate::read::content::{Edges, Vertices};
 use crate::read::matching::{find, is_finite};
-use crate::read::remarks::Remarks;
-use crate::read::source::{ReadError, Source};
 #[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
+use crate::read::remarks::Remarks;
+use crate::read::source::{ReadError, Source};
 #[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
 #[cfg(feature = "mesh-formats")]
@@ -68,9 +68,9 @@ named! {
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        use InputFormat::{Obj, Off};
         #[cfg(feature = "mesh-formats")]
         use InputFormat::{Msh, Ply, Vtk, Vtu};
+        use InputFormat::{Obj, Off};
         #[cfg(feature = "mesh-formats")]
         return matches!(self, Obj | Off | Ply | Vtk | Vtu | Msh);
         #[cfg(not(feature = "mesh-formats"))]

@@ -8,7 +8,7 @@
 //! | seeds of holes | `holes` | (h, 2) |
 //! | seeds of regions | `regions` | (r, 3): the third column is the attribute; (r, 4): the area is ignored |
 //!
-//! Other arrays are read over. What is packed in an archive is unpacked behind a copy of the file, within the limit that
+//! Other arrays are ignored with a remark. What is packed in an archive is unpacked behind a copy of the file, within the limit that
 //! [`Source::unpacked_limit`] sets, and the sums of the archive are checked.
 
 use std::borrow::Cow;
@@ -18,11 +18,12 @@ use std::ops::Range;
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 use rawzip::{CompressionMethod, ZipArchive, ZipArchiveEntryWayfinder};
 
-use crate::read::content::{Corners, Edges, Field, Labels, Vertices};
-use crate::read::mesh::{Faces, Mesh};
-use crate::read::npy::Array;
-use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::Column;
+use crate::read::content::{Corners, Edges, Field, Labels, Vertices};
+use crate::read::mesh::{Cells, Mesh};
+use crate::read::npy::Array;
+use crate::read::remarks::Remarks;
+use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 
 const POINTS: &[&str] = &["points", "vertices"];
 const EDGES: &[&str] = &["edges", "segments"];
@@ -34,6 +35,8 @@ const REGIONS: &[&str] = &["regions"];
 pub(super) struct Arrays<'a> {
     source: Cow<'a, Source>,
     list: Vec<(String, Array)>,
+    /// The names of members that are not read.
+    others: Vec<String>,
 }
 
 impl<'a> Arrays<'a> {
@@ -57,6 +60,7 @@ impl<'a> Arrays<'a> {
         Ok(Arrays {
             source: Cow::Borrowed(source),
             list: vec![(name.to_owned(), array)],
+            others: Vec::new(),
         })
     }
 
@@ -76,21 +80,27 @@ impl<'a> Arrays<'a> {
             if known.contains(&name.as_str()) {
                 let method = entry.compression_method();
                 members.push((name, method, entry.wayfinder()));
-            } else if others.len() < 8 {
-                others.push(quoted(path.as_bytes()));
+            } else {
+                others.push(String::from_utf8_lossy(path.as_bytes()).into_owned());
             }
         }
         if members.is_empty() {
             let message = format!(
                 "there is no array `points`, `edges` or `triangles`, only {}: name them, as in \
                  numpy.savez(file, points=a, edges=b)",
-                others.join(", ")
+                others
+                    .iter()
+                    .take(8)
+                    .map(|name| quoted(name.as_bytes()))
+                    .collect::<Vec<_>>()
+                    .join(", ")
             );
             return Err(ReadError::of_file(&source.name, message));
         }
         let mut arrays = Arrays {
             source: Cow::Borrowed(source),
             list: Vec::new(),
+            others,
         };
         for (name, method, place) in members {
             let entry = archive.get_entry(place).map_err(|e| error(&e))?;
@@ -156,18 +166,27 @@ impl<'a> Arrays<'a> {
     pub(super) fn graph(&self) -> Result<Edges<'_>, ReadError> {
         let points = self.array(POINTS)?;
         let (name, points) = points.ok_or_else(|| {
-            let message = "there is no array `points`, and the names of others say nothing of points";
+            let message =
+                "there is no array `points`, and the names of others say nothing of points";
             ReadError::of_file(&self.source.name, message)
         })?;
         let vertices = self.vertices(name, points, "(n, 2), or (n, 3) with z")?;
-        let mut faces = Faces::default();
+        let mut cells = Cells::default();
         if let Some((name, edges)) = self.array(EDGES)? {
-            faces.lines = self.corners(name, edges, "(m, 2)")?;
+            cells.lines = self.corners(name, edges, "(m, 2)")?;
+        }
+        if let Some((name, triangles)) = self.array(TRIANGLES)? {
+            cells.faces.triangles = self.corners(name, triangles, "(t, 3)")?;
+        }
+        let mut remarks = Remarks::default();
+        for name in &self.others {
+            remarks.ignore_named(1, "array", name.as_bytes());
         }
         let mesh = Mesh {
             vertices,
-            faces,
+            cells,
             first: 0,
+            remarks,
         };
         let mut graph = mesh.into_graph()?;
         if let Some((name, holes)) = self.array(HOLES)? {
@@ -241,7 +260,11 @@ impl<'a> Arrays<'a> {
         Ok(Vertices {
             syntax: array.syntax(),
             // A row without numbers takes no bytes, so that there may be any number of columns.
-            fields: if rows == 0 { Vec::new() } else { fields.collect() },
+            fields: if rows == 0 {
+                Vec::new()
+            } else {
+                fields.collect()
+            },
             ..Vertices::plain(&self.source, coordinates.collect(), 0)
         })
     }
@@ -253,7 +276,9 @@ impl<'a> Arrays<'a> {
         array: &Array,
         shape: &str,
     ) -> Result<Vec<[usize; N]>, ReadError> {
-        let of_matrix = array.matrix().filter(|&[rows, columns]| columns == N || rows == 0);
+        let of_matrix = array
+            .matrix()
+            .filter(|&[rows, columns]| columns == N || rows == 0);
         let of_list = || array.list().filter(|count| N == 3 && count % N == 0);
         let size = of_matrix.or_else(|| Some([of_list()? / N, N]));
         let size = size.ok_or_else(|| self.shape(name, array, shape))?;

@@ -4,9 +4,9 @@ use std::collections::HashSet;
 
 use crate::read::content::{Corners, Labels, Vertices};
 use crate::read::matching::{self, Matched, Matching};
-use crate::read::source::{ReadError, ResultError, Source};
 #[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
+use crate::read::source::{ReadError, ResultError, Source};
 #[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
 #[cfg(feature = "mesh-formats")]

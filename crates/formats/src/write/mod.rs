@@ -4,6 +4,7 @@ mod crossings;
 mod features;
 mod json;
 mod labels;
+mod lines;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod mesh_formats;
@@ -20,6 +21,7 @@ mod vtu;
 use std::io::{self, Write};
 
 pub use crossings::{CrossingsFormat, write_crossings};
+pub use lines::write_lines;
 pub use rows::write_node;
 pub use violations::write_violations;
 
