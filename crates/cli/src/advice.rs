@@ -101,7 +101,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
     fn options(&self, fit: &Fit) -> String {
         let mut options = Vec::new();
         if fit.domain != self.domain {
-            options.push(format!("--domain {}", fit.domain.name()));
+            options.push(format!("--domain {}", fit.domain));
         }
         match fit.how {
             How::Right => {}
