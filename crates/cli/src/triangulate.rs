@@ -328,7 +328,7 @@ fn summarize<S, T>(
             file.merged
         )?;
     }
-    if edges == 0 {
+    if edges == 0 || triangles == 0 {
         return Ok(());
     }
     let (rule, why) = inside.rule(file);

@@ -25,9 +25,12 @@ fn a_result_without_triangles_says_why() {
         text(&output.stderr).to_owned()
     };
     let line = "note: no triangles: all points lie on one line";
+    let conflict = "note: y_up.obj: vertex 2 at (1, 0) has two numbers for z, 1 and -1: 1 counts";
     assert_eq!(
         note("triangulate y_up.obj"),
-        format!("{line} (y is the same everywhere and z is not: perhaps y is up in this file)\n")
+        format!(
+            "{conflict}\n{line} (y is the same everywhere and z is not: perhaps y is up in this file)\n"
+        )
     );
     assert_eq!(
         note("triangulate line.json -o line.ele"),
