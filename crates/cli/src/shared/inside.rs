@@ -154,8 +154,9 @@ pub(crate) fn answers<S: Coordinate, T: Measure + Sync>(
     let Ok(hull) = proven(given, own) else {
         return Vec::new();
     };
+    let count = triangles.list.len();
     let is_possible =
-        |interior: &Wanted| given.points.len() > own || interior.triangles == triangles.list.len();
+        |interior: &Wanted| count > 0 && (given.points.len() > own || interior.triangles == count);
     let answer = |rule: Inside| match rule {
         Inside::Hull => Some((rule, in_hull(given, verifier, triangles))),
         rule => {

@@ -289,7 +289,7 @@ fn a_trace_of_edges_that_cross_ends_there() {
     let output = sweep_cdt(&folder, "replay a.txt --input crossing.json").output();
     assert_fails(
         &output.expect("the command starts"),
-        "crossing.json: edges 0 and 1 cross",
+        "crossing.json: edges 0 and 1 cross near (0.5, 0.5)",
     );
     assert_fails(
         &trace("--from 999"),
