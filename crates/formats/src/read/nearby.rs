@@ -6,6 +6,8 @@
 //! Cost: O(n log n) time and memory once. A rectangle takes O(log² n), wherever points and rectangles are: no cell can
 //! fill up, and the search ends at the second point. The nearest point takes O(n), and is asked for a few times only.
 
+use sweep_cdt::scalar::Scalar;
+
 /// Points to be found.
 pub(super) struct Nearby {
     points: Vec<[f64; 2]>,
@@ -109,7 +111,10 @@ impl Nearby {
         }
         let mut place_of = vec![None; self.points.len()];
         let mut is_only = |&place: &[f64; 2]| match found(place, tolerance) {
-            [Some(v), None] => *place_of[v].get_or_insert(place) == place,
+            [Some(v), None] => {
+                let first = place_of[v].get_or_insert(place);
+                (0..2).all(|axis| first[axis].compare(&place[axis]).is_eq())
+            }
             _ => false,
         };
         places.iter().all(&mut is_only).then_some(tolerance)
