@@ -14,6 +14,7 @@ use sweep_cdt::verify::{Depth, Level, Verifier, Violation, Violations};
 use sweep_cdt_formats::{Coordinate, Triangles};
 
 use crate::shared::arithmetic::Given;
+use crate::shared::failure::Failure;
 use crate::shared::inside::{Inside, answer, answers};
 use crate::shared::verification::Answer;
 
@@ -62,7 +63,16 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
             }
             Err(violations) => violations,
         };
-        let fit = self.best_fit(self.triangles);
+        let fit = match self.best_fit(self.triangles) {
+            Ok(fit) => fit,
+            Err(Failure::Error(message)) => {
+                let advice = "(`sweep-cdt crossings` lists edges that cross)";
+                return format!(
+                    "the input has no triangulation with its edges: {message} {advice}"
+                );
+            }
+            Err(_) => None,
+        };
         let is_lower = |fit: &Fit| matches!(fit.how, How::Lower(..));
         if let Some(fit) = fit.as_ref().filter(|fit| !is_lower(fit)) {
             return self.in_words(fit);
@@ -77,9 +87,9 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
     }
 
     /// The options that accept these triangles, with the fewest violations.
-    fn best_fit(&self, triangles: &Triangles) -> Option<Fit> {
+    fn best_fit(&self, triangles: &Triangles) -> Result<Option<Fit>, Failure> {
         let verifier = self.verifier.all_depths(true).limit(1);
-        let found = answers(self.given, self.own, verifier, triangles, self.domain);
+        let found = answers(self.given, self.own, verifier, triangles, self.domain)?;
         let fits = found.into_iter().filter_map(|(domain, answer)| {
             let how = match answer {
                 Ok(_) => How::Right,
@@ -87,7 +97,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
             };
             Some(Fit { domain, how })
         });
-        fits.min_by_key(|Fit { domain, how }| {
+        Ok(fits.min_by_key(|Fit { domain, how }| {
             let rank = match how {
                 How::Right => (0, None),
                 How::Shallow(..) => (1, None),
@@ -95,7 +105,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
             };
             // Triangles that tile what was asked for tile nothing else.
             (*domain != self.domain, rank)
-        })
+        }))
     }
 
     /// The options of a fit, as they are written; none, if it needs none.
@@ -160,7 +170,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
 
     /// The same, where the result has to be changed first.
     fn then(&self, mut change: String, changed: &Triangles) -> Option<String> {
-        let fit = self.best_fit(changed)?;
+        let fit = self.best_fit(changed).ok().flatten()?;
         let options = self.options(&fit);
         if !options.is_empty() {
             write!(change, ", and add `{options}`").expect("strings grow");

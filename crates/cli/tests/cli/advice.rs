@@ -23,8 +23,7 @@ const SINGLE: &str = r#"{"points": [[0,0],[1,0],[1,0.999999999],[0,1]]}"#;
 const WRONG_DIAGONAL: &str = r#"{"triangles": [[0,1,3],[1,2,3]]}"#;
 /// A trapezoid, with a wrong diagonal; and with this one as an edge.
 const TRAPEZOID: &str = r#"{"points": [[0,0],[4,0],[5,3],[0,3]], "edges": [[0,1]]}"#;
-const WITH_DIAGONAL: &str =
-    r#"{"points": [[0,0],[4,0],[5,3],[0,3]], "edges": [[0,1],[1,3],[0,2]]}"#;
+const WITH_DIAGONAL: &str = r#"{"points": [[0,0],[4,0],[5,3],[0,3]], "edges": [[0,1],[0,2]]}"#;
 const NOT_DELAUNAY: &str = r#"{"triangles": [[0,1,2],[0,2,3]]}"#;
 
 /// The input, the result, the options of the first run, the last line, the options that it names and their status.
@@ -155,6 +154,13 @@ fn edges_that_are_missing_are_named() {
                 accepts it";
     assert_eq!(last_line(refuted(&report)), line);
     printed(&verify(&folder, "a.json b.json --level tiling"));
+
+    let crossing = WITH_DIAGONAL.replace("[0,1]", "[1,3]");
+    fs::write(folder.path().join("a.json"), crossing).expect("a file");
+    let report = verify(&folder, "a.json b.json");
+    let line = "the input has no triangulation with its edges: a.json: edges 0 and 1 cross near \
+                (2.2222222222222223, 1.3333333333333333) (`sweep-cdt crossings` lists edges that cross)";
+    assert_eq!(last_line(refuted(&report)), line);
 }
 
 /// Programs of which some triangles run clockwise: all of them is no fault.
