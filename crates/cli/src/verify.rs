@@ -114,7 +114,7 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
 
-    /// Write the violations that are listed as GeoJSON: a feature each, with name, message and depth
+    /// Write the violations that are listed for a map: a .geojson with a feature each, with name, message and depth
     #[arg(long, value_name = "FILE")]
     geojson: Option<PathBuf>,
 

@@ -226,14 +226,15 @@ pub(crate) fn answer<S: Coordinate, T: Measure + Sync>(
     }
 }
 
-/// The answers by all rules by which the triangles may be right; the one that was asked for is the first.
+/// The answers by all rules by which the triangles may be right; the one that was asked for is the first. Fails where the
+/// input has no triangulation.
 pub(crate) fn answers<S: Coordinate, T: Measure + Sync>(
     given: &Given<'_, S, T>,
     own: usize,
     verifier: Verifier<'_>,
     triangles: &Triangles,
     asked: Inside,
-) -> Vec<(Inside, Answer)> {
+) -> Result<Vec<(Inside, Answer)>, Failure> {
     let mut rules = vec![Inside::Hull];
     if !given.file.polygons.is_empty() {
         rules.push(Inside::Polygons);
@@ -250,11 +251,10 @@ pub(crate) fn answers<S: Coordinate, T: Measure + Sync>(
     }
     rules.retain(|&rule| rule != asked);
     rules.insert(0, asked);
-    let Ok(hull) = proven(given, own) else {
-        return Vec::new();
-    };
+    let hull = proven(given, own)?;
+    let count = triangles.list.len();
     let is_possible =
-        |interior: &Wanted| given.points.len() > own || interior.triangles == triangles.list.len();
+        |interior: &Wanted| count > 0 && (given.points.len() > own || interior.triangles == count);
     let answer = |rule: Inside| match rule {
         Inside::Hull => Some((rule, in_hull(given, verifier, triangles))),
         rule => {
@@ -262,7 +262,7 @@ pub(crate) fn answers<S: Coordinate, T: Measure + Sync>(
             Some((rule, interior.answer(rule, given, verifier, triangles)))
         }
     };
-    rules.into_iter().filter_map(answer).collect()
+    Ok(rules.into_iter().filter_map(answer).collect())
 }
 
 fn in_hull<S: Coordinate, T: Measure + Sync>(

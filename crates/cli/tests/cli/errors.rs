@@ -126,7 +126,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "a.poly",
         "4\n1 0 0\n2 2 2\n3 0 2\n4 2 0\n3\n1 1 2\n2 1 4\n3 3 4\n",
-        "a.poly: edges 1 and 3 cross (`sweep-cdt crossings` lists all that do, --split-crossings makes vertices of them)",
+        "a.poly: edges 1 and 3 cross near (1, 1) (`sweep-cdt crossings` lists all that do, --split-crossings makes vertices of them)",
     ),
     ("a.json", "", "a.json:1: the file is empty"),
     (
@@ -228,7 +228,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "a.json",
         "{\"points\": [[0,0],[2,2],[0,2],[2,0]], \"edges\": [[0,1],[0,3],[2,3]]}",
-        "a.json: edges 0 and 2 cross (`sweep-cdt crossings` lists all that do, --split-crossings makes vertices of them)",
+        "a.json: edges 0 and 2 cross near (1, 1) (`sweep-cdt crossings` lists all that do, --split-crossings makes vertices of them)",
     ),
 ];
 

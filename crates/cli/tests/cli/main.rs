@@ -1,5 +1,6 @@
 //! The command `sweep-cdt`, run as a user runs it: formats, settings, errors, what is left behind.
 
+mod advice;
 mod certificate;
 mod crossings;
 mod depths;
