@@ -12,4 +12,5 @@ pub(crate) mod settings;
 pub(crate) mod splitting;
 pub(crate) mod tables;
 pub(crate) mod unnamed;
+mod unread;
 pub(crate) mod verification;

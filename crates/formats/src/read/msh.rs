@@ -1,4 +1,5 @@
-//! Gmsh's `.msh`, as text, of the versions 2 and 4: nodes, and the elements that are lines and triangles.
+//! Gmsh's `.msh` of the versions 2 and 4.1, as text or binary (see `msh_binary.rs`): nodes, and the elements that are
+//! lines and triangles.
 //!
 //! ```text
 //! $MeshFormat                                   $MeshFormat
@@ -21,8 +22,9 @@
 
 use std::collections::HashMap;
 
-use crate::read::content::Vertices;
+use crate::read::content::{Syntax, Vertices};
 use crate::read::mesh::{Faces, Mesh};
+use crate::read::msh_binary;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::{Line, Lines};
 
@@ -30,6 +32,9 @@ const NODE: &str = "a node's number";
 
 /// Reads a `.msh`.
 pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
+    if msh_binary::is_in(source)? {
+        return msh_binary::read(source);
+    }
     let mut lines = Lines::new(source)?;
     let mut has_blocks = None;
     let mut nodes = None;
@@ -77,10 +82,23 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
             }
         }
     }
+    mesh(source, Syntax::Plain, nodes, faces)
+}
+
+/// The contents of a file whose coordinates stand so.
+pub(super) fn mesh<'a>(
+    source: &'a Source,
+    syntax: Syntax,
+    nodes: Option<Nodes<'a>>,
+    faces: Faces,
+) -> Result<Mesh<'a>, ReadError> {
     let Some(nodes) = nodes else {
         return Err(ReadError::of_file(&source.name, "there are no `$Nodes`"));
     };
-    let vertices = Vertices::plain(source, nodes.coordinates, nodes.first);
+    let vertices = Vertices {
+        syntax,
+        ..Vertices::plain(source, nodes.coordinates, nodes.first)
+    };
     Ok(Mesh {
         vertices: vertices.with_heights(&nodes.heights),
         faces,
@@ -91,27 +109,34 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
 /// Whether the version has blocks.
 fn read_version(lines: &mut Lines<'_>) -> Result<bool, ReadError> {
     let mut line = lines.expect_line(|| "the version".to_owned())?;
-    let has_blocks = match line.expect_token("the version")? {
-        b"4.1" => true,
-        token if token.starts_with(b"2") => false,
-        other => {
-            let shown = quoted(other);
-            return Err(line.error(format!(
-                "the version is {shown}, and only 2 and 4.1 are read"
-            )));
-        }
-    };
+    let version = line.expect_token("the version")?;
+    let has_blocks = has_blocks(version).map_err(|message| line.error(message))?;
     match line.expect_token("the type of the file")? {
         b"0" => Ok(has_blocks),
-        _ => Err(line.error("only files of text are read, and no binary ones")),
+        other => Err(line.error(format!(
+            "the type of the file is {}, not 0 or 1",
+            quoted(other)
+        ))),
+    }
+}
+
+/// Whether a version has blocks of nodes and elements.
+pub(super) fn has_blocks(version: &[u8]) -> Result<bool, String> {
+    match version {
+        b"4.1" => Ok(true),
+        _ if version.starts_with(b"2") => Ok(false),
+        _ => Err(format!(
+            "the version is {}, and only 2 and 4.1 are read",
+            quoted(version)
+        )),
     }
 }
 
 /// The nodes of a file.
 #[derive(Default)]
-struct Nodes<'a> {
-    coordinates: Vec<[&'a [u8]; 2]>,
-    heights: Vec<Option<&'a [u8]>>,
+pub(super) struct Nodes<'a> {
+    pub(super) coordinates: Vec<[&'a [u8]; 2]>,
+    pub(super) heights: Vec<Option<&'a [u8]>>,
     /// The number of the first one.
     first: usize,
     /// The places of nodes that are not numbered one after the other.
@@ -143,19 +168,24 @@ impl<'a> Nodes<'a> {
                 nodes.push(&mut line)?;
             }
         }
-        nodes.first = numbers.first().map_or(1, |&first| first.min(1));
-        if !numbers
-            .iter()
-            .enumerate()
-            .all(|(at, &number)| at + nodes.first == number)
-        {
-            nodes.first = 1;
-            nodes.places = numbers.iter().copied().zip(1..).collect();
-            if nodes.places.len() < numbers.len() {
-                return Err(line.error("two nodes have the same number"));
+        nodes
+            .number(&numbers)
+            .map_err(|message| line.error(message))?;
+        Ok(nodes)
+    }
+
+    /// Gives the nodes their numbers.
+    pub(super) fn number(&mut self, numbers: &[usize]) -> Result<(), &'static str> {
+        self.first = numbers.first().map_or(1, |&first| first.min(1));
+        let mut counted = numbers.iter().zip(self.first..);
+        if counted.any(|(&number, expected)| number != expected) {
+            self.first = 1;
+            self.places = numbers.iter().copied().zip(1..).collect();
+            if self.places.len() < numbers.len() {
+                return Err("two nodes have the same number");
             }
         }
-        Ok(nodes)
+        Ok(())
     }
 
     fn push(&mut self, line: &mut Line<'a>) -> Result<(), ReadError> {
@@ -168,11 +198,16 @@ impl<'a> Nodes<'a> {
     /// The node that the next token names.
     fn next(&self, line: &mut Line<'_>) -> Result<usize, ReadError> {
         let number = line.index(NODE)?;
+        self.place(number).map_err(|message| line.error(message))
+    }
+
+    /// The node of a number, counted from `first`.
+    pub(super) fn place(&self, number: usize) -> Result<usize, String> {
         if self.places.is_empty() {
             return Ok(number);
         }
         let place = self.places.get(&number).copied();
-        place.ok_or_else(|| line.error(format!("there is no node {number}")))
+        place.ok_or_else(|| format!("there is no node {number}"))
     }
 }
 
@@ -218,19 +253,29 @@ fn add(
     faces: &mut Faces,
     line: &mut Line<'_>,
 ) -> Result<(), ReadError> {
+    let error = line.clone();
+    let next = || nodes.next(line);
+    add_element(kind, next, faces, |message| error.error(message))
+}
+
+/// Adds an element of one of Gmsh's types, whose nodes `next` returns.
+pub(super) fn add_element(
+    kind: usize,
+    mut next: impl FnMut() -> Result<usize, ReadError>,
+    faces: &mut Faces,
+    error: impl FnOnce(String) -> ReadError,
+) -> Result<(), ReadError> {
     match kind {
-        1 => faces.lines.push([nodes.next(line)?, nodes.next(line)?]),
+        1 => faces.lines.push([next()?, next()?]),
         8 => {
-            let [from, to] = [nodes.next(line)?, nodes.next(line)?];
-            let between = nodes.next(line)?;
+            let [from, to] = [next()?, next()?];
+            let between = next()?;
             faces.lines.extend([[from, between], [between, to]]);
         }
-        2 => faces
-            .triangles
-            .push([nodes.next(line)?, nodes.next(line)?, nodes.next(line)?]),
+        2 => faces.triangles.push([next()?, next()?, next()?]),
         15 => {}
         _ => faces.refuse(|| {
-            line.error(format!(
+            error(format!(
                 "elements of type {kind} are not read, only triangles (2)"
             ))
         }),

@@ -150,7 +150,9 @@ fn type_of(header: &str) -> Result<(Number, bool), String> {
                        numpy.lib.recfunctions.structured_to_unstructured";
         return Err(message.to_owned());
     }
-    let name = descr.strip_prefix('\'').and_then(|text| text.split_once('\''));
+    let name = descr
+        .strip_prefix('\'')
+        .and_then(|text| text.split_once('\''));
     let name = name.map_or("", |(name, _)| name);
     let (order, kind) = name.split_at_checked(1).unwrap_or_default();
     let kind = match kind {
@@ -176,9 +178,14 @@ fn type_of(header: &str) -> Result<(Number, bool), String> {
 
 fn shape_of(header: &str) -> Result<Vec<usize>, String> {
     let shape = value(header, "shape")?;
-    let inside = shape.strip_prefix('(').and_then(|text| text.split_once(')'));
+    let inside = shape
+        .strip_prefix('(')
+        .and_then(|text| text.split_once(')'));
     let (inside, _) = inside.ok_or("the header of the array has a `shape` that is no tuple")?;
-    let sizes = inside.split(',').map(str::trim).filter(|size| !size.is_empty());
+    let sizes = inside
+        .split(',')
+        .map(str::trim)
+        .filter(|size| !size.is_empty());
     // Python 2 wrote `L` behind long numbers.
     let size = |text: &str| text.strip_suffix('L').unwrap_or(text).parse();
     let sizes: Result<Vec<usize>, _> = sizes.map(size).collect();

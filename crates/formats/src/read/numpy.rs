@@ -18,11 +18,11 @@ use std::ops::Range;
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 use rawzip::{CompressionMethod, ZipArchive, ZipArchiveEntryWayfinder};
 
+use crate::Column;
 use crate::read::content::{Corners, Edges, Field, Labels, Vertices};
 use crate::read::mesh::{Faces, Mesh};
 use crate::read::npy::Array;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
-use crate::Column;
 
 const POINTS: &[&str] = &["points", "vertices"];
 const EDGES: &[&str] = &["edges", "segments"];
@@ -156,7 +156,8 @@ impl<'a> Arrays<'a> {
     pub(super) fn graph(&self) -> Result<Edges<'_>, ReadError> {
         let points = self.array(POINTS)?;
         let (name, points) = points.ok_or_else(|| {
-            let message = "there is no array `points`, and the names of others say nothing of points";
+            let message =
+                "there is no array `points`, and the names of others say nothing of points";
             ReadError::of_file(&self.source.name, message)
         })?;
         let vertices = self.vertices(name, points, "(n, 2), or (n, 3) with z")?;
@@ -241,7 +242,11 @@ impl<'a> Arrays<'a> {
         Ok(Vertices {
             syntax: array.syntax(),
             // A row without numbers takes no bytes, so that there may be any number of columns.
-            fields: if rows == 0 { Vec::new() } else { fields.collect() },
+            fields: if rows == 0 {
+                Vec::new()
+            } else {
+                fields.collect()
+            },
             ..Vertices::plain(&self.source, coordinates.collect(), 0)
         })
     }
@@ -253,7 +258,9 @@ impl<'a> Arrays<'a> {
         array: &Array,
         shape: &str,
     ) -> Result<Vec<[usize; N]>, ReadError> {
-        let of_matrix = array.matrix().filter(|&[rows, columns]| columns == N || rows == 0);
+        let of_matrix = array
+            .matrix()
+            .filter(|&[rows, columns]| columns == N || rows == 0);
         let of_list = || array.list().filter(|count| N == 3 && count % N == 0);
         let size = of_matrix.or_else(|| Some([of_list()? / N, N]));
         let size = size.ok_or_else(|| self.shape(name, array, shape))?;

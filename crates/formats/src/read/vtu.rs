@@ -1,4 +1,5 @@
-//! VTK's XML format `.vtu`: an `UnstructuredGrid` of one piece.
+//! VTK's XML formats `.vtu` and `.vtp`: an `UnstructuredGrid` or a `PolyData` of one piece. Which of them it is says the
+//! file, whatever it is called.
 //!
 //! ```text
 //! <VTKFile type="UnstructuredGrid" byte_order=".." header_type=".." compressor="..">
@@ -6,6 +7,9 @@
 //!     <PointData>  columns: DataArrays of one number for each point
 //!     <Points>     one DataArray of x, y and z of each point; numbered from 0
 //!     <Cells>      the DataArrays connectivity, offsets (the end of each cell) and types
+//! <VTKFile type="PolyData" ..>
+//!   <PolyData> <Piece NumberOfPoints=".." NumberOfVerts=".." NumberOfLines=".." NumberOfPolys=".." NumberOfStrips="..">
+//!     <Lines>      connectivity and offsets; Verts, Polys and Strips, too
 //! ```
 //!
 //! The numbers of a `DataArray` stand in it as text or in base 64, or in `AppendedData` behind all others, in base 64 or
@@ -30,12 +34,23 @@ use crate::read::vtu_elements::{Array, Elements, Section};
 pub(super) struct Unpacked {
     source: Source,
     points: Numbers,
+    cells: Vec<Cells>,
+    columns: Vec<(String, Numbers)>,
+}
+
+/// The cells of a section.
+struct Cells {
     /// The corners of all cells, one after the other.
     corners: Numbers,
     /// Where the corners of each cell end.
     ends: Numbers,
-    types: Numbers,
-    columns: Vec<(String, Numbers)>,
+    types: Types,
+}
+
+/// The types of cells, by VTK's numbers.
+enum Types {
+    Each(Numbers),
+    All(usize),
 }
 
 /// Where numbers stand, and how.
@@ -75,10 +90,30 @@ impl Unpacked {
             return Err(source.error_in_line(points.line, message));
         }
         let points = unpack(points, coordinates)?;
-        let cells = Some(elements.cells);
-        let corners = unpack(array(Section::Cells, "connectivity")?, None)?;
-        let ends = unpack(array(Section::Cells, "offsets")?, cells)?;
-        let types = unpack(array(Section::Cells, "types")?, cells)?;
+        let mut cells = Vec::new();
+        for &(section, count) in &elements.cells {
+            let count = Some(count);
+            let kind = match (section, elements.is_poly_data) {
+                (Section::Cells, false) => None,
+                (Section::Verts, true) => Some(2),
+                (Section::Lines, true) => Some(4),
+                (Section::Polys, true) => Some(7),
+                (Section::Strips, true) => Some(6),
+                _ => continue,
+            };
+            let is_there = elements.array(section, "offsets").is_some();
+            if elements.is_poly_data && count == Some(0) && !is_there {
+                continue;
+            }
+            cells.push(Cells {
+                corners: unpack(array(section, "connectivity")?, None)?,
+                ends: unpack(array(section, "offsets")?, count)?,
+                types: match kind {
+                    Some(kind) => Types::All(kind),
+                    None => Types::Each(unpack(array(section, "types")?, count)?),
+                },
+            });
+        }
         let is_column =
             |array: &&Array| array.section == Section::PointData && array.components == 1;
         let columns = elements.arrays.iter().filter(is_column);
@@ -88,9 +123,7 @@ impl Unpacked {
         });
         Ok(Unpacked {
             points,
-            corners,
-            ends,
-            types,
+            cells,
             columns: columns.collect::<Result<_, ReadError>>()?,
             source: unpacked,
         })
@@ -122,18 +155,24 @@ impl Unpacked {
     }
 
     fn faces(&self) -> Result<Faces, ReadError> {
-        let corners: Vec<usize> = self.indices(&self.corners).collect::<Result<_, _>>()?;
-        let (ends, types) = (self.indices(&self.ends), self.indices(&self.types));
         let mut faces = Faces::default();
-        let mut begin = 0;
-        for (at, (end, kind)) in ends.zip(types).enumerate() {
-            let (end, kind) = (end?, kind?);
-            let Some(cell) = corners.get(begin..end) else {
-                let message = format!("cell {at}: its corners are not in `connectivity`");
-                return Err(ReadError::of_file(&self.source.name, message));
+        let mut at = 0;
+        for cells in &self.cells {
+            let corners: Vec<usize> = self.indices(&cells.corners).collect::<Result<_, _>>()?;
+            let types: Box<dyn Iterator<Item = _>> = match &cells.types {
+                Types::Each(types) => Box::new(self.indices(types)),
+                &Types::All(kind) => Box::new(iter::repeat_with(move || Ok(kind))),
             };
-            vtk::add_cell(&mut faces, kind, cell, &self.source, at);
-            begin = end;
+            let mut begin = 0;
+            for (end, kind) in self.indices(&cells.ends).zip(types) {
+                let (end, kind) = (end?, kind?);
+                let Some(cell) = corners.get(begin..end) else {
+                    let message = format!("cell {at}: its corners are not in `connectivity`");
+                    return Err(ReadError::of_file(&self.source.name, message));
+                };
+                vtk::add_cell(&mut faces, kind, cell, &self.source, at);
+                (begin, at) = (end, at + 1);
+            }
         }
         Ok(faces)
     }
