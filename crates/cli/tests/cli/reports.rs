@@ -201,7 +201,9 @@ fn tables_and_arrays_go_through_the_command() {
     for result in ["t.npy", "t.npz", "t.dxf", "t.vtp", "t.json"] {
         let verdict = ran(&format!("verify survey.csv {result}"));
         assert!(
-            verdict.starts_with(&format!("{result} is a constrained Delaunay triangulation")),
+            verdict.starts_with(&format!(
+                "correct: {result} is a constrained Delaunay triangulation of survey.csv"
+            )),
             "{verdict}"
         );
     }
