@@ -91,9 +91,13 @@ Input:
            Points of holes and regions are read for --inside; markers of vertices and edges are ignored
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\".
            They may be called vertices and segments
-  .obj, .off, .ply, .vtk, .vtu, .msh
-           vertices, and lines for edges; faces are ignored. .ply, .vtk and .vtu may be binary
-  .geojson, .wkt
+  .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
+           vertices, and lines for edges; faces are ignored. All but the first two may be binary
+  .csv, .xyz, .txt
+           points, one a row; the columns x, y and z, or lon, lat and so on, by their names, or in this order
+  .npy, .npz
+           points as an array of NumPy; or points and edges as arrays with these names
+  .geojson, .wkt, .dxf
            points, and lines and rings of polygons for edges; equal points become one vertex
   Heights (a third coordinate, or the first attribute of a vertex) and other columns of the vertices
   change nothing, and go with the vertices to the outputs that have room for them.
@@ -106,10 +110,12 @@ Output, with the triangles always in the same order:
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0. With --inside also the boundary, and the
            region of each triangle. With --split-crossings also the chain of each edge of the input
-  .obj, .off, .ply, .vtk, .vtu, .msh, .stl
+  .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl
            vertices and triangles for 3D programs, as text; z is the height, or 0
-  .geojson, .wkt
-           a polygon for each triangle
+  .geojson, .wkt, .dxf
+           a polygon for each triangle; in .dxf a 3DFACE
+  .npy, .npz
+           triangles as an array of NumPy; or points, edges and triangles as arrays with these names
   .svg     a picture: triangles grey, edges blue, hull (or border) orange
   Outputs appear when all are complete; a run that fails changes no file. No file is overwritten that
   was read. Symbolic links are followed, FIFOs and devices written to, permissions kept.

@@ -128,9 +128,12 @@ Result:
   .ele     Triangle's triangles, numbered from 0 or 1, and the .node beside it, if there is one
   .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; numbered from 0; with
            \"points\": [[x, y], ...] or without. Also simplices or faces, and vertices
-  .obj, .off, .ply, .vtk, .vtu, .msh
-           vertices and faces; z is ignored. .ply, .vtk and .vtu may be binary
-  .stl, .geojson, .wkt
+  .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
+           vertices and faces; z is ignored. All but the first two may be binary
+  .npy, .npz
+           triangles as an array of NumPy, (t, 3) or (3t,), numbered from 0; or as arrays triangles,
+           simplices or faces, with points or vertices, or without
+  .stl, .geojson, .wkt, .dxf
            triangles by the coordinates of their corners, and no others; .stl may be binary
   If the result has coordinates, its vertices are matched with those of the input by them, exactly
   and in any order. If it has none, they are matched by number. Rounded ones are matched by number

@@ -21,7 +21,8 @@ use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 /// Arguments that name an input.
 #[derive(clap::Args)]
 pub(crate) struct InputArgs {
-    /// File to read: .node, .poly, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .geojson or .wkt; `-` for standard input
+    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
+    /// .npz or .dxf; `-` for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: FileArgument,
 
@@ -91,8 +92,8 @@ impl InputArgs {
 /// Arguments that name a result.
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
-    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson
-    /// or .wkt; `-` for standard input
+    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl,
+    /// .geojson, .wkt, .npy, .npz or .dxf; `-` for standard input
     #[arg(value_name = "RESULT")]
     pub(crate) result: FileArgument,
 
@@ -137,8 +138,8 @@ impl ResultArgs {
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
-    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson, .wkt or .svg; may be given
-    /// several times; `-` for standard output
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz, .dxf
+    /// or .svg; may be given several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,
 
@@ -173,10 +174,10 @@ impl Target {
 
     /// Whether the format has a height for every vertex.
     pub(crate) fn asks_heights(&self) -> bool {
-        use OutputFormat::{Msh, Obj, Off, Ply, Stl, Vtk, Vtu};
+        use OutputFormat::{Msh, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu};
         matches!(
             self.format,
-            Output::File(Obj | Off | Ply | Vtk | Vtu | Msh | Stl)
+            Output::File(Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Stl)
         )
     }
 }

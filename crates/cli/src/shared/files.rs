@@ -12,6 +12,7 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Named, ReadError, Remark, Source}
 
 use super::failure::{Failure, note, printable, reason};
 use super::resources::has_room;
+use super::unread;
 
 /// A path on the command line: a file, or for `-` standard input or output.
 #[derive(Clone)]
@@ -86,7 +87,20 @@ pub(crate) fn format_of_input<F: Format>(
     given: Option<F>,
 ) -> Result<F, Failure> {
     given.or_else(|| by_extension(file)).ok_or_else(|| {
-        let (name, known) = (file.input_name(), names::<F>().join(", "));
+        let name = file.input_name();
+        if let Some(command) = file.path().and_then(unread::command) {
+            return Failure::Usage(format!(
+                "{name} is not read, but what this makes of it: {command}"
+            ));
+        }
+        let other = file.path().and_then(unread::other_name);
+        if let Some(format) = other.and_then(F::named) {
+            let format = format.name();
+            return Failure::Usage(format!(
+                "the format of {name} is not known by its name: add {option} {format}"
+            ));
+        }
+        let known = names::<F>().join(", ");
         Failure::Usage(format!(
             "the format of {name} is not known: add {option} with one of {known}"
         ))
@@ -134,7 +148,7 @@ pub(crate) struct ReadingArgs {
     #[arg(long)]
     strict: bool,
 
-    /// Most bytes that packed arrays, of a .vtu or .npz, may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB,
+    /// Most bytes that what is packed in a .vtu, .vtp or .npz may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB,
     /// or 32 times the file's size]
     #[arg(long, value_name = "SIZE")]
     unpacked_limit: Option<ByteSize>,

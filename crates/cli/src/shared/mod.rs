@@ -16,4 +16,5 @@ pub(crate) mod splitting;
 pub(crate) mod tables;
 pub(crate) mod terrain;
 pub(crate) mod unnamed;
+mod unread;
 pub(crate) mod verification;

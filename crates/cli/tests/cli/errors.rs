@@ -297,11 +297,13 @@ fn a_missing_format_is_asked_for_by_its_option() {
         let name = option.split(' ').next().expect("a name");
         let message = text(&asked.stderr);
         let known = match name {
-            "--input-format" => "node, poly, json, obj, off, ply, vtk, vtu, msh, geojson, wkt",
-            "--output-format" => {
-                "ele, node, json, obj, off, ply, vtk, vtu, msh, stl, geojson, wkt, svg"
+            "--input-format" => {
+                "node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, dxf"
             }
-            _ => "ele, json, obj, off, ply, vtk, vtu, msh, stl, geojson, wkt",
+            "--output-format" => {
+                "ele, node, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf, svg"
+            }
+            _ => "ele, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf",
         };
         let advice = format!("is not known: add {name} with one of {known}\n");
         assert!(message.contains(&advice), "{message}");

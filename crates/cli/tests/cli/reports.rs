@@ -68,7 +68,7 @@ fn vertices_without_a_height_are_counted() {
         )
     };
     let note = "note: 2 of 5 vertices have no height: z is `NaN` there\n";
-    for format in ["obj", "off", "ply", "vtk", "vtu", "msh", "stl"] {
+    for format in ["obj", "off", "ply", "vtk", "vtu", "vtp", "msh", "stl"] {
         let (written, notes) = noted(format);
         assert_eq!(notes, note, "{format}");
         assert!(
@@ -80,6 +80,8 @@ fn vertices_without_a_height_are_counted() {
     assert!(noted("wkt").0.contains("3 2 NaN"));
     assert!(noted("geojson").0.contains("[3,2]"));
     assert!(noted("json").0.contains("[3,2]"));
+    assert_eq!(noted("dxf").1, "");
+    assert!(!noted("dxf").0.contains("NaN"));
 }
 
 /// Julia and Matlab count from 1.
@@ -179,4 +181,104 @@ fn rounded_triangles_without_numbers_are_verified() {
         "error: twins.geojson:1: vertex 1 at (1, 0) may be vertex 1 or 3 of the input, within rounding to the digits of \
          the file (write the result with all digits, 17, or without coordinates)\n"
     );
+}
+
+/// Formats that are not read: the message names the command that makes one of them that is.
+#[test]
+fn what_converts_a_file_is_said() {
+    let folder = folder(&[("five.json", "{\"points\": [[0, 0], [3, 0], [0, 3]]}")]);
+    let said = |arguments: &str, file: &str| {
+        let mut command = sweep_cdt(&folder, arguments);
+        let output = command.arg(file).output().expect("the command starts");
+        assert_eq!(output.status.code(), Some(2), "{arguments} {file}");
+        let message = text(&output.stderr);
+        message.lines().next().expect("a line").to_owned()
+    };
+    for (file, command) in [
+        ("roads.shp", "ogr2ogr -f GeoJSON roads.geojson roads.shp"),
+        (
+            "a/b.c/Land.GPKG",
+            "ogr2ogr -f GeoJSON a/b.c/Land.geojson a/b.c/Land.GPKG",
+        ),
+        ("places.kml", "ogr2ogr -f GeoJSON places.geojson places.kml"),
+        ("plots.gml", "ogr2ogr -f GeoJSON plots.geojson plots.gml"),
+        (
+            "cells.parquet",
+            "ogr2ogr -f GeoJSON cells.geojson cells.parquet",
+        ),
+        ("hill.tif", "gdal2xyz.py -skipnodata hill.tif hill.xyz"),
+        ("hill.TIFF", "gdal2xyz.py -skipnodata hill.TIFF hill.xyz"),
+        (
+            "hill.geotiff",
+            "gdal2xyz.py -skipnodata hill.geotiff hill.xyz",
+        ),
+        ("cloud.las", "pdal translate cloud.las cloud.csv"),
+        (
+            "cloud.copc.laz",
+            "pdal translate cloud.copc.laz cloud.copc.csv",
+        ),
+        ("part.dwg", "dwgread -O GeoJSON -o part.geojson part.dwg"),
+        ("part.mesh", "meshio convert part.mesh part.vtu"),
+        ("part.glb", "assimp export part.glb part.obj"),
+        (
+            "table.xlsx",
+            "libreoffice --headless --convert-to csv table.xlsx",
+        ),
+        (
+            "my roads.shp",
+            "ogr2ogr -f GeoJSON 'my roads.geojson' 'my roads.shp'",
+        ),
+        (
+            "it's.shp",
+            "ogr2ogr -f GeoJSON 'it'\\''s.geojson' 'it'\\''s.shp'",
+        ),
+    ] {
+        let expected = format!("error: {file} is not read, but what this makes of it: {command}");
+        for arguments in ["triangulate", "crossings", "verify five.json"] {
+            assert_eq!(said(arguments, file), expected, "{arguments}");
+        }
+    }
+    let other = "error: the format of a.tsv is not known by its name: add --input-format txt";
+    assert_eq!(said("triangulate", "a.tsv"), other);
+    let other =
+        "error: the format of a.NDJSON is not known by its name: add --result-format geojson";
+    assert_eq!(said("verify five.json", "a.NDJSON"), other);
+    assert!(
+        said("verify five.json", "a.tsv").contains("add --result-format with one of ele, json")
+    );
+    assert!(said("triangulate", "shp").starts_with("error: the format of shp is not known: add"));
+}
+
+/// Points as text, and results as arrays: what the command makes of them.
+#[test]
+fn tables_and_arrays_go_through_the_command() {
+    let table = "Name;Lon;Lat;Elev\nA;0;0;5\nB;4;0;6\nC;4;4;7\nD;0;4;8\n";
+    let folder = folder(&[("survey.csv", table)]);
+    let ran = |arguments: &str| {
+        let output = sweep_cdt(&folder, arguments)
+            .output()
+            .expect("the command starts");
+        printed(&output).to_owned()
+    };
+    assert_eq!(
+        ran("triangulate survey.csv"),
+        "survey.csv: points 4, duplicates 0, edges 0, triangles 2, hull 4\n"
+    );
+    ran("triangulate survey.csv -o t.npy -o t.npz -o t.dxf -o t.vtp -o t.json");
+    for result in ["t.npy", "t.npz", "t.dxf", "t.vtp", "t.json"] {
+        let verdict = ran(&format!("verify survey.csv {result}"));
+        assert!(
+            verdict.starts_with(&format!(
+                "correct: {result} is a constrained Delaunay triangulation of survey.csv"
+            )),
+            "{verdict}"
+        );
+    }
+    let points = "[0,0,5],\n[4,0,6],\n[4,4,7],\n[0,4,8]";
+    let json = ran("triangulate survey.csv -o - --output-format json");
+    assert!(json.contains(points), "{json}");
+    // The archive is an input, too.
+    assert!(ran("triangulate t.npz -o - --output-format json").contains(points));
+    ran("generate lattice 9 -o grid.csv");
+    assert!(ran("triangulate grid.csv").starts_with("grid.csv: points 9"));
 }

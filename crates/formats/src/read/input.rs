@@ -7,18 +7,21 @@ use crate::read::matching::{find, is_finite};
 #[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
 use crate::read::remarks::Remarks;
+#[cfg(feature = "mesh-formats")]
+use crate::read::shapes::Part;
 use crate::read::source::{ReadError, Source};
 #[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
 #[cfg(feature = "mesh-formats")]
-use crate::read::{geojson, msh, ply, vtk, wkt};
+use crate::read::{dxf, geojson, msh, ply, vtk, wkt};
 use crate::read::{json, obj, off, points, triangle};
 use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
 
 named! {
     /// A format that [`read()`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `geojson`, `wkt`, `npy` and `npz`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `geojson`, `wkt`, `npy`, `npz`
+    /// and `dxf`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum InputFormat {
@@ -47,7 +50,10 @@ named! {
         /// VTK's points and lines, as XML.
         #[cfg(feature = "mesh-formats")]
         Vtu = "vtu",
-        /// Gmsh's nodes and lines, as text.
+        /// VTK's points and lines of polygons, as XML.
+        #[cfg(feature = "mesh-formats")]
+        Vtp = "vtp",
+        /// Gmsh's nodes and lines, as text or binary.
         #[cfg(feature = "mesh-formats")]
         Msh = "msh",
         /// Points, lines and polygons of maps, as JSON.
@@ -62,6 +68,9 @@ named! {
         /// Points and edges as arrays of NumPy.
         #[cfg(feature = "mesh-formats")]
         Npz = "npz",
+        /// Points and straight lines of CAD, as text.
+        #[cfg(feature = "mesh-formats")]
+        Dxf = "dxf",
     }
 }
 
@@ -69,10 +78,10 @@ impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
         #[cfg(feature = "mesh-formats")]
-        use InputFormat::{Msh, Ply, Vtk, Vtu};
+        use InputFormat::{Dxf, Msh, Ply, Vtk, Vtp, Vtu};
         use InputFormat::{Obj, Off};
         #[cfg(feature = "mesh-formats")]
-        return matches!(self, Obj | Off | Ply | Vtk | Vtu | Msh);
+        return matches!(self, Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Dxf);
         #[cfg(not(feature = "mesh-formats"))]
         matches!(self, Obj | Off)
     }
@@ -80,7 +89,10 @@ impl InputFormat {
     /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
     fn is_without_vertices(self) -> bool {
         #[cfg(feature = "mesh-formats")]
-        return matches!(self, InputFormat::Geojson | InputFormat::Wkt);
+        return matches!(
+            self,
+            InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
+        );
         #[cfg(not(feature = "mesh-formats"))]
         false
     }
@@ -153,7 +165,7 @@ pub fn read(
         #[cfg(feature = "mesh-formats")]
         InputFormat::Vtk => vtk::read(source)?.into_graph()?,
         #[cfg(feature = "mesh-formats")]
-        InputFormat::Vtu => {
+        InputFormat::Vtu | InputFormat::Vtp => {
             let unpacked = Unpacked::of(source)?;
             return input(format, unpacked.mesh()?.into_graph()?);
         }
@@ -163,6 +175,8 @@ pub fn read(
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Dxf => dxf::read(source, Part::Points)?.into_graph(),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Npy => return input(format, Arrays::of_points(source)?.graph()?),
         #[cfg(feature = "mesh-formats")]

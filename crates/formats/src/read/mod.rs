@@ -3,6 +3,8 @@
 #[cfg(feature = "mesh-formats")]
 mod binary;
 mod content;
+#[cfg(feature = "mesh-formats")]
+mod dxf;
 mod file;
 #[cfg(feature = "mesh-formats")]
 mod geojson;
@@ -15,6 +17,8 @@ mod matching;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod msh;
+#[cfg(feature = "mesh-formats")]
+mod msh_binary;
 mod nearby;
 #[cfg(feature = "mesh-formats")]
 mod npy;

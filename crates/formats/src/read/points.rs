@@ -299,15 +299,18 @@ impl<'a> Table<'a> {
             };
             let count = seen.entry(name.clone()).or_default();
             *count += 1;
+            let name = match *count {
+                1 => name,
+                _ => format!("{name}_{count}"),
+            };
             fields.push(Field {
-                name: match *count {
-                    1 => name,
-                    _ => format!("{name}_{count}"),
-                },
+                name,
                 syntax: Syntax::Plain,
                 pieces,
             });
         }
+        // Formats without names take the first column for heights.
+        fields.sort_by_key(|field| field.name != Column::HEIGHT);
         Vertices {
             fields,
             ..Vertices::plain(self.source, self.coordinates, 0)

@@ -59,14 +59,18 @@ pub(super) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// All rows of a file. The signs `//`, which some programs put before the names of columns, are read over.
+    /// All rows of a file. A first line `sep=;` is no row, as Excel has it, and the signs `//`, which some programs put
+    /// before the names of columns, are read over.
     pub(super) fn new(source: &'a Source, separator: Separator) -> Result<Rows<'a>, ReadError> {
         let text = source.text()?;
+        let (first, others) = split_line(text);
+        let is_of_excel = first.starts_with(b"sep=") && first.trim_ascii_end().len() <= 5;
+        let text = if is_of_excel { others } else { text };
         Ok(Rows {
             source,
             separator,
             rest: text.strip_prefix(b"//").unwrap_or(text),
-            lines: 0,
+            lines: usize::from(is_of_excel),
             comment: b"",
         })
     }

@@ -51,7 +51,8 @@ impl Source {
         self
     }
 
-    /// Limits the bytes that what is packed in the file may unpack to, all together. (Only a `.vtu` has packed arrays.)
+    /// Limits the bytes that what is packed in the file may unpack to, all together. (Only `.vtu`, `.vtp` and `.npz` may
+    /// have packed arrays.)
     ///
     /// Without a call the limit is 16 MiB, or 32 times the size of the file where that is more. A file that needs more
     /// is refused before memory is taken for it ([`ReadErrorKind::UnpackedLimit`]). Beside what is unpacked, a reader

@@ -181,13 +181,12 @@ fn read_vertices<'a>(
             None if at == attributes => Ok(&b""[..]),
             None => line.expect_token("an attribute"),
         });
-        Ok((point, row.collect::<Result<Vec<_>, _>>()?, !line.is_empty()))
+        Ok((point, row.collect::<Result<Vec<_>, _>>()?))
     })?;
-    let more = rows.iter().filter(|(.., more)| *more).count();
-    remarks.ignore(
-        more,
-        "vertex's further numbers",
-        "vertices' further numbers",
+    let last = rows.iter().filter_map(|(_, row)| row.last());
+    ignore_more(
+        last.filter(|piece| is_followed(source, piece)).count(),
+        remarks,
     );
     // Without a row there may be any number of attributes.
     let width = rows.first().map_or(0, |(_, row)| row.len());

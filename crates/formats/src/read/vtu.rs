@@ -1,4 +1,5 @@
-//! VTK's XML format `.vtu`: an `UnstructuredGrid` of one piece.
+//! VTK's XML formats `.vtu` and `.vtp`: an `UnstructuredGrid` or a `PolyData` of one piece. Which of them it is says the
+//! file, whatever it is called.
 //!
 //! ```text
 //! <VTKFile type="UnstructuredGrid" byte_order=".." header_type=".." compressor="..">
@@ -6,11 +7,14 @@
 //!     <PointData>  columns: DataArrays of one number for each point
 //!     <Points>     one DataArray of x, y and z of each point; numbered from 0
 //!     <Cells>      the DataArrays connectivity, offsets (the end of each cell) and types
+//! <VTKFile type="PolyData" ..>
+//!   <PolyData> <Piece NumberOfPoints=".." NumberOfVerts=".." NumberOfLines=".." NumberOfPolys=".." NumberOfStrips="..">
+//!     <Lines>      connectivity and offsets; Verts, Polys and Strips, too
 //! ```
 //!
 //! The numbers of a `DataArray` stand in it as text or in base 64, or in `AppendedData` behind all others, in base 64 or
-//! as they are; packed by zlib or not (see `vtu_arrays.rs`). All else is read over, and so are data of the cells and data
-//! of several components.
+//! as they are; packed by zlib or not (see `vtu_arrays.rs`). Data of the cells are read of two names, `marker` and
+//! `region` (see `vtk_cells.rs`). Other data of the cells, and data of several components, are ignored with a remark.
 //!
 //! What is packed is unpacked into a copy of the file, behind its text. So numbers are pieces of one source here as in
 //! all other readers. It costs the memory of the copy, for which there is a limit ([`Source::unpacked_limit`]).
@@ -32,16 +36,27 @@ use crate::read::vtu_elements::{Array, Elements, Section};
 pub(super) struct Unpacked {
     source: Source,
     points: Numbers,
-    /// The corners of all cells, one after the other.
-    corners: Numbers,
-    /// Where the corners of each cell end.
-    ends: Numbers,
-    types: Numbers,
+    sections: Vec<CellArrays>,
     columns: Vec<(String, Numbers)>,
     /// Data of the cells that are read.
     cell_data: Vec<(String, Numbers)>,
     /// The names of arrays that are not.
     others: Vec<String>,
+}
+
+/// The cells of a section.
+struct CellArrays {
+    /// The corners of all cells, one after the other.
+    corners: Numbers,
+    /// Where the corners of each cell end.
+    ends: Numbers,
+    types: Types,
+}
+
+/// The types of cells, by VTK's numbers.
+enum Types {
+    Each(Numbers),
+    All(usize),
 }
 
 /// Where numbers stand, and how.
@@ -81,38 +96,56 @@ impl Unpacked {
             return Err(source.error_in_line(points.line, message));
         }
         let points = unpack(points, coordinates)?;
-        let cells = Some(elements.cells);
-        let corners = unpack(array(Section::Cells, "connectivity")?, None)?;
-        let ends = unpack(array(Section::Cells, "offsets")?, cells)?;
-        let types = unpack(array(Section::Cells, "types")?, cells)?;
+        let mut sections = Vec::new();
+        for &(section, count) in &elements.cells {
+            let count = Some(count);
+            let kind = match (section, elements.is_poly_data) {
+                (Section::Cells, false) => None,
+                (Section::Verts, true) => Some(2),
+                (Section::Lines, true) => Some(4),
+                (Section::Polys, true) => Some(7),
+                (Section::Strips, true) => Some(6),
+                _ => continue,
+            };
+            let is_there = elements.array(section, "offsets").is_some();
+            if elements.is_poly_data && count == Some(0) && !is_there {
+                continue;
+            }
+            sections.push(CellArrays {
+                corners: unpack(array(section, "connectivity")?, None)?,
+                ends: unpack(array(section, "offsets")?, count)?,
+                types: match kind {
+                    Some(kind) => Types::All(kind),
+                    None => Types::Each(unpack(array(section, "types")?, count)?),
+                },
+            });
+        }
         let is_column = |array: &&Array| {
             array.components == 1
                 && match array.section {
                     Section::PointData => true,
                     Section::CellData => CellData::is_read(array.name.as_bytes()),
-                    Section::Points | Section::Cells => false,
+                    _ => false,
                 }
         };
+        let counts = elements.cells.iter().map(|&(_, count)| count);
+        let cells = counts.fold(0, usize::saturating_add);
         let (mut columns, mut cell_data) = (Vec::new(), Vec::new());
         for array in elements.arrays.iter().filter(is_column) {
             let (list, count) = match array.section {
-                Section::CellData => (&mut cell_data, elements.cells),
+                Section::CellData => (&mut cell_data, cells),
                 _ => (&mut columns, elements.points),
             };
             list.push((array.name.clone(), unpack(array, Some(count))?));
         }
         let is_data =
             |array: &&Array| matches!(array.section, Section::PointData | Section::CellData);
-        let others = elements
-            .arrays
-            .iter()
-            .filter(|array| is_data(array) && !is_column(array));
+        let others = elements.arrays.iter();
+        let others = others.filter(|array| is_data(array) && !is_column(array));
         let others = others.map(|array| array.name.clone());
         Ok(Unpacked {
             points,
-            corners,
-            ends,
-            types,
+            sections,
             columns,
             cell_data,
             others: others.chain(elements.others.iter().cloned()).collect(),
@@ -151,19 +184,25 @@ impl Unpacked {
     }
 
     fn cells(&self, remarks: &mut Remarks) -> Result<Cells, ReadError> {
-        let corners: Vec<usize> = self.indices(&self.corners).collect::<Result<_, _>>()?;
-        let (ends, types) = (self.indices(&self.ends), self.indices(&self.types));
         let (mut cells, mut data) = (Cells::default(), CellData::default());
-        let mut begin = 0;
-        for (at, (end, kind)) in ends.zip(types).enumerate() {
-            let (end, kind) = (end?, kind?);
-            let Some(cell) = corners.get(begin..end) else {
-                let message = format!("cell {at}: its corners are not in `connectivity`");
-                return Err(ReadError::of_file(&self.source.name, message));
+        let mut at = 0;
+        for section in &self.sections {
+            let corners: Vec<usize> = self.indices(&section.corners).collect::<Result<_, _>>()?;
+            let types: Box<dyn Iterator<Item = _>> = match &section.types {
+                Types::Each(types) => Box::new(self.indices(types)),
+                &Types::All(kind) => Box::new(iter::repeat_with(move || Ok(kind))),
             };
-            vtk::add_cell(&mut cells, kind, cell, &self.source, at);
-            data.end_cell(&cells);
-            begin = end;
+            let mut begin = 0;
+            for (end, kind) in self.indices(&section.ends).zip(types) {
+                let (end, kind) = (end?, kind?);
+                let Some(cell) = corners.get(begin..end) else {
+                    let message = format!("cell {at}: its corners are not in `connectivity`");
+                    return Err(ReadError::of_file(&self.source.name, message));
+                };
+                vtk::add_cell(&mut cells, kind, cell, &self.source, at);
+                data.end_cell(&cells);
+                (begin, at) = (end, at + 1);
+            }
         }
         for (name, numbers) in &self.cell_data {
             let value = |piece| numbers.syntax.value(piece).unwrap_or(f64::NAN);

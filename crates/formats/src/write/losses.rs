@@ -113,7 +113,7 @@ impl Room {
             },
             OutputFormat::Obj | OutputFormat::Off => nothing,
             #[cfg(feature = "mesh-formats")]
-            OutputFormat::Ply | OutputFormat::Vtk | OutputFormat::Vtu => Room {
+            OutputFormat::Ply | OutputFormat::Vtk | OutputFormat::Vtu | OutputFormat::Vtp => Room {
                 columns: true,
                 vertex_markers: true,
                 edge_markers: true,
@@ -139,7 +139,7 @@ impl Room {
                 ..nothing
             },
             #[cfg(feature = "mesh-formats")]
-            OutputFormat::Stl | OutputFormat::Npy => nothing,
+            OutputFormat::Stl | OutputFormat::Npy | OutputFormat::Dxf => nothing,
             // Columns have no names in it, but are there.
             #[cfg(feature = "mesh-formats")]
             OutputFormat::Npz => Room {

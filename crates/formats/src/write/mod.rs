@@ -1,6 +1,8 @@
 //! Writers: a [`GraphFile`] and its [`Triangulation`] in, or a graph alone, and text out.
 
 mod crossings;
+#[cfg(feature = "mesh-formats")]
+mod dxf;
 mod features;
 mod json;
 mod labels;
@@ -35,7 +37,8 @@ use sweep_cdt::memory::has_room;
 
 named! {
     /// A format that [`write()`] makes, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `stl`, `geojson`, `wkt`, `npy` and `npz`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `stl`, `geojson`, `wkt`, `npy`, `npz`
+    /// and `dxf`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum OutputFormat {
@@ -58,6 +61,9 @@ named! {
         /// VTK's points and cells, as XML.
         #[cfg(feature = "mesh-formats")]
         Vtu = "vtu",
+        /// VTK's points and polygons, as XML.
+        #[cfg(feature = "mesh-formats")]
+        Vtp = "vtp",
         /// Gmsh's nodes and triangles, as text of version 2.2.
         #[cfg(feature = "mesh-formats")]
         Msh = "msh",
@@ -76,6 +82,9 @@ named! {
         /// Points, edges and triangles as arrays of NumPy.
         #[cfg(feature = "mesh-formats")]
         Npz = "npz",
+        /// Faces of CAD, as text.
+        #[cfg(feature = "mesh-formats")]
+        Dxf = "dxf",
     }
 }
 
@@ -154,6 +163,8 @@ pub fn write_interior<S: Coordinate>(
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Vtu => Mesh::of(file, interior).write_vtu(out),
         #[cfg(feature = "mesh-formats")]
+        OutputFormat::Vtp => Mesh::of(file, interior).write_vtp(out),
+        #[cfg(feature = "mesh-formats")]
         OutputFormat::Msh => Mesh::of(file, interior).write_msh(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Stl => Mesh::of(file, interior).write_stl(out),
@@ -161,6 +172,8 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Geojson => shapes::write_geojson(file, interior, out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Dxf => Mesh::of(file, interior).write_dxf(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Npy => Mesh::of(file, interior).write_triangles(out),
         #[cfg(feature = "mesh-formats")]
@@ -223,11 +236,15 @@ pub fn write_graph<S: Coordinate>(
         #[cfg(feature = "mesh-formats")]
         InputFormat::Vtu => Mesh::of_graph(file).write_vtu(out),
         #[cfg(feature = "mesh-formats")]
+        InputFormat::Vtp => Mesh::of_graph(file).write_vtp(out),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Msh => Mesh::of_graph(file).write_msh(out),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Geojson => shapes::write_geojson_graph(file, out),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => shapes::write_wkt_graph(file, out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Dxf => Mesh::of_graph(file).write_dxf(out),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Npy => Mesh::of_graph(file).write_points(out),
         #[cfg(feature = "mesh-formats")]

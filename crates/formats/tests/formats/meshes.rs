@@ -166,8 +166,8 @@ fn other_columns_go_with_the_vertices() {
 
 /// Whether a format holds more than vertices.
 fn has_edges(format: InputFormat) -> bool {
-    use InputFormat::{Csv, Node, Txt, Xyz};
-    ![Node, Csv, Xyz, Txt].contains(&format)
+    use InputFormat::{Csv, Node, Npy, Txt, Xyz};
+    ![Node, Csv, Xyz, Txt, Npy].contains(&format)
 }
 
 #[test]

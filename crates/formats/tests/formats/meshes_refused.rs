@@ -124,7 +124,12 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "msh",
         "$MeshFormat|2.2 1 8",
-        "file:2: only files of text are read, and no binary ones",
+        "file:2: no int of 1 follows, which tells the order of bytes",
+    ),
+    (
+        "msh",
+        "$MeshFormat|2.2 2 8",
+        "file:2: the type of the file is `2`, not 0 or 1",
     ),
     (
         "msh",
