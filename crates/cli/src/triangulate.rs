@@ -105,7 +105,9 @@ Output, with the triangles always in the same order:
            vertices and triangles for 3D programs, as text; z is the height, or 0
   .geojson, .wkt
            a polygon for each triangle
-  .svg     a picture: triangles grey, edges blue, hull (or border) orange
+  .svg, .png
+           a picture: triangles grey, edges blue, hull (or border) orange; with heights, triangles
+           coloured by height with hill shading
   Outputs appear when all are complete; a run that fails changes no file. No file is overwritten that
   was read. Symbolic links are followed, FIFOs and devices written to, permissions kept.
 

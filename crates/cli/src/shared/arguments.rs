@@ -132,8 +132,8 @@ impl ResultArgs {
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
-    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson, .wkt or .svg; may be given
-    /// several times; `-` for standard output
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson, .wkt, .svg or .png; may be
+    /// given several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,
 

@@ -263,7 +263,7 @@ fn wrong_usage_exits_with_2() {
     let wrong = [
         "",
         "ten.poly --front tree",
-        "ten.poly -o ten.png",
+        "ten.poly -o ten.gif",
         "ten.poly -o -",
         "ten.poly -o - --output-format json --stats",
         "ten.json -o formats/../ten.json",
@@ -295,7 +295,7 @@ fn a_missing_format_is_asked_for_by_its_option() {
         let known = match name {
             "--input-format" => "node, poly, json, obj, off, ply, vtk, vtu, msh, geojson, wkt",
             "--output-format" => {
-                "ele, node, json, obj, off, ply, vtk, vtu, msh, stl, geojson, wkt, svg"
+                "ele, node, json, obj, off, ply, vtk, vtu, msh, stl, geojson, wkt, svg, png"
             }
             _ => "ele, json, obj, off, ply, vtk, vtu, msh, stl, geojson, wkt",
         };
