@@ -38,7 +38,7 @@ fn filtered<'a>(rows: impl Iterator<Item = &'a [u8]>) -> Vec<u8> {
         let sub = (0..row.len()).map(|at| row[at].wrapping_sub(left(at)));
         let from_up = (0..row.len()).map(|at| row[at].wrapping_sub(up(at)));
         let size = |byte: u8| u64::from(byte.cast_signed().unsigned_abs());
-        if sub.clone().map(size).sum::<u64>() < from_up.clone().map(size).sum() {
+        if sub.clone().map(size).sum::<u64>() < from_up.clone().map(size).sum::<u64>() {
             all.push(1);
             all.extend(sub);
         } else {

@@ -15,6 +15,7 @@ mod outputs;
 mod places;
 mod refuted;
 mod replay;
+mod reported;
 mod reports;
 mod runs;
 mod statistics;

@@ -1,9 +1,11 @@
-//! The formats as one program: odd but correct files (`files`), points as text (`points`), and with the feature
+//! The formats as one program: odd but correct files (`files`), points as text (`points`), roles
+//! of rings (`roles`), every pair of formats (`exchange`), and with the feature
 //! `mesh-formats` the formats of other programs (`meshes`, `vtu`, `msh`, `numpy`), and files that are refused
 //! (`meshes_refused`).
 
 #[cfg(feature = "mesh-formats")]
 mod dxf;
+mod exchange;
 mod files;
 #[cfg(feature = "mesh-formats")]
 mod meshes;
@@ -15,5 +17,6 @@ mod msh;
 mod numpy;
 mod points;
 mod reports;
+mod roles;
 #[cfg(feature = "mesh-formats")]
 mod vtu;
