@@ -9,6 +9,7 @@ mod formats;
 mod generate;
 mod inside;
 mod interiors;
+mod losses;
 mod matching;
 mod outputs;
 #[cfg(unix)]
