@@ -218,12 +218,19 @@ impl Job for Run<'_> {
         let asks_heights = targets.iter().any(Target::asks_heights);
         let conflicts = file.remarks.iter().map(|remark| in_words(remark, file));
         self.read.say(given.name, &conflicts.collect::<Vec<_>>())?;
+        let mut losses: Vec<(String, String)> = Vec::new();
         for target in &targets {
-            let losses = target.losses(file, domain);
-            if !losses.is_empty() {
-                let losses = format!("not written: {}", losses.join(", "));
-                self.read.say(&target.name(), &[losses])?;
+            let (name, list) = (target.name(), target.losses(file, domain));
+            let words = format!("not written: {}", list.join(", "));
+            match losses.last_mut() {
+                _ if list.is_empty() => {}
+                // A `.ele` and its `.node` lose one and the same.
+                Some((names, last)) if *last == words => names.push_str(&format!(", {name}")),
+                _ => losses.push((name, words)),
             }
+        }
+        for (names, words) in losses {
+            self.read.say(&names, &[words])?;
         }
         // Standard output holds either a result or a report.
         let report =

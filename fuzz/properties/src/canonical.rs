@@ -12,7 +12,7 @@
 
 use std::cmp::Ordering;
 
-use sweep_cdt::interior::{FillRule, InteriorError};
+use sweep_cdt::interior::{FillRule, InteriorError, Ring};
 use sweep_cdt::scalar::filtered_orient2d;
 use sweep_cdt::{Algorithm, Corners, Error, Heuristics, Triangulator, triangulate};
 
@@ -133,15 +133,42 @@ fn judge_inside(Input { points, edges }: &Input) {
     let corners: Vec<usize> = lower.into_iter().chain(upper.into_iter().rev()).collect();
     let next = corners.iter().cycle().skip(1);
     let ring: Vec<[usize; 2]> = corners.iter().zip(next).map(|(&v, &w)| [v, w]).collect();
+    judge_polygons(points, &ring);
     let mut session = Triangulator::new().session();
     for edges in [edges, &ring] {
         let whole = triangulate(points, edges).map_err(|error| InteriorError::Refused { error });
-        for rule in [FillRule::EvenOdd, FillRule::NonZero(edges)] {
+        let rules = [
+            FillRule::EvenOdd,
+            FillRule::NonZero(edges),
+            FillRule::Positive(edges),
+            FillRule::Negative(edges),
+            FillRule::AtLeast(edges, 2),
+        ];
+        for rule in rules {
             let whole = whole.as_ref().map_err(|error| *error);
             let inside = whole.and_then(|whole| Ok(whole.interior(rule)?.canonical_triangles()));
             let there = session.triangulate_inside(points, edges, rule);
             assert_eq!(there, inside.as_deref().map_err(|error| *error), "{rule:?}");
         }
+    }
+}
+
+/// The ring as a polygon, and as one that is its own hole: all that the ring goes round is covered, by the first alone.
+fn judge_polygons(points: &[[f64; 2]], ring: &[[usize; 2]]) {
+    let edges = [ring, ring, ring].concat();
+    let Ok(result) = triangulate(points, &edges) else {
+        return;
+    };
+    let ring_of: Vec<Option<usize>> = (0..edges.len()).map(|e| Some(e / ring.len())).collect();
+    let rings = [(7, false), (9, false), (9, true)];
+    let rings = rings.map(|(polygon, is_hole)| Ring { polygon, is_hole });
+    let covered = result.interior_of_polygons(&rings, &ring_of);
+    let covered = covered.expect("closed rings");
+    let inside = result.interior(FillRule::EvenOdd).expect("closed rings");
+    for t in 0..result.len() {
+        let expected = inside.is_inside(t);
+        assert_eq!(covered.depth(t), i32::from(expected), "triangle {t}");
+        assert_eq!(covered.region(t), expected.then_some(7), "triangle {t}");
     }
 }
 

@@ -10,10 +10,12 @@ use crate::{
 #[test]
 fn all_input_formats_are_read() {
     let output = run(FORMATS, "ten.poly -o - --output-format json");
-    // The attribute of its vertices, 0.5 or 0, is a height, which the others do not have.
+    // The attribute of its vertices, 0.5 or 0, is a height, which the others do not have. Nor do they have markers.
     let (points, others) = printed(&output).split_once("\"edges\"").expect("edges");
     let points = points.replace(",0]", "]").replace(",0.5]", "]");
-    let expected = format!("{points}\"edges\"{others}");
+    let (edges, others) = others.split_once("\"vertex_markers\"").expect("markers");
+    let (_, others) = others.split_once("\"triangles\"").expect("triangles");
+    let expected = format!("{points}\"edges\"{edges}\"triangles\"{others}");
     for input in ["ten.json", "split.poly"] {
         assert_eq!(
             printed(&run(FORMATS, &format!("{input} -o - --output-format json"))),

@@ -29,7 +29,7 @@ pub(crate) const FRAME: &str = "\
 1
 1 4 5
 1
-1 1 2 0.5 0.1
+1 1 2 0.5
 ";
 
 /// The triangles of the frame.
@@ -144,7 +144,7 @@ fn every_format_holds_what_is_inside() {
 fn an_outline_that_is_open_keeps_nothing() {
     // The first edge is the second one once more.
     let open = FRAME.replace("1 1 2\n", "1 2 3\n");
-    let open = open.replace("1\n1 1 2 0.5 0.1\n", "0\n");
+    let open = open.replace("1\n1 1 2 0.5\n", "0\n");
     let folder = folder(&[("open.poly", &open)]);
     let summary = "open.poly: points 8, duplicates 0, edges 8, triangles 10, hull 4\n\
                    inside 0 of 10 triangles: rule holes, as the file has 1 hole; --inside hull keeps all\n";
@@ -211,17 +211,17 @@ fn seeds_are_read_with_care() {
         ),
         ("1 4 5\n", "1 4 y\n", "20: `y` is not a coordinate"),
         (
-            "1 2 0.5 0.1",
+            "1 2 0.5",
             "1 2 red",
             "22: `red` is not an attribute, a number",
         ),
         (
-            "1 2 0.5 0.1",
+            "1 2 0.5",
             "1 2 inf",
             "22: `inf` is not an attribute, a number",
         ),
         (
-            "1\n1 1 2 0.5 0.1\n",
+            "1\n1 1 2 0.5\n",
             "2\n1 1 2\n",
             "22: the file ends where region 2 of 2 should follow",
         ),

@@ -190,7 +190,7 @@ fn files_are_read_as_they_are_meant() {
         ("wrapped_line.obj", "edges 4"),
         ("empty_coordinates.geojson", "points 3"),
         ("one_feature_a_line.geojson", "points 3"),
-        ("geojson_named.json", "points 4"),
+        ("geojson_named.json", "points 11"),
         ("proteus200_no_regions.poly", "points 4"),
         ("manifold1211.json", "points 10, duplicates 5"),
         ("triangle4.json", "points 5, duplicates 1"),

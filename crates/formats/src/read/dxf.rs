@@ -239,6 +239,7 @@ impl<'a> Drawing<'a> {
                 );
                 return Err(self.refused(entity.line, &what));
             }
+            b"SECTION" => {}
             kind => self.shapes.remarks.ignore_named(1, "entity", kind),
         }
         Ok(())

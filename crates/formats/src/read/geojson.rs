@@ -309,8 +309,8 @@ impl Raised {
         first: usize,
         shapes: &mut Shapes<'a>,
     ) {
-        if height.is_asked || !is_area {
-            shapes.raise(first, height.piece.get().as_bytes());
+        let is_height = height.is_asked || !is_area;
+        if is_height && shapes.raise(first, height.piece.get().as_bytes()) {
             self.count += 1;
         } else {
             shapes.remarks.ignore(1, "property", "properties");

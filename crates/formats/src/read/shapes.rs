@@ -61,14 +61,16 @@ impl<'a> Shapes<'a> {
         self.coordinates.len()
     }
 
-    /// Gives the positions from `first` on that have no height this one.
-    pub(super) fn raise(&mut self, first: usize, height: &'a [u8]) {
+    /// Gives the positions from `first` on that have no height this one. Returns whether there are any.
+    pub(super) fn raise(&mut self, first: usize, height: &'a [u8]) -> bool {
+        let is_missing = self.heights[first..].iter().any(Option::is_none);
         for missing in self.heights[first..]
             .iter_mut()
             .filter(|height| height.is_none())
         {
             *missing = Some(height);
         }
+        is_missing
     }
 
     /// Adds a position.

@@ -3,7 +3,7 @@
 
 use sweep_cdt::{Pslg, Region};
 use sweep_cdt_formats::{
-    Column, CoordinateSystem, GraphFile, Input, InputFormat, Source, read, write_graph,
+    Column, CoordinateSystem, GraphFile, Input, InputFormat, Named, Source, read, write_graph,
 };
 use sweep_cdt_testing::Random;
 

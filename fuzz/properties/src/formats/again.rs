@@ -146,6 +146,26 @@ pub(super) fn assert_reads<S: Exact>(
             .all(|(x, y)| x.is_same(y));
     assert!(is_same, "{format:?}: {again:?} for {file:?}");
     assert_eq!(again.graph.edges, file.graph.edges, "{format:?}");
+    // A `.poly` of ours has markers of its own.
+    let has_edge_markers = matches!(
+        format,
+        InputFormat::Json
+            | InputFormat::Ply
+            | InputFormat::Vtk
+            | InputFormat::Vtu
+            | InputFormat::Vtp
+            | InputFormat::Msh
+    );
+    if has_edge_markers {
+        assert_eq!(again.edge_markers, file.edge_markers, "{format:?}");
+    }
+    if has_edge_markers || matches!(format, InputFormat::Node | InputFormat::Poly) {
+        let marked = |file: &GraphFile<S>| {
+            let markers = file.vertex_markers().unwrap_or_default();
+            markers.iter().any(|&marker| marker != 0).then_some(markers)
+        };
+        assert_eq!(marked(&again), marked(file), "{format:?}");
+    }
     if format != InputFormat::Node {
         assert_eq!(heights(&again), heights(file), "{format:?}");
     } else if !file.graph.points.is_empty() {
@@ -267,12 +287,22 @@ fn write_result<S: Exact>(file: &GraphFile<S>, result: &Triangulation, node: &[u
                 InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
             );
             if has_vertices || result.duplicates().len() == 0 {
-                assert_reads(format, &graph_text(format, file), None, &counted(format, file));
+                assert_reads(
+                    format,
+                    &graph_text(format, file),
+                    None,
+                    &counted(format, file),
+                );
             }
         }
     }
     for format in [InputFormat::Csv, InputFormat::Txt] {
-        assert_reads(format, &graph_text(format, file), None, &counted(format, file));
+        assert_reads(
+            format,
+            &graph_text(format, file),
+            None,
+            &counted(format, file),
+        );
     }
     assert_matches(file, result);
     let mut picture = Vec::new();

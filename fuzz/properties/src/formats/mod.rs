@@ -153,8 +153,25 @@ fn generated(style: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
         // Whole numbers that are no doubles.
         _ => Numbers::Fractions("1/9007199254740993"),
     };
+    // Markers of some vertices and edges.
+    let has_markers = which & 32 != 0 && graph.points.len() > 1 && !graph.edges.is_empty();
+    let markers = Column {
+        name: Column::MARKER.to_owned(),
+        values: (0..graph.points.len())
+            .map(|v| (v % 3) as f64 * -5.0)
+            .collect(),
+    };
+    let columns = [(has_heights, heights), (has_markers, markers)];
+    let edges = 0..graph.edges.len();
     let file = GraphFile {
-        columns: has_heights.then_some(heights).into_iter().collect(),
+        edge_markers: edges
+            .filter(|_| has_markers)
+            .map(|e| 9 - (e % 2) as i64)
+            .collect(),
+        columns: columns
+            .into_iter()
+            .filter_map(|(is_there, column)| is_there.then_some(column))
+            .collect(),
         numbering: Numbering {
             vertex: usize::from(style & 1),
             edge: usize::from(style >> 1 & 1),

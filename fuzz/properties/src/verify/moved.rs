@@ -105,7 +105,12 @@ impl Moved {
                 assert!(read.eq(written), "{result:?} of {own:?} for {input:?}");
             }
             // Each place is another one's rounding, to six digits or six decimals.
-            Ok(result) if matches!(result.matched, Matched::Printed { .. } | Matched::Single { .. }) => {
+            Ok(result)
+                if matches!(
+                    result.matched,
+                    Matched::Printed { .. } | Matched::Single { .. }
+                ) =>
+            {
                 let points = &input.graph.points;
                 let files = triangles.as_flattened().iter().map(|&v| own[v]);
                 let pairs: Vec<_> = files.zip(result.list.as_flattened()).collect();

@@ -77,6 +77,8 @@ fn compare(name: &str, file: &str, shapes: &[Shape], points: &[[f64; 2]]) {
     let mut meant: Pslg<f64> = Pslg::default();
     let mut meant_heights = Vec::new();
     let mut corners = Some(Vec::new());
+    // Whether each ring is a hole, and the ring of each edge.
+    let (mut rings, mut ring_of) = (Vec::new(), Vec::new());
     for shape in shapes {
         for (at, part) in shape
             .parts
@@ -111,7 +113,10 @@ fn compare(name: &str, file: &str, shapes: &[Shape], points: &[[f64; 2]]) {
                 corners
                     .iter_mut()
                     .for_each(|list| list.extend(ring.iter().map(|&v| points[v])));
+                rings.push(at > 0);
             }
+            let ring = (shape.kind == Kind::Polygons).then(|| rings.len() - 1);
+            ring_of.resize(meant.edges.len(), ring);
         }
     }
     let format = InputFormat::named(name).expect("a format");
@@ -123,6 +128,23 @@ fn compare(name: &str, file: &str, shapes: &[Shape], points: &[[f64; 2]]) {
     assert_eq!(found.graph.edges, meant.edges, "{file}");
     let expected = as_heights(meant_heights, meant.points.len());
     assert_eq!(heights(&found), expected, "{file}");
+    let found_rings: Vec<bool> = found
+        .polygons
+        .rings
+        .iter()
+        .map(|ring| ring.is_hole)
+        .collect();
+    assert_eq!(found_rings, rings, "{file}");
+    if !rings.is_empty() {
+        assert_eq!(found.polygons.ring_of, ring_of, "{file}");
+    }
+    let outlines = rings.iter().filter(|is_hole| !**is_hole).count();
+    assert_eq!(found.polygons.features.len(), outlines, "{file}");
+    if let Ok(result) = triangulate(&found.graph.points, &found.graph.edges)
+        && outlines > 0
+    {
+        assert!(found.polygons.interior(&result).is_ok(), "{file}");
+    }
 
     let input = Pslg {
         points: points.to_vec(),
