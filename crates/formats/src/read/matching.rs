@@ -148,10 +148,12 @@ impl Matching {
                 tolerance: self.tolerance,
             });
         }
-        let nearest = nearby.nearest(place).map(|(v, difference)| Nearest {
-            of_input: named(v),
-            at: nearby.points()[v],
-            difference,
+        let nearest = nearby.nearest(place).map(|(v, difference)| {
+            Box::new(Nearest {
+                of_input: named(v),
+                at: nearby.points()[v],
+                difference,
+            })
         });
         Err(ResultError::Stranger {
             file,

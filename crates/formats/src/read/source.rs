@@ -282,7 +282,7 @@ pub enum ResultError {
         /// Where it is, in doubles.
         at: [f64; 2],
         /// The vertex of the input that is nearest to it, if there is one.
-        nearest: Option<Nearest>,
+        nearest: Option<Box<Nearest>>,
         /// Whether the file has vertices with numbers, and not the coordinates of triangles alone.
         is_numbered: bool,
         /// A tolerance within which each vertex of the result has one vertex of the input and no other one, if there is
@@ -349,8 +349,8 @@ pub struct Nearest {
     pub difference: f64,
 }
 
-fn nearest_one(nearest: &Option<Nearest>) -> String {
-    nearest.map_or_else(String::new, |nearest| {
+fn nearest_one(nearest: &Option<Box<Nearest>>) -> String {
+    nearest.as_ref().map_or_else(String::new, |nearest| {
         let (number, difference) = (nearest.of_input, nearest.difference.text());
         format!(
             ": the nearest is vertex {number} at {}, by {difference}",
