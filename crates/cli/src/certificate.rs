@@ -43,7 +43,6 @@ pub(crate) struct Subject<'a, S> {
     pub(crate) domain: &'static str,
     /// The level that they must reach.
     pub(crate) level: &'static str,
-    pub(crate) clockwise: bool,
     pub(crate) steiner: bool,
     pub(crate) max_depth: Option<f64>,
     /// Whether the result is wrong by no more than that.
@@ -66,7 +65,6 @@ struct Certificate<'a> {
     level: &'static str,
     highest_level: &'static str,
     vertices_matched: MatchedBy,
-    clockwise_accepted: bool,
     clockwise: bool,
     steiner: bool,
     max_depth: Option<f64>,
@@ -190,7 +188,6 @@ pub(crate) fn write<S: Coordinate>(
             because: matched.name(),
             greatest_difference: matched.difference().as_ref().map(coordinate),
         },
-        clockwise_accepted: subject.clockwise,
         clockwise: report.clockwise,
         steiner: subject.steiner,
         max_depth: subject.max_depth,

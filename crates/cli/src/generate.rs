@@ -1,7 +1,7 @@
 //! `sweep-cdt generate`: data of many kinds, to try this and other programs with.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use sweep_cdt_formats::{InputFormat, write_graph};
+use sweep_cdt_formats::{Column, GraphFile, InputFormat, write_graph};
 use sweep_cdt_generate::{KINDS, Kind};
 
 use crate::shared::failure::Failure;
@@ -43,14 +43,15 @@ Output, which the other subcommands read; numbered from 0:
   .poly    Triangle's vertices and segments
   .node    Triangle's vertices; the edges are left out
   .csv, .xyz, .txt, .npy
-           x and y of the points; the edges are left out
+           the points with their heights; the edges are left out
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}
   .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
-           vertices and lines, with heights of 0
+           vertices and lines; z is 0 where there are no heights
   .geojson, .wkt, .dxf
            points and lines
   .npz     arrays of NumPy: points and edges
-  Coordinates are the shortest decimals that read as the same doubles.
+  Contour lines have heights: an attribute of the vertices, or the third coordinate. Coordinates are
+  the shortest decimals that read as the same doubles.
 
 Exit status:
   0  done   1  the output cannot be written   2  wrong usage
@@ -82,7 +83,9 @@ impl Generate {
         if !has_room(u64::from(self.points) * POINT) {
             return Err(Failure::Error("out of memory".to_owned()));
         }
-        let file = self.kind.graph(self.points as usize, self.seed).into();
+        let (graph, heights) = self.kind.graph_and_heights(self.points as usize, self.seed);
+        let mut file = GraphFile::from(graph);
+        file.columns = heights.into_iter().map(Column::heights).collect();
         let mut outputs = Outputs::default();
         outputs.add(destination, |out| write_graph::<f64>(format, &file, out))?;
         outputs.finish()

@@ -6,9 +6,12 @@
 //! run as it would have done by itself, after one `error:` line. A reader that closes its end of the pipe early ends
 //! it quietly.
 
+mod advice;
 mod certificate;
+mod contours;
 mod crossings;
 mod generate;
+mod heights;
 mod replay;
 mod shared;
 mod trace;
@@ -39,6 +42,8 @@ enum Command {
     Triangulate(triangulate::Triangulate),
     Verify(verify::Verify),
     Crossings(crossings::Crossings),
+    Contours(contours::Contours),
+    Heights(heights::Heights),
     Trace(trace::Trace),
     Replay(replay::Replay),
     Generate(generate::Generate),
@@ -54,6 +59,8 @@ fn main() -> ExitCode {
         Command::Triangulate(command) => ("triangulate", command.run()),
         Command::Verify(command) => ("verify", command.run()),
         Command::Crossings(command) => ("crossings", command.run()),
+        Command::Contours(command) => ("contours", command.run()),
+        Command::Heights(command) => ("heights", command.run()),
         Command::Trace(command) => ("trace", command.run()),
         Command::Replay(command) => ("replay", command.run()),
         Command::Generate(command) => ("generate", command.run()),

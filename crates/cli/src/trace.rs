@@ -16,6 +16,7 @@ use crate::shared::around::Around;
 use crate::shared::failure::{Failure, printable};
 use crate::shared::files::{FileArgument, LimitArgs, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read};
+use crate::shared::places::located;
 use crate::shared::settings::Settings;
 
 /// Record every step of the sweep
@@ -224,7 +225,7 @@ impl Job for Run<'_> {
         let settings = &self.arguments.settings;
         let result = settings.observe(points, &graph.edges, observer);
         let refused = result.err();
-        let failure = refused.map(|error| file.as_numbered(error).to_string());
+        let failure = refused.map(|error| located(file, error));
         if step == 0
             && let Some(failure) = failure
         {

@@ -15,6 +15,7 @@ use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, LimitArgs};
 use crate::shared::inside::InsideArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
+use crate::shared::places::located;
 use crate::shared::resources::limit_threads;
 use crate::shared::settings::Settings;
 use crate::shared::splitting::{SplitArgs, triangulated, write_splitting};
@@ -191,7 +192,7 @@ impl Job for Run<'_> {
             .triangulate(points, &graph.edges, arguments.stats || self.json.is_some())
             .map_err(|error| {
                 let advice = SplitArgs::advice(&error);
-                given.failure(format!("{}{advice}", file.as_numbered(error)))
+                given.failure(format!("{}{advice}", located(file, error)))
             })?;
         // A result that is wrong ends the run here, before anything is written.
         let verdict = if arguments.verify {

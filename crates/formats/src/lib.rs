@@ -35,8 +35,11 @@ mod coordinate;
 #[cfg(feature = "geo-types")]
 mod geo;
 mod graph_file;
+mod polygons;
 mod read;
+mod remark;
 mod split;
+mod system;
 mod threads;
 mod trace;
 mod write;
@@ -44,16 +47,20 @@ mod write;
 pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT};
 #[cfg(feature = "geo-types")]
 pub use geo::{geo_graph, geo_triangles};
-pub use graph_file::{Column, GraphFile, Numbering, sorted_pairs};
+pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};
 pub use named::Named;
+pub use polygons::Polygons;
 pub use read::{
-    Input, InputFormat, Matched, Matching, ReadError, ReadErrorKind, ResultError, ResultFormat,
-    Source, Triangles, added_points, read, read_result,
+    Input, InputFormat, Matched, Matching, Nearest, ReadError, ReadErrorKind, ResultError,
+    ResultFormat, Source, Triangles, added_points, read, read_result,
 };
+pub use remark::Remark;
 pub use split::Splitting;
+pub use system::CoordinateSystem;
 pub use trace::{read_trace, write_trace};
 pub use write::{
-    CrossingsFormat, OutputFormat, write, write_crossings, write_graph, write_interior, write_node,
+    CrossingsFormat, OutputFormat, write, write_crossings, write_graph, write_interior,
+    write_lines, write_node, write_violations,
 };
 
 /// The example of the README, as a test.

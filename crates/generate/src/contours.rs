@@ -1,12 +1,12 @@
 //! Contour lines (the paper's figure 16c) of a terrain whose lattice is cut into triangles.
 //!
-//! Levels are odd and heights even, so no line passes through a corner of the lattice. Across a triangle a
-//! line is straight, and lines of different levels do not cross.
+//! Levels are odd and heights of corners even, so no line passes through a corner of the lattice. Across a triangle a
+//! line is straight, and lines of different levels do not cross. The heights of lines are the numbers of their levels.
 
 use super::random::Random;
 use sweep_cdt::Pslg;
 
-pub(super) fn contours(n: usize, random: &mut Random) -> Pslg<f64> {
+pub(super) fn contours(n: usize, random: &mut Random) -> (Pslg<f64>, Vec<f64>) {
     let side = n.isqrt().next_power_of_two().max(4);
     let terrain = Terrain::new(side, random);
     // Levels are this far apart: as many points as asked for, or a few less.
@@ -76,9 +76,9 @@ impl Lines<'_> {
         3 * (y * (self.terrain.side + 1) + x) + way
     }
 
-    fn input(&self) -> Pslg<f64> {
+    fn input(&self) -> (Pslg<f64>, Vec<f64>) {
         let corners = (self.terrain.side + 1) * (self.terrain.side + 1);
-        let mut input = Pslg::default();
+        let (mut input, mut heights) = (Pslg::default(), Vec::new());
         // The first point on each side; the others follow from the lowest level up.
         let mut first = vec![0; 3 * corners];
         for side in self.sides() {
@@ -86,6 +86,7 @@ impl Lines<'_> {
             let [from, to] = side.map(|corner| self.band(corner));
             for level in from.min(to) + 1..=from.max(to) {
                 input.points.push(self.crossing(side, level));
+                heights.push(level as f64);
             }
         }
         let cells = self.terrain.side;
@@ -97,7 +98,7 @@ impl Lines<'_> {
                 }
             }
         }
-        input
+        (input, heights)
     }
 
     /// Where a level crosses a side.

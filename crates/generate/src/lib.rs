@@ -30,17 +30,47 @@ pub struct Kind {
     pub name: &'static str,
     /// The description, in a line.
     pub about: &'static str,
-    make: fn(n: usize, random: &mut Random) -> Pslg<f64>,
+    make: Make,
+}
+
+/// How the data of a kind is made, for a number of points.
+#[derive(Clone, Copy, Debug)]
+enum Make {
+    /// Points and edges in the plane.
+    Plane(fn(n: usize, random: &mut Random) -> Pslg<f64>),
+    /// The same with a height for each point.
+    Terrain(fn(n: usize, random: &mut Random) -> (Pslg<f64>, Vec<f64>)),
 }
 
 impl Kind {
     /// About `n` points for a seed, with their edges: none for 0, and otherwise at least one. The numbers of
     /// points of a lattice, of parcels and of contour lines differ from `n` most where `n` is small.
     pub fn graph(&self, n: usize, seed: u64) -> Pslg<f64> {
-        if n == 0 {
-            return Pslg::default();
+        self.graph_and_heights(n, seed).0
+    }
+
+    /// The [graph](Kind::graph), and the height of each of its points if it is a terrain: whole numbers, the levels of
+    /// contour lines. Levels are so far apart that the slopes are like those of hills whatever `n` is.
+    ///
+    /// ```
+    /// use sweep_cdt_generate::Kind;
+    ///
+    /// let contours = Kind::named("contours").expect("there is such a kind");
+    /// let (graph, heights) = contours.graph_and_heights(1000, 1);
+    /// let heights = heights.expect("contour lines have heights");
+    /// assert_eq!(graph.points.len(), heights.len());
+    /// assert!(graph.edges.iter().all(|&[a, b]| heights[a] == heights[b]));
+    /// ```
+    pub fn graph_and_heights(&self, n: usize, seed: u64) -> (Pslg<f64>, Option<Vec<f64>>) {
+        let random = &mut Random::new(seed);
+        match self.make {
+            _ if n == 0 => Default::default(),
+            Make::Plane(make) => (make(n, random), None),
+            Make::Terrain(make) => {
+                let (graph, heights) = make(n, random);
+                (graph, Some(heights))
+            }
         }
-        (self.make)(n, &mut Random::new(seed))
     }
 
     /// The kind of this name.
@@ -54,112 +84,112 @@ pub const KINDS: &[Kind] = &[
     Kind {
         name: "uniform",
         about: "points anywhere in a square",
-        make: points::uniform,
+        make: Make::Plane(points::uniform),
     },
     Kind {
         name: "integers",
         about: "points anywhere with integers below a million as coordinates",
-        make: points::integers,
+        make: Make::Plane(points::integers),
     },
     Kind {
         name: "clusters",
         about: "twenty clusters, the widest 512 times as wide as the narrowest",
-        make: points::clusters,
+        make: Make::Plane(points::clusters),
     },
     Kind {
         name: "power-law",
         about: "one cluster whose density falls with a power of the distance",
-        make: points::power_law,
+        make: Make::Plane(points::power_law),
     },
     Kind {
         name: "lattice",
         about: "a square lattice, its points in random order",
-        make: points::shuffled_lattice,
+        make: Make::Plane(points::shuffled_lattice),
     },
     Kind {
         name: "lattice-in-order",
         about: "a square lattice, row by row",
-        make: points::lattice,
+        make: Make::Plane(points::lattice),
     },
     Kind {
         name: "rows",
         about: "sixteen rows of equal y",
-        make: points::rows,
+        make: Make::Plane(points::rows),
     },
     Kind {
         name: "columns",
         about: "sixteen columns of equal x",
-        make: points::columns,
+        make: Make::Plane(points::columns),
     },
     Kind {
         name: "circle",
         about: "points on a circle",
-        make: points::circle,
+        make: Make::Plane(points::circle),
     },
     Kind {
         name: "parabola-up",
         about: "a parabola open above: left and right in turn",
-        make: points::parabola_up,
+        make: Make::Plane(points::parabola_up),
     },
     Kind {
         name: "parabola-right",
         about: "a parabola open to the right",
-        make: points::parabola_right,
+        make: Make::Plane(points::parabola_right),
     },
     Kind {
         name: "comb",
         about: "long narrow teeth that hang down, with edges along them",
-        make: edges::comb,
+        make: Make::Plane(edges::comb),
     },
     Kind {
         name: "fans",
         about: "a hundred edges at each upper end",
-        make: edges::fans,
+        make: Make::Plane(edges::fans),
     },
     Kind {
         name: "asterisk",
         about: "edges in all directions through one vertex",
-        make: edges::asterisk,
+        make: Make::Plane(edges::asterisk),
     },
     Kind {
         name: "segments",
         about: "short edges that do not meet",
-        make: edges::segments,
+        make: Make::Plane(edges::segments),
     },
     Kind {
         name: "outlines",
         about: "rough closed outlines of 256 vertices, nothing inside",
-        make: edges::outlines,
+        make: Make::Plane(edges::outlines),
     },
     Kind {
         name: "parcels",
         about: "parcels of land, with the paper's ratio of points to edges",
-        make: edges::parcels,
+        make: Make::Plane(edges::parcels),
     },
     Kind {
         name: "contours",
-        about: "contour lines of a fractal terrain",
-        make: contours::contours,
+        about: "contour lines of a fractal terrain, with their heights",
+        make: Make::Terrain(contours::contours),
     },
     Kind {
         name: "alternating",
         about: "a row, and above it points near its two ends in turn",
-        make: points::alternating,
+        make: Make::Plane(points::alternating),
     },
     Kind {
         name: "above-a-row",
         about: "a row, and points anywhere above it",
-        make: points::above_a_row,
+        make: Make::Plane(points::above_a_row),
     },
     Kind {
         name: "outliers",
         about: "the same in a four-millionth of the width, between two points far away",
-        make: points::outliers,
+        make: Make::Plane(points::outliers),
     },
     Kind {
         name: "leftwards",
         about: "half a parabola, each point to the left of all before it",
-        make: points::leftwards,
+        make: Make::Plane(points::leftwards),
     },
 ];
 

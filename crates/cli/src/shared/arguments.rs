@@ -29,6 +29,10 @@ pub(crate) struct InputArgs {
     /// Format of the input [default: by its extension]
     #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
     input_format: Option<InputFormat>,
+
+    /// The option that gives the format, in messages.
+    #[arg(skip = "--input-format")]
+    format_option: &'static str,
 }
 
 impl InputArgs {
@@ -37,6 +41,15 @@ impl InputArgs {
         InputArgs {
             input,
             input_format,
+            format_option: "--input-format",
+        }
+    }
+
+    /// The same, where this option gives the format.
+    pub(crate) fn format_option(self, format_option: &'static str) -> InputArgs {
+        InputArgs {
+            format_option,
+            ..self
         }
     }
 
@@ -45,13 +58,18 @@ impl InputArgs {
         self.input.input_name()
     }
 
+    /// The format of the input.
+    pub(crate) fn format(&self) -> Result<InputFormat, Failure> {
+        format_of_input(&self.input, self.format_option, self.input_format)
+    }
+
     /// Reads the input; `show` is called with each file that is read.
     pub(crate) fn read(
         &self,
         files: &mut FilesRead,
         mut show: impl FnMut(&Source),
     ) -> Result<Input, Failure> {
-        let format = format_of_input(&self.input, "--input-format", self.input_format)?;
+        let format = self.format()?;
         let source = files.load(&self.input)?;
         show(&source);
         // The `.node` beside a `.poly` is loaded only if the `.poly` turns out to need it.

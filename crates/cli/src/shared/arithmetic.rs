@@ -18,6 +18,7 @@ use sweep_cdt::{Error, Pslg, Region};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 
 use super::failure::Failure;
+use super::places::located;
 use super::resources::has_room;
 
 /// Arguments that select the arithmetic.
@@ -59,10 +60,10 @@ pub(crate) struct Given<'a, S, T> {
     pub(crate) scalar: &'static str,
 }
 
-impl<S, T> Given<'_, S, T> {
-    /// The fault of the input, vertices and edges numbered as in its file.
+impl<S: Coordinate, T> Given<'_, S, T> {
+    /// The fault of the input, vertices and edges numbered as in its file, and where it is.
     pub(crate) fn refused(&self, error: Error) -> Failure {
-        self.failure(self.file.as_numbered(error))
+        self.failure(located(self.file, error))
     }
 
     /// A failure that has to do with the input.
@@ -101,8 +102,7 @@ impl ScalarArgs {
     pub(crate) fn convert(&self, name: &str, input: Input) -> Result<Input, Failure> {
         match (input, self.scalar) {
             (Input::Doubles(file), Some(Kind::Rational)) => {
-                refuse_non_finite(name, &file)?;
-                Ok(Input::Rationals(as_rationals(name, file)?))
+                Ok(Input::Rationals(as_rationals(name, Input::Doubles(file))?))
             }
             (Input::Rationals(_), Some(Kind::F64)) => Err(has_fractions(name)),
             (input, _) => Ok(input),
@@ -114,8 +114,13 @@ fn has_fractions(name: &str) -> Failure {
     Failure::Error(format!("{name}: has fractions, which --scalar f64 refuses"))
 }
 
-/// A file whose points are finite, with the exact values of its doubles.
-fn as_rationals(name: &str, file: GraphFile<f64>) -> Result<GraphFile<BigRational>, Failure> {
+/// The input called `name`, with the exact values of its doubles, which must be finite.
+pub(crate) fn as_rationals(name: &str, input: Input) -> Result<GraphFile<BigRational>, Failure> {
+    let file = match input {
+        Input::Rationals(file) => return Ok(file),
+        Input::Doubles(file) => file,
+    };
+    refuse_non_finite(name, &file)?;
     let graph = &file.graph;
     let seeds = (0..).map(Seed::Hole).zip(&graph.holes);
     let regions = graph.regions.iter().map(|region| &region.seed);
@@ -139,6 +144,12 @@ fn as_rationals(name: &str, file: GraphFile<f64>) -> Result<GraphFile<BigRationa
         },
         columns: file.columns,
         pieces_of: file.pieces_of,
+        edge_markers: file.edge_markers,
+        polygons: file.polygons,
+        faces: file.faces,
+        system: file.system,
+        merged: file.merged,
+        remarks: file.remarks,
         numbering: file.numbering,
     })
 }

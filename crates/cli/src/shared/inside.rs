@@ -115,56 +115,64 @@ struct Wanted {
     numbers: Vec<usize>,
 }
 
-/// Verifies that triangles fill the interior by a rule, and that they have the attributes of its regions, if the result
-/// has any. The first `own` points are the input's, the others added.
-pub(crate) fn verify_interior<S: Coordinate, T: Measure + Sync>(
+/// Verifies that triangles fill the hull, or the interior by a rule, and that they have the attributes of its regions, if
+/// the result has any. The first `own` points are the input's, the others added.
+pub(crate) fn answer<S: Coordinate, T: Measure + Sync>(
     rule: Inside,
     given: &Given<'_, S, T>,
     own: usize,
     verifier: Verifier<'_>,
     triangles: &Triangles,
 ) -> Result<Answer, Failure> {
-    let interior = Wanted::of(rule, given, &proven(given, own)?)?;
-    let list = &triangles.list;
-    let regions = &given.file.graph.regions;
-    let (Some(attributes), Inside::Holes, false) =
-        (&triangles.attributes, rule, regions.is_empty())
-    else {
-        return Ok(interior.verify(given, verifier, list));
-    };
-    let seeds: Vec<[S; 2]> = regions.iter().map(|region| region.seed.clone()).collect();
-    let places = locate_seeds(&given.file.graph.points, list, &seeds).into_iter();
-    let seeds = places.zip(regions);
-    let seeds: Vec<(usize, f64)> = seeds
-        .filter_map(|(place, region)| Some((place?, region.attribute)))
-        .collect();
-    let regions = Regions {
-        attributes,
-        seeds: &seeds,
-    };
-    Ok(interior.verify(given, verifier.regions(regions), list))
+    match rule {
+        Inside::Hull => Ok(in_hull(given, verifier, triangles)),
+        rule => {
+            let interior = Wanted::of(rule, given, &proven(given, own)?)?;
+            Ok(interior.answer(rule, given, verifier, triangles))
+        }
+    }
 }
 
-/// A rule by which triangles that do not fill the hull fill the interior, if there is one. The first `own` points are
-/// the input's.
-pub(crate) fn fitting_rule<S: Coordinate, T: Measure + Sync>(
+/// The answers by all rules by which the triangles may be right; the one that was asked for is the first.
+pub(crate) fn answers<S: Coordinate, T: Measure + Sync>(
     given: &Given<'_, S, T>,
     own: usize,
     verifier: Verifier<'_>,
-    triangles: &[[usize; 3]],
-) -> Option<Inside> {
-    let mut rules = [Inside::Holes, Inside::EvenOdd, Inside::Nonzero];
-    if given.file.graph.holes.is_empty() {
-        rules.rotate_left(1);
+    triangles: &Triangles,
+    asked: Inside,
+) -> Vec<(Inside, Answer)> {
+    let mut rules = [
+        Inside::Hull,
+        Inside::EvenOdd,
+        Inside::Nonzero,
+        Inside::Holes,
+    ];
+    if !given.file.graph.holes.is_empty() {
+        rules[1..].rotate_right(1);
     }
-    let hull = proven(given, own).ok()?;
+    rules.sort_by_key(|&rule| rule != asked);
+    let Ok(hull) = proven(given, own) else {
+        return Vec::new();
+    };
     let is_possible =
-        |interior: &Wanted| given.points.len() > own || interior.triangles == triangles.len();
-    rules.into_iter().find(|&rule| {
-        Wanted::of(rule, given, &hull).is_ok_and(|interior| {
-            is_possible(&interior) && interior.verify(given, verifier, triangles).is_ok()
-        })
-    })
+        |interior: &Wanted| given.points.len() > own || interior.triangles == triangles.list.len();
+    let answer = |rule: Inside| match rule {
+        Inside::Hull => Some((rule, in_hull(given, verifier, triangles))),
+        rule => {
+            let interior = Wanted::of(rule, given, &hull).ok().filter(is_possible)?;
+            Some((rule, interior.answer(rule, given, verifier, triangles)))
+        }
+    };
+    rules.into_iter().filter_map(answer).collect()
+}
+
+fn in_hull<S: Coordinate, T: Measure + Sync>(
+    given: &Given<'_, S, T>,
+    verifier: Verifier<'_>,
+    triangles: &Triangles,
+) -> Answer {
+    let edges = &given.file.graph.edges;
+    verification::verify(verifier, given.points, edges, &triangles.list)
 }
 
 /// The triangulation of the hull of the first `own` points.
@@ -215,6 +223,34 @@ impl Wanted {
             edges,
             numbers,
         })
+    }
+
+    /// The answer, with the attributes of regions where the rule has them.
+    fn answer<S: Coordinate, T: Measure + Sync>(
+        &self,
+        rule: Inside,
+        given: &Given<'_, S, T>,
+        verifier: Verifier<'_>,
+        triangles: &Triangles,
+    ) -> Answer {
+        let list = &triangles.list;
+        let regions = &given.file.graph.regions;
+        let (Some(attributes), Inside::Holes, false) =
+            (&triangles.attributes, rule, regions.is_empty())
+        else {
+            return self.verify(given, verifier, list);
+        };
+        let seeds: Vec<[S; 2]> = regions.iter().map(|region| region.seed.clone()).collect();
+        let places = locate_seeds(&given.file.graph.points, list, &seeds).into_iter();
+        let seeds = places.zip(regions);
+        let seeds: Vec<(usize, f64)> = seeds
+            .filter_map(|(place, region)| Some((place?, region.attribute)))
+            .collect();
+        let regions = Regions {
+            attributes,
+            seeds: &seeds,
+        };
+        self.verify(given, verifier.regions(regions), list)
     }
 
     fn verify<S, T: Measure + Sync>(

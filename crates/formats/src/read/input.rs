@@ -6,6 +6,7 @@ use crate::read::content::{Edges, Vertices};
 use crate::read::matching::{find, is_finite};
 #[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
+use crate::read::remarks::Remarks;
 #[cfg(feature = "mesh-formats")]
 use crate::read::shapes::Part;
 use crate::read::source::{ReadError, Source};
@@ -142,7 +143,14 @@ pub fn read(
     node: Option<&Source>,
 ) -> Result<Input, ReadError> {
     let content = match format {
-        InputFormat::Node => triangle::read_node(source).map(without_edges)?,
+        InputFormat::Node => {
+            let mut remarks = Remarks::default();
+            let vertices = triangle::read_node(source, &mut remarks)?;
+            Edges {
+                remarks,
+                ..without_edges(vertices)
+            }
+        }
         InputFormat::Poly => triangle::read_poly(source, node)?,
         InputFormat::Json => match json::read(source) {
             #[cfg(feature = "mesh-formats")]
@@ -202,19 +210,25 @@ fn file<S: Coordinate>(
     content: Edges<'_>,
     graph: Pslg<S>,
 ) -> Result<GraphFile<S>, ReadError> {
+    let mut columns = columns(format, &content.vertices)?;
+    columns.extend(markers(&content));
     let file = GraphFile {
-        columns: columns(format, &content.vertices)?,
-        pieces_of: Vec::new(),
+        columns,
         numbering: Numbering {
             vertex: content.vertices.first,
             edge: content.first,
             hole: content.holes.first,
             region: content.regions.first,
         },
-        graph: Pslg {
+        edge_markers: content.markers,
+        polygons: content.polygons,
+        faces: content.faces,
+        system: content.system,
+        remarks: content.remarks.into_list(),
+        ..GraphFile::from(Pslg {
             edges: content.edges,
             ..graph
-        },
+        })
     };
     Ok(if format.is_without_vertices() {
         merged(file)
@@ -226,14 +240,15 @@ fn file<S: Coordinate>(
 /// A file with one vertex for equal points: the first of them. In each column it has the first number that any of these
 /// points has. Graphs with points that are not finite stay as they are; nothing is made of them.
 pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
-    let GraphFile { graph, columns, .. } = file;
-    if !graph.points.iter().all(is_finite) {
-        return GraphFile {
-            graph,
-            columns,
-            ..file
-        };
+    if !file.graph.points.iter().all(is_finite) {
+        return file;
     }
+    let GraphFile {
+        graph,
+        columns,
+        mut remarks,
+        ..
+    } = file;
     let firsts = find(&graph.points, &graph.points);
     let is_first = |v: &usize| firsts[*v] == Some(*v);
     let kept: Vec<usize> = (0..graph.points.len()).filter(is_first).collect();
@@ -241,18 +256,20 @@ pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
         let first = firsts[v].expect("every point equals itself");
         kept.binary_search(&first).expect("the first one is kept")
     };
-    let column = |column: Column| {
-        let mut values = vec![f64::NAN; kept.len()];
-        for v in 0..graph.points.len() {
-            let value = &mut values[place(v)];
-            if value.is_nan() {
-                *value = column.of(v);
-            }
-        }
-        Column { values, ..column }
-    };
+    let places: Vec<usize> = (0..graph.points.len()).map(place).collect();
+    let gathered = columns.into_iter().map(|column| {
+        let values = places
+            .iter()
+            .enumerate()
+            .map(|(v, &place)| (place, column.of(v)));
+        let (column, conflict) = column.gathered(kept.len(), values);
+        remarks.extend(conflict);
+        column
+    });
     GraphFile {
-        columns: columns.into_iter().map(column).collect(),
+        columns: gathered.collect(),
+        merged: graph.points.len() - kept.len(),
+        remarks,
         graph: Pslg {
             edges: graph.edges.iter().map(|edge| edge.map(place)).collect(),
             points: kept.iter().map(|&v| graph.points[v].clone()).collect(),
@@ -274,6 +291,19 @@ fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, 
         });
     }
     Ok(columns)
+}
+
+/// The markers of vertices that are given one by one, if any are.
+fn markers(content: &Edges<'_>) -> Option<Column> {
+    let mut values = vec![f64::NAN; content.vertices.coordinates.len()];
+    for &(vertex, marker) in &content.vertex_markers {
+        if let Some(value) = values.get_mut(vertex) {
+            *value = marker as f64;
+        }
+    }
+    let name = Column::MARKER.to_owned();
+    let column = Column { name, values };
+    (column.missing() < column.values.len()).then_some(column)
 }
 
 /// The graph without its edges, with coordinates as values of a type.

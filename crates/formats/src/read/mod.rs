@@ -11,6 +11,7 @@ mod geojson;
 mod input;
 mod json;
 mod json_faults;
+mod json_more;
 mod json_pieces;
 mod matching;
 mod mesh;
@@ -18,6 +19,7 @@ mod mesh;
 mod msh;
 #[cfg(feature = "mesh-formats")]
 mod msh_binary;
+mod nearby;
 #[cfg(feature = "mesh-formats")]
 mod npy;
 #[cfg(feature = "mesh-formats")]
@@ -29,7 +31,9 @@ mod ply;
 #[cfg(feature = "mesh-formats")]
 mod ply_header;
 mod points;
+mod remarks;
 mod result;
+mod rounding;
 mod rows;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
@@ -42,6 +46,8 @@ mod triangle;
 mod vtk;
 #[cfg(feature = "mesh-formats")]
 mod vtk_arrays;
+#[cfg(feature = "mesh-formats")]
+mod vtk_cells;
 #[cfg(feature = "mesh-formats")]
 mod vtu;
 #[cfg(feature = "mesh-formats")]
@@ -58,4 +64,4 @@ pub(crate) use input::merged;
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, added_points, read_result};
-pub use source::{ReadError, ReadErrorKind, ResultError, Source};
+pub use source::{Nearest, ReadError, ReadErrorKind, ResultError, Source};

@@ -17,14 +17,17 @@
 //! ```
 //!
 //! Elements of type 1 are lines, of type 2 triangles, of type 8 lines of second order: two ends, and a node between them
-//! that the line goes through. Points (15) are read over. Nodes that are not numbered from 0 or 1
-//! in the order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are not read.
+//! that the line goes through. The first tag of a line is its marker, that of a point (15) the marker of its node,
+//! that of a triangle its region: the physical group. Nodes that are not numbered from 0 or 1
+//! in the order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are ignored with a
+//! remark.
 
 use std::collections::HashMap;
 
 use crate::read::content::{Syntax, Vertices};
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
 use crate::read::msh_binary;
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::{Line, Lines};
 
@@ -38,7 +41,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     let mut lines = Lines::new(source)?;
     let mut has_blocks = None;
     let mut nodes = None;
-    let mut faces = Faces::default();
+    let (mut cells, mut remarks) = (Cells::default(), Remarks::default());
     while let Some(mut line) = lines.next_line() {
         let section = line.expect_token("a section")?;
         match (section, has_blocks, &nodes) {
@@ -47,7 +50,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
                 nodes = Some(Nodes::read(has_blocks, &mut lines)?);
             }
             (b"$Elements", Some(has_blocks), Some(nodes)) => {
-                read_elements(has_blocks, nodes, &mut faces, &mut lines)?;
+                read_elements(has_blocks, nodes, &mut cells, &mut lines)?;
             }
             (b"$NOD", None, _) => {
                 let message =
@@ -59,7 +62,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
                     line.error("`$MeshFormat`, `$Nodes` and `$Elements` come once, in this order")
                 );
             }
-            _ if section.starts_with(b"$") => {}
+            _ if section.starts_with(b"$") => remarks.ignore_named(1, "section", section),
             _ => {
                 return Err(line.error(format!("{} is not the name of a section", quoted(section))));
             }
@@ -82,7 +85,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
             }
         }
     }
-    mesh(source, Syntax::Plain, nodes, faces)
+    mesh(source, Syntax::Plain, nodes, cells, remarks)
 }
 
 /// The contents of a file whose coordinates stand so.
@@ -90,19 +93,28 @@ pub(super) fn mesh<'a>(
     source: &'a Source,
     syntax: Syntax,
     nodes: Option<Nodes<'a>>,
-    faces: Faces,
+    mut cells: Cells,
+    remarks: Remarks,
 ) -> Result<Mesh<'a>, ReadError> {
     let Some(nodes) = nodes else {
         return Err(ReadError::of_file(&source.name, "there are no `$Nodes`"));
     };
+    // Groups that are all 0 are none.
+    if cells.markers.iter().all(|&marker| marker == 0) {
+        cells.markers.clear();
+    }
+    if cells.regions.iter().all(|&region| region == 0.0) {
+        cells.regions.clear();
+    }
     let vertices = Vertices {
         syntax,
         ..Vertices::plain(source, nodes.coordinates, nodes.first)
     };
     Ok(Mesh {
         vertices: vertices.with_heights(&nodes.heights),
-        faces,
+        cells,
         first: 1,
+        remarks,
     })
 }
 
@@ -214,7 +226,7 @@ impl<'a> Nodes<'a> {
 fn read_elements(
     has_blocks: bool,
     nodes: &Nodes<'_>,
-    faces: &mut Faces,
+    cells: &mut Cells,
     lines: &mut Lines<'_>,
 ) -> Result<(), ReadError> {
     let missing = || "an element".to_owned();
@@ -232,49 +244,69 @@ fn read_elements(
             for _ in 0..fourth(&mut line)? {
                 let mut line = lines.expect_line(missing)?;
                 line.index("an element's number")?;
-                add(kind, nodes, faces, &mut line)?;
+                add(kind, 0, nodes, cells, &mut line)?;
             }
         } else {
             line.index("an element's number")?;
             let kind = line.index("a type of elements")?;
-            for _ in 0..line.index("a number of tags")? {
-                line.expect_token("a tag")?;
+            let mut group = 0;
+            for tag in 0..line.index("a number of tags")? {
+                let token = line.expect_token("a tag")?;
+                if tag == 0 {
+                    let number = std::str::from_utf8(token)
+                        .ok()
+                        .and_then(|text| text.parse().ok());
+                    group = number.ok_or_else(|| {
+                        line.error(format!("{} is not a tag, a whole number", quoted(token)))
+                    })?;
+                }
             }
-            add(kind, nodes, faces, &mut line)?;
+            add(kind, group, nodes, cells, &mut line)?;
         }
     }
     Ok(())
 }
 
-/// Adds the element whose nodes follow in its line.
+/// Adds the element of this physical group whose nodes follow in its line.
 fn add(
     kind: usize,
+    group: i64,
     nodes: &Nodes<'_>,
-    faces: &mut Faces,
+    cells: &mut Cells,
     line: &mut Line<'_>,
 ) -> Result<(), ReadError> {
     let error = line.clone();
     let next = || nodes.next(line);
-    add_element(kind, next, faces, |message| error.error(message))
+    add_element(kind, group, next, cells, |message| error.error(message))
 }
 
-/// Adds an element of one of Gmsh's types, whose nodes `next` returns.
+/// Adds an element of one of Gmsh's types and of this physical group, whose nodes `next` returns.
 pub(super) fn add_element(
     kind: usize,
+    group: i64,
     mut next: impl FnMut() -> Result<usize, ReadError>,
-    faces: &mut Faces,
+    cells: &mut Cells,
     error: impl FnOnce(String) -> ReadError,
 ) -> Result<(), ReadError> {
     match kind {
-        1 => faces.lines.push([next()?, next()?]),
+        1 => {
+            cells.lines.push([next()?, next()?]);
+            cells.markers.push(group);
+        }
         8 => {
             let [from, to] = [next()?, next()?];
             let between = next()?;
-            faces.lines.extend([[from, between], [between, to]]);
+            cells.lines.extend([[from, between], [between, to]]);
+            cells.markers.extend([group; 2]);
         }
-        2 => faces.triangles.push([next()?, next()?, next()?]),
+        2 => {
+            let corners = [next()?, next()?, next()?];
+            cells.faces.triangles.push(corners);
+            cells.regions.push(group as f64);
+        }
+        15 if group != 0 => cells.vertex_markers.push((next()?, group)),
         15 => {}
-        _ => faces.refuse(|| {
+        _ => cells.refuse(|| {
             error(format!(
                 "elements of type {kind} are not read, only triangles (2)"
             ))

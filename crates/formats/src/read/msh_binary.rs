@@ -16,8 +16,9 @@
 
 use crate::read::binary::{Kind, Number};
 use crate::read::content::Syntax;
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
 use crate::read::msh::{Nodes, add_element, has_blocks, mesh};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::words::Words;
 
@@ -38,17 +39,18 @@ pub(super) fn is_in(source: &Source) -> Result<bool, ReadError> {
 pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     let mut body = Body::new(source)?;
     let mut nodes = None;
-    let mut faces = Faces::default();
+    let (mut cells, mut remarks) = (Cells::default(), Remarks::default());
     while let Some(section) = body.words.word() {
         body.words.line();
         match (section, &nodes) {
             (b"$Nodes", None) => nodes = Some(body.read_nodes()?),
-            (b"$Elements", Some(nodes)) => body.read_elements(nodes, &mut faces)?,
+            (b"$Elements", Some(nodes)) => body.read_elements(nodes, &mut cells)?,
             (b"$Nodes" | b"$Elements", _) => {
                 let why = "stands where it should not: `$Nodes` come first, and once";
                 return Err(body.words.error(section, why));
             }
             _ if section.starts_with(b"$") => {
+                remarks.ignore_named(1, "section", section);
                 let end = [b"$End", &section[1..]].concat();
                 body.words
                     .skip_to(&end)
@@ -66,7 +68,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
         }
     }
     let syntax = body.syntax(Kind::F64);
-    mesh(source, syntax, nodes, faces)
+    mesh(source, syntax, nodes, cells, remarks)
 }
 
 /// What follows in a file, and how its numbers stand.
@@ -174,13 +176,13 @@ impl<'a> Body<'a> {
         Ok(nodes)
     }
 
-    fn read_elements(&mut self, nodes: &Nodes<'_>, faces: &mut Faces) -> Result<(), ReadError> {
+    fn read_elements(&mut self, nodes: &Nodes<'_>, cells: &mut Cells) -> Result<(), ReadError> {
         if self.has_blocks {
             for _ in 0..self.begin_blocks()? {
                 self.take(Kind::I32, Some(2), "an entity")?;
                 let kind = self.index(Kind::I32, "a type of elements")?;
                 let count = self.index(self.count, "the size of a block")?;
-                self.read_block(kind, count, 0, nodes, faces)?;
+                self.read_block(kind, count, 0, nodes, cells)?;
             }
             return Ok(());
         }
@@ -190,7 +192,7 @@ impl<'a> Body<'a> {
             let kind = self.index(Kind::I32, "a type of elements")?;
             let count = self.index(Kind::I32, "the size of a block")?;
             let tags = self.index(Kind::I32, "a number of tags")?;
-            self.read_block(kind, count, tags, nodes, faces)?;
+            self.read_block(kind, count, tags, nodes, cells)?;
             left = left.saturating_sub(count);
         }
         Ok(())
@@ -210,25 +212,35 @@ impl<'a> Body<'a> {
         count: usize,
         tags: usize,
         nodes: &Nodes<'_>,
-        faces: &mut Faces,
+        cells: &mut Cells,
     ) -> Result<(), ReadError> {
         let source = self.source;
         let error = |message: String| ReadError::of_file(&source.name, message);
         let corners = kind.checked_sub(1).and_then(|at| NODES.get(at));
         let corners =
             corners.ok_or_else(|| error(format!("elements of type {kind} are not known")))?;
-        let numbers = tags.checked_add(1 + corners);
-        let syntax = self.syntax(self.count);
+        let size = tags.checked_add(1 + corners);
+        let number = Number {
+            kind: self.count,
+            big_endian: self.big_endian,
+        };
         for _ in 0..count {
-            let element = self.take(self.count, numbers, "an element")?;
-            let mut corners = element.chunks_exact(self.count.size()).skip(1 + tags);
+            let element = self.take(self.count, size, "an element")?;
+            let mut pieces = element.chunks_exact(self.count.size()).skip(1);
+            // Of the tags the first is the physical group.
+            let tags = pieces.by_ref().take(tags);
+            let group = tags
+                .map(|piece| number.value(piece))
+                .reduce(|first, _| first);
             let next = || {
-                let number = corners.next().and_then(|piece| syntax.index(piece));
-                let number =
-                    number.ok_or_else(|| error("a node's number is negative".to_owned()))?;
-                nodes.place(number).map_err(error)
+                let corner = pieces.next().and_then(|piece| number.index(piece));
+                let corner =
+                    corner.ok_or_else(|| error("a node's number is negative".to_owned()))?;
+                nodes.place(corner).map_err(error)
             };
-            add_element(kind, next, faces, error)?;
+            #[expect(clippy::cast_possible_truncation, reason = "it was a whole number")]
+            let group = group.unwrap_or(0.0) as i64;
+            add_element(kind, group, next, cells, error)?;
         }
         Ok(())
     }

@@ -8,7 +8,7 @@
 //! | seeds of holes | `holes` | (h, 2) |
 //! | seeds of regions | `regions` | (r, 3): the third column is the attribute; (r, 4): the area is ignored |
 //!
-//! Other arrays are read over. What is packed in an archive is unpacked behind a copy of the file, within the limit that
+//! Other arrays are ignored with a remark. What is packed in an archive is unpacked behind a copy of the file, within the limit that
 //! [`Source::unpacked_limit`] sets, and the sums of the archive are checked.
 
 use std::borrow::Cow;
@@ -20,8 +20,9 @@ use rawzip::{CompressionMethod, ZipArchive, ZipArchiveEntryWayfinder};
 
 use crate::Column;
 use crate::read::content::{Corners, Edges, Field, Labels, Vertices};
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
 use crate::read::npy::Array;
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 
 const POINTS: &[&str] = &["points", "vertices"];
@@ -34,6 +35,8 @@ const REGIONS: &[&str] = &["regions"];
 pub(super) struct Arrays<'a> {
     source: Cow<'a, Source>,
     list: Vec<(String, Array)>,
+    /// The names of members that are not read.
+    others: Vec<String>,
 }
 
 impl<'a> Arrays<'a> {
@@ -57,6 +60,7 @@ impl<'a> Arrays<'a> {
         Ok(Arrays {
             source: Cow::Borrowed(source),
             list: vec![(name.to_owned(), array)],
+            others: Vec::new(),
         })
     }
 
@@ -76,21 +80,27 @@ impl<'a> Arrays<'a> {
             if known.contains(&name.as_str()) {
                 let method = entry.compression_method();
                 members.push((name, method, entry.wayfinder()));
-            } else if others.len() < 8 {
-                others.push(quoted(path.as_bytes()));
+            } else {
+                others.push(String::from_utf8_lossy(path.as_bytes()).into_owned());
             }
         }
         if members.is_empty() {
             let message = format!(
                 "there is no array `points`, `edges` or `triangles`, only {}: name them, as in \
                  numpy.savez(file, points=a, edges=b)",
-                others.join(", ")
+                others
+                    .iter()
+                    .take(8)
+                    .map(|name| quoted(name.as_bytes()))
+                    .collect::<Vec<_>>()
+                    .join(", ")
             );
             return Err(ReadError::of_file(&source.name, message));
         }
         let mut arrays = Arrays {
             source: Cow::Borrowed(source),
             list: Vec::new(),
+            others,
         };
         for (name, method, place) in members {
             let entry = archive.get_entry(place).map_err(|e| error(&e))?;
@@ -161,14 +171,22 @@ impl<'a> Arrays<'a> {
             ReadError::of_file(&self.source.name, message)
         })?;
         let vertices = self.vertices(name, points, "(n, 2), or (n, 3) with z")?;
-        let mut faces = Faces::default();
+        let mut cells = Cells::default();
         if let Some((name, edges)) = self.array(EDGES)? {
-            faces.lines = self.corners(name, edges, "(m, 2)")?;
+            cells.lines = self.corners(name, edges, "(m, 2)")?;
+        }
+        if let Some((name, triangles)) = self.array(TRIANGLES)? {
+            cells.faces.triangles = self.corners(name, triangles, "(t, 3)")?;
+        }
+        let mut remarks = Remarks::default();
+        for name in &self.others {
+            remarks.ignore_named(1, "array", name.as_bytes());
         }
         let mesh = Mesh {
             vertices,
-            faces,
+            cells,
             first: 0,
+            remarks,
         };
         let mut graph = mesh.into_graph()?;
         if let Some((name, holes)) = self.array(HOLES)? {

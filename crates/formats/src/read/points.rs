@@ -9,7 +9,7 @@
 //! |---|---|
 //! | x and y | the first of these pairs: `x`, `y`; `point_x`, `point_y`; `easting`, `northing`; `longitude`, `latitude` (`lon`, `long`, `lng`, `lat`); `e`, `n` |
 //! | z | the first of `z`, `elevation`, `elev`, `ele`, `height`, `h`, `altitude`, `alt` and `point_z` |
-//! | others | of numbers: columns of the vertices; of anything else: ignored |
+//! | others | of numbers: columns of the vertices; of anything else: ignored with a remark |
 //!
 //! The names may also stand in the last comment before the numbers, if that has those of x and y. The separator is the
 //! first one of semicolon, tab, comma and blanks that makes a row of names, or of numbers, out of the first row. (See
@@ -22,6 +22,7 @@
 use std::collections::HashMap;
 
 use crate::read::content::{Edges, Field, Syntax, Vertices};
+use crate::read::remarks::Remarks;
 use crate::read::rows::{Rows, Separator, text};
 use crate::read::source::{ReadError, Source, quoted};
 use crate::{Column, CoordinateError};
@@ -96,7 +97,12 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     while let Some(line) = rows.next_row(&mut fields)? {
         table.add(line, &fields)?;
     }
-    Ok(Edges::without_seeds(table.vertices(), Vec::new(), 0))
+    let mut remarks = Remarks::default();
+    let vertices = table.vertices(&mut remarks);
+    Ok(Edges {
+        remarks,
+        ..Edges::without_seeds(vertices, Vec::new(), 0)
+    })
 }
 
 /// The separator of a file.
@@ -273,14 +279,17 @@ impl<'a> Table<'a> {
         Ok(())
     }
 
-    /// The points with the columns that have any numbers.
-    fn vertices(self) -> Vertices<'a> {
+    /// The points with the columns that have any numbers; others are ignored.
+    fn vertices(self, remarks: &mut Remarks) -> Vertices<'a> {
         let Table { header, .. } = self;
         let mut seen: HashMap<String, usize> = HashMap::new();
         let mut fields: Vec<Field<'a>> = Vec::new();
         for (at, (name, pieces)) in header.names.into_iter().zip(self.columns).enumerate() {
             let has_numbers = |pieces: &Vec<&[u8]>| pieces.iter().any(|piece| !piece.is_empty());
             let Some(pieces) = pieces.filter(has_numbers) else {
+                if at != header.x && at != header.y {
+                    remarks.ignore_named(1, "column", name.as_bytes());
+                }
                 continue;
             };
             let name = match name.as_str() {

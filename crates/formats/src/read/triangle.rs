@@ -16,20 +16,26 @@
 //!          <triangle> <vertex> <vertex> <vertex> [attributes]       numbered from 0 or from 1
 //! ```
 //!
-//! The first attribute of a vertex is its height. Markers of vertices and edges are ignored, and so are attributes of
-//! triangles and the areas of regions, which limit triangles where a mesh is refined. A region without an attribute has 0. The vertices of a `.ele` are numbered
-//! as in the `.node` beside it; without one, from 0 or 1 as the triangles are, as Triangle does.
+//! The first attribute of a vertex is its height. Markers of vertices are the last of their columns. The areas of regions,
+//! which limit triangles where a mesh is refined, are ignored with a remark, and so is what follows on a line. A region
+//! without an attribute has 0. The vertices of a `.ele` are numbered as in the `.node` beside it; without one, from 0 or 1
+//! as the triangles are, as Triangle does.
 
 use crate::read::content::{Corners, Edges, Field, Labels, Syntax, Vertices};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, no_vertex, quoted};
 use crate::read::token_lines::{Line, Lines, Records};
 use crate::{Column, Coordinate};
 
 /// Reads a `.node`.
-pub(super) fn read_node(source: &Source) -> Result<Vertices<'_>, ReadError> {
+pub(super) fn read_node<'a>(
+    source: &'a Source,
+    remarks: &mut Remarks,
+) -> Result<Vertices<'a>, ReadError> {
     let mut lines = Lines::new(source)?;
-    let (count, attributes) = vertex_counts(&mut lines)?;
-    let vertices = read_vertices(source, &mut lines, count, attributes)?;
+    let counts = vertex_counts(&mut lines)?;
+    let vertices = read_vertices(source, &mut lines, counts, remarks)?;
+    let count = counts.vertices;
     match lines.next_line() {
         Some(line) => Err(line.error(format!("the first line announces only {count} vertices"))),
         None => Ok(vertices),
@@ -43,52 +49,98 @@ pub(super) fn read_poly<'a>(
 ) -> Result<Edges<'a>, ReadError> {
     // The vertices, here or in the `.node`.
     let mut lines = Lines::new(source)?;
-    let vertices = match (vertex_counts(&mut lines)?, node) {
-        ((0, _), Some(node)) => read_node(node)?,
-        ((0, _), None) => {
+    let mut remarks = Remarks::default();
+    let counts = vertex_counts(&mut lines)?;
+    let vertices = match (counts.vertices, node) {
+        (0, Some(node)) => read_node(node, &mut remarks)?,
+        (0, None) => {
             return Err(ReadError {
                 kind: ReadErrorKind::MissingNode,
                 ..ReadError::of_file(&source.name, "no vertices, and no .node beside it")
             });
         }
-        ((count, attributes), _) => read_vertices(source, &mut lines, count, attributes)?,
+        _ => read_vertices(source, &mut lines, counts, &mut remarks)?,
     };
 
     // The edges.
-    let count = lines
-        .expect_line(|| "the number of edges".to_owned())?
-        .index("a number of edges")?;
+    let mut line = lines.expect_line(|| "the number of edges".to_owned())?;
+    let count = line.index("a number of edges")?;
+    let has_markers = is_announced(&mut line);
     let records = Records {
         name: "edge",
         number: "an edge's number",
         count,
     };
     let mut first = vertices.first;
-    let edges = records.read(&mut lines, &mut first, |line| {
-        Ok([end(line, &vertices)?, end(line, &vertices)?])
+    let rows = records.read(&mut lines, &mut first, |line| {
+        let ends = [end(line, &vertices)?, end(line, &vertices)?];
+        let marker = if has_markers { marker(line)? } else { 0 };
+        Ok((ends, marker, !line.is_empty()))
     })?;
+    let more = rows.iter().filter(|(.., more)| *more).count();
+    remarks.ignore(more, "edge's further numbers", "edges' further numbers");
+    let is_marked = rows.iter().any(|(_, marker, _)| *marker != 0);
+    let markers = rows.iter().map(|(_, marker, _)| *marker);
+    let markers = if is_marked {
+        markers.collect()
+    } else {
+        Vec::new()
+    };
+    let edges = rows.into_iter().map(|(ends, ..)| ends).collect();
 
     // Holes and regions, if the file goes on.
     let holes = read_holes(source, &mut lines, vertices.first)?;
-    let (regions, attributes) = read_regions(source, &mut lines, vertices.first)?;
+    let (regions, attributes) = read_regions(source, &mut lines, vertices.first, &mut remarks)?;
     Ok(Edges {
-        vertices,
-        edges,
-        first,
         holes,
         regions,
         attributes,
+        markers,
+        remarks,
+        ..Edges::without_seeds(vertices, edges, first)
     })
 }
 
-/// The numbers of vertices and of their attributes, from the first line.
-fn vertex_counts(lines: &mut Lines<'_>) -> Result<(usize, usize), ReadError> {
+/// What the first line announces.
+#[derive(Clone, Copy)]
+struct Counts {
+    vertices: usize,
+    attributes: usize,
+    has_markers: bool,
+}
+
+/// Whether the next number of a line announces markers.
+fn is_announced(line: &mut Line<'_>) -> bool {
+    line.token().is_some_and(|number| number != b"0")
+}
+
+/// The marker that a line may end with.
+fn marker(line: &mut Line<'_>) -> Result<i64, ReadError> {
+    let Some(token) = line.token() else {
+        return Ok(0);
+    };
+    let number = std::str::from_utf8(token).ok();
+    let number = number.and_then(|number| number.parse().ok());
+    number.ok_or_else(|| line.error(format!("{} is not a marker, a whole number", quoted(token))))
+}
+
+/// The counts in the first line.
+fn vertex_counts(lines: &mut Lines<'_>) -> Result<Counts, ReadError> {
     let mut line = lines.expect_line(|| "the number of vertices".to_owned())?;
-    let count = line.index("a number of vertices")?;
+    let vertices = line.index("a number of vertices")?;
+    let counts = Counts {
+        vertices,
+        attributes: 0,
+        has_markers: false,
+    };
     match line.token() {
-        None => Ok((count, 0)),
-        Some(b"2") if line.is_empty() => Ok((count, 0)),
-        Some(b"2") => Ok((count, line.index("a number of attributes")?)),
+        None => Ok(counts),
+        Some(b"2") if line.is_empty() => Ok(counts),
+        Some(b"2") => Ok(Counts {
+            attributes: line.index("a number of attributes")?,
+            has_markers: is_announced(&mut line),
+            ..counts
+        }),
         Some(b"3") => Err(line.error(
             "3 coordinates are announced, and only x and y are read: leave out z and announce 2",
         )),
@@ -102,39 +154,68 @@ fn vertex_counts(lines: &mut Lines<'_>) -> Result<(usize, usize), ReadError> {
 fn read_vertices<'a>(
     source: &'a Source,
     lines: &mut Lines<'a>,
-    count: usize,
-    attributes: usize,
+    Counts {
+        vertices,
+        attributes,
+        has_markers,
+    }: Counts,
+    remarks: &mut Remarks,
 ) -> Result<Vertices<'a>, ReadError> {
     let records = Records {
         name: "vertex",
         number: "a vertex's number",
-        count,
+        count: vertices,
     };
     let mut first = 0;
-    if attributes == 0 {
-        let coordinates = records.read(lines, &mut first, Line::coordinates)?;
+    let columns = attributes + usize::from(has_markers);
+    if columns == 0 {
+        let read = |line: &mut Line<'a>| Ok((line.coordinates()?, !line.is_empty()));
+        let rows = records.read(lines, &mut first, read)?;
+        let more = rows.iter().filter(|(_, more)| *more).count();
+        remarks.ignore(
+            more,
+            "vertex's further numbers",
+            "vertices' further numbers",
+        );
+        let coordinates = rows.into_iter().map(|(point, _)| point).collect();
         return Ok(Vertices::plain(source, coordinates, first));
     }
     let rows = records.read(lines, &mut first, |line| {
         let point = line.coordinates()?;
-        let row = (0..attributes).map(|_| line.expect_token("an attribute"));
-        Ok((point, row.collect::<Result<Vec<_>, _>>()?))
+        let row = (0..columns).map(|at| match line.token() {
+            Some(token) => Ok(token),
+            // Triangle lets lines end before the marker.
+            None if at == attributes => Ok(&b""[..]),
+            None => line.expect_token("an attribute"),
+        });
+        Ok((point, row.collect::<Result<Vec<_>, _>>()?, !line.is_empty()))
     })?;
+    let more = rows.iter().filter(|(.., more)| *more).count();
+    remarks.ignore(
+        more,
+        "vertex's further numbers",
+        "vertices' further numbers",
+    );
     // Without a row there may be any number of attributes.
-    let width = rows.first().map_or(0, |(_, row)| row.len());
+    let width = rows.first().map_or(0, |(_, row, _)| row.len());
     let field = |at: usize| Field {
         name: match at {
+            _ if at == attributes => Column::MARKER.to_owned(),
             0 => Column::HEIGHT.to_owned(),
             _ => format!("attribute{}", at + 1),
         },
         syntax: Syntax::Plain,
-        pieces: rows.iter().map(|(_, row)| row[at]).collect(),
+        pieces: rows.iter().map(|(_, row, _)| row[at]).collect(),
+    };
+    let is_said = |field: &Field<'_>| {
+        let mut pieces = field.pieces.iter();
+        field.name != Column::MARKER || !pieces.all(|&piece| piece.is_empty() || piece == b"0")
     };
     Ok(Vertices {
-        fields: (0..width).map(field).collect(),
+        fields: (0..width).map(field).filter(is_said).collect(),
         ..Vertices::plain(
             source,
-            rows.iter().map(|&(point, _)| point).collect(),
+            rows.iter().map(|&(point, ..)| point).collect(),
             first,
         )
     })
@@ -204,7 +285,8 @@ pub(super) fn read_ele<'a>(
     }
 
     // The vertices, whose numbers begin where the `.node` says, or where those of the triangles do.
-    let vertices = node.map(read_node).transpose()?;
+    let vertices = node.map(|node| read_node(node, &mut Remarks::default()));
+    let vertices = vertices.transpose()?;
     Ok(Corners {
         triangles,
         first: first_triangle,
@@ -238,11 +320,12 @@ fn read_holes<'a>(
     Ok(seeds(source, coordinates, first))
 }
 
-/// Reads the regions, likewise, and their attributes. The area that may follow is not read.
+/// Reads the regions, likewise, and their attributes. The area that may follow is ignored.
 fn read_regions<'a>(
     source: &'a Source,
     lines: &mut Lines<'a>,
     mut first: usize,
+    remarks: &mut Remarks,
 ) -> Result<(Vertices<'a>, Vec<f64>), ReadError> {
     let records = Records {
         name: "region",
@@ -250,9 +333,14 @@ fn read_regions<'a>(
         count: seed_count(lines, "a number of regions")?,
     };
     let regions = records.read(lines, &mut first, |line| {
-        Ok((line.coordinates()?, attribute(line)?))
+        let region = (line.coordinates()?, attribute(line)?);
+        // -1 is Triangle's word for no limit.
+        let has_area = line.token().is_some_and(|area| area != b"-1");
+        Ok((region, has_area))
     })?;
-    let (coordinates, attributes) = regions.into_iter().unzip();
+    let areas = regions.iter().filter(|(_, has_area)| *has_area).count();
+    remarks.ignore(areas, "area of a region", "areas of regions");
+    let (coordinates, attributes) = regions.into_iter().map(|(region, _)| region).unzip();
     Ok((seeds(source, coordinates, first), attributes))
 }
 

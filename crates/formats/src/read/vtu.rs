@@ -24,9 +24,11 @@ use std::ops::Range;
 
 use crate::read::binary::{Kind, Number};
 use crate::read::content::{Field, Syntax, Vertices};
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::vtk;
+use crate::read::vtk_cells::CellData;
 use crate::read::vtu_arrays::{Fault, Packing, Stored};
 use crate::read::vtu_elements::{Array, Elements, Section};
 
@@ -34,12 +36,16 @@ use crate::read::vtu_elements::{Array, Elements, Section};
 pub(super) struct Unpacked {
     source: Source,
     points: Numbers,
-    cells: Vec<Cells>,
+    cells: Vec<Listed>,
     columns: Vec<(String, Numbers)>,
+    /// Data of the cells that are read.
+    cell_data: Vec<(String, Numbers)>,
+    /// The names of arrays that are not.
+    others: Vec<String>,
 }
 
 /// The cells of a section.
-struct Cells {
+struct Listed {
     /// The corners of all cells, one after the other.
     corners: Numbers,
     /// Where the corners of each cell end.
@@ -105,7 +111,7 @@ impl Unpacked {
             if elements.is_poly_data && count == Some(0) && !is_there {
                 continue;
             }
-            cells.push(Cells {
+            cells.push(Listed {
                 corners: unpack(array(section, "connectivity")?, None)?,
                 ends: unpack(array(section, "offsets")?, count)?,
                 types: match kind {
@@ -114,17 +120,35 @@ impl Unpacked {
                 },
             });
         }
-        let is_column =
-            |array: &&Array| array.section == Section::PointData && array.components == 1;
-        let columns = elements.arrays.iter().filter(is_column);
-        let columns = columns.map(|array| {
-            let numbers = unpack(array, Some(elements.points))?;
-            Ok((array.name.clone(), numbers))
-        });
+        let is_column = |array: &&Array| {
+            array.components == 1
+                && match array.section {
+                    Section::PointData => true,
+                    Section::CellData => CellData::is_read(array.name.as_bytes()),
+                    _ => false,
+                }
+        };
+        let (mut columns, mut cell_data) = (Vec::new(), Vec::new());
+        for array in elements.arrays.iter().filter(is_column) {
+            let (list, count) = match array.section {
+                Section::CellData => (&mut cell_data, elements.count_of_cells()),
+                _ => (&mut columns, elements.points),
+            };
+            list.push((array.name.clone(), unpack(array, Some(count))?));
+        }
+        let is_data =
+            |array: &&Array| matches!(array.section, Section::PointData | Section::CellData);
+        let others = elements
+            .arrays
+            .iter()
+            .filter(|array| is_data(array) && !is_column(array));
+        let others = others.map(|array| array.name.clone());
         Ok(Unpacked {
             points,
             cells,
-            columns: columns.collect::<Result<_, ReadError>>()?,
+            columns,
+            cell_data,
+            others: others.chain(elements.others.iter().cloned()).collect(),
             source: unpacked,
         })
     }
@@ -147,34 +171,44 @@ impl Unpacked {
                 syntax: numbers.syntax,
                 pieces: self.pieces(numbers).collect(),
             }));
+        let mut remarks = Remarks::default();
+        for name in &self.others {
+            remarks.ignore_named(1, "array", name.as_bytes());
+        }
         Ok(Mesh {
             vertices,
-            faces: self.faces()?,
+            cells: self.cells(&mut remarks)?,
             first: 0,
+            remarks,
         })
     }
 
-    fn faces(&self) -> Result<Faces, ReadError> {
-        let mut faces = Faces::default();
+    fn cells(&self, remarks: &mut Remarks) -> Result<Cells, ReadError> {
+        let (mut cells, mut data) = (Cells::default(), CellData::default());
         let mut at = 0;
-        for cells in &self.cells {
-            let corners: Vec<usize> = self.indices(&cells.corners).collect::<Result<_, _>>()?;
-            let types: Box<dyn Iterator<Item = _>> = match &cells.types {
+        for stored in &self.cells {
+            let corners: Vec<usize> = self.indices(&stored.corners).collect::<Result<_, _>>()?;
+            let types: Box<dyn Iterator<Item = _>> = match &stored.types {
                 Types::Each(types) => Box::new(self.indices(types)),
                 &Types::All(kind) => Box::new(iter::repeat_with(move || Ok(kind))),
             };
             let mut begin = 0;
-            for (end, kind) in self.indices(&cells.ends).zip(types) {
+            for (end, kind) in self.indices(&stored.ends).zip(types) {
                 let (end, kind) = (end?, kind?);
                 let Some(cell) = corners.get(begin..end) else {
                     let message = format!("cell {at}: its corners are not in `connectivity`");
                     return Err(ReadError::of_file(&self.source.name, message));
                 };
-                vtk::add_cell(&mut faces, kind, cell, &self.source, at);
+                vtk::add_cell(&mut cells, kind, cell, &self.source, at);
+                data.end_cell(&cells);
                 (begin, at) = (end, at + 1);
             }
         }
-        Ok(faces)
+        for (name, numbers) in &self.cell_data {
+            let value = |piece| numbers.syntax.value(piece).unwrap_or(f64::NAN);
+            data.add(name.as_bytes(), self.pieces(numbers).map(value).collect());
+        }
+        Ok(data.given_to(cells, remarks))
     }
 
     fn indices(&self, numbers: &Numbers) -> impl Iterator<Item = Result<usize, ReadError>> {

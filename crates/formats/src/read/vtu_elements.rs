@@ -21,6 +21,8 @@ pub(super) struct Elements<'a> {
     /// How many cells there are in each section, if the piece is there.
     pub(super) cells: Vec<(Section, usize)>,
     pub(super) arrays: Vec<Array>,
+    /// The names of arrays of points and cells that are no numbers.
+    pub(super) others: Vec<String>,
 }
 
 /// A `DataArray` of numbers.
@@ -38,6 +40,7 @@ pub(super) struct Array {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Section {
     PointData,
+    CellData,
     Points,
     /// Those of an `UnstructuredGrid`; the others are of a `PolyData`.
     Cells,
@@ -48,13 +51,13 @@ pub(super) enum Section {
 }
 
 impl Section {
-    /// Those that hold cells, in the order in which VTK counts these, each with the attribute that says how many.
+    /// Those that hold cells, in the order of the data of cells, each with the attribute that says how many.
     const CELLS: [(Section, &str); 5] = [
         (Section::Cells, "NumberOfCells"),
         (Section::Verts, "NumberOfVerts"),
         (Section::Lines, "NumberOfLines"),
-        (Section::Polys, "NumberOfPolys"),
         (Section::Strips, "NumberOfStrips"),
+        (Section::Polys, "NumberOfPolys"),
     ];
 }
 
@@ -92,6 +95,7 @@ impl<'a> Elements<'a> {
                 points: 0,
                 cells: Vec::new(),
                 arrays: Vec::new(),
+                others: Vec::new(),
             },
         };
         scan.read(text)?;
@@ -105,6 +109,13 @@ impl<'a> Elements<'a> {
             scan.elements.packing.appended = Some(scan.appended(tail)?);
         }
         Ok(scan.elements)
+    }
+
+    /// How many cells the data of cells are for.
+    pub(super) fn count_of_cells(&self) -> usize {
+        let is_meant = |section: Section| (section != Section::Cells) == self.is_poly_data;
+        let counts = self.cells.iter().filter(|(section, _)| is_meant(*section));
+        counts.fold(0, |all, (_, count)| all.saturating_add(*count))
     }
 
     /// The array of this name in a section; that of the points may have any name.
@@ -156,6 +167,7 @@ impl<'a> Scan<'a> {
             "Piece" => return self.enter_piece(element),
             "DataArray" => return self.enter_array(element),
             "PointData" => Section::PointData,
+            "CellData" => Section::CellData,
             "Points" => Section::Points,
             "Cells" => Section::Cells,
             "Verts" => Section::Verts,
@@ -198,7 +210,9 @@ impl<'a> Scan<'a> {
         };
         let kind = self.attribute(element, "type")?;
         let Some(kind) = kind_of(&kind) else {
-            if section == Section::PointData {
+            if matches!(section, Section::PointData | Section::CellData) {
+                let name = self.attribute(element, "Name")?;
+                self.elements.others.push(name.into_owned());
                 return Ok(Open::Other);
             }
             let message = format!("{} is not a type that is read", quoted(kind.as_bytes()));

@@ -3,7 +3,10 @@
 mod crossings;
 #[cfg(feature = "mesh-formats")]
 mod dxf;
+mod features;
 mod json;
+mod labels;
+mod lines;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod mesh_formats;
@@ -13,13 +16,16 @@ mod points;
 mod rows;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
+mod violations;
 #[cfg(feature = "mesh-formats")]
 mod vtu;
 
 use std::io::{self, Write};
 
 pub use crossings::{CrossingsFormat, write_crossings};
+pub use lines::write_lines;
 pub use rows::write_node;
+pub use violations::write_violations;
 
 use self::mesh::Mesh;
 use crate::{Coordinate, GraphFile, InputFormat};
@@ -147,7 +153,7 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Node => write_node(file, out),
         OutputFormat::Json => json::write_interior(file, interior, out),
         OutputFormat::Obj => Mesh::of(file, interior).write_obj(out),
-        OutputFormat::Off => Mesh::of(file, interior).write_off(out),
+        OutputFormat::Off => Mesh::of(file, interior).without_lines().write_off(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Ply => Mesh::of(file, interior).write_ply(out),
         #[cfg(feature = "mesh-formats")]

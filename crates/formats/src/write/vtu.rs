@@ -6,7 +6,7 @@ use quick_xml::escape::escape;
 
 use super::mesh::{Mesh, write_faces};
 use super::rows::{number, write_rows};
-use crate::Coordinate;
+use crate::{Column, Coordinate};
 
 impl<S: Coordinate> Mesh<'_, S> {
     /// Writes a grid with all columns.
@@ -18,7 +18,7 @@ impl<S: Coordinate> Mesh<'_, S> {
         self.begin("UnstructuredGrid", &counts, out)?;
         writeln!(out, "<Cells>")?;
         begin_array("Int64", "connectivity", 1, out)?;
-        write_faces(b"", 0, self.lines, out)?;
+        write_faces(b"", 0, &self.lines, out)?;
         write_faces(b"", 0, &self.triangles, out)?;
         writeln!(out, "</DataArray>")?;
         begin_array("Int64", "offsets", 1, out)?;
@@ -46,7 +46,7 @@ impl<S: Coordinate> Mesh<'_, S> {
             "NumberOfVerts=\"0\" NumberOfLines=\"{lines}\" NumberOfStrips=\"0\" NumberOfPolys=\"{triangles}\""
         );
         self.begin("PolyData", &counts, out)?;
-        write_section("Lines", self.lines, out)?;
+        write_section("Lines", &self.lines, out)?;
         write_section("Polys", &self.triangles, out)?;
         writeln!(out, "</Piece>\n</PolyData>\n</VTKFile>")
     }
@@ -72,10 +72,38 @@ impl<S: Coordinate> Mesh<'_, S> {
             })?;
             writeln!(out, "</DataArray>")?;
         }
-        writeln!(out, "</PointData>\n<Points>")?;
+        writeln!(out, "</PointData>")?;
+        self.write_cell_data(out)?;
+        writeln!(out, "<Points>")?;
         begin_array("Float64", "Points", 3, out)?;
         self.write_vertices(|_, _| (), &[], out)?;
         writeln!(out, "</DataArray>\n</Points>")
+    }
+
+    /// Writes the markers of the lines and what the triangles are labelled with, if there are any.
+    fn write_cell_data(&self, out: &mut impl Write) -> io::Result<()> {
+        let cells = self.lines.len() + self.triangles.len();
+        if self.markers.is_empty() && self.labels.is_none() {
+            return Ok(());
+        }
+        writeln!(out, "<CellData>")?;
+        if !self.markers.is_empty() {
+            begin_array("Int64", Column::MARKER, 1, out)?;
+            write_rows(out, cells, |cell, text| {
+                self.write_marker(cell, text);
+                text.push(b'\n');
+            })?;
+            writeln!(out, "</DataArray>")?;
+        }
+        if let Some(labels) = &self.labels {
+            begin_array("Float64", labels.name, 1, out)?;
+            write_rows(out, cells, |cell, text| {
+                self.write_label(cell, labels, text);
+                text.push(b'\n');
+            })?;
+            writeln!(out, "</DataArray>")?;
+        }
+        writeln!(out, "</CellData>")
     }
 }
 

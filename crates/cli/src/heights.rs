@@ -1,0 +1,127 @@
+//! `sweep-cdt heights`: the heights of points on triangulated terrain.
+
+use num_rational::BigRational;
+use sweep_cdt::crossings::Exact;
+use sweep_cdt_formats::{Column, Coordinate, GraphFile, Input, InputFormat, write_graph};
+use sweep_cdt_terrain::Surface;
+
+use crate::shared::arguments::InputArgs;
+use crate::shared::arithmetic::as_rationals;
+use crate::shared::failure::Failure;
+use crate::shared::files::{FileArgument, format_of_output, format_parser};
+use crate::shared::outputs::{Destination, Outputs, refuse_read};
+use crate::shared::terrain::{TerrainArgs, Work, note};
+
+/// Find the heights of points on triangulated terrain
+///
+/// Triangulates points and edges that have heights, as `sweep-cdt triangulate` does, and gives other points the height
+/// of the triangle that they lie in: exactly where, and linear in between. A point on a side or at a vertex has the
+/// height there. A point outside has none.
+#[derive(clap::Args)]
+#[command(after_long_help = AFTER_HELP)]
+pub(crate) struct Heights {
+    #[command(flatten)]
+    terrain: TerrainArgs,
+
+    /// File with the points, in any format that is read
+    #[arg(long, value_name = "POINTS")]
+    at: FileArgument,
+
+    /// Format of the points [default: by the extension]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
+    at_format: Option<InputFormat>,
+
+    /// File to write, in any format that `generate` writes; `-` for standard output
+    #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
+    output: FileArgument,
+
+    /// Format of standard output, and of an output whose extension tells none [default: that of the points]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
+    output_format: Option<InputFormat>,
+}
+
+const AFTER_HELP: &str = "\
+Heights are the third coordinate, or the first attribute of the vertices of a .node or .poly.
+A triangle with a corner that has no height gives none, and none are outside of --inside.
+
+Output: the points in the order of their file, with all that the file says of them, and their heights
+in place of those that they had. A point without a height has what its format has for that: nothing,
+or `NaN`. A line says how many there are.
+
+Time is proportional to points and triangles, times the logarithm, however the points lie.
+
+Exit status:
+  0  done   1  wrong input, nothing written   2  wrong usage
+
+Examples:
+  sweep-cdt heights terrain.poly --at trees.node -o trees3d.node
+  sweep-cdt heights survey.geojson --inside even-odd --at wells.geojson -o wells.obj";
+
+impl Heights {
+    /// Runs the subcommand.
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let points = InputArgs::new(self.at.clone(), self.at_format).format_option("--at-format");
+        let same = points.format()?;
+        let format = format_of_output(&self.output, self.output_format.or(Some(same)))?;
+        let destination = Destination::of(&self.output)?;
+        let mut files = self.terrain.files();
+        let terrain = self.terrain.read(&mut files)?;
+        let points_read = points.read(&mut files, |_| ())?;
+        refuse_read(&files, [&destination])?;
+        let name = points.name();
+        let (count, missing) = match (terrain, points_read) {
+            (Input::Doubles(terrain), Input::Doubles(points)) => {
+                self.write(&terrain, points, format, destination)?
+            }
+            (terrain, points) => {
+                let terrain = as_rationals(&self.terrain.name(), terrain)?;
+                let points = as_rationals(&name, points)?;
+                self.write::<BigRational>(&terrain, points, format, destination)?
+            }
+        };
+        if missing > 0 {
+            note(format_args!(
+                "{missing} of {count} points of {name} have no height: they are not on the terrain"
+            ));
+        }
+        Ok(())
+    }
+
+    /// Writes the points with their heights; returns how many there are, and how many have none.
+    fn write<S: Coordinate + Exact>(
+        &self,
+        terrain: &GraphFile<S>,
+        mut points: GraphFile<S>,
+        format: InputFormat,
+        destination: Destination,
+    ) -> Result<(usize, usize), Failure> {
+        let places = &points.graph.points;
+        let heights = self.terrain.surface(terrain, At { places })?;
+        let heights = Column::heights(
+            heights
+                .into_iter()
+                .map(|height| height.unwrap_or(f64::NAN))
+                .collect(),
+        );
+        let counts = (heights.values.len(), heights.missing());
+        points.columns.retain(|column| column.name != heights.name);
+        points.columns.insert(0, heights);
+        let mut outputs = Outputs::default();
+        outputs.add(destination, |out| write_graph(format, &points, out))?;
+        outputs.finish()?;
+        Ok(counts)
+    }
+}
+
+/// Points that want heights.
+struct At<'a, S> {
+    places: &'a [[S; 2]],
+}
+
+impl<S: Exact> Work<S> for At<'_, S> {
+    type Done = Vec<Option<f64>>;
+
+    fn run(self, surface: &Surface<'_, S>) -> Result<Self::Done, Failure> {
+        Ok(surface.heights_at(self.places))
+    }
+}

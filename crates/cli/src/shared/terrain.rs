@@ -1,0 +1,101 @@
+//! Terrain: an input with heights, triangulated, and its part that is inside.
+
+use std::io::{self, Write};
+
+use sweep_cdt::Triangulator;
+use sweep_cdt::crossings::Exact;
+use sweep_cdt::interior::Interior;
+use sweep_cdt_formats::{Coordinate, GraphFile, Input};
+use sweep_cdt_terrain::Surface;
+
+use super::arguments::InputArgs;
+use super::failure::Failure;
+use super::files::{FilesRead, LimitArgs};
+use super::inside::InsideArgs;
+use super::splitting::SplitArgs;
+
+/// Arguments that name a terrain.
+#[derive(clap::Args)]
+pub(crate) struct TerrainArgs {
+    #[command(flatten)]
+    input: InputArgs,
+
+    #[command(flatten)]
+    packed: LimitArgs,
+
+    #[command(flatten)]
+    inside: InsideArgs,
+
+    #[command(flatten)]
+    split: SplitArgs,
+}
+
+/// Work on a surface over points of this type.
+pub(crate) trait Work<S> {
+    /// What it comes to.
+    type Done;
+
+    /// Does it.
+    fn run(self, surface: &Surface<'_, S>) -> Result<Self::Done, Failure>;
+}
+
+impl TerrainArgs {
+    /// The name of the input in messages.
+    pub(crate) fn name(&self) -> String {
+        self.input.name()
+    }
+
+    /// No files; the input is the first that is read.
+    pub(crate) fn files(&self) -> FilesRead {
+        self.packed.files()
+    }
+
+    /// Reads the input.
+    pub(crate) fn read(&self, files: &mut FilesRead) -> Result<Input, Failure> {
+        let input = self.input.read(files, |_| ())?;
+        if self.split.is_asked() {
+            Ok(self.split.apply(&self.name(), input)?.0)
+        } else {
+            Ok(input)
+        }
+    }
+
+    /// Triangulates a file, and works on the surface.
+    pub(crate) fn surface<S: Coordinate + Exact, W: Work<S>>(
+        &self,
+        file: &GraphFile<S>,
+        work: W,
+    ) -> Result<W::Done, Failure> {
+        let name = self.name();
+        let failure = |error: &dyn std::fmt::Display| Failure::Error(format!("{name}: {error}"));
+        let Some(heights) = file.heights() else {
+            return Err(failure(
+                &"the vertices have no heights: a third coordinate, or the first attribute of a .node or .poly",
+            ));
+        };
+        let graph = &file.graph;
+        let result = Triangulator::new().triangulate_parallel(&graph.points, &graph.edges);
+        let result = result.map_err(|error| {
+            let advice = SplitArgs::advice(&error);
+            failure(&format!("{}{advice}", file.as_numbered(error)))
+        })?;
+        let domain = self.inside.domain(&name, file, &result)?;
+        let domain = domain.unwrap_or_else(|| Interior::whole(&result));
+        let surface = Surface::new(&graph.points, &domain, &heights.values);
+        let done = work.run(&surface)?;
+        let missing = surface.missing();
+        if missing > 0 {
+            let triangles = domain.inside().len();
+            note(format_args!(
+                "{missing} of {triangles} triangles have a corner without a height, and are left out"
+            ));
+        }
+        Ok(done)
+    }
+}
+
+/// Says something that changes nothing about the files.
+pub(crate) fn note(words: std::fmt::Arguments<'_>) {
+    // If standard error is closed, it has no reader.
+    let _ = writeln!(io::stderr(), "note: {words}");
+}

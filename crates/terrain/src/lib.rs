@@ -1,0 +1,22 @@
+//! Contour lines of triangulated terrain, and heights of other points on it.
+//!
+//! A [`Surface`] is a triangulation, or the part of it that is inside, with a height for each vertex; between vertices
+//! it is flat in each triangle. Every decision is exact: which sides a level crosses is a comparison of two heights,
+//! where a point lies is the sign of a predicate. Only the coordinates and heights that come out are rounded.
+//! [`contours`](Surface::contours) takes time linear in triangles and lines, [`heights_at`](Surface::heights_at)
+//! O((n + m) log n) for n triangles and m points, whatever they are.
+
+mod contours;
+mod interpolate;
+mod levels;
+mod locate;
+mod surface;
+
+pub use contours::{Contour, TooManyPieces};
+pub use levels::{LevelsError, levels};
+pub use surface::Surface;
+
+/// The example of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
