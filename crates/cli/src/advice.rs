@@ -14,7 +14,8 @@ use sweep_cdt::verify::{Depth, Level, Verifier, Violation, Violations};
 use sweep_cdt_formats::{Coordinate, Triangles};
 
 use crate::shared::arithmetic::Given;
-use crate::shared::inside::{Inside, answers};
+use crate::shared::failure::Failure;
+use crate::shared::inside::{Inside, answer, answers};
 use crate::shared::verification::Answer;
 
 /// What was verified, and the answer.
@@ -62,7 +63,16 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
             }
             Err(violations) => violations,
         };
-        let fit = self.best_fit(self.triangles);
+        let fit = match self.best_fit(self.triangles) {
+            Ok(fit) => fit,
+            Err(Failure::Error(message)) => {
+                let advice = "(`sweep-cdt crossings` lists edges that cross)";
+                return format!(
+                    "the input has no triangulation with its edges: {message} {advice}"
+                );
+            }
+            Err(_) => None,
+        };
         let is_lower = |fit: &Fit| matches!(fit.how, How::Lower(..));
         if let Some(fit) = fit.as_ref().filter(|fit| !is_lower(fit)) {
             return self.in_words(fit);
@@ -77,9 +87,9 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
     }
 
     /// The options that accept these triangles, with the fewest violations.
-    fn best_fit(&self, triangles: &Triangles) -> Option<Fit> {
+    fn best_fit(&self, triangles: &Triangles) -> Result<Option<Fit>, Failure> {
         let verifier = self.verifier.all_depths(true).limit(1);
-        let found = answers(self.given, self.own, verifier, triangles, self.domain);
+        let found = answers(self.given, self.own, verifier, triangles, self.domain)?;
         let fits = found.into_iter().filter_map(|(domain, answer)| {
             let how = match answer {
                 Ok(_) => How::Right,
@@ -87,21 +97,22 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
             };
             Some(Fit { domain, how })
         });
-        fits.min_by_key(|Fit { domain, how }| {
+        Ok(fits.min_by_key(|Fit { domain, how }| {
             let rank = match how {
                 How::Right => (0, None),
                 How::Shallow(..) => (1, None),
                 How::Lower(level, _) => (2, Some(Reverse(*level))),
             };
-            (rank, *domain != self.domain)
-        })
+            // Triangles that tile what was asked for tile nothing else.
+            (*domain != self.domain, rank)
+        }))
     }
 
     /// The options of a fit, as they are written; none, if it needs none.
     fn options(&self, fit: &Fit) -> String {
         let mut options = Vec::new();
         if fit.domain != self.domain {
-            options.push(format!("--domain {}", fit.domain.name()));
+            options.push(format!("--domain {}", fit.domain));
         }
         match fit.how {
             How::Right => {}
@@ -159,7 +170,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
 
     /// The same, where the result has to be changed first.
     fn then(&self, mut change: String, changed: &Triangles) -> Option<String> {
-        let fit = self.best_fit(changed)?;
+        let fit = self.best_fit(changed).ok().flatten()?;
         let options = self.options(&fit);
         if !options.is_empty() {
             write!(change, ", and add `{options}`").expect("strings grow");
@@ -195,20 +206,31 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
             _ => None,
         };
         let all = self.all_of(violations, |first| is_reversed(first).is_some())?;
-        let reversed: Vec<usize> = all.iter().filter_map(is_reversed).collect();
+        let mut fewer: Vec<usize> = all.iter().filter_map(is_reversed).collect();
+        let total = self.triangles.list.len();
+        if fewer.len() > total / 2 {
+            let mut is_reversed = vec![false; total];
+            fewer
+                .iter()
+                .for_each(|&triangle| is_reversed[triangle] = true);
+            fewer = (0..total)
+                .filter(|&triangle| !is_reversed[triangle])
+                .collect();
+        }
         let mut changed = self.triangles.clone();
-        for &triangle in &reversed {
+        for &triangle in &fewer {
             changed.list[triangle].swap(1, 2);
         }
-        let count = reversed.len();
-        let (plural, run) = if count == 1 {
-            ("", "runs")
-        } else {
-            ("s", "run")
+        let first = fewer.first()? + changed.first;
+        let change = match fewer.len() {
+            1 => format!(
+                "triangle {first} runs the other way round than all others: swap two of its corners"
+            ),
+            count => format!(
+                "{count} triangles run the other way round than the others, the first is {first}: swap two corners \
+                 of each"
+            ),
         };
-        let change = format!(
-            "{count} triangle{plural} {run} the other way round than the others: swap two corners of each"
-        );
         self.then(change, &changed)
     }
 
@@ -224,15 +246,16 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
         let file = self.given.file;
         let number = all[0] + file.numbering.vertex;
         let [x, y] = file.graph.points[all[0]].each_ref().map(S::text);
-        let what = match all.len() {
-            1 => format!("vertex {number} of the input, at ({x}, {y}), is used by no triangle"),
-            count => format!(
-                "{count} vertices of the input are used by no triangle, the first is {number} at ({x}, {y})"
+        Some(match all.len() {
+            1 => format!(
+                "vertex {number} of the input, at ({x}, {y}), is used by no triangle, and nothing else is wrong: remove \
+                 it from the input, and run the program again"
             ),
-        };
-        Some(format!(
-            "{what}: the triangles are right for an input without such vertices, as the program left them out"
-        ))
+            count => format!(
+                "{count} vertices of the input are used by no triangle, the first is {number} at ({x}, {y}), and \
+                 nothing else is wrong: remove them from the input, and run the program again"
+            ),
+        })
     }
 
     /// All violations, if the first one is of a kind.
@@ -243,13 +266,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
     ) -> Option<Vec<Violation>> {
         let all = |limit: usize| {
             let verifier = self.verifier.limit(limit);
-            let answer = crate::shared::inside::answer(
-                self.domain,
-                self.given,
-                self.own,
-                verifier,
-                self.triangles,
-            );
+            let answer = answer(self.domain, self.given, self.own, verifier, self.triangles);
             answer.ok().and_then(Result::err).map(|found| found.list)
         };
         let first = all(1)?;

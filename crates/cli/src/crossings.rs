@@ -12,7 +12,7 @@ use sweep_cdt_formats::{
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, LimitArgs, format_of_output, format_parser};
+use crate::shared::files::{FileArgument, ReadingArgs, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 
 /// List the edges that cross
@@ -27,7 +27,7 @@ pub(crate) struct Crossings {
     input: InputArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     /// File to write the list to: .csv, .json or .geojson; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT")]
@@ -73,7 +73,7 @@ impl Crossings {
         let svg = self.svg.clone().map(Destination::of_path).transpose()?;
         let outputs = || list.iter().map(|(_, list)| list).chain(&svg);
         refuse_twice(outputs())?;
-        let mut read = self.packed.files();
+        let mut read = self.reading.files();
         let input = self.input.read(&mut read, |_| ())?;
         refuse_read(&read, outputs())?;
         match input {

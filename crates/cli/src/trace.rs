@@ -14,7 +14,7 @@ use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::around::Around;
 use crate::shared::failure::{Failure, printable};
-use crate::shared::files::{FileArgument, LimitArgs, format_of_output, format_parser};
+use crate::shared::files::{FileArgument, ReadingArgs, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read};
 use crate::shared::places::located;
 use crate::shared::settings::Settings;
@@ -31,7 +31,7 @@ pub(crate) struct Trace {
     input: InputArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     /// File to write: .txt, .jsonl, .html or .svg; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
@@ -189,7 +189,7 @@ impl Trace {
             return Err(Failure::Usage(message.to_owned()));
         }
         let destination = Destination::of(&self.output)?;
-        let mut read = self.packed.files();
+        let mut read = self.reading.files();
         let input = self.input.read(&mut read, |_| ())?;
         refuse_read(&read, [&destination])?;
         let run = Run {

@@ -11,9 +11,10 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
-use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, FilesRead, LimitArgs};
+use crate::shared::failure::{Failure, note};
+use crate::shared::files::{FileArgument, FilesRead, ReadingArgs, in_words};
 use crate::shared::inside::InsideArgs;
+use crate::shared::missing::MissingArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::places::located;
 use crate::shared::resources::limit_threads;
@@ -35,10 +36,13 @@ pub(crate) struct Triangulate {
     input: InputArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     #[command(flatten)]
     inside: InsideArgs,
+
+    #[command(flatten)]
+    missing: MissingArgs,
 
     #[command(flatten)]
     output: OutputArgs,
@@ -147,7 +151,7 @@ impl Triangulate {
         if let Some(threads) = self.threads {
             limit_threads(threads)?;
         }
-        let mut read = self.packed.files();
+        let mut read = self.reading.files();
         let input = self.input.read(&mut read, |_| ())?;
         let name = self.input.name();
         let (input, splitting) = if self.split.is_asked() {
@@ -157,6 +161,7 @@ impl Triangulate {
         } else {
             (input, None)
         };
+        let input = self.missing.apply(&name, input)?;
         let run = Run {
             arguments: self,
             targets,
@@ -194,6 +199,9 @@ impl Job for Run<'_> {
                 let advice = SplitArgs::advice(&error);
                 given.failure(format!("{}{advice}", located(file, error)))
             })?;
+        let duplicates: Vec<[usize; 2]> = result.duplicates().collect();
+        let shared = file.sharing(&duplicates);
+        let file = shared.as_ref().unwrap_or(file);
         // A result that is wrong ends the run here, before anything is written.
         let verdict = if arguments.verify {
             let triangles: Vec<[usize; 3]> = result.triangles().collect();
@@ -206,6 +214,15 @@ impl Job for Run<'_> {
         let domain = domain.as_ref();
         let summary = targets.is_empty();
         let asks_heights = targets.iter().any(Target::asks_heights);
+        let conflicts = file.remarks.iter().map(|remark| in_words(remark, file));
+        self.read.say(given.name, &conflicts.collect::<Vec<_>>())?;
+        for target in &targets {
+            let losses = target.losses(file, domain);
+            if !losses.is_empty() {
+                let losses = format!("not written: {}", losses.join(", "));
+                self.read.say(&target.name(), &[losses])?;
+            }
+        }
         // Standard output holds either a result or a report.
         let report =
             !has_standard(&targets) && !self.json.as_ref().is_some_and(Destination::is_standard);
@@ -221,7 +238,7 @@ impl Job for Run<'_> {
                 }
                 match &stats {
                     Some(stats) if arguments.stats => write_statistics(stats, out)?,
-                    _ if summary => summarize(&given, &result, domain, out)?,
+                    _ if summary => summarize(&given, &result, domain, &arguments.inside, out)?,
                     _ => {}
                 }
                 match verdict {
@@ -238,9 +255,8 @@ impl Job for Run<'_> {
         }
         outputs.finish()?;
         let missing = asks_heights.then(|| without_heights(file)).flatten();
-        for note in why_nothing(file, &result, domain).iter().chain(&missing) {
-            // A note that cannot be written changes nothing about the files.
-            let _ = writeln!(io::stderr(), "note: {note}");
+        for words in why_nothing(file, &result, domain).iter().chain(&missing) {
+            note(format_args!("{words}"));
         }
         Ok(())
     }
@@ -265,6 +281,10 @@ fn why_nothing<S: Coordinate>(
         let is_empty = domain.is_some_and(|domain| domain.inside().len() == 0);
         let message = match graph.edges.len() {
             0 => "no triangles are inside: there are no edges".to_owned(),
+            edges if !graph.holes.is_empty() => format!(
+                "no triangles are inside: {edges} edges keep the outside out nowhere \
+                 (--inside hull-without-holes keeps all but the holes)"
+            ),
             edges => format!(
                 "no triangles are inside: {edges} edges enclose nothing by the rule of --inside"
             ),
@@ -299,15 +319,28 @@ fn summarize<S, T>(
     Given { name, file, .. }: &Given<'_, S, T>,
     result: &Triangulation,
     domain: Option<&Interior<'_>>,
+    inside: &InsideArgs,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (points, edges) = (file.graph.points.len(), file.graph.edges.len());
     let (triangles, hull) = (result.len(), result.hull().len());
     let duplicates = result.duplicates().len();
     write!(out, "{name}: points {points}, duplicates {duplicates}, ")?;
-    write!(out, "edges {edges}, triangles {triangles}, hull {hull}")?;
-    if let Some(domain) = domain {
-        write!(out, ", inside {}", domain.inside().len())?;
+    writeln!(out, "edges {edges}, triangles {triangles}, hull {hull}")?;
+    if file.merged > 0 {
+        writeln!(
+            out,
+            "equal positions that became one vertex with another: {}",
+            file.merged
+        )?;
     }
-    writeln!(out)
+    if edges == 0 || triangles == 0 {
+        return Ok(());
+    }
+    let (rule, why) = inside.rule(file);
+    let left = domain.map_or(triangles, |domain| domain.inside().len());
+    writeln!(
+        out,
+        "inside {left} of {triangles} triangles: rule {rule}, {why}"
+    )
 }

@@ -17,7 +17,7 @@ use crate::certificate::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::{Failure, way_out};
-use crate::shared::files::LimitArgs;
+use crate::shared::files::ReadingArgs;
 use crate::shared::inside::{Inside, answer};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::verification::{self, violations};
@@ -45,17 +45,18 @@ pub(crate) struct Verify {
     result: ResultArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     #[command(flatten)]
     scalar: ScalarArgs,
 
-    /// What the triangles must tile
+    /// What the triangles must tile: hull, or what is inside by another rule of `sweep-cdt triangulate --inside`
+    /// [default: holes for a file with holes, polygons for one with polygons, otherwise hull]
     ///
-    /// The interior is found from a triangulation of the input, which is itself verified first. Which way
-    /// its rings run does not matter but for nonzero. Points and edges outside of it need not be used.
-    #[arg(long, value_enum, value_name = "RULE", default_value_t = Inside::Hull)]
-    domain: Inside,
+    /// The interior is found from a triangulation of the input, which is itself verified first. Points and edges
+    /// outside of it need not be used.
+    #[arg(long, value_name = "RULE", value_parser = Inside::named)]
+    domain: Option<Inside>,
 
     /// What the triangles must reach: tiling, constrained (and every edge is there), delaunay, or canonical
     ///
@@ -113,7 +114,7 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
 
-    /// Write the violations that are listed as GeoJSON: a feature each, with name, message and depth
+    /// Write the violations that are listed for a map: a .geojson with a feature each, with name, message and depth
     #[arg(long, value_name = "FILE")]
     geojson: Option<PathBuf>,
 
@@ -181,7 +182,7 @@ impl Verify {
         let standard = Destination::standard();
         let written = || svg.iter().chain(&certificate).chain(&geojson);
         refuse_twice([&standard].into_iter().chain(written()))?;
-        let mut read = self.packed.files();
+        let mut read = self.reading.files();
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
         let mut input = self
             .input
@@ -275,7 +276,8 @@ impl Job for Run<'_> {
         } else {
             verifier
         };
-        let answer = answer(arguments.domain, &given, self.own, verifier, &triangles)?;
+        let domain = arguments.domain.unwrap_or(Inside::of(file));
+        let answer = answer(domain, &given, self.own, verifier, &triangles)?;
 
         // What is wrong by no more than is allowed for.
         let within = arguments.max_depth.and_then(|max| {
@@ -287,7 +289,7 @@ impl Job for Run<'_> {
             input: self.of_input,
             result: self.of_result,
             scalar,
-            domain: arguments.domain.name(),
+            domain,
             level: arguments.level.name(),
             steiner: arguments.steiner,
             max_depth: arguments.max_depth,
@@ -300,7 +302,7 @@ impl Job for Run<'_> {
             own: self.own,
             verifier,
             triangles: &triangles,
-            domain: arguments.domain,
+            domain,
             answer: &answer,
             is_within: within.is_some(),
         };
@@ -330,8 +332,8 @@ impl Job for Run<'_> {
                 return certificate::write(&subject, &answer, out);
             };
             let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
-            let interior = |rule: Inside| format!("the interior of {input} ({})", rule.name());
-            let verified = match arguments.domain {
+            let interior = |rule: Inside| format!("the interior of {input} ({rule})");
+            let verified = match domain {
                 Inside::Hull => input.clone(),
                 rule => interior(rule),
             };

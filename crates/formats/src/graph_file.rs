@@ -229,6 +229,50 @@ impl<S> GraphFile<S> {
         columns.find(|column| column.name == Column::HEIGHT)
     }
 
+    /// The file, where equal vertices share their numbers in columns: each that misses one takes that of an equal vertex.
+    /// `duplicates` are those of its [`Triangulation`](sweep_cdt::Triangulation::duplicates). Two vertices of one place
+    /// that have different numbers keep them, and a remark names the first ones. Markers are not shared. `None`, if
+    /// nothing changes.
+    ///
+    /// ```
+    /// use sweep_cdt::Pslg;
+    /// use sweep_cdt_formats::{Column, GraphFile};
+    ///
+    /// let graph = Pslg { points: vec![[0, 0], [1, 0], [0, 0]], ..Pslg::default() };
+    /// let heights = Column { name: Column::HEIGHT.to_owned(), values: vec![f64::NAN, 2.0, 7.0] };
+    /// let file = GraphFile { columns: vec![heights], ..graph.into() };
+    /// let shared = file.sharing(&[[2, 0]]).unwrap();
+    /// assert_eq!(shared.columns[0].values, [7.0, 2.0, 7.0]);
+    /// ```
+    pub fn sharing(&self, duplicates: &[[usize; 2]]) -> Option<GraphFile<S>>
+    where
+        S: Clone,
+    {
+        if duplicates.is_empty() || self.columns.is_empty() {
+            return None;
+        }
+        let mut shared = self.clone();
+        let is_shared = |column: &&mut Column| column.name != Column::MARKER;
+        for column in shared.columns.iter_mut().filter(is_shared) {
+            column.values.resize(self.graph.points.len(), f64::NAN);
+            let same = duplicates
+                .iter()
+                .flat_map(|&[v, first]| [(first, first), (first, v)]);
+            let values = same.map(|(first, v)| (first, column.of(v)));
+            let (gathered, conflict) = column.gathered(column.values.len(), values);
+            for &[v, first] in duplicates {
+                for vertex in [v, first] {
+                    if column.values[vertex].is_nan() {
+                        column.values[vertex] = gathered.values[first];
+                    }
+                }
+            }
+            shared.remarks.extend(conflict);
+        }
+        (shared.columns != self.columns || shared.remarks.len() > self.remarks.len())
+            .then_some(shared)
+    }
+
     /// The graph with the sides of all faces for edges, and each face as a polygon.
     ///
     /// # Errors

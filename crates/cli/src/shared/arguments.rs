@@ -9,7 +9,7 @@ use sweep_cdt::interior::Interior;
 use sweep_cdt_draw::Output;
 use sweep_cdt_formats::{
     Coordinate, GraphFile, Input, InputFormat, OutputFormat, ReadErrorKind, ResultFormat, Source,
-    read, write_node,
+    not_written, read, write_node,
 };
 
 use super::failure::Failure;
@@ -73,14 +73,19 @@ impl InputArgs {
         let source = files.load(&self.input)?;
         show(&source);
         // The `.node` beside a `.poly` is loaded only if the `.poly` turns out to need it.
-        match (read(format, &source, None), self.input.beside("node")) {
+        let input = match (read(format, &source, None), self.input.beside("node")) {
             (Err(error), Some(file)) if error.kind == ReadErrorKind::MissingNode => {
                 let node = files.load(&file)?;
                 show(&node);
-                Ok(read(format, &source, Some(&node))?)
+                read(format, &source, Some(&node))?
             }
-            (input, _) => Ok(input?),
-        }
+            (input, _) => input?,
+        };
+        let name = self.name();
+        Ok(match input {
+            Input::Doubles(file) => Input::Doubles(files.complete(&name, file)?),
+            Input::Rationals(file) => Input::Rationals(files.complete(&name, file)?),
+        })
     }
 }
 
@@ -150,6 +155,23 @@ pub(crate) struct Target {
 }
 
 impl Target {
+    /// What the format has no room for.
+    pub(crate) fn losses<S: Coordinate>(
+        &self,
+        file: &GraphFile<S>,
+        domain: Option<&Interior<'_>>,
+    ) -> Vec<String> {
+        match self.format {
+            Output::File(format) => not_written(format, file, domain),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The name of the output in messages.
+    pub(crate) fn name(&self) -> String {
+        self.destination.name.display().to_string()
+    }
+
     /// Whether the format has a height for every vertex.
     pub(crate) fn asks_heights(&self) -> bool {
         use OutputFormat::{Msh, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu};

@@ -7,6 +7,7 @@ pub(crate) mod failure;
 pub(crate) mod files;
 pub(crate) mod glossary;
 pub(crate) mod inside;
+pub(crate) mod missing;
 pub(crate) mod outputs;
 pub(crate) mod places;
 pub(crate) mod resources;

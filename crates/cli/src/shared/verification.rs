@@ -105,10 +105,9 @@ pub(crate) fn write_matching(matched: Matched, out: &mut impl Write) -> io::Resu
     let why = match matched {
         Matched::Single { .. } => ", which are of single precision",
         Matched::Printed { .. } => ", which are rounded",
-        Matched::Within { .. } => ", within --tolerance",
         Matched::Unplaced => ": the result has no coordinates",
         Matched::Rounded { .. } => ", because coordinates are rounded",
-        Matched::Near { .. } => ", within --tolerance",
+        Matched::Near { .. } | Matched::Within { .. } => ", within --tolerance",
         Matched::Asked { .. } => ", because of --by-number",
         _ => "",
     };

@@ -25,9 +25,12 @@ fn a_result_without_triangles_says_why() {
         text(&output.stderr).to_owned()
     };
     let line = "note: no triangles: all points lie on one line";
+    let conflict = "note: y_up.obj: vertex 2 at (1, 0) has two numbers for z, 1 and -1: 1 counts";
     assert_eq!(
         note("triangulate y_up.obj"),
-        format!("{line} (y is the same everywhere and z is not: perhaps y is up in this file)\n")
+        format!(
+            "{conflict}\n{line} (y is the same everywhere and z is not: perhaps y is up in this file)\n"
+        )
     );
     assert_eq!(
         note("triangulate line.json -o line.ele"),
@@ -109,11 +112,75 @@ fn corners_counted_from_one_are_said_to_be() {
             .expect("the command starts");
         text(&output.stdout).to_owned()
     };
-    let advice = "its corners run from 1 to the number of points, and this format counts from 0: subtract 1\n";
-    assert!(report("from1.json").contains(advice));
+    let advice =
+        "\ncorners are numbered from 1 and this format counts from 0: subtract 1 from each\n";
+    assert!(report("from1.json").ends_with(advice));
     assert!(!report("wrong.json").contains(advice));
     let right = sweep_cdt(&folder, "verify five.json from0.json").output();
     assert!(!printed(&right.expect("the command starts")).contains(advice));
+}
+
+/// `PostGIS`'s `ST_AsGeoJSON` prints 9 decimals: each corner is one vertex, rounded, and no other.
+#[test]
+fn rounded_triangles_without_numbers_are_verified() {
+    let reports = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/reports");
+    let verify = |folder: &std::path::Path, arguments: &str| {
+        let output = sweep_cdt(folder, &format!("verify {arguments}")).output();
+        output.expect("the command starts")
+    };
+    let output = verify(
+        reports.as_ref(),
+        "rounded_points.wkt rounded_9_decimals.geojson",
+    );
+    let report = printed(&output);
+    let matched = "vertices matched by coordinates, which are rounded: greatest difference 4.9";
+    let second = report.lines().nth(1).expect("a line");
+    assert!(second.starts_with(matched), "{second}");
+
+    // With a corner that is elsewhere, and with vertices that are too near to each other.
+    let result = std::fs::read_to_string(format!("{reports}/rounded_9_decimals.geojson"));
+    let result = result
+        .expect("a file")
+        .replace("-74.076395191", "-74.07641");
+    let points = std::fs::read_to_string(format!("{reports}/rounded_points.wkt"));
+    let points = points.expect("a file");
+    let folder = folder(&[
+        ("a.wkt", &points),
+        ("b.geojson", &result),
+        (
+            "twins.wkt",
+            "MULTIPOINT (0 0, 1.00000001 0, 0 1, 1.00000002 0)",
+        ),
+        (
+            "twins.geojson",
+            "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [1, 0], [0, 1]]]}",
+        ),
+    ]);
+    let refused = verify(folder.path(), "a.wkt b.geojson");
+    let error = text(&refused.stderr);
+    let nearest = ", where the input has none: the nearest is vertex 0 at (-74.07639519102625, 4.610316603423072), by 1.48";
+    assert!(
+        error.contains("at (-74.07641, 4.610316603)") && error.contains(nearest),
+        "{error}"
+    );
+    assert!(
+        error.ends_with(" (--tolerance 1.5e-5 accepts it)\n"),
+        "{error}"
+    );
+    let accepted = verify(folder.path(), "a.wkt b.geojson --tolerance 1.5e-5");
+    let second = printed(&accepted).lines().nth(1).expect("a line");
+    assert!(
+        second.starts_with(
+            "vertices matched by coordinates, within --tolerance: greatest difference 1.48"
+        ),
+        "{second}"
+    );
+    let twins = verify(folder.path(), "twins.wkt twins.geojson");
+    assert_eq!(
+        text(&twins.stderr),
+        "error: twins.geojson:1: vertex 1 at (1, 0) may be vertex 1 or 3 of the input, within rounding to the digits of \
+         the file (write the result with all digits, 17, or without coordinates)\n"
+    );
 }
 
 /// Formats that are not read: the message names the command that makes one of them that is.

@@ -11,8 +11,7 @@
 //! | `triangles`, `simplices`, `faces` | face | the positions of its corners |
 //! | `crs` | | the coordinate system, as in `GeoJSON` |
 //!
-//! Other members are ignored with a remark, and so is a list of `regions` as results have it, with a number for each
-//! triangle.
+//! Other members are ignored with a remark, but for those of a result of ours, which follow from the graph.
 //!
 //! Cost: the file is read once more, to find these members.
 
@@ -23,6 +22,18 @@ use crate::read::content::{Edges, Field, Syntax, Vertices};
 use crate::read::json_pieces::{File, Position};
 use crate::read::source::{ReadError, Source};
 use crate::{Column, CoordinateSystem, Faces};
+
+/// The members of results that follow from the graph.
+const OF_RESULT: [&str; 8] = [
+    "neighbors",
+    "constrained",
+    "hull",
+    "duplicates",
+    "chains",
+    "split",
+    "boundary",
+    "features",
+];
 
 /// A number, or a list of one.
 #[derive(Deserialize)]
@@ -44,9 +55,8 @@ pub(super) fn read<'a>(source: &'a Source, mut edges: Edges<'a>) -> Result<Edges
                 let holes = list(piece).ok_or_else(|| fault("a list of points, [[x, y], ...]"))?;
                 edges.holes = seeds(source, &holes);
             }
-            "regions" if is_of_result(piece) => {
-                edges.remarks.ignore_named(1, "member", name.as_bytes());
-            }
+            "regions" if is_of_result(piece) => {}
+            _ if OF_RESULT.contains(&&name[..]) => {}
             "regions" => {
                 let what = "a list of points with attributes, [[x, y, attribute], ...]";
                 let regions: Vec<Vec<&RawValue>> = list(piece).ok_or_else(|| fault(what))?;

@@ -246,12 +246,20 @@ impl<'a, S: Coordinate> Rounded<'a, S> {
     /// which there are two, or none.
     fn places(&self, nearby: &Nearby) -> Result<(Vec<usize>, Rule), usize> {
         let by = |rule: Rule| {
-            let places = (0..self.points.len()).map(|at| match self.candidates(nearby, rule, at) {
-                [Some(v), None] => Ok(v),
-                _ => Err(at),
-            });
-            let places: Result<Vec<usize>, usize> = places.collect();
-            places.map(|places| (places, rule))
+            let mut places = Vec::with_capacity(self.points.len());
+            let mut first_at = vec![None; self.own.len()];
+            for at in 0..self.points.len() {
+                let [Some(v), None] = self.candidates(nearby, rule, at) else {
+                    return Err(at);
+                };
+                // Vertices at two places are not one vertex.
+                let first = *first_at[v].get_or_insert(at);
+                if self.points[first] != self.points[at] {
+                    return Err(if self.found[at].is_none() { at } else { first });
+                }
+                places.push(v);
+            }
+            Ok((places, rule))
         };
         let fixed = fixed_places(self.vertices).map(Rule::Fixed);
         let mut rules = fixed.into_iter().chain(self.rules.iter().copied());

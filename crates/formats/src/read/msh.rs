@@ -17,10 +17,9 @@
 //! ```
 //!
 //! Elements of type 1 are lines, of type 2 triangles, of type 8 lines of second order: two ends, and a node between them
-//! that the line goes through. The first tag of a line is its marker, that of a point (15) the marker of its node,
-//! that of a triangle its region: the physical group. Nodes that are not numbered from 0 or 1
-//! in the order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are ignored with a
-//! remark.
+//! that the line goes through. The first tag of a line is its marker, that of a point (15) the marker of its node, that of a
+//! triangle its region: the physical group. (Version 4.1 has no tags.) Nodes that are not numbered from 0 or 1 in the
+//! order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are ignored with a remark.
 
 use std::collections::HashMap;
 
@@ -96,9 +95,6 @@ pub(super) fn mesh<'a>(
     mut cells: Cells,
     remarks: Remarks,
 ) -> Result<Mesh<'a>, ReadError> {
-    let Some(nodes) = nodes else {
-        return Err(ReadError::of_file(&source.name, "there are no `$Nodes`"));
-    };
     // Groups that are all 0 are none.
     if cells.markers.iter().all(|&marker| marker == 0) {
         cells.markers.clear();
@@ -106,6 +102,9 @@ pub(super) fn mesh<'a>(
     if cells.regions.iter().all(|&region| region == 0.0) {
         cells.regions.clear();
     }
+    let Some(nodes) = nodes else {
+        return Err(ReadError::of_file(&source.name, "there are no `$Nodes`"));
+    };
     let vertices = Vertices {
         syntax,
         ..Vertices::plain(source, nodes.coordinates, nodes.first)
@@ -253,12 +252,11 @@ fn read_elements(
             for tag in 0..line.index("a number of tags")? {
                 let token = line.expect_token("a tag")?;
                 if tag == 0 {
-                    let number = std::str::from_utf8(token)
-                        .ok()
-                        .and_then(|text| text.parse().ok());
-                    group = number.ok_or_else(|| {
-                        line.error(format!("{} is not a tag, a whole number", quoted(token)))
-                    })?;
+                    let number = std::str::from_utf8(token).ok();
+                    let number = number.and_then(|number| number.parse().ok());
+                    let wrong =
+                        || line.error(format!("{} is not a tag, a whole number", quoted(token)));
+                    group = number.ok_or_else(wrong)?;
                 }
             }
             add(kind, group, nodes, cells, &mut line)?;
@@ -280,7 +278,7 @@ fn add(
     add_element(kind, group, next, cells, |message| error.error(message))
 }
 
-/// Adds an element of one of Gmsh's types and of this physical group, whose nodes `next` returns.
+/// Adds an element of one of Gmsh's types and of a physical group, 0 for none, whose nodes `next` returns.
 pub(super) fn add_element(
     kind: usize,
     group: i64,
@@ -300,8 +298,7 @@ pub(super) fn add_element(
             cells.markers.extend([group; 2]);
         }
         2 => {
-            let corners = [next()?, next()?, next()?];
-            cells.faces.triangles.push(corners);
+            cells.faces.triangles.push([next()?, next()?, next()?]);
             cells.regions.push(group as f64);
         }
         15 if group != 0 => cells.vertex_markers.push((next()?, group)),

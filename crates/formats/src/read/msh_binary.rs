@@ -14,6 +14,7 @@
 //! else. Nodes on curves and surfaces may have parameters behind their places, which are read over. Other sections are
 //! skipped up to their `$End`.
 
+use crate::graph_file::whole;
 use crate::read::binary::{Kind, Number};
 use crate::read::content::Syntax;
 use crate::read::mesh::{Cells, Mesh};
@@ -219,27 +220,24 @@ impl<'a> Body<'a> {
         let corners = kind.checked_sub(1).and_then(|at| NODES.get(at));
         let corners =
             corners.ok_or_else(|| error(format!("elements of type {kind} are not known")))?;
-        let size = tags.checked_add(1 + corners);
-        let number = Number {
-            kind: self.count,
-            big_endian: self.big_endian,
-        };
+        let numbers = tags.checked_add(1 + corners);
+        let syntax = self.syntax(self.count);
         for _ in 0..count {
-            let element = self.take(self.count, size, "an element")?;
-            let mut pieces = element.chunks_exact(self.count.size()).skip(1);
-            // Of the tags the first is the physical group.
-            let tags = pieces.by_ref().take(tags);
-            let group = tags
-                .map(|piece| number.value(piece))
-                .reduce(|first, _| first);
+            let element = self.take(self.count, numbers, "an element")?;
+            let mut numbers = element.chunks_exact(self.count.size()).skip(1);
+            // The first tag is the physical group. Version 4.1 has none.
+            let group = numbers.clone().next().filter(|_| tags > 0);
+            let group = group
+                .and_then(|piece| syntax.value(piece).ok())
+                .and_then(whole);
+            let group = group.unwrap_or_default();
+            let mut corners = numbers.by_ref().skip(tags);
             let next = || {
-                let corner = pieces.next().and_then(|piece| number.index(piece));
-                let corner =
-                    corner.ok_or_else(|| error("a node's number is negative".to_owned()))?;
-                nodes.place(corner).map_err(error)
+                let number = corners.next().and_then(|piece| syntax.index(piece));
+                let number =
+                    number.ok_or_else(|| error("a node's number is negative".to_owned()))?;
+                nodes.place(number).map_err(error)
             };
-            #[expect(clippy::cast_possible_truncation, reason = "it was a whole number")]
-            let group = group.unwrap_or(0.0) as i64;
             add_element(kind, group, next, cells, error)?;
         }
         Ok(())

@@ -6,6 +6,8 @@
 //! Cost: O(n log n) time and memory once. A rectangle takes O(log² n), wherever points and rectangles are: no cell can
 //! fill up, and the search ends at the second point. The nearest point takes O(n), and is asked for a few times only.
 
+use sweep_cdt::scalar::Scalar;
+
 /// Points to be found.
 pub(super) struct Nearby {
     points: Vec<[f64; 2]>,
@@ -90,8 +92,8 @@ impl Nearby {
         pairs.min_by(|(v, near), (w, far)| near.total_cmp(far).then(v.cmp(w)))
     }
 
-    /// A tolerance within which each place has one point and no other one, in two digits; `None`, if there is none, or
-    /// if it would have to be raised too often to be found.
+    /// A tolerance, in two digits, within which each place has one point and no other one, and no two places have the
+    /// same; `None`, if there is none, or if it would have to be raised too often to be found.
     pub(super) fn tolerance(&self, places: &[[f64; 2]]) -> Option<f64> {
         let (mut tolerance, mut raised) = (0.0, 0);
         let found = |place: [f64; 2], tolerance| {
@@ -107,8 +109,15 @@ impl Nearby {
                 return None;
             }
         }
-        let is_only = |&place: &[f64; 2]| matches!(found(place, tolerance), [Some(_), None]);
-        places.iter().all(is_only).then_some(tolerance)
+        let mut place_of = vec![None; self.points.len()];
+        let mut is_only = |&place: &[f64; 2]| match found(place, tolerance) {
+            [Some(v), None] => {
+                let first = place_of[v].get_or_insert(place);
+                (0..2).all(|axis| first[axis].compare(&place[axis]).is_eq())
+            }
+            _ => false,
+        };
+        places.iter().all(&mut is_only).then_some(tolerance)
     }
 }
 
@@ -168,8 +177,9 @@ mod tests {
         assert_eq!(nearby.nearest([1.25, 1.5]), Some((2, 0.5)));
         assert_eq!(nearby.tolerance(&[[0.0, 0.0], [1.0, 2.0]]), Some(0.0));
         assert_eq!(nearby.tolerance(&[[0.0, 0.125], [1.0, 2.0]]), Some(0.13));
-        // Around the first place there would be two.
+        // Around the first place there would be two, and both places would have one.
         assert_eq!(nearby.tolerance(&[[0.25, 0.0], [1.0, 3.0]]), None);
+        assert_eq!(nearby.tolerance(&[[0.0, 0.0], [0.0, 0.125]]), None);
         assert_eq!(
             Nearby::new(Vec::new(), Vec::new()).tolerance(&[[0.0, 0.0]]),
             None

@@ -36,7 +36,7 @@ impl Rule {
     /// which is not rounded, and for what the rule cannot make.
     pub(super) fn doubles(self, text: &str, value: f64) -> Option<[f64; 2]> {
         match self {
-            Rule::Decimals => decimals(digits(text)?.clamp(FEWEST, MOST), value),
+            Rule::Decimals => printed(digits(text)?.clamp(FEWEST, MOST), true, value),
             Rule::Fixed(places) => fixed(places, value),
             Rule::Singles => singles(value),
         }
@@ -83,11 +83,12 @@ fn fixed(places: usize, value: f64) -> Option<[f64; 2]> {
     let exponent: i32 = text.split_once('e')?.1.parse().ok()?;
     let digits = exponent + 1 + i32::try_from(places).ok()?;
     let digits = usize::try_from(digits).ok()?;
-    decimals(digits.clamp(1, MOST), value)
+    printed(digits.clamp(1, MOST), false, value)
 }
 
-/// The doubles that are printed with so many digits as this value.
-fn decimals(digits: usize, value: f64) -> Option<[f64; 2]> {
+/// The doubles that are printed with so many digits as this value. Below a power of ten the digits may be finer: ten
+/// times as many units are there.
+fn printed(digits: usize, is_finer_below: bool, value: f64) -> Option<[f64; 2]> {
     if value == 0.0 {
         return Some([0.0, 0.0]);
     }
@@ -95,9 +96,9 @@ fn decimals(digits: usize, value: f64) -> Option<[f64; 2]> {
     let (mantissa, exponent) = text.split_once('e')?;
     let mantissa: u64 = mantissa.replace('.', "").parse().ok()?;
     let exponent = exponent.parse::<i32>().ok()? + 1 - i32::try_from(digits).ok()?;
-    // A half of the last digit is a 5 behind it. Below a power of ten the digits are ten times as fine.
+    // A half of the last digit is a 5 behind it.
     let power = 10_u64.checked_pow(u32::try_from(digits - 1).ok()?)?;
-    let below = match mantissa == power {
+    let below = match is_finer_below && mantissa == power {
         true => format!("{}95e{}", mantissa - 1, exponent - 2),
         false => format!("{}5e{}", mantissa - 1, exponent - 1),
     };
@@ -161,4 +162,86 @@ fn digits(text: &str) -> Option<usize> {
     let mantissa = text.split(['e', 'E']).next()?;
     let digits = mantissa.bytes().filter(u8::is_ascii_digit);
     (!text.contains('/')).then(|| digits.skip_while(|&digit| digit == b'0').count())
+}
+
+#[cfg(test)]
+mod tests {
+    use sweep_cdt_testing::Random;
+
+    use super::{Rule, single};
+
+    /// The ends of a range are rounded to the value or are halves, and the doubles beyond are not rounded to it.
+    #[test]
+    fn ranges_hold_what_is_printed_so_and_nothing_else() {
+        let mut random = Random::new(3);
+        for _ in 0..20_000 {
+            let digits = 6 + random.below(12);
+            let exponent = [-300, -7, -1, 0, 3, 8, 290][random.below(7)];
+            let exact: f64 = format!("{}e{exponent}", 1 + random.below(1 << 40))
+                .parse()
+                .expect("a number");
+            let exact = if random.below(2) == 0 { exact } else { -exact };
+            let text = format!("{exact:.*e}", digits - 1);
+            let value: f64 = text.parse().expect("a number");
+            let [low, high] = Rule::Decimals.doubles(&text, value).expect("a range");
+            assert!(
+                low <= exact && exact <= high,
+                "{exact:e} {text} {low:e} {high:e}"
+            );
+            let is_printed = |x: f64| format!("{x:.*e}", digits - 1).parse() == Ok(value);
+            // A half may be nearer to a double beyond it.
+            assert!(
+                !is_printed(low.next_down().next_down()) && !is_printed(high.next_up().next_up())
+            );
+            assert!(
+                is_printed(low) || digits <= 15 && is_printed(low.next_up()),
+                "{text} {low:e}"
+            );
+            assert!(
+                is_printed(high) || digits <= 15 && is_printed(high.next_down()),
+                "{text} {high:e}"
+            );
+        }
+    }
+
+    #[test]
+    fn ranges_of_singles_end_where_rounding_does() {
+        let mut random = Random::new(4);
+        for _ in 0..20_000 {
+            let exponent = random.below(60);
+            let exact = (1 + random.below(1 << 40)) as f64
+                / 2_f64.powi(i32::try_from(exponent).expect("small"));
+            let value = single(exact);
+            let [low, high] = Rule::Singles.doubles("", value).expect("a range");
+            assert!(
+                [low, exact, high]
+                    .iter()
+                    .all(|&x| single(x).to_bits() == value.to_bits())
+            );
+            assert!(
+                [low.next_down(), high.next_up()]
+                    .iter()
+                    .all(|&x| single(x).to_bits() != value.to_bits())
+            );
+        }
+        assert_eq!(Rule::Singles.doubles("", f64::from(f32::MAX)), None);
+    }
+
+    /// By hand.
+    #[test]
+    fn fixed_decimals_are_halves_of_the_last_one() {
+        let fixed = |places, value| Rule::Fixed(places).doubles("0", value);
+        assert_eq!(fixed(6, 0.009604), Some([0.0096035, 0.0096045]));
+        assert_eq!(fixed(6, -33.5), Some([-33.5000005, -33.4999995]));
+        assert_eq!(fixed(6, 0.0), Some([-5e-7, 5e-7]));
+        assert_eq!(fixed(9, 0.000001), Some([0.0000009995, 0.0000010005]));
+        // A power of ten has finer numbers below it, but not with fixed decimals.
+        assert_eq!(fixed(6, 1.0), Some([0.9999995, 1.0000005]));
+        assert_eq!(
+            Rule::Decimals.doubles("1.00000", 1.0),
+            Some([0.9999995, 1.000005])
+        );
+        // More digits than a double has.
+        assert_eq!(fixed(17, 123.25), Some([123.25, 123.25]));
+    }
 }

@@ -17,7 +17,8 @@
 //! ```
 //!
 //! The first attribute of a vertex is its height. Markers of vertices are the last of their columns. The areas of regions,
-//! which limit triangles where a mesh is refined, are ignored with a remark, and so is what follows on a line. A region
+//! which limit triangles where a mesh is refined, are ignored with a remark, and so are numbers of vertices that the first
+//! line does not announce. What else follows on a line is ignored. A region
 //! without an attribute has 0. The vertices of a `.ele` are numbered as in the `.node` beside it; without one, from 0 or 1
 //! as the triangles are, as Triangle does.
 
@@ -72,21 +73,16 @@ pub(super) fn read_poly<'a>(
         count,
     };
     let mut first = vertices.first;
-    let rows = records.read(&mut lines, &mut first, |line| {
-        let ends = [end(line, &vertices)?, end(line, &vertices)?];
-        let marker = if has_markers { marker(line)? } else { 0 };
-        Ok((ends, marker, !line.is_empty()))
-    })?;
-    let more = rows.iter().filter(|(.., more)| *more).count();
-    remarks.ignore(more, "edge's further numbers", "edges' further numbers");
-    let is_marked = rows.iter().any(|(_, marker, _)| *marker != 0);
-    let markers = rows.iter().map(|(_, marker, _)| *marker);
-    let markers = if is_marked {
-        markers.collect()
+    let ends = |line: &mut Line<'_>| Ok([end(line, &vertices)?, end(line, &vertices)?]);
+    let (edges, markers) = if has_markers {
+        let row = |line: &mut Line<'_>| Ok((ends(line)?, marker(line)?));
+        let rows = records.read(&mut lines, &mut first, row)?;
+        let (edges, markers): (Vec<_>, Vec<i64>) = rows.into_iter().unzip();
+        let is_marked = markers.iter().any(|&marker| marker != 0);
+        (edges, if is_marked { markers } else { Vec::new() })
     } else {
-        Vec::new()
+        (records.read(&mut lines, &mut first, ends)?, Vec::new())
     };
-    let edges = rows.into_iter().map(|(ends, ..)| ends).collect();
 
     // Holes and regions, if the file goes on.
     let holes = read_holes(source, &mut lines, vertices.first)?;
@@ -169,15 +165,12 @@ fn read_vertices<'a>(
     let mut first = 0;
     let columns = attributes + usize::from(has_markers);
     if columns == 0 {
-        let read = |line: &mut Line<'a>| Ok((line.coordinates()?, !line.is_empty()));
-        let rows = records.read(lines, &mut first, read)?;
-        let more = rows.iter().filter(|(_, more)| *more).count();
-        remarks.ignore(
-            more,
-            "vertex's further numbers",
-            "vertices' further numbers",
-        );
-        let coordinates = rows.into_iter().map(|(point, _)| point).collect();
+        let coordinates = records.read(lines, &mut first, Line::coordinates)?;
+        let more = coordinates
+            .iter()
+            .filter(|[_, y]| is_followed(source, y))
+            .count();
+        ignore_more(more, remarks);
         return Ok(Vertices::plain(source, coordinates, first));
     }
     let rows = records.read(lines, &mut first, |line| {
@@ -188,16 +181,15 @@ fn read_vertices<'a>(
             None if at == attributes => Ok(&b""[..]),
             None => line.expect_token("an attribute"),
         });
-        Ok((point, row.collect::<Result<Vec<_>, _>>()?, !line.is_empty()))
+        Ok((point, row.collect::<Result<Vec<_>, _>>()?))
     })?;
-    let more = rows.iter().filter(|(.., more)| *more).count();
-    remarks.ignore(
-        more,
-        "vertex's further numbers",
-        "vertices' further numbers",
+    let last = rows.iter().filter_map(|(_, row)| row.last());
+    ignore_more(
+        last.filter(|piece| is_followed(source, piece)).count(),
+        remarks,
     );
     // Without a row there may be any number of attributes.
-    let width = rows.first().map_or(0, |(_, row, _)| row.len());
+    let width = rows.first().map_or(0, |(_, row)| row.len());
     let field = |at: usize| Field {
         name: match at {
             _ if at == attributes => Column::MARKER.to_owned(),
@@ -205,7 +197,7 @@ fn read_vertices<'a>(
             _ => format!("attribute{}", at + 1),
         },
         syntax: Syntax::Plain,
-        pieces: rows.iter().map(|(_, row, _)| row[at]).collect(),
+        pieces: rows.iter().map(|(_, row)| row[at]).collect(),
     };
     let is_said = |field: &Field<'_>| {
         let mut pieces = field.pieces.iter();
@@ -215,10 +207,30 @@ fn read_vertices<'a>(
         fields: (0..width).map(field).filter(is_said).collect(),
         ..Vertices::plain(
             source,
-            rows.iter().map(|&(point, ..)| point).collect(),
+            rows.iter().map(|&(point, _)| point).collect(),
             first,
         )
     })
+}
+
+/// Whether more follows a piece on its line.
+fn is_followed(source: &Source, piece: &[u8]) -> bool {
+    let end = (piece.as_ptr().addr() + piece.len()).wrapping_sub(source.bytes.as_ptr().addr());
+    // A missing marker is no piece of the file.
+    let Some(rest) = source.bytes.get(end..).filter(|_| !piece.is_empty()) else {
+        return false;
+    };
+    let mut rest = rest.iter().filter(|&&byte| !b" \t\x0c".contains(&byte));
+    rest.next().is_some_and(|byte| !b"\n\r#".contains(byte))
+}
+
+/// Adds that vertices have more numbers than are announced.
+fn ignore_more(vertices: usize, remarks: &mut Remarks) {
+    remarks.ignore(
+        vertices,
+        "vertex's numbers that the first line does not announce",
+        "vertices' numbers that the first line does not announce",
+    );
 }
 
 /// Reads an end of an edge.

@@ -13,8 +13,8 @@
 //! ```
 //!
 //! The numbers of a `DataArray` stand in it as text or in base 64, or in `AppendedData` behind all others, in base 64 or
-//! as they are; packed by zlib or not (see `vtu_arrays.rs`). All else is read over, and so are data of the cells and data
-//! of several components.
+//! as they are; packed by zlib or not (see `vtu_arrays.rs`). Data of the cells are read of two names, `marker` and
+//! `region` (see `vtk_cells.rs`). Other data of the cells, and data of several components, are ignored with a remark.
 //!
 //! What is packed is unpacked into a copy of the file, behind its text. So numbers are pieces of one source here as in
 //! all other readers. It costs the memory of the copy, for which there is a limit ([`Source::unpacked_limit`]).
@@ -36,7 +36,7 @@ use crate::read::vtu_elements::{Array, Elements, Section};
 pub(super) struct Unpacked {
     source: Source,
     points: Numbers,
-    cells: Vec<Listed>,
+    sections: Vec<CellArrays>,
     columns: Vec<(String, Numbers)>,
     /// Data of the cells that are read.
     cell_data: Vec<(String, Numbers)>,
@@ -45,7 +45,7 @@ pub(super) struct Unpacked {
 }
 
 /// The cells of a section.
-struct Listed {
+struct CellArrays {
     /// The corners of all cells, one after the other.
     corners: Numbers,
     /// Where the corners of each cell end.
@@ -96,7 +96,7 @@ impl Unpacked {
             return Err(source.error_in_line(points.line, message));
         }
         let points = unpack(points, coordinates)?;
-        let mut cells = Vec::new();
+        let mut sections = Vec::new();
         for &(section, count) in &elements.cells {
             let count = Some(count);
             let kind = match (section, elements.is_poly_data) {
@@ -111,7 +111,7 @@ impl Unpacked {
             if elements.is_poly_data && count == Some(0) && !is_there {
                 continue;
             }
-            cells.push(Listed {
+            sections.push(CellArrays {
                 corners: unpack(array(section, "connectivity")?, None)?,
                 ends: unpack(array(section, "offsets")?, count)?,
                 types: match kind {
@@ -128,24 +128,24 @@ impl Unpacked {
                     _ => false,
                 }
         };
+        let counts = elements.cells.iter().map(|&(_, count)| count);
+        let cells = counts.fold(0, usize::saturating_add);
         let (mut columns, mut cell_data) = (Vec::new(), Vec::new());
         for array in elements.arrays.iter().filter(is_column) {
             let (list, count) = match array.section {
-                Section::CellData => (&mut cell_data, elements.count_of_cells()),
+                Section::CellData => (&mut cell_data, cells),
                 _ => (&mut columns, elements.points),
             };
             list.push((array.name.clone(), unpack(array, Some(count))?));
         }
         let is_data =
             |array: &&Array| matches!(array.section, Section::PointData | Section::CellData);
-        let others = elements
-            .arrays
-            .iter()
-            .filter(|array| is_data(array) && !is_column(array));
+        let others = elements.arrays.iter();
+        let others = others.filter(|array| is_data(array) && !is_column(array));
         let others = others.map(|array| array.name.clone());
         Ok(Unpacked {
             points,
-            cells,
+            sections,
             columns,
             cell_data,
             others: others.chain(elements.others.iter().cloned()).collect(),
@@ -186,14 +186,14 @@ impl Unpacked {
     fn cells(&self, remarks: &mut Remarks) -> Result<Cells, ReadError> {
         let (mut cells, mut data) = (Cells::default(), CellData::default());
         let mut at = 0;
-        for stored in &self.cells {
-            let corners: Vec<usize> = self.indices(&stored.corners).collect::<Result<_, _>>()?;
-            let types: Box<dyn Iterator<Item = _>> = match &stored.types {
+        for section in &self.sections {
+            let corners: Vec<usize> = self.indices(&section.corners).collect::<Result<_, _>>()?;
+            let types: Box<dyn Iterator<Item = _>> = match &section.types {
                 Types::Each(types) => Box::new(self.indices(types)),
                 &Types::All(kind) => Box::new(iter::repeat_with(move || Ok(kind))),
             };
             let mut begin = 0;
-            for (end, kind) in self.indices(&stored.ends).zip(types) {
+            for (end, kind) in self.indices(&section.ends).zip(types) {
                 let (end, kind) = (end?, kind?);
                 let Some(cell) = corners.get(begin..end) else {
                     let message = format!("cell {at}: its corners are not in `connectivity`");

@@ -111,13 +111,6 @@ impl<'a> Elements<'a> {
         Ok(scan.elements)
     }
 
-    /// How many cells the data of cells are for.
-    pub(super) fn count_of_cells(&self) -> usize {
-        let is_meant = |section: Section| (section != Section::Cells) == self.is_poly_data;
-        let counts = self.cells.iter().filter(|(section, _)| is_meant(*section));
-        counts.fold(0, |all, (_, count)| all.saturating_add(*count))
-    }
-
     /// The array of this name in a section; that of the points may have any name.
     pub(super) fn array(&self, section: Section, name: &str) -> Option<&Array> {
         let is_meant = |array: &&Array| {

@@ -7,6 +7,7 @@ mod features;
 mod json;
 mod labels;
 mod lines;
+mod losses;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod mesh_formats;
@@ -24,6 +25,7 @@ use std::io::{self, Write};
 
 pub use crossings::{CrossingsFormat, write_crossings};
 pub use lines::write_lines;
+pub use losses::not_written;
 pub use rows::write_node;
 pub use violations::write_violations;
 

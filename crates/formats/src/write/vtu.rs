@@ -80,12 +80,12 @@ impl<S: Coordinate> Mesh<'_, S> {
         writeln!(out, "</DataArray>\n</Points>")
     }
 
-    /// Writes the markers of the lines and what the triangles are labelled with, if there are any.
+    /// Writes the markers of lines and the regions or features of triangles, if there are any.
     fn write_cell_data(&self, out: &mut impl Write) -> io::Result<()> {
-        let cells = self.lines.len() + self.triangles.len();
         if self.markers.is_empty() && self.labels.is_none() {
             return Ok(());
         }
+        let cells = self.lines.len() + self.triangles.len();
         writeln!(out, "<CellData>")?;
         if !self.markers.is_empty() {
             begin_array("Int64", Column::MARKER, 1, out)?;

@@ -346,6 +346,7 @@ fn coordinates_alone_decide_where_there_are_no_numbers() {
     input.graph.points.pop();
     let error =
         read_result(ResultFormat::Wkt, &source(text), None, &input).expect_err("a stranger");
-    let expected = "file:1: vertex 0 is at (0.100001, 0), where the input has none";
+    let expected = "file:1: vertex 0 is at (0.100001, 0), where the input has none: the nearest is vertex 0 at \
+         (0.1, 0), by 1.000000000001e-6";
     assert_eq!(error.to_string(), expected);
 }
