@@ -116,7 +116,9 @@ Output, with the triangles always in the same order:
            a polygon for each triangle; in .dxf a 3DFACE
   .npy, .npz
            triangles as an array of NumPy; or points, edges and triangles as arrays with these names
-  .svg     a picture: triangles grey, edges blue, hull (or border) orange
+  .svg, .png
+           a picture: triangles grey, edges blue, hull (or border) orange; with heights, triangles
+           coloured by height with hill shading
   Outputs appear when all are complete; a run that fails changes no file. No file is overwritten that
   was read. Symbolic links are followed, FIFOs and devices written to, permissions kept.
 

@@ -1,14 +1,22 @@
-//! Pictures, as SVG, of a result, of what is wrong with one, and of edges that cross; and of the steps of a trace, as SVG or as
+//! Pictures, as SVG, of a result (also as PNG), of what is wrong with one, and of edges that cross; and of the steps of a trace, as SVG or as
 //! a page for a browser.
 
 mod close_up;
 mod crossings;
+mod font;
+mod layout;
 mod output;
 mod panels;
+mod pixels;
+mod png;
+mod raster;
+mod relief;
+mod relief_legend;
 mod result;
 mod steps;
 mod style;
 mod svg;
+mod trails;
 mod violations;
 mod window;
 

@@ -32,6 +32,8 @@ pub enum Output {
     File(OutputFormat),
     /// A picture.
     Svg,
+    /// A picture of pixels.
+    Png,
 }
 
 /// How many formats of files there are.
@@ -39,7 +41,8 @@ const FILES: usize = OutputFormat::ALL.len();
 
 impl Named for Output {
     const ALL: &'static [Output] = &{
-        let mut all = [Output::Svg; FILES + 1];
+        let mut all = [Output::Svg; FILES + 2];
+        all[FILES + 1] = Output::Png;
         let mut i = 0;
         while i < FILES {
             all[i] = Output::File(OutputFormat::ALL[i]);
@@ -52,6 +55,7 @@ impl Named for Output {
         match self {
             Output::File(format) => format.name(),
             Output::Svg => "svg",
+            Output::Png => "png",
         }
     }
 }
@@ -70,6 +74,7 @@ impl Output {
         match self {
             Output::File(format) => write(format, file, result, out),
             Output::Svg => picture(file, result).write(out),
+            Output::Png => picture(file, result).write_png(out),
         }
     }
 
@@ -88,14 +93,21 @@ impl Output {
             Output::Svg => picture(file, interior.triangulation())
                 .interior(interior)
                 .write(out),
+            Output::Png => picture(file, interior.triangulation())
+                .interior(interior)
+                .write_png(out),
         }
     }
 }
 
-/// The picture of `result`, with the numbers of the file.
+/// The picture of `result`, with the numbers and heights of the file.
 fn picture<'a, S: Coordinate>(
     file: &'a GraphFile<S>,
     result: &'a Triangulation,
 ) -> ResultPicture<'a, S> {
-    ResultPicture::new(&file.graph, result).numbering(file.numbering)
+    let picture = ResultPicture::new(&file.graph, result).numbering(file.numbering);
+    match file.heights() {
+        Some(heights) => picture.heights(heights),
+        None => picture,
+    }
 }

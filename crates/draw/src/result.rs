@@ -4,29 +4,25 @@
 //! hull where none is known (a broad orange band, so that an edge on the border shows inside it), sides of triangles (thin, grey), input edges (blue), vertices (dark dots)
 //! and their numbers in the file. Dots and numbers are drawn only if there is room for them. Each line is
 //! drawn once, as part of a long stroke, in relative whole units: about 10 bytes a side.
+//!
+//! With heights the triangles are areas of colours between the area of the domain and the lines: one path for each colour,
+//! around all of its triangles. Where vertices are close, sides are left out.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use super::style::{COLUMN, LEGEND_HEIGHT, mesh_rules, write_legend};
+use super::layout::Layout;
+use super::pixels;
+use super::relief_legend::ReliefLegend;
+use super::style::{LEGEND_HEIGHT, mesh_rules, relief_rules, write_legend};
 use super::svg;
-use super::window::{Bounds, PIXEL, Window, places};
+use super::trails::loops;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Pslg, Triangulation};
-use sweep_cdt_formats::{Numbering, sorted_pairs};
+use sweep_cdt_formats::{Column, Numbering};
 
-/// Up to this many vertices get numbers.
-const MOST_NUMBERS: usize = 60;
-/// Vertices are drawn if they are about this many pixels apart, or more.
-const LEAST_SPACING: f64 = 8.0;
-/// The longer side of the points' bounding box.
-const LONG_SIDE: i64 = 1000 * PIXEL;
-/// The longest entries of the legend, without and with a domain: no picture is narrower.
-const ENTRIES: [i64; 2] = [4, 5];
-const MARGIN: i64 = 28 * PIXEL;
-
-/// A picture of a triangulation, as SVG.
+/// A picture of a triangulation, as SVG or PNG.
 ///
 /// ```
 /// use sweep_cdt::Pslg;
@@ -46,6 +42,7 @@ pub struct ResultPicture<'a, S> {
     result: &'a Triangulation,
     numbering: Numbering,
     interior: Option<&'a Interior<'a>>,
+    heights: Option<&'a Column>,
 }
 
 impl<'a, S: Scalar> ResultPicture<'a, S> {
@@ -57,6 +54,7 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
             result,
             numbering: Numbering::default(),
             interior: None,
+            heights: None,
         }
     }
 
@@ -74,123 +72,79 @@ impl<'a, S: Scalar> ResultPicture<'a, S> {
         ResultPicture { interior, ..self }
     }
 
-    /// Writes the picture.
+    /// Colours the triangles by height, with hill shading: the sun stands in the north-west, 45 degrees high, and heights
+    /// are stretched so that the mean slope is one of hills. Triangles with a corner that has no height are grey. Where
+    /// all heights are equal or missing, the picture is the one without them.
+    #[must_use]
+    pub fn heights(self, heights: &'a Column) -> ResultPicture<'a, S> {
+        let heights = Some(heights);
+        ResultPicture { heights, ..self }
+    }
+
+    /// Writes the picture as PNG.
+    ///
+    /// # Errors
+    /// Errors of `out`.
+    pub fn write_png(&self, out: &mut impl Write) -> io::Result<()> {
+        pixels::write(&self.layout(), self.numbering, out)
+    }
+
+    fn layout(&self) -> Layout {
+        Layout::new(self.graph, self.result, self.interior, self.heights)
+    }
+
+    /// Writes the picture as SVG.
     ///
     /// # Errors
     /// Errors of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        let ResultPicture {
-            graph,
-            result,
-            numbering,
-            interior,
-        } = *self;
-        let points = places(&graph.points);
-        let bounds = Bounds::of(points.iter().copied());
-        let window = Window::new(bounds, LONG_SIDE);
-        let spacing = bounds.spacing(points.len()) * (LONG_SIDE / PIXEL) as f64;
+        let layout = self.layout();
+        let Layout { places, relief, .. } = &layout;
+        let mut rules = mesh_rules(layout.spacing);
+        if relief.is_some() {
+            rules += &relief_rules(layout.spacing);
+        }
+        svg::begin(out, layout.whole_size(), &rules)?;
 
-        // The drawing stands in the middle, with a margin around it and the legend below.
-        let [width, height] = [
-            window.size[0].max(ENTRIES[usize::from(interior.is_some())] * COLUMN),
-            window.size[1],
-        ];
-        let [width, height] = [width, height].map(|side| side + 2 * MARGIN);
-        let left = (width - window.size[0]) / 2;
-        let place = |point| {
-            let [x, y] = window.place(point);
-            [left + x, MARGIN + y]
-        };
-        let places: Vec<[i64; 2]> = points.into_iter().map(place).collect();
-        svg::begin(out, [width, height + LEGEND_HEIGHT], &mesh_rules(spacing))?;
-
-        // Lines, from back to front.
-        let strokes = |sides: &[[usize; 2]]| {
-            let trails = trails(places.len(), sides).into_iter();
-            trails.map(|trail| stroke(&places, &trail))
-        };
-        let hull: Vec<usize> = result.hull().collect();
-        let border = match interior {
-            Some(interior) => interior.boundary(),
-            None => vec![hull.clone()],
-        };
-        let closed = |chain: &Vec<usize>| {
-            let closed: Vec<usize> = chain.iter().chain(chain.first()).copied().collect();
-            if let [_, .., _] = closed[..] {
-                stroke(&places, &closed)
-            } else {
-                String::new()
-            }
+        // Areas and lines, from back to front.
+        let stroke_of = |trail: &Vec<usize>| stroke(places, trail);
+        let border = |chain: &Vec<usize>| match chain[..] {
+            [_, .., _] => stroke_of(chain),
+            _ => String::new(),
         };
         // In one path, so that holes are not filled.
-        let strokes_of_border: String = border.iter().map(closed).collect();
-        let around = closed(&hull);
-        if interior.is_some() && !around.is_empty() {
+        let strokes_of_border: String = layout.border.iter().map(border).collect();
+        let around = layout.outside.as_ref().map(border);
+        if let Some(around) = around.filter(|around| !around.is_empty()) {
             svg::layer(out, "outside", [around])?;
         }
         if !strokes_of_border.is_empty() {
             svg::layer(out, "hull", [strokes_of_border])?;
         }
-        svg::layer(out, "side", strokes(&inner_sides(result, interior)))?;
-        svg::layer(out, "edge", strokes(&input_edges(graph, result)))?;
+        for (colour, sides) in relief.iter().flat_map(|relief| &relief.colours) {
+            let loops = loops(sides);
+            svg::area(out, "relief", *colour, loops.iter().map(stroke_of))?;
+        }
+        svg::layer(out, "side", layout.sides.iter().map(stroke_of))?;
+        svg::layer(out, "edge", layout.edges.iter().map(stroke_of))?;
 
         // Vertices and their numbers, where there is room, and the legend.
-        let (triangles, name) = match interior {
-            Some(interior) => (interior.inside().len(), "border"),
-            None => (result.len(), "hull"),
-        };
-        let mut entries = vec![
-            ("side", format!("triangles: {triangles}")),
-            ("edge", format!("edges: {}", graph.edges.len())),
-            (
-                "hull",
-                format!("{name}: {}", border.iter().map(Vec::len).sum::<usize>()),
-            ),
-        ];
-        if interior.is_some() {
-            entries.push(("outside", format!("hull: {}", hull.len())));
+        svg::layer(
+            out,
+            "vertex",
+            layout.dots.iter().map(|&v| svg::dot(places[v])),
+        )?;
+        for &vertex in &layout.numbered {
+            svg::label(out, places[vertex], vertex + self.numbering.vertex)?;
         }
-        let vertices = || (0..places.len()).filter(|&v| result.representative(v) == v);
-        if spacing > LEAST_SPACING {
-            svg::layer(out, "vertex", vertices().map(|v| svg::dot(places[v])))?;
-            entries.push(("vertex", format!("vertices: {}", places.len())));
+        let [middle, mut top] = [layout.size[0] / 2, layout.size[1]];
+        if let Some(relief) = relief {
+            ReliefLegend::new([middle, top], relief).write(out)?;
+            top += LEGEND_HEIGHT;
         }
-        if places.len() <= MOST_NUMBERS {
-            for vertex in vertices() {
-                svg::label(out, places[vertex], vertex + numbering.vertex)?;
-            }
-        }
-        write_legend(out, [width / 2, height], &entries)?;
+        write_legend(out, [middle, top], &layout.entries)?;
         svg::end(out)
     }
-}
-
-/// The sides between two triangles, of the domain if there is one, that are not pieces of input edges.
-fn inner_sides(result: &Triangulation, interior: Option<&Interior<'_>>) -> Vec<[usize; 2]> {
-    let is_drawn = |t: usize| interior.is_none_or(|interior| interior.is_inside(t));
-    let of_triangle = |t: usize| {
-        let corners = result.triangle(t);
-        let is_inner = move |side: &usize| {
-            let across = result.neighbor(t, *side);
-            let is_listed = across.is_some_and(|across| across > t && is_drawn(across));
-            is_listed && !result.is_constrained(t, *side)
-        };
-        let ends = move |side| [corners[(side + 1) % 3], corners[(side + 2) % 3]];
-        (0..3).filter(is_inner).map(ends)
-    };
-    let drawn = (0..result.len()).filter(|&t| is_drawn(t));
-    sorted_pairs(drawn.flat_map(of_triangle))
-}
-
-/// The input edges that have a length, each once.
-fn input_edges<S>(graph: &Pslg<S>, result: &Triangulation) -> Vec<[usize; 2]> {
-    let ends = graph
-        .edges
-        .iter()
-        .map(|edge| edge.map(|vertex| result.representative(vertex)));
-    let mut edges = sorted_pairs(ends.filter(|[a, b]| a != b));
-    edges.dedup();
-    edges
 }
 
 /// A stroke through vertices; steps shorter than a unit are left out, and so is a stroke without any.
@@ -218,57 +172,4 @@ fn stroke(places: &[[i64; 2]], trail: &[usize]) -> String {
 /// The separator between a number and the one before it.
 fn space(number: i64) -> &'static str {
     if number < 0 { "" } else { " " }
-}
-
-/// Lines of a drawing joined to long strokes, which are shorter to write than their pieces: long walks that
-/// together use each edge once. They start at vertices with an odd number of edges first,
-/// since a walk must begin or end there.
-///
-/// Cost: linear.
-fn trails(vertices: usize, edges: &[[usize; 2]]) -> Vec<Vec<usize>> {
-    let mut at_vertex = vec![Vec::new(); vertices];
-    for (edge, &[a, b]) in edges.iter().enumerate() {
-        at_vertex[a].push(edge);
-        at_vertex[b].push(edge);
-    }
-    let odd = (0..vertices)
-        .filter(|&v| at_vertex[v].len() % 2 == 1)
-        .collect::<Vec<_>>();
-    let mut used = vec![false; edges.len()];
-    let mut trails = Vec::new();
-    for start in odd.into_iter().chain(0..vertices) {
-        loop {
-            let mut trail = vec![start];
-            let mut end = start;
-            while let Some(edge) = at_vertex[end].pop() {
-                if !std::mem::replace(&mut used[edge], true) {
-                    let [a, b] = edges[edge];
-                    end = a + b - end;
-                    trail.push(end);
-                }
-            }
-            if trail.len() == 1 {
-                break;
-            }
-            trails.push(trail);
-        }
-    }
-    trails
-}
-
-#[cfg(test)]
-mod tests {
-    use super::trails;
-    use sweep_cdt_formats::sorted_pairs;
-
-    #[test]
-    fn each_edge_is_walked_once() {
-        let edges = [[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [4, 5]];
-        let trails = trails(6, &edges);
-        let walked = trails
-            .iter()
-            .flat_map(|trail| trail.windows(2).map(|step| [step[0], step[1]]));
-        assert_eq!(sorted_pairs(walked), edges);
-        assert_eq!(trails.len(), 2);
-    }
 }

@@ -9,6 +9,9 @@ use std::io::{self, Write};
 
 use super::window::{PIXEL, units};
 
+/// Red, green and blue.
+pub(super) type Rgb = [u8; 3];
+
 /// Text, vertices, and what a step points at.
 pub(super) const INK: &str = "#1B1F23";
 /// Secondary text, and pierced triangles.
@@ -37,6 +40,31 @@ pub(super) const SKY: &str = "#56B4E9";
 pub(super) const OCHRE: &str = "#B8A500";
 /// Violations.
 pub(super) const RED: &str = "#D5190B";
+
+/// Input edges on a relief.
+pub(super) const UMBER: &str = "#4A3B2A";
+/// Tints of heights, from the lowest to the highest, each lighter than those before it.
+pub(super) const RAMP: [Rgb; 6] = [
+    [0x1F, 0x5F, 0x5B],
+    [0x3F, 0x82, 0x5A],
+    [0x84, 0xA3, 0x5C],
+    [0xC9, 0xBC, 0x72],
+    [0xE4, 0xD2, 0xA6],
+    [0xF8, 0xF4, 0xEC],
+];
+/// Triangles whose height is not known.
+pub(super) const UNKNOWN: Rgb = [0xB4, 0xB8, 0xBC];
+
+/// A colour as three numbers.
+pub(super) fn rgb(colour: &str) -> Rgb {
+    let digits = colour.trim_start_matches('#');
+    // One digit stands for two equal ones.
+    let size = digits.len() / 3;
+    [0, 1, 2].map(|part| {
+        let digits = digits[part * size..(part + 1) * size].repeat(3 - size);
+        u8::from_str_radix(&digits, 16).expect("digits")
+    })
+}
 
 /// The colours of the page of steps, by the names that its style sheet (`var(--ink)`) and its script (`colour("ink")`)
 /// have for them: on light paper, as in every other picture, and on dark paper.
@@ -76,26 +104,58 @@ pub(super) fn mesh_rules(spacing: f64) -> String {
 
 /// The rules for the widths of lines inside `scope`, for vertices that are about `spacing` pixels apart.
 pub(super) fn mesh_widths(scope: &str, spacing: f64) -> String {
-    // Each width is a share of the spacing, between a least and a most in pixels.
-    let of_class = |(class, share, least, most): (&str, f64, f64, f64)| {
-        let width = units((spacing * share).clamp(least, most) * PIXEL as f64);
+    let rule = |class| {
+        let width = mesh_width(class, spacing);
         format!("{scope}.{class} {{ stroke-width: {width} }}\n")
     };
-    [
-        ("hull", 0.08, 1.6, 7.0),
-        ("side", 0.05, 0.1, 1.4),
-        ("edge", 0.12, 0.3, 3.0),
-        ("vertex", 0.2, 1.5, 8.0),
-    ]
-    .map(of_class)
-    .concat()
+    ["hull", "side", "edge", "vertex"].map(rule).concat()
+}
+
+/// The width of the lines of a class, for vertices that are about `spacing` pixels apart.
+pub(super) fn mesh_width(class: &str, spacing: f64) -> i64 {
+    // A share of the spacing, between a least and a most in pixels.
+    let (share, least, most) = match class {
+        "hull" => (0.08, 1.6, 7.0),
+        "side" => (0.05, 0.1, 1.4),
+        "edge" => (0.12, 0.3, 3.0),
+        _ => (0.2, 1.5, 8.0),
+    };
+    units((spacing * share).clamp(least, most) * PIXEL as f64)
+}
+
+/// The width of the hull around a domain, and of its dashes and gaps.
+pub(super) const OUTSIDE: [f64; 3] = [100.0, 500.0, 400.0];
+/// On a relief lines are so much thinner.
+pub(super) const ON_RELIEF: f64 = 0.5;
+
+/// The style rules of a relief and of the lines on it, which follow those of [`mesh_rules`].
+pub(super) fn relief_rules(spacing: f64) -> String {
+    let widths = ["side", "edge"].map(|class| {
+        let width = mesh_width(class, spacing * ON_RELIEF);
+        format!(".{class} {{ stroke-width: {width} }}\n")
+    });
+    let [r, g, b] = RAMP[2];
+    format!(
+        ".relief {{ fill: currentColor; stroke: currentColor; stroke-width: 60 }}
+.edge {{ stroke: {UMBER} }}
+{}.sample.relief {{ color: rgb({r} {g} {b}); stroke-width: 700 }}
+.sample.side {{ stroke-width: 120 }}
+.sample.edge {{ stroke-width: 300 }}
+",
+        widths.concat()
+    )
 }
 
 /// The height of the legend.
 pub(super) const LEGEND_HEIGHT: i64 = 44 * PIXEL;
 /// The width of an entry of the legend.
 pub(super) const COLUMN: i64 = 195 * PIXEL;
-const SAMPLE: i64 = 24 * PIXEL;
+/// The length of a sample.
+pub(super) const SAMPLE: i64 = 24 * PIXEL;
+/// The width and height of the bar of tints.
+pub(super) const BAR: [i64; 2] = [240 * PIXEL, 14 * PIXEL];
+/// The gap between a sample or the bar and its text.
+pub(super) const GAP: i64 = 8 * PIXEL;
 
 /// Draws the legend, the strip under a picture that says what its lines are: a sample of each class of lines with
 /// its text, centered at `middle` below `top`.
@@ -104,17 +164,26 @@ pub(super) fn write_legend(
     [middle, top]: [i64; 2],
     entries: &[(&str, String)],
 ) -> io::Result<()> {
-    let (y, baseline) = (top + 14 * PIXEL, top + 19 * PIXEL);
-    let mut x = middle - COLUMN * entries.len() as i64 / 2;
     writeln!(out, "<g class=\"legend\">")?;
-    for (class, text) in entries {
-        let right = x + SAMPLE + 8 * PIXEL;
+    let places = legend_places([middle, top], entries.len());
+    for ((class, text), [[x, y], [right, baseline]]) in entries.iter().zip(places) {
         writeln!(
             out,
             "<path class=\"{class} sample\" d=\"M{x} {y}h{SAMPLE}\"/>\n\
              <text x=\"{right}\" y=\"{baseline}\">{text}</text>"
         )?;
-        x += COLUMN;
     }
     writeln!(out, "</g>")
+}
+
+/// Where the sample and the text of each of so many entries of a legend begin.
+pub(super) fn legend_places(
+    [middle, top]: [i64; 2],
+    count: usize,
+) -> impl Iterator<Item = [[i64; 2]; 2]> {
+    let left = middle - COLUMN * count as i64 / 2;
+    (0..count as i64).map(move |at| {
+        let x = left + at * COLUMN;
+        [[x, top + 14 * PIXEL], [x + SAMPLE + GAP, top + 19 * PIXEL]]
+    })
 }

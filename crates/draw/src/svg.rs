@@ -7,7 +7,7 @@
 use std::fmt::Display;
 use std::io::{self, Write};
 
-use super::style::{INK, PAPER};
+use super::style::{INK, PAPER, Rgb};
 use super::window::{PIXEL, Window};
 
 /// A path is ended when its text is this long: some programs refuse much longer attributes.
@@ -56,6 +56,24 @@ pub(super) fn layer(
         }
     }
     Ok(())
+}
+
+/// Writes the lines around an area as one path, so that holes are not filled, in a colour of its own.
+pub(super) fn area(
+    out: &mut impl Write,
+    class: &str,
+    [r, g, b]: Rgb,
+    lines: impl Iterator<Item = String>,
+) -> io::Result<()> {
+    let path: String = lines.collect();
+    if path.is_empty() {
+        return Ok(());
+    }
+    let colour = format!("#{r:02X}{g:02X}{b:02X}");
+    writeln!(
+        out,
+        "<path class=\"{class}\" style=\"color:{colour}\" d=\"{path}\"/>"
+    )
 }
 
 /// A dot: a line without a length, with round ends.

@@ -3,8 +3,9 @@
 //! A vertex is *above* a level if its height is at least the level, and below it otherwise: one exactly at the level
 //! counts as a little higher. So a level crosses two sides of a triangle or none, each crossing belongs to one piece in
 //! each triangle beside it, and pieces join to chains that never branch: they end at the border of the surface, or close.
-//! No flat triangle makes an area; a plateau at a level has a line around it. Chains of different levels do not cross:
-//! along a side the crossings are in the order of their levels, also when rounded.
+//! No flat triangle makes an area; a plateau at a level has a line around it. Chains do not cross. Their places are rounded:
+//! along a side they stay in the order of their levels, but in a triangle that is thinner than the rounding, lines may
+//! touch or cross.
 //!
 //! The higher ground lies on the left of a line. Crossings on sides that end at a vertex of just that level are one
 //! point. A peak of just that level has no line, and a ridge has one that goes there and back.

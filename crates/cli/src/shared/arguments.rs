@@ -139,7 +139,7 @@ impl ResultArgs {
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
     /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz, .dxf
-    /// or .svg; may be given several times; `-` for standard output
+    /// .svg or .png; may be given several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,
 

@@ -266,7 +266,7 @@ fn wrong_usage_exits_with_2() {
     let wrong = [
         "",
         "ten.poly --front tree",
-        "ten.poly -o ten.png",
+        "ten.poly -o ten.gif",
         "ten.poly -o -",
         "ten.poly -o - --output-format json --stats",
         "ten.json -o formats/../ten.json",
@@ -301,7 +301,7 @@ fn a_missing_format_is_asked_for_by_its_option() {
                 "node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, dxf"
             }
             "--output-format" => {
-                "ele, node, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf, svg"
+                "ele, node, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf, svg, png"
             }
             _ => "ele, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf",
         };

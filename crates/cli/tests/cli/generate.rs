@@ -42,7 +42,7 @@ const HASHES: [&str; KINDS.len()] = [
     "segments 21cc4e48e7b56440",
     "outlines 1b3038a922dae185",
     "parcels 791c97f349877696",
-    "contours d645aa13e7214d89",
+    "contours 077daec6725941d0",
     "alternating cc0821da6c263c19",
     "above-a-row 075a354bcd595ed5",
     "outliers 9b5432e40d0b0fb2",

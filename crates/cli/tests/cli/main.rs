@@ -20,6 +20,7 @@ mod runs;
 mod statistics;
 #[cfg(target_os = "linux")]
 mod stopped;
+mod terrain;
 mod texts;
 mod trace;
 mod verify;

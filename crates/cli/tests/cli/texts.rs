@@ -165,8 +165,8 @@ fn control_characters_in_names_are_escaped() {
     );
     for wrong in [
         ["triangulate", input, "-o", input].as_slice(),
-        &["triangulate", &format!("{bell}x.png")],
-        &["triangulate", input, "-o", &format!("{bell}x.png")],
+        &["triangulate", &format!("{bell}x.gif")],
+        &["triangulate", input, "-o", &format!("{bell}x.gif")],
         &["triangulate", input, &format!("--{bell}")],
         &[bell],
     ] {

@@ -1,5 +1,6 @@
 //! Pictures: one of each kind, to the byte, and details of larger ones, for which the snapshots are too small.
 
+mod relief;
 mod story;
 
 use std::io;

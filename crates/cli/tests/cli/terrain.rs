@@ -1,0 +1,196 @@
+//! Terrain: contour lines and heights, the picture, and generated contour lines with their heights.
+
+use std::fs;
+
+use crate::outputs::{assert_refused, read};
+use crate::{CONTOURS, assert_fails, folder, names, printed, run, sweep_cdt, text};
+
+/// A pyramid, whose top is 10 high, numbered from 1.
+const PYRAMID: &str = "5 2 1 0\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 2 2 10\n0 0\n0\n";
+/// The pyramid, and a vertex on its right without a height.
+const GAP: &str = "6 2 1 0\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 2 2 10\n6 8 2 nan\n0 0\n0\n";
+
+#[test]
+fn contour_lines_have_their_heights_in_every_format() {
+    let folder = folder(&[("a.poly", PYRAMID)]);
+    let written = |arguments: &str| {
+        let output = sweep_cdt(&folder, &format!("contours a.poly {arguments}")).output();
+        printed(&output.expect("the command starts")).to_owned()
+    };
+    // At 0 everything is above, at 10 there is a peak.
+    let summary = "a.poly: heights 0 to 10, levels 3, lines 1, closed 1\n";
+    assert_eq!(written("--every 5"), summary);
+    assert_eq!(written("--every 5 -o a.geojson"), summary);
+    assert_eq!(
+        read(&folder, "a.geojson"),
+        "{\"type\":\"FeatureCollection\",\"features\":[\n\
+         {\"type\":\"Feature\",\"properties\":{\"elev\":5},\"geometry\":{\"type\":\"LineString\",\
+         \"coordinates\":[[1,1,5],[3,1,5],[3,3,5],[1,3,5],[1,1,5]]}}]}\n"
+    );
+    // 1/6, 1/2, ... up to 59/6.
+    let wkt = written("--every 1/3 --from 4.5 -o - --output-format wkt");
+    assert_eq!(wkt.lines().count(), 1 + 30);
+    assert!(wkt.contains("\n(1.9 1.9 9.5,2.1 1.9 9.5,2.1 2.1 9.5,1.9 2.1 9.5,1.9 1.9 9.5),\n"));
+    let poly = "4 2 1 0\n0 1 1 5\n1 3 1 5\n2 3 3 5\n3 1 3 5\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n";
+    assert_eq!(
+        written("--every 10 --from 5 -o - --output-format poly"),
+        poly
+    );
+    let none = "MULTILINESTRING Z EMPTY\n";
+    assert_eq!(
+        written("--every 100 --from -3 -o - --output-format wkt"),
+        none
+    );
+}
+
+/// What is written is read again, with its heights: the shipped lines, from which more lines are drawn.
+#[test]
+fn contour_lines_are_read_again() {
+    let folder = folder(&[]);
+    let contours = |arguments: &str| {
+        let output = sweep_cdt(&folder, &format!("contours {arguments}")).output();
+        printed(&output.expect("the command starts")).to_owned()
+    };
+    // The shipped lines are 20 m apart from 309.37 m on.
+    let summary = contours(&format!("{CONTOURS} --every 20 --from 319.37 -o a.geojson"));
+    assert!(
+        summary.contains(": heights 309.37 to 989.37, levels 34, lines "),
+        "{summary}"
+    );
+    // At the border some triangles are thinner than the rounding of the lines.
+    let again = contours("a.geojson --split-crossings --every 20 --from 9.37");
+    assert!(
+        again.starts_with("a.geojson: heights 319.37 to 979.37, levels 33, lines "),
+        "{again}"
+    );
+}
+
+#[test]
+fn points_get_the_heights_of_the_terrain() {
+    // On a slope, at the top, on a side, at a corner, and outside.
+    let points = "5 2 1 0\n1 2 1 77\n2 2 2 0\n3 1 1 0\n4 0 0 0\n5 9 9 3\n";
+    let folder = folder(&[
+        ("a.poly", PYRAMID),
+        ("b.node", points),
+        ("c.json", r#"{"points": [["2/1", "2/3"], [-1, 0]]}"#),
+    ]);
+    let heights = |arguments: &str| {
+        let output = sweep_cdt(&folder, &format!("heights a.poly {arguments}")).output();
+        let output = output.expect("the command starts");
+        assert_eq!(output.status.code(), Some(0));
+        [text(&output.stdout), text(&output.stderr)].map(str::to_owned)
+    };
+    let [written, note] = heights("--at b.node");
+    assert_eq!(
+        written,
+        "5 2 1 0\n1 2 1 5\n2 2 2 10\n3 1 1 5\n4 0 0 0\n5 9 9 NaN\n"
+    );
+    let words = "1 of 5 points of b.node have no height: they are not on the terrain";
+    assert_eq!(note, format!("note: {words}\n"));
+    let [written, _] = heights("--at c.json");
+    // 2/3 of the way up a slope of 10 in 2.
+    let expected =
+        "{\n\"points\": [\n[2,\"2/3\",3.3333333333333335],\n[-1,0]],\n\"edges\": []\n}\n";
+    assert_eq!(written, expected);
+    let [written, note] = heights("--at b.node -o d.obj");
+    assert_eq!(written, "");
+    assert_eq!(note, format!("note: {words}\n"));
+    assert!(read(&folder, "d.obj").starts_with("v 2 1 5\nv 2 2 10\nv 1 1 5\nv 0 0 0\n"));
+}
+
+#[test]
+fn triangles_without_heights_are_left_out_and_said() {
+    let folder = folder(&[("a.poly", GAP), ("b.node", "1 2 0 0\n0 5 2\n")]);
+    let output = sweep_cdt(&folder, "contours a.poly --every 4").output();
+    let output = output.expect("the command starts");
+    let note = "note: 1 of 5 triangles have a corner without a height, and are left out\n";
+    assert_eq!(text(&output.stderr), note);
+    let summary = "a.poly: heights 0 to 10, levels 3, lines 2, closed 2\n";
+    assert_eq!(text(&output.stdout), summary);
+    let output = sweep_cdt(&folder, "heights a.poly --at b.node").output();
+    let output = output.expect("the command starts");
+    assert_eq!(text(&output.stdout), "1 2 1 0\n0 5 2 NaN\n");
+    assert!(text(&output.stderr).starts_with(note));
+}
+
+#[test]
+fn what_makes_no_terrain_is_refused() {
+    let flat = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n";
+    let folder = folder(&[("a.poly", PYRAMID), ("b.node", flat)]);
+    let fails = |arguments: &str, error: &str| {
+        let output = sweep_cdt(&folder, arguments).output();
+        assert_fails(&output.expect("the command starts"), error);
+    };
+    let words = "the vertices have no heights: a third coordinate, or the first attribute of a .node or .poly";
+    fails("contours b.node --every 1", &format!("b.node: {words}"));
+    fails("heights b.node --at a.poly", &format!("b.node: {words}"));
+    fails(
+        "contours a.poly --every 1e-9",
+        "a.poly: there are more than 1000000 levels between the lowest and the highest height: \
+         choose levels that are further apart",
+    );
+    for (arguments, message) in [
+        (
+            "contours a.poly --every 0",
+            "--every: levels must be more than 0 apart",
+        ),
+        (
+            "contours a.poly --every x",
+            "invalid value 'x' for '--every <DISTANCE>': `x` is not a coordinate",
+        ),
+        (
+            "contours a.poly --every 1 -o a.poly",
+            "a.poly is an input and would be overwritten",
+        ),
+        (
+            "heights a.poly --at b.node -o b.node",
+            "b.node is an input and would be overwritten",
+        ),
+    ] {
+        assert_refused(&folder, arguments, message);
+    }
+    let output = sweep_cdt(&folder, "heights a.poly --at b").output();
+    let output = output.expect("the command starts");
+    let message = "error: the format of b is not known: add --at-format with one of node, poly, ";
+    assert!(text(&output.stderr).starts_with(message));
+    assert_eq!(names(folder.path()), ["a.poly", "b.node"]);
+}
+
+#[test]
+fn pictures_of_terrain_say_their_heights() {
+    let folder = folder(&[
+        ("a.poly", GAP),
+        ("b.poly", &PYRAMID.replace(" 10\n", " 0\n")),
+    ]);
+    printed(&run(&folder, "a.poly -o a.svg -o a.png"));
+    let picture = read(&folder, "a.svg");
+    for text in [">z: 0</text>", ">10</text>", ">no height: 1</text>"] {
+        assert!(picture.contains(text), "{text}");
+    }
+    let png = fs::read(folder.path().join("a.png")).expect("a file");
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+    // Level ground has no tints.
+    printed(&run(&folder, "b.poly -o b.svg"));
+    assert!(!read(&folder, "b.svg").contains("relief"));
+}
+
+#[test]
+fn generated_contour_lines_have_heights() {
+    let folder = folder(&[]);
+    let output = sweep_cdt(&folder, "generate contours 20000 -o a.geojson").output();
+    printed(&output.expect("the command starts"));
+    let output = sweep_cdt(&folder, "contours a.geojson --every 1 --from 0.5").output();
+    let summary = printed(&output.expect("the command starts")).to_owned();
+    // The lines are at whole heights, 1 apart; between two of them there is a level.
+    let numbers: Vec<i64> = summary
+        .split([' ', ','])
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    let [low, high, levels, lines, _] = numbers[..] else {
+        panic!("five numbers: {summary}")
+    };
+    assert!(
+        high - low == levels && levels > 5 && lines >= levels,
+        "{summary}"
+    );
+}
