@@ -43,7 +43,7 @@ Output, which the other subcommands read; numbered from 0:
   .poly    Triangle's vertices and segments
   .node    Triangle's vertices; the edges are left out
   .csv, .xyz, .txt, .npy
-           x and y of the points; the edges are left out
+           the points with their heights; the edges are left out
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}
   .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
            vertices and lines; z is 0 where there are no heights

@@ -16,7 +16,7 @@
 //! | `3DFACE` | points | triangles: the fourth corner is the third |
 //!
 //! Curves, bulges, meshes and inserted blocks are refused, for a drawing without them is another one. Texts, dimensions,
-//! hatches and such entities are ignored with a remark, and all that lies in the space of the paper without one. A polyline has one height
+//! hatches, and all that lies in the space of the paper, are no part of the plan, and ignored with a remark. A polyline has one height
 //! for all its places, unless it is in 3D. What has none is without a height.
 //!
 //! Cost: time and memory in proportion to the text.
@@ -182,6 +182,8 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn add(&mut self, entity: &Entity<'a>) -> Result<(), ReadError> {
         if entity.has(67, 1) {
+            let names = ["entity on the paper", "entities on the paper"];
+            self.shapes.remarks.ignore(1, names[0], names[1]);
             return Ok(());
         }
         match entity.kind {
@@ -240,7 +242,11 @@ impl<'a> Drawing<'a> {
                 return Err(self.refused(entity.line, &what));
             }
             b"SECTION" => {}
-            kind => self.shapes.remarks.ignore_named(1, "entity", kind),
+            kind => {
+                let name = quoted(kind);
+                let [one, many] = [format!("entity {name}"), format!("entities {name}")];
+                self.shapes.remarks.ignore(1, &one, &many);
+            }
         }
         Ok(())
     }

@@ -51,13 +51,13 @@ pub(super) enum Section {
 }
 
 impl Section {
-    /// Those that hold cells, in the order in which VTK counts these, each with the attribute that says how many.
+    /// Those that hold cells, in the order of the data of cells, each with the attribute that says how many.
     const CELLS: [(Section, &str); 5] = [
         (Section::Cells, "NumberOfCells"),
         (Section::Verts, "NumberOfVerts"),
         (Section::Lines, "NumberOfLines"),
-        (Section::Polys, "NumberOfPolys"),
         (Section::Strips, "NumberOfStrips"),
+        (Section::Polys, "NumberOfPolys"),
     ];
 }
 

@@ -8,7 +8,7 @@ use super::rows::{number, write_rows};
 use crate::Coordinate;
 
 impl<S: Coordinate> Mesh<'_, S> {
-    /// Writes a `3DFACE` for each triangle, a `LINE` for each line, and a `POINT` for each vertex where nothing has
+    /// Writes a `3DFACE` for each triangle, a `LINE` for each line, and a `POINT` for each vertex where there are no
     /// triangles.
     pub(super) fn write_dxf(&self, out: &mut impl Write) -> io::Result<()> {
         out.write_all(b"0\nSECTION\n2\nENTITIES\n")?;

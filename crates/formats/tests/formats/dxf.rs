@@ -2,8 +2,8 @@
 
 use sweep_cdt::Pslg;
 use sweep_cdt_formats::{
-    Column, GraphFile, Input, InputFormat, OutputFormat, ResultFormat, Source, read, read_result,
-    write, write_graph,
+    Column, GraphFile, Input, InputFormat, OutputFormat, Remark, ResultFormat, Source, read,
+    read_result, write, write_graph,
 };
 use sweep_cdt_testing::Random;
 
@@ -102,8 +102,19 @@ fn points_and_lines_of_all_kinds_are_read() {
     let face = "0|3DFACE|10|0|20|0|30|1|11|4|21|0|31|1|12|4|22|3.5|32|1|13|4|23|3.5|33|1";
     let paper = "0|CIRCLE|67|1|10|0|20|0|40|1|0|LINE|67|1|10|9|20|9|11|8|21|8";
     let text = "0|TEXT|10|1|20|1|1|0|0|MTEXT|10|2|20|2|0|DIMENSION|0|HATCH|10|3";
-    let found = read_drawing(&format!("{text}|{face}|{paper}"));
+    let all = format!("{text}|{face}|{paper}");
+    let found = read_drawing(&all);
     assert_eq!(found, (corners, vec![], "[1.0, 1.0, 1.0]".to_owned()));
+    let remarks = input(&drawing(&all)).expect("a drawing").remarks;
+    let remarks: Vec<String> = remarks.iter().map(Remark::to_string).collect();
+    let expected = [
+        "ignored: 1 entity `TEXT`",
+        "ignored: 1 entity `MTEXT`",
+        "ignored: 1 entity `DIMENSION`",
+        "ignored: 1 entity `HATCH`",
+        "ignored: 2 entities on the paper",
+    ];
+    assert_eq!(remarks, expected);
     assert_eq!(read_drawing("").0, [[0.0; 2]; 0]);
     // A line without a height beside one that has one.
     let found = read_drawing("0|LINE|10|0|20|0|11|4|21|0|0|POINT|10|1|20|1|30|2");
@@ -219,17 +230,17 @@ fn drawings_are_written_by_the_book() {
     let written = String::from_utf8(written).expect("a text");
     assert_eq!(written, expected.replace('|', "\n"));
     // The ends of the line are points, too.
-    let read = GraphFile {
+    let merged = GraphFile {
         merged: 2,
         ..file.clone()
     };
-    assert_eq!(input(&written), Ok(read));
+    assert_eq!(input(&written), Ok(merged));
     let graph = &file.graph;
     let result = sweep_cdt::triangulate(&graph.points, &graph.edges).expect("a triangle");
     let mut written = Vec::new();
     write(OutputFormat::Dxf, &file, &result, &mut written).expect("memory takes it");
-    let expected = "0|SECTION|2|ENTITIES|0|LINE|8|0|10|0|20|0|30|7|11|4|21|3.5|31|-1.5|0|3DFACE|8|0|10|0|20|0|30|7|11|4|21|0|12|4|22|3.5|32|-1.5|13|4|23|3.5|33|-1.5|0|\
-                    ENDSEC|0|EOF|";
+    let expected = "0|SECTION|2|ENTITIES|0|LINE|8|0|10|0|20|0|30|7|11|4|21|3.5|31|-1.5|0|3DFACE|8|0|10|0|20|0|30|7|11|4|21|\
+                    0|12|4|22|3.5|32|-1.5|13|4|23|3.5|33|-1.5|0|ENDSEC|0|EOF|";
     let written = String::from_utf8(written).expect("a text");
     assert_eq!(written, expected.replace('|', "\n"));
     assert_eq!(triangles(&written, &graph.points), Ok(vec![[0, 1, 2]]));

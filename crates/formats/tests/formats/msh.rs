@@ -2,7 +2,8 @@
 
 use sweep_cdt::Pslg;
 use sweep_cdt_formats::{
-    GraphFile, Input, InputFormat, ResultFormat, Source, read, read_result, write_graph,
+    Column, GraphFile, Input, InputFormat, Remark, ResultFormat, Source, read, read_result,
+    write_graph,
 };
 use sweep_cdt_testing::Random;
 
@@ -164,11 +165,26 @@ fn both_versions_and_orders_are_read() {
             (2, &[a, c, d]),
         ];
         for writer in writers() {
+            let has_tags = !writer.has_blocks;
             let bytes = writer.write(&SQUARE, &numbers, &elements);
             let file = input(&bytes).expect("it is right");
             assert_eq!(file.graph.points, SQUARE.map(|[x, y, _]| [x, y]));
             assert_eq!(file.columns[0].values, SQUARE.map(|place| place[2]));
             assert_eq!(file.graph.edges, [[0, 2], [0, 1], [1, 3]]);
+            // The first tag is the marker.
+            let markers: &[i64] = if has_tags { &[-7, 0, 0] } else { &[] };
+            assert_eq!(file.edge_markers, markers);
+            let of_vertices = |column: &&Column| column.name == Column::MARKER;
+            let of_vertices = file.columns.iter().find(of_vertices);
+            assert_eq!(
+                of_vertices.map(|column| column.values[3]),
+                has_tags.then_some(-7.0)
+            );
+            let ignored = ["`$PhysicalNames`", "`$Entities`"].map(|name| {
+                let [one, many] = ["section", "sections"].map(|what| format!("{what} {name}"));
+                Remark::ignored(1, &one, &many)
+            });
+            assert_eq!(file.remarks, ignored);
             assert_eq!(file.numbering.vertex, usize::from(a != 0));
             assert_eq!(triangles(&bytes), Ok(vec![[0, 1, 2], [0, 2, 3]]));
             // As text it is the same.

@@ -396,8 +396,13 @@ fn lines_polygons_and_strips_of_poly_data_are_read() {
         (file.columns[1].name.as_str(), file.columns[1].missing()),
         ("rain", 1)
     );
-    let expected = vec![[0, 1, 4], [1, 2, 4], [4, 3, 0]];
+    let expected = vec![[4, 3, 0], [0, 1, 4], [1, 2, 4]];
     assert_eq!(triangles(poly_data(counts, &all)), Ok(expected));
+    // The data of cells are in the order of points, lines, strips and polygons.
+    let data =
+        "<CellData><DataArray type=\"Int32\" Name=\"marker\">9 5 6 7 8 8</DataArray></CellData>\n";
+    let marked = input(poly_data(counts, &format!("{all}{data}"))).expect("it is right");
+    assert_eq!(marked.edge_markers, [5, 5, 6]);
     // Sections without cells may be there, empty, or not.
     let none = "NumberOfLines=\"0\"";
     let empty = "<Lines/>".to_owned() + &section("Polys", "", "");
