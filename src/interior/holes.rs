@@ -1,7 +1,8 @@
 //! Holes and regions by seed points, as in Triangle's `.poly`.
 //!
 //! The edges cut the hull into faces. A face is not inside if it has the seed of a hole, or if it reaches the border of
-//! the hull where no edge runs: the outside comes in there. Chains need not be closed: dangling edges part nothing.
+//! the hull where no edge runs: the outside comes in there, unless the hull is kept. Chains need not be closed: dangling
+//! edges part nothing.
 //!
 //! A seed must tell in which face it lies, so it must not lie on an edge or a vertex. The walk of
 //! [`WithPoints::locate`] finds it by exact signs. A list of triangles without neighbours allows no walk
@@ -47,6 +48,40 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
         holes: &[[S; 2]],
         regions: &[[S; 2]],
     ) -> Result<Interior<'a>, InteriorError> {
+        self.without_holes(holes, regions, true)
+    }
+
+    /// The hull without its holes, as [`interior_of_seeds`](Self::interior_of_seeds) but that nothing comes in from
+    /// outside: Triangle's option `-c` with holes.
+    ///
+    /// # Errors
+    /// [`InteriorError`], if a seed is not in one face, the seed of a region is in a hole, or a vertex has no point.
+    ///
+    /// ```
+    /// // A box without a lid, and a square hole in it.
+    /// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [2, 2], [4, 2], [4, 4], [2, 4]];
+    /// let edges = [[3, 0], [0, 1], [1, 2], [4, 5], [5, 6], [6, 7], [7, 4]];
+    /// let result = sweep_cdt::triangulate(&points, &edges)?;
+    /// let result = result.with_points(&points);
+    /// assert_eq!(result.interior_of_seeds(&[[3, 3]], &[])?.inside().len(), 0);
+    /// assert_eq!(result.hull_without_holes(&[[3, 3]], &[])?.inside().len(), 8);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn hull_without_holes(
+        &self,
+        holes: &[[S; 2]],
+        regions: &[[S; 2]],
+    ) -> Result<Interior<'a>, InteriorError> {
+        self.without_holes(holes, regions, false)
+    }
+
+    /// The faces without holes, and without those that gaps open, if these count.
+    fn without_holes(
+        &self,
+        holes: &[[S; 2]],
+        regions: &[[S; 2]],
+        is_open: bool,
+    ) -> Result<Interior<'a>, InteriorError> {
         let (result, points) = (self.result, self.points);
         let mut corners = result.triangles().flatten();
         if let Some(vertex) = corners.find(|&vertex| vertex >= points.len()) {
@@ -65,7 +100,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
         for (t, &face) in faces.iter().enumerate() {
             let is_gap =
                 |side| result.neighbor(t, side).is_none() && !result.is_constrained(t, side);
-            is_outside[face] |= (0..3).any(is_gap);
+            is_outside[face] |= is_open && (0..3).any(is_gap);
         }
         let mut region_of_face = vec![None; count];
         // Holes come first.
@@ -107,7 +142,7 @@ fn triangle_of(
 }
 
 /// For each triangle the number of its face, and how many faces there are: pieces of the hull cut along all edges.
-fn faces(result: &Triangulation) -> (Vec<usize>, usize) {
+pub(super) fn faces(result: &Triangulation) -> (Vec<usize>, usize) {
     const NONE: usize = usize::MAX;
     let mut faces = vec![NONE; result.len()];
     let (mut count, mut waiting) = (0, Vec::new());

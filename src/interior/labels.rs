@@ -16,6 +16,8 @@ pub struct Interior<'a> {
     is_inside: Vec<bool>,
     /// For each triangle its region; empty if there are no regions.
     regions: Vec<Option<u32>>,
+    /// Whether the regions are polygons.
+    is_of_polygons: bool,
 }
 
 impl<'a> Interior<'a> {
@@ -32,11 +34,20 @@ impl<'a> Interior<'a> {
             inside,
             is_inside,
             regions: Vec::new(),
+            is_of_polygons: false,
         }
     }
 
     pub(super) fn with_regions(self, regions: Vec<Option<u32>>) -> Interior<'a> {
         Interior { regions, ..self }
+    }
+
+    /// The interior whose regions are polygons.
+    pub(super) fn with_polygons(self, polygons: Vec<Option<u32>>) -> Interior<'a> {
+        Interior {
+            is_of_polygons: true,
+            ..self.with_regions(polygons)
+        }
     }
 
     /// The interior that is the whole hull of a triangulation.
@@ -51,8 +62,10 @@ impl<'a> Interior<'a> {
 
     /// How deep triangle `t` lies. For [`EvenOdd`](super::FillRule::EvenOdd) this is the least number of sides with an
     /// odd number of edges on them that a path from outside the hull to the triangle crosses. For
-    /// [`NonZero`](super::FillRule::NonZero) it is the winding number: how often the edges go round the triangle
-    /// counter-clockwise, less than 0 where they go clockwise. Otherwise it is 1 inside and 0 outside.
+    /// [`NonZero`](super::FillRule::NonZero) and the rules below it the depth is the winding number: how often the edges
+    /// go round the triangle counter-clockwise, less than 0 where they go clockwise. For
+    /// [`interior_of_polygons`](Triangulation::interior_of_polygons) it is the number of polygons that cover the
+    /// triangle. Otherwise it is 1 inside and 0 outside.
     pub fn depth(&self, t: usize) -> i32 {
         self.depths[t]
     }
@@ -63,7 +76,8 @@ impl<'a> Interior<'a> {
     }
 
     /// The region that triangle `t` belongs to, as a position in the regions of
-    /// [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds); `None` if it belongs to none.
+    /// [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds), or as the number of a
+    /// [`Ring`](super::Ring)'s polygon; `None` if it belongs to none.
     pub fn region(&self, t: usize) -> Option<usize> {
         assert!(t < self.result.len(), "there is no triangle {t}");
         let region = *self.regions.get(t)?;
@@ -73,6 +87,12 @@ impl<'a> Interior<'a> {
     /// Whether there are regions.
     pub fn has_regions(&self) -> bool {
         !self.regions.is_empty()
+    }
+
+    /// Whether the regions are numbers of polygons, of
+    /// [`Triangulation::interior_of_polygons`].
+    pub fn is_of_polygons(&self) -> bool {
+        self.is_of_polygons
     }
 
     /// The triangles inside, as their vertices, in ascending order of their numbers.

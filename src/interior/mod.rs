@@ -9,7 +9,11 @@
 //! | [`FillRule::Hull`] | everything |
 //! | [`FillRule::EvenOdd`] | what a path from outside enters by an odd number of edges |
 //! | [`FillRule::NonZero`] | what the edges go round |
+//! | [`FillRule::Positive`], [`Negative`](FillRule::Negative) | what they go round counter-clockwise, or clockwise |
+//! | [`FillRule::AtLeast`] | what they go round so many times |
+//! | [`interior_of_polygons`](Triangulation::interior_of_polygons) | what polygons cover, but for their holes |
 //! | [`interior_of_seeds`](crate::WithPoints::interior_of_seeds) | what no hole and no gap of edges opens |
+//! | [`hull_without_holes`](crate::WithPoints::hull_without_holes) | what no hole opens |
 //!
 //! ```
 //! use sweep_cdt::interior::FillRule;
@@ -32,15 +36,18 @@
 //! followed. For seeds the triangles that no edge parts are joined, and each seed is in one such face. Cost:
 //! O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
 
-// The rules are in `flow`, the seeds in `holes`, the boundary of what is inside in `labels`.
+// The rules are in `flow`, rings of polygons in `polygons`, the seeds in `holes`, the boundary of what is inside in
+// `labels`.
 mod error;
 mod flow;
 mod holes;
 mod labels;
+mod polygons;
 
 pub use error::{InteriorError, Seed};
 pub use holes::locate_seeds;
 pub use labels::Interior;
+pub use polygons::Ring;
 
 use crate::Triangulation;
 use flow::Flow;
@@ -70,6 +77,13 @@ pub enum FillRule<'a> {
     /// All that the edges go round more often in one direction than in the other. Each edge runs from its first to its
     /// second point, and the edges must be those that were triangulated. As many must end at each point as start there.
     NonZero(&'a [[usize; 2]]),
+    /// All that the edges, as of [`NonZero`](Self::NonZero), go round more often counter-clockwise than clockwise: what
+    /// an outline that is moved outwards and crosses itself leaves of its area.
+    Positive(&'a [[usize; 2]]),
+    /// All that the edges go round more often clockwise than counter-clockwise.
+    Negative(&'a [[usize; 2]]),
+    /// All that the edges go round at least so many times, in one direction: the overlap of rings that run one way.
+    AtLeast(&'a [[usize; 2]], u32),
 }
 
 impl Triangulation {
@@ -86,6 +100,13 @@ impl Triangulation {
     /// let result = sweep_cdt::triangulate(&points, &[[0, 1], [1, 2], [2, 3], [3, 0]])?;
     /// let domain = result.interior(FillRule::EvenOdd)?;
     /// assert_eq!((result.len(), domain.inside().len()), (3, 2));
+    ///
+    /// // Two squares that run one way, and overlap in a third one.
+    /// let points = [[0, 0], [2, 0], [2, 1], [3, 1], [3, 3], [1, 3], [1, 2], [0, 2], [2, 2], [1, 1]];
+    /// let edges = [[0, 1], [1, 2], [2, 8], [8, 6], [6, 7], [7, 0], [9, 2], [2, 3], [3, 4], [4, 5], [5, 6], [6, 9]];
+    /// let result = sweep_cdt::triangulate(&points, &edges)?;
+    /// assert_eq!(result.interior(FillRule::AtLeast(&edges, 2))?.inside().len(), 2);
+    /// assert_eq!(result.interior(FillRule::Negative(&edges))?.inside().len(), 0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn interior(&self, rule: FillRule<'_>) -> Result<Interior<'_>, InteriorError> {
@@ -102,11 +123,19 @@ impl Triangulation {
                 let depths = flow::layers(self, |t, side| is_odd(flow_in(&flow, t, side)));
                 Ok(Interior::new(self, depths, is_odd))
             }
-            FillRule::NonZero(edges) => {
+            FillRule::NonZero(edges)
+            | FillRule::Positive(edges)
+            | FillRule::Negative(edges)
+            | FillRule::AtLeast(edges, _) => {
                 let flow = Flow::along(self, edges)?;
                 flow.expect_closed(|flow| flow != 0)?;
                 let depths = flow::sums(self, |t, side| flow_in(&flow, t, side));
-                Ok(Interior::new(self, depths, |winding| winding != 0))
+                Ok(Interior::new(self, depths, |winding| match rule {
+                    FillRule::Positive(_) => winding > 0,
+                    FillRule::Negative(_) => winding < 0,
+                    FillRule::AtLeast(_, times) => winding.unsigned_abs() >= times,
+                    _ => winding != 0,
+                }))
             }
         }
     }

@@ -9,13 +9,18 @@ use super::soup::{REJECTED, Soup, Tally};
 use super::violation::Violation;
 use crate::scalar::Scalar;
 
-/// Reverses all triangles if the first one that is not flat turns right.
+/// Reverses all triangles if the first one that is not flat turns right, and at least half of them do.
 pub(super) fn reverse_if_clockwise<S: Scalar>(soup: &mut Soup<'_, S>, record: &mut Record) {
-    let first_turn = soup
+    let mut turns = soup
         .accepted()
         .map(|(_, corners)| soup.predicates.orient2d(corners, &mut record.tally))
-        .find(|turn| turn.is_ne());
+        .filter(|turn| turn.is_ne());
+    let first_turn = turns.next();
     if first_turn == Some(Ordering::Less) {
+        let others = turns.fold(0_isize, |sum, turn| sum + turn as isize);
+        if others > 1 {
+            return;
+        }
         record.report.clockwise = true;
         for triangle in &mut soup.triangles {
             triangle.swap(1, 2);

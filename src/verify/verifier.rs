@@ -72,7 +72,8 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Whether the triangles may be clockwise, all of them.
+    /// Whether the triangles may be clockwise, all of them. Of mixed ones those are wrong that are fewer; if the first
+    /// is counter-clockwise, those that are not.
     #[must_use]
     pub fn accept_clockwise(self, clockwise: bool) -> Self {
         Verifier { clockwise, ..self }

@@ -3,6 +3,7 @@
 
 mod inside;
 mod oracle;
+mod polygons;
 mod random;
 mod seeds;
 

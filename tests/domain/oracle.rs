@@ -131,13 +131,7 @@ pub(crate) struct Rings {
 /// where both coordinates are whole, and there is a point.
 pub(crate) fn rings(random: &mut Random) -> Rings {
     let size = 3 + random.below(3);
-    let side = 2 * size as i64 - 1;
-    let mut points: Vec<Point> = (0..side * side).map(|i| [i % side, i / side]).collect();
-    // Some twice.
-    for _ in 0..random.below(4) {
-        points.push(random.pick(&points));
-    }
-    random.shuffle(&mut points);
+    let points = lattice(random, size);
     let mut edges = Vec::new();
     let mut last: Vec<[usize; 2]> = Vec::new();
     for _ in 0..1 + random.below(4) {
@@ -145,15 +139,34 @@ pub(crate) fn rings(random: &mut Random) -> Rings {
             // The one before, once more or reversed.
             0 => last.clone(),
             1 => last.iter().map(|&[a, b]| [b, a]).collect(),
-            2 => closed(&points, &rectangle(random, size), random),
-            3 | 4 => closed(&points, &frame(random, size), random),
-            _ => closed(&points, &walk(random, size), random),
+            _ => ring(random, &points, size),
         };
         edges.extend(&ring);
         last = ring;
     }
     random.shuffle(&mut edges);
     Rings { points, edges }
+}
+
+/// All points of a lattice with so many even coordinates, some of them twice, in any order.
+pub(crate) fn lattice(random: &mut Random, size: usize) -> Vec<Point> {
+    let side = 2 * size as i64 - 1;
+    let mut points: Vec<Point> = (0..side * side).map(|i| [i % side, i / side]).collect();
+    for _ in 0..random.below(4) {
+        points.push(random.pick(&points));
+    }
+    random.shuffle(&mut points);
+    points
+}
+
+/// A random ring on a lattice.
+pub(crate) fn ring(random: &mut Random, points: &[Point], size: usize) -> Vec<[usize; 2]> {
+    let corners = match random.below(5) {
+        0 => rectangle(random, size),
+        1 | 2 => frame(random, size),
+        _ => walk(random, size),
+    };
+    closed(points, &corners, random)
 }
 
 fn rectangle(random: &mut Random, size: usize) -> Vec<Point> {

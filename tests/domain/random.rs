@@ -53,6 +53,10 @@ fn every_triangle_is_where_rays_say() {
         let nonzero = result
             .interior(FillRule::NonZero(&edges))
             .expect("the rings are closed");
+        let of_winding = |rule| result.interior(rule).expect("the rings are closed");
+        let positive = of_winding(FillRule::Positive(&edges));
+        let negative = of_winding(FillRule::Negative(&edges));
+        let twice = of_winding(FillRule::AtLeast(&edges, 2));
         let triangles: Vec<[usize; 3]> = result.triangles().collect();
         let expected = layers(&points, &edges, &triangles);
         for (t, &triangle) in triangles.iter().enumerate() {
@@ -61,6 +65,9 @@ fn every_triangle_is_where_rays_say() {
             assert_eq!(even_odd.depth(t), expected[t], "{t}, {}", what());
             assert_eq!(nonzero.is_inside(t), winding != 0, "{t}, {}", what());
             assert_eq!(nonzero.depth(t), winding, "{t}, {}", what());
+            assert_eq!(positive.is_inside(t), winding > 0, "{t}, {}", what());
+            assert_eq!(negative.is_inside(t), winding < 0, "{t}, {}", what());
+            assert_eq!(twice.is_inside(t), winding.abs() > 1, "{t}, {}", what());
             deep += usize::from(expected[t] > 1);
             wound += usize::from(winding.abs() > 1);
             differ += usize::from((crossed % 2 == 1) != (winding != 0));

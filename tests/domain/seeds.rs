@@ -124,6 +124,43 @@ fn every_triangle_is_where_seeds_say() {
     assert!(right > 300 && wrong > 300 && carved > 500 && labelled > 500);
 }
 
+/// Gaps of the edges open nothing where the hull is kept: all faces without the seed of a hole stay.
+#[test]
+fn a_hull_without_holes_has_all_other_faces() {
+    let (mut open, mut carved) = (0, 0);
+    for seed in 0..500 {
+        let mut random = Random::new(seed);
+        let Rings { points, edges } = dangling(&mut random);
+        let result = triangulate(&points, &edges).expect("edges cross at vertices only");
+        let triangles: Vec<[usize; 3]> = result.triangles().collect();
+        let faces = faces(&points, &edges, &triangles);
+        let mut holes: Vec<Point> = Vec::new();
+        for _ in 0..4 {
+            let p = [0; 2].map(|_| random.below(36) as i64);
+            let is_seed = |t: &&[usize; 3]| holds(&points, **t, p);
+            let is_on = is_on_edge(&points, &edges, p) || points.contains(&p);
+            if !is_on && triangles.iter().any(|t| is_seed(&t)) {
+                holes.push(p);
+            }
+        }
+        let hole_faces: Vec<usize> = (holes.iter())
+            .map(|&p| triangles.iter().position(|&t| holds(&points, t, p)))
+            .map(|t| faces[t.expect("it is in the hull")].0)
+            .collect();
+        let located = result.with_points(&points);
+        let interior = located
+            .hull_without_holes(&holes, &[])
+            .expect("right seeds");
+        for (t, (face, is_open)) in faces.iter().enumerate() {
+            let is_hole = hole_faces.contains(face);
+            assert_eq!(interior.is_inside(t), !is_hole, "seed {seed}, {t}");
+            open += usize::from(*is_open && !is_hole);
+            carved += usize::from(is_hole);
+        }
+    }
+    assert!(open > 500 && carved > 500, "{open}, {carved}");
+}
+
 #[test]
 fn what_is_wrong_with_a_seed_is_said() {
     let points = [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]];

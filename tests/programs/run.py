@@ -130,7 +130,7 @@ def source_of(question, program):
 def verify(question, program):
     """The certificate of the command, or why it takes no result."""
     result = next(path for path in FOLDER.glob("answer.*"))
-    options = ["--clockwise", "--json", "--limit", "1", "--max-depth", MAX_DEPTH]
+    options = ["--json", "--limit", "1", "--max-depth", MAX_DEPTH]
     options += ["--level", program.level, "--domain", program.domain]
     options += ["--steiner"] if program.adds_points else []
     command = [COMMAND, "verify", source_of(question, program), result, *options]

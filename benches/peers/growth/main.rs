@@ -1,9 +1,9 @@
 //! How time and memory grow with the number of points on inputs that are made to be hard, and other programs
 //! on the same inputs.
 //!
-//! `cargo bench --manifest-path benches/peers/Cargo.toml --bench growth [-- MOST [FAMILY]]` goes up to `MOST` points (a
-//! million unless named), with the families of `sweep_cdt_testing::families` whose names contain `FAMILY`. Printed are,
-//! for each number of points:
+//! `cargo bench --manifest-path benches/peers/Cargo.toml --bench growth [-- [slanted] [MOST [FAMILY]]]` goes up to
+//! `MOST` points (a million unless named), with the families of `sweep_cdt_testing::families` whose names contain
+//! `FAMILY`. Printed are, for each number of points:
 //!
 //! * nanoseconds a point, the least of three runs: by the default with the hash table and with the skip
 //!   list, by the sweep alone up to 10,000 points, and by divide and conquer; `*` marks a sweep that was
@@ -14,13 +14,15 @@
 //!   default's time divided by that of the faster one;
 //! * for stars and asterisks the time of the verification.
 //!
-//! A second table has the families whose edges some order makes quadratic (`slanted`).
+//! A second table has the families whose edges some order makes quadratic; after the word `slanted` it is the only
+//! one.
 
 mod others;
 mod slanted;
 
 use std::fmt;
 use std::io::Write;
+use std::path::Path;
 use std::time::Instant;
 
 use others::{columns, compile_cgal, run_spade, time_cgal, time_spade};
@@ -46,12 +48,23 @@ fn main() {
     {
         return run_spade(family, n.parse().expect("a number of points"));
     }
+    let (is_slanted_only, arguments) = match arguments.split_first() {
+        Some((word, others)) if word == "slanted" => (true, others),
+        _ => (false, &arguments[..]),
+    };
     let most = arguments
         .first()
         .map_or(1_000_000, |text| text.parse().expect("a number of points"));
     let wanted = arguments.get(1).map_or("", String::as_str);
     let cgal = compile_cgal();
+    if !is_slanted_only {
+        print(most, wanted, cgal.as_deref());
+    }
+    slanted::print(most, wanted, cgal.as_deref());
+}
 
+/// Prints the table of all families.
+fn print(most: usize, wanted: &str, cgal: Option<&Path>) {
     println!(
         "{:40} {:>8} {:>8} {:>9} {:>8} {:>8} {:>7} {:>7} {:>8} {:>8} {:>6} {:>8}",
         "nanoseconds a point",
@@ -75,7 +88,7 @@ fn main() {
                 print!("{:40} {:>8} {row}", family.name, input.points.len());
                 if n == COMPARED {
                     let spade = time_spade(family.name, n);
-                    let theirs = [spade, time_cgal(cgal.as_deref(), &input)];
+                    let theirs = [spade, time_cgal(cgal, &input)];
                     print!("{}", columns(theirs, row.default));
                 } else {
                     print!(" {:>8} {:>8} {:>6}", "", "", "");
@@ -85,7 +98,6 @@ fn main() {
             }
         }
     }
-    slanted::print(most, wanted, cgal.as_deref());
 }
 
 /// The sweep alone takes too long on some inputs of more points.

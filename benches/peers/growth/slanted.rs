@@ -1,6 +1,7 @@
 //! Edges that some order of insertion makes quadratic: what they pierce and flip, and how the time grows, by default, by
 //! divide and conquer and in two bands. Of the orders natural, reversed and shuffled the worst counts and times are
-//! printed. At few points the times of the other programs stand beside.
+//! printed, and how many times as long as at [`COMPARED`] points the slowest of the three takes for a point. There
+//! the times of the other programs stand beside.
 
 use std::path::Path;
 use std::time::Instant;
@@ -11,13 +12,13 @@ use sweep_cdt_testing::families::{self, Order};
 
 use crate::others::{columns, time_cgal, time_spade};
 
-/// The number of points at which other programs run.
+/// The number of points at which other programs run, and from which the growth counts.
 const COMPARED: usize = 8000;
 
 /// Prints the table.
 pub(crate) fn print(most: usize, wanted: &str, cgal: Option<&Path>) {
     println!(
-        "\n{:40} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6}",
+        "\n{:40} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6} {:>8} {:>8} {:>6}",
         "edges: nanoseconds a point",
         "points",
         "pierced",
@@ -26,11 +27,13 @@ pub(crate) fn print(most: usize, wanted: &str, cgal: Option<&Path>) {
         "default",
         "divide",
         "bands",
+        "growth",
         "spade",
         "CGAL",
         "ratio"
     );
     for family in families::slanted().filter(|family| family.name.contains(wanted)) {
+        let mut compared = None;
         for n in [2000, 8000, 32_000, 128_000, 512_000] {
             if n > most {
                 continue;
@@ -49,6 +52,13 @@ pub(crate) fn print(most: usize, wanted: &str, cgal: Option<&Path>) {
                 worst.divide,
                 worst.bands
             );
+            if n == COMPARED {
+                compared = Some(worst);
+            }
+            match &compared {
+                Some(row) => print!(" {:>6.2}", worst.growth(row)),
+                None => print!(" {:>6}", ""),
+            }
             if n == COMPARED {
                 let scattered = families::scattered(&input);
                 let theirs = [time_spade(family.name, n), time_cgal(cgal, &scattered)];
@@ -70,6 +80,13 @@ struct Row {
 }
 
 impl Row {
+    /// How many times as long as in the other row a point takes, by the algorithm whose time grows most.
+    fn growth(&self, other: &Row) -> f64 {
+        (self.default / other.default)
+            .max(self.divide / other.divide)
+            .max(self.bands / other.bands)
+    }
+
     /// The greater ones of two rows.
     fn and(self, other: &Row) -> Row {
         Row {

@@ -11,6 +11,7 @@ use serde_json::value::RawValue;
 use sweep_cdt::verify::{Depth, Depths};
 use sweep_cdt_formats::{Coordinate, GraphFile, Source, Triangles};
 
+use crate::shared::inside::Inside;
 use crate::shared::verification::{Answer, reached, report, violations};
 
 /// A file by name and contents.
@@ -40,10 +41,9 @@ pub(crate) struct Subject<'a, S> {
     pub(crate) result: &'a [Fingerprint],
     pub(crate) scalar: &'static str,
     /// The domain that the triangles must tile.
-    pub(crate) domain: &'static str,
+    pub(crate) domain: Inside,
     /// The level that they must reach.
     pub(crate) level: &'static str,
-    pub(crate) clockwise: bool,
     pub(crate) steiner: bool,
     pub(crate) max_depth: Option<f64>,
     /// Whether the result is wrong by no more than that.
@@ -62,11 +62,10 @@ struct Certificate<'a> {
     input: &'a [Fingerprint],
     result: &'a [Fingerprint],
     scalar: &'static str,
-    domain: &'static str,
+    domain: String,
     level: &'static str,
     highest_level: &'static str,
     vertices_matched: MatchedBy,
-    clockwise_accepted: bool,
     clockwise: bool,
     steiner: bool,
     max_depth: Option<f64>,
@@ -182,7 +181,7 @@ pub(crate) fn write<S: Coordinate>(
         input: subject.input,
         result: subject.result,
         scalar: subject.scalar,
-        domain: subject.domain,
+        domain: subject.domain.to_string(),
         level: subject.level,
         highest_level: reached(report),
         vertices_matched: MatchedBy {
@@ -190,7 +189,6 @@ pub(crate) fn write<S: Coordinate>(
             because: matched.name(),
             greatest_difference: matched.difference().as_ref().map(coordinate),
         },
-        clockwise_accepted: subject.clockwise,
         clockwise: report.clockwise,
         steiner: subject.steiner,
         max_depth: subject.max_depth,

@@ -12,13 +12,13 @@ use sweep_cdt_formats::{
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, LimitArgs, format_of_output, format_parser};
+use crate::shared::files::{FileArgument, ReadingArgs, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 
 /// List the edges that cross
 ///
-/// Lists all pairs of edges that cross at a point that is no vertex, each with that point, exactly and as the
-/// nearest double. Such edges have no triangulation; `sweep-cdt triangulate --split-crossings` makes vertices
+/// Lists all pairs of edges that cross at a point that is no vertex, each with that point, as the nearest double
+/// and exactly. Such edges have no triangulation; `sweep-cdt triangulate --split-crossings` makes vertices
 /// of the points. Edges that meet at vertices, pass through them, overlap or have no length are not listed.
 #[derive(clap::Args)]
 #[command(after_long_help = AFTER_HELP)]
@@ -27,15 +27,19 @@ pub(crate) struct Crossings {
     input: InputArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
-    /// File to write the list to: .csv or .json; `-` for standard output
+    /// File to write the list to: .csv, .json or .geojson; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT")]
     output: Option<FileArgument>,
 
     /// Format of standard output, and of an output whose extension tells none
     #[arg(long, value_name = "FORMAT", value_parser = format_parser::<CrossingsFormat>())]
     output_format: Option<CrossingsFormat>,
+
+    /// Print the exact points too, as fractions
+    #[arg(long)]
+    fractions: bool,
 
     /// Draw a picture, with close-ups of the first crossings
     #[arg(long, value_name = "FILE")]
@@ -48,6 +52,7 @@ Output, sorted by edges, which are numbered as the input numbers them:
            it is not whole), and the nearest doubles
   .json    {\"crossings\": [{\"edges\": [i, j], \"point\": [x, y], \"near\": [x, y]}, ...]}; fractions as
            strings: \"1/3\"
+  .geojson a point for each pair, at the nearest doubles, with the properties edge, other, x and y
   Without -o they are printed, a line each.
 
 Exit status:
@@ -68,7 +73,7 @@ impl Crossings {
         let svg = self.svg.clone().map(Destination::of_path).transpose()?;
         let outputs = || list.iter().map(|(_, list)| list).chain(&svg);
         refuse_twice(outputs())?;
-        let mut read = self.packed.files();
+        let mut read = self.reading.files();
         let input = self.input.read(&mut read, |_| ())?;
         refuse_read(&read, outputs())?;
         match input {
@@ -110,7 +115,7 @@ impl Crossings {
                 if is_printed {
                     found
                         .iter()
-                        .try_for_each(|pair| print(numbering, pair, out))?;
+                        .try_for_each(|pair| print(numbering, pair, self.fractions, out))?;
                 }
                 Ok(())
             })?;
@@ -124,20 +129,20 @@ impl Crossings {
     }
 }
 
-/// Writes a pair of edges, numbered as in their file: one line.
+/// Writes a pair of edges, numbered as in their file, with the nearest doubles and, if asked for, the exact point: one
+/// line.
 fn print<S: Exact>(
     numbering: Numbering,
     crossing: &Crossing<S>,
+    with_fractions: bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let [edge, other] = numbering.edges(crossing.edges);
-    let point = crossing.point();
-    let [x, y] = point.each_ref().map(BigRational::text);
-    write!(out, "edges {edge} and {other} cross at ({x}, {y})")?;
-    let near = crossing.near();
-    if near.map(BigRational::from_float) == point.map(Some) {
-        return writeln!(out);
+    let [x, y] = crossing.near().map(|x| x.text());
+    write!(out, "edges {edge} and {other} cross near ({x}, {y})")?;
+    if with_fractions {
+        let [x, y] = crossing.point().each_ref().map(BigRational::text);
+        write!(out, ", exactly at ({x}, {y})")?;
     }
-    let [x, y] = near.map(|x| x.text());
-    writeln!(out, ", near ({x}, {y})")
+    writeln!(out)
 }

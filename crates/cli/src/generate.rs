@@ -28,7 +28,8 @@ pub(crate) struct Generate {
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
 
-    /// File to write: .poly, .node, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .geojson or .wkt; `-` for standard output
+    /// File to write: .poly, .node, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
+    /// .npz or .dxf; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
     output: FileArgument,
 
@@ -41,11 +42,14 @@ const AFTER_HELP: &str = "\
 Output, which the other subcommands read; numbered from 0:
   .poly    Triangle's vertices and segments
   .node    Triangle's vertices; the edges are left out
+  .csv, .xyz, .txt, .npy
+           x and y of the points; the edges are left out
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}
-  .obj, .off, .ply, .vtk, .vtu, .msh
+  .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
            vertices and lines; z is 0 where there are no heights
-  .geojson, .wkt
+  .geojson, .wkt, .dxf
            points and lines
+  .npz     arrays of NumPy: points and edges
   Contour lines have heights: an attribute of the vertices, or the third coordinate. Coordinates are
   the shortest decimals that read as the same doubles.
 

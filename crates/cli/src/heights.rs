@@ -8,9 +8,10 @@ use sweep_cdt_terrain::Surface;
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::as_rationals;
 use crate::shared::failure::Failure;
+use crate::shared::failure::note;
 use crate::shared::files::{FileArgument, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read};
-use crate::shared::terrain::{TerrainArgs, Work, note};
+use crate::shared::terrain::{TerrainArgs, Work};
 
 /// Find the heights of points on triangulated terrain
 ///

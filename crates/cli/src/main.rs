@@ -6,6 +6,7 @@
 //! run as it would have done by itself, after one `error:` line. A reader that closes its end of the pipe early ends
 //! it quietly.
 
+mod advice;
 mod certificate;
 mod contours;
 mod crossings;

@@ -10,7 +10,7 @@ use sweep_cdt_formats::{Coordinate, InputFormat};
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, LimitArgs, format_parser};
+use crate::shared::files::{FileArgument, ReadingArgs, format_parser};
 use crate::shared::outputs::print;
 use crate::shared::settings::Settings;
 
@@ -35,7 +35,7 @@ pub(crate) struct Replay {
     input_format: Option<InputFormat>,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     #[command(flatten)]
     scalar: ScalarArgs,
@@ -66,7 +66,7 @@ Exit status:
 impl Replay {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let mut read = self.packed.files();
+        let mut read = self.reading.files();
         if self.trace.is_standard() && self.input.as_ref().is_some_and(FileArgument::is_standard) {
             let message = "the trace and the input cannot both come from standard input";
             return Err(Failure::Usage(message.to_owned()));

@@ -14,8 +14,9 @@ use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::around::Around;
 use crate::shared::failure::{Failure, printable};
-use crate::shared::files::{FileArgument, LimitArgs, format_of_output, format_parser};
+use crate::shared::files::{FileArgument, ReadingArgs, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read};
+use crate::shared::places::located;
 use crate::shared::settings::Settings;
 
 /// Record every step of the sweep
@@ -30,7 +31,7 @@ pub(crate) struct Trace {
     input: InputArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     /// File to write: .txt, .jsonl, .html or .svg; `-` for standard output
     #[arg(short, long, value_name = "OUTPUT", default_value = "-")]
@@ -188,7 +189,7 @@ impl Trace {
             return Err(Failure::Usage(message.to_owned()));
         }
         let destination = Destination::of(&self.output)?;
-        let mut read = self.packed.files();
+        let mut read = self.reading.files();
         let input = self.input.read(&mut read, |_| ())?;
         refuse_read(&read, [&destination])?;
         let run = Run {
@@ -224,7 +225,7 @@ impl Job for Run<'_> {
         let settings = &self.arguments.settings;
         let result = settings.observe(points, &graph.edges, observer);
         let refused = result.err();
-        let failure = refused.map(|error| file.as_numbered(error).to_string());
+        let failure = refused.map(|error| located(file, error));
         if step == 0
             && let Some(failure) = failure
         {

@@ -11,10 +11,12 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
-use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, FilesRead, LimitArgs};
+use crate::shared::failure::{Failure, note};
+use crate::shared::files::{FileArgument, FilesRead, ReadingArgs, in_words};
 use crate::shared::inside::InsideArgs;
+use crate::shared::missing::MissingArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
+use crate::shared::places::located;
 use crate::shared::resources::limit_threads;
 use crate::shared::settings::Settings;
 use crate::shared::splitting::{SplitArgs, triangulated, write_splitting};
@@ -34,10 +36,13 @@ pub(crate) struct Triangulate {
     input: InputArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     #[command(flatten)]
     inside: InsideArgs,
+
+    #[command(flatten)]
+    missing: MissingArgs,
 
     #[command(flatten)]
     output: OutputArgs,
@@ -86,9 +91,13 @@ Input:
            Points of holes and regions are read for --inside; markers of vertices and edges are ignored
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\".
            They may be called vertices and segments
-  .obj, .off, .ply, .vtk, .vtu, .msh
-           vertices, and lines for edges; faces are ignored. .ply, .vtk and .vtu may be binary
-  .geojson, .wkt
+  .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
+           vertices, and lines for edges; faces are ignored. All but the first two may be binary
+  .csv, .xyz, .txt
+           points, one a row; the columns x, y and z, or lon, lat and so on, by their names, or in this order
+  .npy, .npz
+           points as an array of NumPy; or points and edges as arrays with these names
+  .geojson, .wkt, .dxf
            points, and lines and rings of polygons for edges; equal points become one vertex
   Heights (a third coordinate, or the first attribute of a vertex) and other columns of the vertices
   change nothing, and go with the vertices to the outputs that have room for them.
@@ -101,10 +110,12 @@ Output, with the triangles always in the same order:
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0. With --inside also the boundary, and the
            region of each triangle. With --split-crossings also the chain of each edge of the input
-  .obj, .off, .ply, .vtk, .vtu, .msh, .stl
+  .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl
            vertices and triangles for 3D programs, as text; z is the height, or 0
-  .geojson, .wkt
-           a polygon for each triangle
+  .geojson, .wkt, .dxf
+           a polygon for each triangle; in .dxf a 3DFACE
+  .npy, .npz
+           triangles as an array of NumPy; or points, edges and triangles as arrays with these names
   .svg, .png
            a picture: triangles grey, edges blue, hull (or border) orange; with heights, triangles
            coloured by height with hill shading
@@ -142,7 +153,7 @@ impl Triangulate {
         if let Some(threads) = self.threads {
             limit_threads(threads)?;
         }
-        let mut read = self.packed.files();
+        let mut read = self.reading.files();
         let input = self.input.read(&mut read, |_| ())?;
         let name = self.input.name();
         let (input, splitting) = if self.split.is_asked() {
@@ -152,6 +163,7 @@ impl Triangulate {
         } else {
             (input, None)
         };
+        let input = self.missing.apply(&name, input)?;
         let run = Run {
             arguments: self,
             targets,
@@ -187,8 +199,11 @@ impl Job for Run<'_> {
             .triangulate(points, &graph.edges, arguments.stats || self.json.is_some())
             .map_err(|error| {
                 let advice = SplitArgs::advice(&error);
-                given.failure(format!("{}{advice}", file.as_numbered(error)))
+                given.failure(format!("{}{advice}", located(file, error)))
             })?;
+        let duplicates: Vec<[usize; 2]> = result.duplicates().collect();
+        let shared = file.sharing(&duplicates);
+        let file = shared.as_ref().unwrap_or(file);
         // A result that is wrong ends the run here, before anything is written.
         let verdict = if arguments.verify {
             let triangles: Vec<[usize; 3]> = result.triangles().collect();
@@ -201,6 +216,15 @@ impl Job for Run<'_> {
         let domain = domain.as_ref();
         let summary = targets.is_empty();
         let asks_heights = targets.iter().any(Target::asks_heights);
+        let conflicts = file.remarks.iter().map(|remark| in_words(remark, file));
+        self.read.say(given.name, &conflicts.collect::<Vec<_>>())?;
+        for target in &targets {
+            let losses = target.losses(file, domain);
+            if !losses.is_empty() {
+                let losses = format!("not written: {}", losses.join(", "));
+                self.read.say(&target.name(), &[losses])?;
+            }
+        }
         // Standard output holds either a result or a report.
         let report =
             !has_standard(&targets) && !self.json.as_ref().is_some_and(Destination::is_standard);
@@ -216,7 +240,7 @@ impl Job for Run<'_> {
                 }
                 match &stats {
                     Some(stats) if arguments.stats => write_statistics(stats, out)?,
-                    _ if summary => summarize(&given, &result, domain, out)?,
+                    _ if summary => summarize(&given, &result, domain, &arguments.inside, out)?,
                     _ => {}
                 }
                 match verdict {
@@ -233,9 +257,8 @@ impl Job for Run<'_> {
         }
         outputs.finish()?;
         let missing = asks_heights.then(|| without_heights(file)).flatten();
-        for note in why_nothing(file, &result, domain).iter().chain(&missing) {
-            // A note that cannot be written changes nothing about the files.
-            let _ = writeln!(io::stderr(), "note: {note}");
+        for words in why_nothing(file, &result, domain).iter().chain(&missing) {
+            note(format_args!("{words}"));
         }
         Ok(())
     }
@@ -260,6 +283,10 @@ fn why_nothing<S: Coordinate>(
         let is_empty = domain.is_some_and(|domain| domain.inside().len() == 0);
         let message = match graph.edges.len() {
             0 => "no triangles are inside: there are no edges".to_owned(),
+            edges if !graph.holes.is_empty() => format!(
+                "no triangles are inside: {edges} edges keep the outside out nowhere \
+                 (--inside hull-without-holes keeps all but the holes)"
+            ),
             edges => format!(
                 "no triangles are inside: {edges} edges enclose nothing by the rule of --inside"
             ),
@@ -294,15 +321,28 @@ fn summarize<S, T>(
     Given { name, file, .. }: &Given<'_, S, T>,
     result: &Triangulation,
     domain: Option<&Interior<'_>>,
+    inside: &InsideArgs,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (points, edges) = (file.graph.points.len(), file.graph.edges.len());
     let (triangles, hull) = (result.len(), result.hull().len());
     let duplicates = result.duplicates().len();
     write!(out, "{name}: points {points}, duplicates {duplicates}, ")?;
-    write!(out, "edges {edges}, triangles {triangles}, hull {hull}")?;
-    if let Some(domain) = domain {
-        write!(out, ", inside {}", domain.inside().len())?;
+    writeln!(out, "edges {edges}, triangles {triangles}, hull {hull}")?;
+    if file.merged > 0 {
+        writeln!(
+            out,
+            "equal positions that became one vertex with another: {}",
+            file.merged
+        )?;
     }
-    writeln!(out)
+    if edges == 0 || triangles == 0 {
+        return Ok(());
+    }
+    let (rule, why) = inside.rule(file);
+    let left = domain.map_or(triangles, |domain| domain.inside().len());
+    writeln!(
+        out,
+        "inside {left} of {triangles} triangles: rule {rule}, {why}"
+    )
 }

@@ -1,6 +1,6 @@
 //! `sweep-cdt verify`: is it a constrained Delaunay triangulation?
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -9,15 +9,16 @@ use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_draw::ViolationsPicture;
 use sweep_cdt_formats::{
-    Coordinate, GraphFile, Input, Matching, ResultError, Triangles, added_points,
+    Coordinate, GraphFile, Input, Matching, ResultError, added_points, write_violations,
 };
 
+use crate::advice::Advised;
 use crate::certificate::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::{Failure, way_out};
-use crate::shared::files::LimitArgs;
-use crate::shared::inside::{Inside, fitting_rule, verify_interior};
+use crate::shared::files::ReadingArgs;
+use crate::shared::inside::{Inside, answer};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::verification::{self, violations};
 
@@ -44,17 +45,18 @@ pub(crate) struct Verify {
     result: ResultArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     #[command(flatten)]
     scalar: ScalarArgs,
 
-    /// What the triangles must tile
+    /// What the triangles must tile: hull, or what is inside by another rule of `sweep-cdt triangulate --inside`
+    /// [default: holes for a file with holes, polygons for one with polygons, otherwise hull]
     ///
-    /// The interior is found from a triangulation of the input, which is itself verified first. Which way
-    /// its rings run does not matter but for nonzero. Points and edges outside of it need not be used.
-    #[arg(long, value_enum, value_name = "RULE", default_value_t = Inside::Hull)]
-    domain: Inside,
+    /// The interior is found from a triangulation of the input, which is itself verified first. Points and edges
+    /// outside of it need not be used.
+    #[arg(long, value_name = "RULE", value_parser = Inside::named)]
+    domain: Option<Inside>,
 
     /// What the triangles must reach: tiling, constrained (and every edge is there), delaunay, or canonical
     ///
@@ -63,15 +65,16 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "LEVEL", value_parser = level_parser(), default_value = "delaunay")]
     level: Level,
 
-    /// Accept triangles that are all clockwise
+    /// Nothing: triangles that are all clockwise are judged as they are, and the report says so
     #[arg(long)]
     clockwise: bool,
 
     /// By how much a coordinate of the result may differ from the input's [default: by rounding]
     ///
     /// Applies where the vertices of the result are not exactly those of the input: they are then matched
-    /// by number, if no coordinate differs by more. By default each must be the coordinate of the input,
-    /// rounded to as many significant digits as the result has for it, 6 or more.
+    /// by number, if no coordinate differs by more, or else each with the only vertex of the input that is
+    /// not farther. By default each must be the coordinate of the input, rounded to as many significant digits
+    /// as the result has for it, 6 or more, or to single precision.
     #[arg(long, value_name = "DIFFERENCE", value_parser = difference, conflicts_with = "by_number")]
     tolerance: Option<f64>,
 
@@ -99,6 +102,10 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "N", default_value_t = 20)]
     limit: usize,
 
+    /// Print below each figure of the report what it is
+    #[arg(long, conflicts_with = "json")]
+    explain: bool,
+
     /// Print the certificate instead of the report
     #[arg(long)]
     json: bool,
@@ -106,6 +113,10 @@ pub(crate) struct Verify {
     /// Draw a picture, with close-ups of the first violations
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
+
+    /// Write the violations that are listed for a map: a .geojson with a feature each, with name, message and depth
+    #[arg(long, value_name = "FILE")]
+    geojson: Option<PathBuf>,
 
     /// Write a certificate: the SHA-256 of the files, the counts and the verdict, as JSON
     #[arg(long, value_name = "FILE")]
@@ -117,14 +128,18 @@ Result:
   .ele     Triangle's triangles, numbered from 0 or 1, and the .node beside it, if there is one
   .json    {\"triangles\": [[i, j, k], ...]}, or all corners in one list; numbered from 0; with
            \"points\": [[x, y], ...] or without. Also simplices or faces, and vertices
-  .obj, .off, .ply, .vtk, .vtu, .msh
-           vertices and faces; z is ignored. .ply, .vtk and .vtu may be binary
-  .stl, .geojson, .wkt
+  .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
+           vertices and faces; z is ignored. All but the first two may be binary
+  .npy, .npz
+           triangles as an array of NumPy, (t, 3) or (3t,), numbered from 0; or as arrays triangles,
+           simplices or faces, with points or vertices, or without
+  .stl, .geojson, .wkt, .dxf
            triangles by the coordinates of their corners, and no others; .stl may be binary
   If the result has coordinates, its vertices are matched with those of the input by them, exactly
   and in any order. If it has none, they are matched by number. Rounded ones are matched by number
-  too, and the report says by how much they differ. A result with other vertices is refused; see
-  --tolerance and --by-number.
+  too, or each with the only vertex that is rounded to it, and the report says by how much they
+  differ. A result with other vertices is refused; see --tolerance and --by-number.
+  The last line of the report says in words what was found, and what to do.
 
 Violations:
   triangle-out-of-range, edge-out-of-range    a vertex that does not exist
@@ -163,9 +178,11 @@ impl Verify {
         let svg = self.svg.clone().map(Destination::of_path).transpose()?;
         let certificate = self.certificate.clone().map(Destination::of_path);
         let certificate = certificate.transpose()?;
+        let geojson = self.geojson.clone().map(Destination::of_path).transpose()?;
         let standard = Destination::standard();
-        refuse_twice([&standard].into_iter().chain(&svg).chain(&certificate))?;
-        let mut read = self.packed.files();
+        let written = || svg.iter().chain(&certificate).chain(&geojson);
+        refuse_twice([&standard].into_iter().chain(written()))?;
+        let mut read = self.reading.files();
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
         let mut input = self
             .input
@@ -173,7 +190,7 @@ impl Verify {
         let result = self
             .result
             .load(&mut read, |source| of_result.push(Fingerprint::of(source)))?;
-        refuse_read(&read, svg.iter().chain(&certificate))?;
+        refuse_read(&read, written())?;
         let own = self.with_added(&mut input, &result)?;
         let run = Run {
             arguments: self,
@@ -182,8 +199,16 @@ impl Verify {
             of_input: &of_input,
             of_result: &of_result,
             svg,
+            geojson,
             certificate,
         };
+        if self.clockwise {
+            // If standard error is closed, the note has no reader.
+            let _ = writeln!(
+                io::stderr(),
+                "note: --clockwise is not needed: the order is found"
+            );
+        }
         self.scalar.apply(&self.input.name(), &input, run)
     }
 
@@ -219,17 +244,13 @@ struct Run<'a> {
     of_input: &'a [Fingerprint],
     of_result: &'a [Fingerprint],
     svg: Option<Destination>,
+    geojson: Option<Destination>,
     certificate: Option<Destination>,
 }
 
 impl Job for Run<'_> {
     fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
-        let Given {
-            file,
-            points,
-            scalar,
-            ..
-        } = given;
+        let Given { file, scalar, .. } = given;
         let ResultFiles {
             format,
             source,
@@ -246,7 +267,7 @@ impl Job for Run<'_> {
             .read(format, &source, node.as_ref(), file)
             .map_err(|error| refusal(&error))?;
         let verifier = Verifier::new()
-            .accept_clockwise(arguments.clockwise)
+            .accept_clockwise(true)
             .level(arguments.level)
             .all_depths(arguments.max_depth.is_some())
             .limit(arguments.limit);
@@ -255,21 +276,8 @@ impl Job for Run<'_> {
         } else {
             verifier
         };
-        let (answer, fitting) = match arguments.domain {
-            Inside::Hull => {
-                let answer =
-                    verification::verify(verifier, points, &file.graph.edges, &triangles.list);
-                let fitting = match &answer {
-                    Ok(_) => None,
-                    Err(_) => fitting_rule(&given, self.own, verifier, &triangles.list),
-                };
-                (answer, fitting)
-            }
-            rule => {
-                let answer = verify_interior(rule, &given, self.own, verifier, &triangles)?;
-                (answer, None)
-            }
-        };
+        let domain = arguments.domain.unwrap_or(Inside::of(file));
+        let answer = answer(domain, &given, self.own, verifier, &triangles)?;
 
         // What is wrong by no more than is allowed for.
         let within = arguments.max_depth.and_then(|max| {
@@ -281,15 +289,24 @@ impl Job for Run<'_> {
             input: self.of_input,
             result: self.of_result,
             scalar,
-            domain: arguments.domain.name(),
+            domain,
             level: arguments.level.name(),
-            clockwise: arguments.clockwise,
             steiner: arguments.steiner,
             max_depth: arguments.max_depth,
             is_within: within.is_some(),
             file,
             triangles: &triangles,
         };
+        let advised = Advised {
+            given: &given,
+            own: self.own,
+            verifier,
+            triangles: &triangles,
+            domain,
+            answer: &answer,
+            is_within: within.is_some(),
+        };
+        let advice = (!arguments.json).then(|| advised.line());
         let mut outputs = Outputs::default();
         if let Some(certificate) = self.certificate {
             outputs.add(certificate, |out| {
@@ -304,13 +321,19 @@ impl Job for Run<'_> {
                     .write(out)
             })?;
         }
+        if let Some(geojson) = self.geojson {
+            outputs.add(geojson, |out| {
+                let (list, _) = violations(&answer);
+                write_violations(file, &triangles, list, out)
+            })?;
+        }
         outputs.add(Destination::standard(), |out| {
-            if arguments.json {
+            let Some(advice) = &advice else {
                 return certificate::write(&subject, &answer, out);
-            }
+            };
             let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
-            let interior = |rule: Inside| format!("the interior of {input} ({})", rule.name());
-            let verified = match arguments.domain {
+            let interior = |rule: Inside| format!("the interior of {input} ({rule})");
+            let verified = match domain {
                 Inside::Hull => input.clone(),
                 rule => interior(rule),
             };
@@ -321,22 +344,16 @@ impl Job for Run<'_> {
             } else {
                 verification::write_verdict(&answer, arguments.level, &result, &verified, out)?;
             }
-            if let Some(rule) = fitting {
-                let (interior, name) = (interior(rule), rule.name());
-                writeln!(out, "it is one of {interior}: ask with --domain {name}")?;
-            }
-            if counts_from_one(&triangles, file.graph.points.len()) {
-                let advice = "and this format counts from 0: subtract 1";
-                writeln!(
-                    out,
-                    "its corners run from 1 to the number of points, {advice}"
-                )?;
-            }
             verification::write_matching(triangles.matched, out)?;
+            let report = verification::report(&answer);
+            if report.clockwise {
+                writeln!(out, "the triangles run clockwise")?;
+            }
             writeln!(out)?;
-            verification::write_counts(verification::report(&answer), out)?;
-            verification::write_depths(&answer, out)?;
-            verification::write_violations(&answer, file, &triangles, out)
+            verification::write_counts(report, arguments.explain, out)?;
+            verification::write_depths(&answer, arguments.explain, out)?;
+            verification::write_violations(&answer, file, &triangles, out)?;
+            writeln!(out, "\n{advice}")
         })?;
         outputs.finish()?;
         match answer {
@@ -345,17 +362,6 @@ impl Job for Run<'_> {
             Err(_) => Err(Failure::Wrong),
         }
     }
-}
-
-/// Whether corners that are counted from 0 run from 1 to the number of points.
-fn counts_from_one(
-    Triangles {
-        list, strangers, ..
-    }: &Triangles,
-    points: usize,
-) -> bool {
-    let least = list.as_flattened().iter().min();
-    least == Some(&1) && !strangers.is_empty() && strangers.iter().all(|&number| number == points)
 }
 
 /// Reads a difference.
@@ -367,17 +373,34 @@ fn difference(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "not a finite number from 0 on".to_owned())
 }
 
-/// The failure of a result that is not read, with a way out where there is one.
+/// The failure of a result that is not read, with what helps.
 fn refusal(error: &ResultError) -> Failure {
-    let way_out = match error {
-        ResultError::Stranger { .. } => {
-            " (--steiner allows for vertices that were added, --by-number ignores coordinates)"
+    let accepting = |tolerance: f64| format!("--tolerance {} accepts it", tolerance.text());
+    let ways_out = match *error {
+        ResultError::Stranger {
+            accepted: Some(tolerance),
+            ..
+        } => vec![accepting(tolerance)],
+        ResultError::Stranger { is_numbered, .. } => {
+            let steiner = "--steiner allows for vertices that were added".to_owned();
+            let by_number = "--by-number ignores coordinates".to_owned();
+            let mut ways_out = vec![steiner];
+            ways_out.extend(is_numbered.then_some(by_number));
+            ways_out
         }
-        ResultError::Elsewhere { .. } => {
-            " (--tolerance allows for more, --by-number ignores coordinates)"
+        ResultError::Elsewhere { accepted, .. } => {
+            vec![
+                accepting(accepted),
+                "--by-number ignores coordinates".to_owned(),
+            ]
         }
-        ResultError::Unreadable(error) => way_out(error),
-        _ => "",
+        ResultError::Ambiguous { .. } => {
+            vec!["write the result with all digits, 17, or without coordinates".to_owned()]
+        }
+        ResultError::Unreadable(ref error) => {
+            return Failure::Error(format!("{error}{}", way_out(error)));
+        }
+        _ => return Failure::Error(error.to_string()),
     };
-    Failure::Error(format!("{error}{way_out}"))
+    Failure::Error(format!("{error} ({})", ways_out.join(", ")))
 }

@@ -5,6 +5,8 @@ use sweep_cdt::crossings::SplitError;
 use sweep_cdt::interior::InteriorError;
 use sweep_cdt::{Error, Pslg};
 
+use crate::{CoordinateSystem, Polygons, Remark};
+
 /// A graph, all in the order of its file, and what the file says beyond it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GraphFile<S> {
@@ -15,6 +17,19 @@ pub struct GraphFile<S> {
     /// For each edge the edge of the file that it is a piece of, in order, where edges were
     /// [split](sweep_cdt::crossings::split) at their crossings. Empty, if they are those of the file.
     pub pieces_of: Vec<usize>,
+    /// The marker of each edge, 0 where it has none; empty, if no edge has one. Markers of vertices are the column
+    /// [`Column::MARKER`].
+    pub edge_markers: Vec<i64>,
+    /// Whose border each edge is.
+    pub polygons: Polygons,
+    /// The faces of a mesh. They are no part of the graph: see [`GraphFile::with_faces`].
+    pub faces: Faces,
+    /// The coordinate system, if the file names one.
+    pub system: Option<CoordinateSystem>,
+    /// How many positions of the file are equal to a vertex before them, where it has positions and no vertices.
+    pub merged: usize,
+    /// What the reader has to say.
+    pub remarks: Vec<Remark>,
     /// The numbers that the file gives to all of them.
     pub numbering: Numbering,
 }
@@ -89,6 +104,8 @@ impl PartialEq for Column {
 impl Column {
     /// The name of the heights.
     pub const HEIGHT: &str = "z";
+    /// The name of the markers of vertices, which are whole numbers, as Triangle and Gmsh have them.
+    pub const MARKER: &str = "marker";
 
     /// The column of these heights.
     pub fn heights(values: Vec<f64>) -> Column {
@@ -103,9 +120,67 @@ impl Column {
         self.values.iter().filter(|value| value.is_nan()).count()
     }
 
+    /// The column of so many vertices, each with the first number that is given for it, and the first vertex with two.
+    pub(crate) fn gathered(
+        &self,
+        vertices: usize,
+        values: impl Iterator<Item = (usize, f64)>,
+    ) -> (Column, Option<Remark>) {
+        let mut gathered = vec![f64::NAN; vertices];
+        let mut has_two = vec![false; vertices];
+        let mut first = None;
+        for (vertex, value) in values.filter(|(_, value)| !value.is_nan()) {
+            let kept = &mut gathered[vertex];
+            if kept.is_nan() {
+                *kept = value;
+            } else if (*kept - value).abs() > 0.0 {
+                has_two[vertex] = true;
+                first.get_or_insert((vertex, [*kept, value]));
+            }
+        }
+        let conflict = first.map(|(vertex, values)| Remark::Conflict {
+            column: self.name.clone(),
+            vertex,
+            values,
+            count: has_two.into_iter().filter(|&two| two).count(),
+        });
+        let column = Column {
+            name: self.name.clone(),
+            values: gathered,
+        };
+        (column, conflict)
+    }
+
     /// The number of a vertex, NaN where there is none.
     pub(crate) fn of(&self, vertex: usize) -> f64 {
         self.values.get(vertex).copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// The faces of a mesh, corners as positions of vertices: all that the file names, even where there is no such vertex.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Faces {
+    /// The triangles.
+    pub triangles: Vec<[usize; 3]>,
+    /// The faces of more corners.
+    pub others: Vec<Vec<usize>>,
+}
+
+impl Faces {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.triangles.len() + self.others.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The corners of each face.
+    pub fn iter(&self) -> impl Iterator<Item = &[usize]> {
+        let triangles = self.triangles.iter().map(|face| &face[..]);
+        triangles.chain(self.others.iter().map(Vec::as_slice))
     }
 }
 
@@ -116,6 +191,12 @@ impl<S> From<Pslg<S>> for GraphFile<S> {
             graph,
             columns: Vec::new(),
             pieces_of: Vec::new(),
+            edge_markers: Vec::new(),
+            polygons: Polygons::default(),
+            faces: Faces::default(),
+            system: None,
+            merged: 0,
+            remarks: Vec::new(),
             numbering: Numbering::default(),
         }
     }
@@ -128,10 +209,107 @@ impl<S> Default for GraphFile<S> {
 }
 
 impl<S> GraphFile<S> {
+    /// The columns that are neither heights nor markers.
+    pub(crate) fn other_columns(&self) -> impl Iterator<Item = &Column> {
+        let columns = self.columns.iter();
+        columns.filter(|column| ![Column::HEIGHT, Column::MARKER].contains(&&column.name[..]))
+    }
+
+    /// The markers of the vertices, if there are any, and all are whole numbers; missing ones are 0.
+    pub fn vertex_markers(&self) -> Option<Vec<i64>> {
+        let mut columns = self.columns.iter();
+        let column = columns.find(|column| column.name == Column::MARKER)?;
+        let markers = (0..self.graph.points.len()).map(|v| whole(column.of(v)));
+        markers.collect()
+    }
+
     /// The heights, if there are any.
     pub fn heights(&self) -> Option<&Column> {
         let mut columns = self.columns.iter();
         columns.find(|column| column.name == Column::HEIGHT)
+    }
+
+    /// The file, where equal vertices share their numbers in columns: each that misses one takes that of an equal vertex.
+    /// `duplicates` are those of its [`Triangulation`](sweep_cdt::Triangulation::duplicates). Two vertices of one place
+    /// that have different numbers keep them, and a remark names the first ones. Markers are not shared. `None`, if
+    /// nothing changes.
+    ///
+    /// ```
+    /// use sweep_cdt::Pslg;
+    /// use sweep_cdt_formats::{Column, GraphFile};
+    ///
+    /// let graph = Pslg { points: vec![[0, 0], [1, 0], [0, 0]], ..Pslg::default() };
+    /// let heights = Column { name: Column::HEIGHT.to_owned(), values: vec![f64::NAN, 2.0, 7.0] };
+    /// let file = GraphFile { columns: vec![heights], ..graph.into() };
+    /// let shared = file.sharing(&[[2, 0]]).unwrap();
+    /// assert_eq!(shared.columns[0].values, [7.0, 2.0, 7.0]);
+    /// ```
+    pub fn sharing(&self, duplicates: &[[usize; 2]]) -> Option<GraphFile<S>>
+    where
+        S: Clone,
+    {
+        if duplicates.is_empty() || self.columns.is_empty() {
+            return None;
+        }
+        let mut shared = self.clone();
+        let is_shared = |column: &&mut Column| column.name != Column::MARKER;
+        for column in shared.columns.iter_mut().filter(is_shared) {
+            column.values.resize(self.graph.points.len(), f64::NAN);
+            let same = duplicates
+                .iter()
+                .flat_map(|&[v, first]| [(first, first), (first, v)]);
+            let values = same.map(|(first, v)| (first, column.of(v)));
+            let (gathered, conflict) = column.gathered(column.values.len(), values);
+            for &[v, first] in duplicates {
+                for vertex in [v, first] {
+                    if column.values[vertex].is_nan() {
+                        column.values[vertex] = gathered.values[first];
+                    }
+                }
+            }
+            shared.remarks.extend(conflict);
+        }
+        (shared.columns != self.columns || shared.remarks.len() > self.remarks.len())
+            .then_some(shared)
+    }
+
+    /// The graph with the sides of all faces for edges, and each face as a polygon.
+    ///
+    /// # Errors
+    /// The first corner that is no vertex, as a position.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+    ///
+    /// // An L, as one face of six corners.
+    /// let text = "v 0 0\nv 4 0\nv 4 1\nv 1 1\nv 1 4\nv 0 4\nf 1 2 3 4 5 6\n";
+    /// let Input::Doubles(file) = read(InputFormat::Obj, &Source::new("l.obj", text), None)? else {
+    ///     unreachable!("no fraction in the file")
+    /// };
+    /// assert!(file.graph.edges.is_empty());
+    /// let file = file.with_faces().unwrap();
+    /// let result = sweep_cdt::triangulate(&file.graph.points, &file.graph.edges)?;
+    /// assert_eq!(file.polygons.interior(&result)?.inside().len(), 4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_faces(mut self) -> Result<GraphFile<S>, usize> {
+        let (faces, edges) = (std::mem::take(&mut self.faces), &mut self.graph.edges);
+        let polygons = &mut self.polygons;
+        polygons.ring_of.resize(edges.len(), None);
+        for (feature, face) in (1..).zip(faces.iter()) {
+            if let Some(&corner) = face.iter().find(|&&v| v >= self.graph.points.len()) {
+                return Err(corner);
+            }
+            polygons.begin(feature);
+            let ring = polygons.add_ring(false);
+            edges.extend(face.windows(2).map(|pair| [pair[0], pair[1]]));
+            edges.extend(face.last().map(|&last| [last, face[0]]));
+            polygons.ring_of.resize(edges.len(), Some(ring));
+        }
+        if !self.edge_markers.is_empty() {
+            self.edge_markers.resize(edges.len(), 0);
+        }
+        Ok(self)
     }
 
     /// An error with its vertices and edges numbered as in the file.
@@ -179,6 +357,17 @@ impl<S> GraphFile<S> {
             |region| region.saturating_add(first.region),
         )
     }
+}
+
+/// A number as a marker, if it is a whole one that doubles hold exactly; missing ones are 0.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "only whole numbers are cast"
+)]
+pub(crate) fn whole(number: f64) -> Option<i64> {
+    const LARGEST: f64 = (1_u64 << 53) as f64;
+    let is_whole = number.fract() == 0.0 && number.abs() <= LARGEST;
+    (is_whole || number.is_nan()).then_some(number as i64)
 }
 
 /// Pairs of vertices, sorted, with the lower vertex of each pair first.

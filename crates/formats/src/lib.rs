@@ -7,15 +7,16 @@
 //! | `json` | an object with `points` and `edges`, or with `triangles` and maybe `points` | all of them and more |
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
 //! | `obj`, `off` | vertices, lines and triangles | the same (Wavefront, Geomview) |
-//! | `csv` | | edges that cross; `json` holds them too |
+//! | `csv`, `xyz`, `txt` | points and columns, a row for each point | the same; as `csv` also edges that cross, and `json` holds them too |
 //!
 //! With the feature `mesh-formats` there are more, most of them of other programs for meshes and maps:
 //!
 //! | name | read | written |
 //! |---|---|---|
-//! | `ply`, `vtk`, `vtu`, `msh` | vertices, lines and triangles | the same (Stanford, VTK, Gmsh) |
+//! | `ply`, `vtk`, `vtu`, `vtp`, `msh` | vertices, lines and triangles | the same (Stanford, VTK, Gmsh) |
 //! | `stl` | triangles by their coordinates | the same |
-//! | `geojson`, `wkt` | points, lines, rings of polygons; or triangles | the same |
+//! | `geojson`, `wkt`, `dxf` | points, lines, rings of polygons; or triangles | the same (maps, CAD) |
+//! | `npy`, `npz` | arrays of points, edges and triangles | the same (NumPy) |
 //!
 //! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of a [`GraphFile`], and are
 //! written where a format has room for them. `docs/formats.md` says of each format what is read, and what is ignored.
@@ -34,8 +35,11 @@ mod coordinate;
 #[cfg(feature = "geo-types")]
 mod geo;
 mod graph_file;
+mod polygons;
 mod read;
+mod remark;
 mod split;
+mod system;
 mod threads;
 mod trace;
 mod write;
@@ -43,17 +47,20 @@ mod write;
 pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT};
 #[cfg(feature = "geo-types")]
 pub use geo::{geo_graph, geo_triangles};
-pub use graph_file::{Column, GraphFile, Numbering, sorted_pairs};
+pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};
 pub use named::Named;
+pub use polygons::Polygons;
 pub use read::{
-    Input, InputFormat, Matched, Matching, ReadError, ReadErrorKind, ResultError, ResultFormat,
-    Source, Triangles, added_points, read, read_result,
+    Input, InputFormat, Matched, Matching, Nearest, ReadError, ReadErrorKind, ResultError,
+    ResultFormat, Source, Triangles, added_points, read, read_result,
 };
+pub use remark::Remark;
 pub use split::Splitting;
+pub use system::CoordinateSystem;
 pub use trace::{read_trace, write_trace};
 pub use write::{
-    CrossingsFormat, OutputFormat, write, write_crossings, write_graph, write_interior,
-    write_lines, write_node,
+    CrossingsFormat, OutputFormat, not_written, write, write_crossings, write_graph,
+    write_interior, write_lines, write_node, write_violations,
 };
 
 /// The example of the README, as a test.

@@ -1,12 +1,13 @@
 //! A graph with its edges split where they cross: [`split`] for points and edges, and what else a file says of them.
 //!
 //! Vertices of the input keep their numbers and columns. A new vertex takes its number in a column from the first
-//! edge through it, in proportion between that edge's ends; where an end has none, or they differ by more than the
-//! largest double, it takes that of the first end.
+//! edge through it that has numbers at both ends, in proportion between them; where they differ by more than the
+//! largest double, it takes that of the first end. Where another such edge says otherwise, a remark names the vertex.
+//! Pieces keep the marker and the ring of their edge.
 //!
 //! Cost: that of [`split`], and the pieces times the columns.
 
-use crate::{Column, Coordinate, GraphFile};
+use crate::{Column, Coordinate, GraphFile, Remark};
 use sweep_cdt::Pslg;
 use sweep_cdt::crossings::{Exact, Split, SplitError, split};
 
@@ -55,10 +56,21 @@ impl<S: Coordinate + Exact> GraphFile<S> {
             rounds: split.rounds,
             displacement: split.displacement,
         };
-        let columns = self.columns.iter();
-        let columns = columns.map(|column| extended(column, graph, &split));
+        let mut remarks = self.remarks.clone();
+        let columns = self.columns.iter().map(|column| {
+            let (column, conflict) = extended(column, graph, &split);
+            remarks.extend(conflict);
+            column
+        });
+        let marker = |&edge: &usize| self.edge_markers.get(edge).copied();
         let file = GraphFile {
             columns: columns.collect(),
+            edge_markers: split.pieces_of.iter().filter_map(marker).collect(),
+            polygons: self.polygons.of_pieces(&split.pieces_of),
+            faces: self.faces.clone(),
+            system: self.system.clone(),
+            merged: self.merged,
+            remarks,
             graph: Pslg {
                 points: split.points,
                 edges: split.edges,
@@ -72,33 +84,58 @@ impl<S: Coordinate + Exact> GraphFile<S> {
     }
 }
 
-/// A column with the numbers of new vertices, from the first edge through each that has numbers at both ends.
-fn extended<S: Coordinate>(column: &Column, graph: &Pslg<S>, split: &Split<S>) -> Column {
+/// A column with the numbers of new vertices, from the first edge through each that has numbers at both ends, and the
+/// first vertex for which two edges have numbers that differ by more than rounding. Markers of new vertices are missing.
+fn extended<S: Coordinate>(
+    column: &Column,
+    graph: &Pslg<S>,
+    split: &Split<S>,
+) -> (Column, Option<Remark>) {
     let mut values = column.values.clone();
     values.resize(split.points.len(), f64::NAN);
+    if column.name == Column::MARKER {
+        let name = column.name.clone();
+        return (Column { name, values }, None);
+    }
     let near = |v: usize| split.points[v].each_ref().map(S::approx);
+    let mut has_two = vec![false; split.points.len()];
+    let mut first = None;
     for (piece, &edge) in split.edges.iter().zip(&split.pieces_of) {
         let [a, b] = graph.edges[edge];
+        if values[a].is_nan() || values[b].is_nan() {
+            continue;
+        }
         let [from, to] = [a, b].map(near);
         let direction = [to[0] - from[0], to[1] - from[1]];
         let axis = usize::from(direction[1].abs() > direction[0].abs());
         // Points of the input keep what they have, or have not.
         let is_new = |&&v: &&usize| v >= column.values.len();
         for &v in piece.iter().filter(is_new) {
-            if values[v].is_nan() {
-                let share = (near(v)[axis] - from[axis]) / direction[axis];
-                let value = values[a] + share * (values[b] - values[a]);
-                let is_known = !values[a].is_nan() && !values[b].is_nan();
-                values[v] = if value.is_finite() || !is_known {
-                    value
-                } else {
-                    values[a]
-                };
+            let share = (near(v)[axis] - from[axis]) / direction[axis];
+            let value = values[a] + share * (values[b] - values[a]);
+            let value = if value.is_finite() { value } else { values[a] };
+            let kept = values[v];
+            if kept.is_nan() {
+                values[v] = value;
+            } else if is_apart(kept, value, values[a].abs().max(values[b].abs())) {
+                has_two[v] = true;
+                first.get_or_insert((v, [kept, value]));
             }
         }
     }
-    Column {
-        name: column.name.clone(),
+    let name = column.name.clone();
+    let conflict = first.map(|(vertex, values)| Remark::Conflict {
+        column: name.clone(),
+        vertex,
         values,
-    }
+        count: has_two.into_iter().filter(|&two| two).count(),
+    });
+    (Column { name, values }, conflict)
+}
+
+/// Whether numbers that come from numbers of this size differ by more than rounding, which is far below the last digit
+/// that is printed of a height. No triangle depends on it.
+fn is_apart(one: f64, other: f64, size: f64) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    (one - other).abs() > ROUNDING * size.max(one.abs())
 }

@@ -9,7 +9,7 @@ use sweep_cdt::interior::Interior;
 use sweep_cdt_draw::Output;
 use sweep_cdt_formats::{
     Coordinate, GraphFile, Input, InputFormat, OutputFormat, ReadErrorKind, ResultFormat, Source,
-    read, write_node,
+    not_written, read, write_node,
 };
 
 use super::failure::Failure;
@@ -21,7 +21,8 @@ use super::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 /// Arguments that name an input.
 #[derive(clap::Args)]
 pub(crate) struct InputArgs {
-    /// File to read: .node, .poly, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .geojson or .wkt; `-` for standard input
+    /// File to read: .node, .poly, .json, .obj, .off, .csv, .xyz, .txt, .ply, .vtk, .vtu, .vtp, .msh, .geojson, .wkt, .npy,
+    /// .npz or .dxf; `-` for standard input
     #[arg(value_name = "INPUT")]
     pub(crate) input: FileArgument,
 
@@ -72,22 +73,27 @@ impl InputArgs {
         let source = files.load(&self.input)?;
         show(&source);
         // The `.node` beside a `.poly` is loaded only if the `.poly` turns out to need it.
-        match (read(format, &source, None), self.input.beside("node")) {
+        let input = match (read(format, &source, None), self.input.beside("node")) {
             (Err(error), Some(file)) if error.kind == ReadErrorKind::MissingNode => {
                 let node = files.load(&file)?;
                 show(&node);
-                Ok(read(format, &source, Some(&node))?)
+                read(format, &source, Some(&node))?
             }
-            (input, _) => Ok(input?),
-        }
+            (input, _) => input?,
+        };
+        let name = self.name();
+        Ok(match input {
+            Input::Doubles(file) => Input::Doubles(files.complete(&name, file)?),
+            Input::Rationals(file) => Input::Rationals(files.complete(&name, file)?),
+        })
     }
 }
 
 /// Arguments that name a result.
 #[derive(clap::Args)]
 pub(crate) struct ResultArgs {
-    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson
-    /// or .wkt; `-` for standard input
+    /// Triangulation of the input: .ele (and the .node beside it), .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl,
+    /// .geojson, .wkt, .npy, .npz or .dxf; `-` for standard input
     #[arg(value_name = "RESULT")]
     pub(crate) result: FileArgument,
 
@@ -132,8 +138,8 @@ impl ResultArgs {
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
-    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .msh, .stl, .geojson, .wkt, .svg or .png; may be
-    /// given several times; `-` for standard output
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz, .dxf
+    /// .svg or .png; may be given several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,
 
@@ -149,12 +155,29 @@ pub(crate) struct Target {
 }
 
 impl Target {
+    /// What the format has no room for.
+    pub(crate) fn losses<S: Coordinate>(
+        &self,
+        file: &GraphFile<S>,
+        domain: Option<&Interior<'_>>,
+    ) -> Vec<String> {
+        match self.format {
+            Output::File(format) => not_written(format, file, domain),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The name of the output in messages.
+    pub(crate) fn name(&self) -> String {
+        self.destination.name.display().to_string()
+    }
+
     /// Whether the format has a height for every vertex.
     pub(crate) fn asks_heights(&self) -> bool {
-        use OutputFormat::{Msh, Obj, Off, Ply, Stl, Vtk, Vtu};
+        use OutputFormat::{Msh, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu};
         matches!(
             self.format,
-            Output::File(Obj | Off | Ply | Vtk | Vtu | Msh | Stl)
+            Output::File(Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Stl)
         )
     }
 }

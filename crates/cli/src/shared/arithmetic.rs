@@ -18,6 +18,7 @@ use sweep_cdt::{Error, Pslg, Region};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 
 use super::failure::Failure;
+use super::places::located;
 use super::resources::has_room;
 
 /// Arguments that select the arithmetic.
@@ -59,10 +60,10 @@ pub(crate) struct Given<'a, S, T> {
     pub(crate) scalar: &'static str,
 }
 
-impl<S, T> Given<'_, S, T> {
-    /// The fault of the input, vertices and edges numbered as in its file.
+impl<S: Coordinate, T> Given<'_, S, T> {
+    /// The fault of the input, vertices and edges numbered as in its file, and where it is.
     pub(crate) fn refused(&self, error: Error) -> Failure {
-        self.failure(self.file.as_numbered(error))
+        self.failure(located(self.file, error))
     }
 
     /// A failure that has to do with the input.
@@ -143,6 +144,12 @@ pub(crate) fn as_rationals(name: &str, input: Input) -> Result<GraphFile<BigRati
         },
         columns: file.columns,
         pieces_of: file.pieces_of,
+        edge_markers: file.edge_markers,
+        polygons: file.polygons,
+        faces: file.faces,
+        system: file.system,
+        merged: file.merged,
+        remarks: file.remarks,
         numbering: file.numbering,
     })
 }

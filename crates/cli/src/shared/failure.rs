@@ -10,7 +10,7 @@
 //! they get their names, the signals wait. Where no thread can be made, or the system does not tell what is
 //! ignored (it has no `/proc`), a signal ends the process at once.
 
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -39,6 +39,12 @@ impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         Failure::Error(format!("{error}{}", way_out(&error)))
     }
+}
+
+/// Says something that changes nothing about the files.
+pub(crate) fn note(words: std::fmt::Arguments<'_>) {
+    // If standard error is closed, it has no reader.
+    let _ = writeln!(io::stderr(), "note: {words}");
 }
 
 /// The option that helps where a file is not read.

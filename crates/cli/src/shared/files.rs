@@ -8,10 +8,11 @@ use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use sweep_cdt_formats::{Named, ReadError, Source};
+use sweep_cdt_formats::{Coordinate, GraphFile, Named, ReadError, Remark, Source};
 
-use super::failure::{Failure, printable, reason};
+use super::failure::{Failure, note, printable, reason};
 use super::resources::has_room;
+use super::unread;
 
 /// A path on the command line: a file, or for `-` standard input or output.
 #[derive(Clone)]
@@ -86,7 +87,20 @@ pub(crate) fn format_of_input<F: Format>(
     given: Option<F>,
 ) -> Result<F, Failure> {
     given.or_else(|| by_extension(file)).ok_or_else(|| {
-        let (name, known) = (file.input_name(), names::<F>().join(", "));
+        let name = file.input_name();
+        if let Some(command) = file.path().and_then(unread::command) {
+            return Failure::Usage(format!(
+                "{name} is not read, but what this makes of it: {command}"
+            ));
+        }
+        let other = file.path().and_then(unread::other_name);
+        if let Some(format) = other.and_then(F::named) {
+            let format = format.name();
+            return Failure::Usage(format!(
+                "the format of {name} is not known by its name: add {option} {format}"
+            ));
+        }
+        let known = names::<F>().join(", ");
         Failure::Usage(format!(
             "the format of {name} is not known: add {option} with one of {known}"
         ))
@@ -118,21 +132,37 @@ fn names<F: Format>() -> Vec<&'static str> {
     F::ALL.iter().map(|format| format.name()).collect()
 }
 
-/// Arguments that limit what files may grow to when they are read.
+/// Arguments that say how files are read.
 #[derive(clap::Args)]
-pub(crate) struct LimitArgs {
-    /// Most bytes that the arrays of a .vtu may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB, or 32 times
-    /// the file's size]
+pub(crate) struct ReadingArgs {
+    /// Take the faces of a mesh for polygons: their sides for edges, and --inside polygons for what they cover
+    #[arg(long)]
+    faces: bool,
+
+    /// The property of the features of a .geojson that is the height of their positions, where these have none
+    /// [default: elev, height and such names, if it is a number, for points and lines]
+    #[arg(long, value_name = "NAME")]
+    height_property: Option<String>,
+
+    /// Refuse files that say more than is read, and outputs that have no room for all that is
+    #[arg(long)]
+    strict: bool,
+
+    /// Most bytes that what is packed in a .vtu, .vtp or .npz may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB,
+    /// or 32 times the file's size]
     #[arg(long, value_name = "SIZE")]
     unpacked_limit: Option<ByteSize>,
 }
 
-impl LimitArgs {
-    /// No files, of which none may grow beyond the limit.
+impl ReadingArgs {
+    /// No files; those that will be read are read so.
     pub(crate) fn files(&self) -> FilesRead {
         FilesRead {
+            identities: Vec::new(),
             unpacked_limit: self.unpacked_limit,
-            ..FilesRead::default()
+            height_property: self.height_property.clone(),
+            has_faces: self.faces,
+            is_strict: self.strict,
         }
     }
 }
@@ -142,6 +172,9 @@ impl LimitArgs {
 pub(crate) struct FilesRead {
     identities: Vec<Identity>,
     unpacked_limit: Option<ByteSize>,
+    height_property: Option<String>,
+    has_faces: bool,
+    is_strict: bool,
 }
 
 impl FilesRead {
@@ -159,8 +192,12 @@ impl FilesRead {
             }
             Ok((source, identity)) => {
                 self.identities.extend(identity);
-                Ok(match self.unpacked_limit {
+                let source = match self.unpacked_limit {
                     Some(ByteSize(bytes)) => source.unpacked_limit(bytes),
+                    None => source,
+                };
+                Ok(match &self.height_property {
+                    Some(name) => source.height_property(name),
                     None => source,
                 })
             }
@@ -168,9 +205,76 @@ impl FilesRead {
         }
     }
 
+    /// An input called `name` as it was asked for: with its faces or without them. What its reader has to say is said.
+    pub(crate) fn complete<S: Coordinate>(
+        &self,
+        name: &str,
+        mut file: GraphFile<S>,
+    ) -> Result<GraphFile<S>, Failure> {
+        let faces = file.faces.len();
+        if self.has_faces {
+            file = file.with_faces().map_err(|corner| {
+                Failure::Error(format!(
+                    "{name}: a face has a corner that is no vertex, number {corner} from 0"
+                ))
+            })?;
+        }
+        let remarks = std::mem::take(&mut file.remarks);
+        let (losses, others): (Vec<_>, Vec<_>) =
+            remarks.iter().partition(|remark| remark.is_loss());
+        let (mut ignored, mut said) = (Vec::new(), Vec::new());
+        for loss in losses {
+            match loss {
+                Remark::Ignored { count, what } => ignored.push(format!("{count} {what}")),
+                other => said.push(in_words(other, &file)),
+            }
+        }
+        if faces > 0 && !self.has_faces {
+            let plural = if faces == 1 { "" } else { "s" };
+            ignored.push(format!(
+                "{faces} face{plural} (--faces takes them for polygons)"
+            ));
+        }
+        if !ignored.is_empty() {
+            said.push(format!("ignored: {}", ignored.join(", ")));
+        }
+        for remark in others {
+            note(format_args!("{name}: {remark}"));
+        }
+        self.say(name, &said)?;
+        Ok(file)
+    }
+
+    /// Says what gets lost of a file or on the way to one, or refuses it.
+    pub(crate) fn say(&self, name: &str, losses: &[String]) -> Result<(), Failure> {
+        match losses.first() {
+            Some(loss) if self.is_strict => Err(Failure::Error(format!(
+                "{name}: {loss}; --strict refuses that"
+            ))),
+            _ => {
+                losses
+                    .iter()
+                    .for_each(|loss| note(format_args!("{name}: {loss}")));
+                Ok(())
+            }
+        }
+    }
+
     /// Whether this file was read.
     pub(crate) fn has(&self, identity: &Identity) -> bool {
         self.identities.contains(identity)
+    }
+}
+
+/// A remark, with the place of the vertex that it names.
+pub(crate) fn in_words<S: Coordinate>(remark: &Remark, file: &GraphFile<S>) -> String {
+    let words = remark.renumbered(file.numbering.vertex).to_string();
+    match remark {
+        Remark::Conflict { vertex, .. } => {
+            let [x, y] = file.graph.points[*vertex].each_ref().map(S::text);
+            words.replacen(" has", &format!(" at ({x}, {y}) has"), 1)
+        }
+        _ => words,
     }
 }
 

@@ -3,11 +3,12 @@
 //! The interior comes from a triangulation of the input, which is proven right before anything is concluded from
 //! it. Its boundary and the edges in it are what the verifier then asks of the result.
 
-use clap::ValueEnum;
+use std::fmt;
+
 use sweep_cdt::interior::{FillRule, Interior, InteriorError, locate_seeds};
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Regions, Verifier, Violation};
-use sweep_cdt::{Pslg, Triangulation, triangulate};
+use sweep_cdt::{Triangulation, triangulate};
 use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
 
 use super::arithmetic::Given;
@@ -17,68 +18,158 @@ use super::verification::{self, Answer};
 /// Arguments that choose the rule.
 #[derive(clap::Args)]
 pub(crate) struct InsideArgs {
-    /// Which triangles are inside; no others are written [default: holes for a .poly with holes, otherwise
-    /// hull]
-    #[arg(long, value_enum, value_name = "RULE")]
+    /// Which triangles are inside; no others are written [default: holes for a file with holes, polygons for one with
+    /// polygons, otherwise hull]
+    ///
+    /// hull: all of the convex hull.
+    /// polygons: what the outlines of polygons cover, each without its own holes, whichever way rings run. Lines bound
+    /// nothing. For .geojson and .wkt, and for meshes with --faces.
+    /// even-odd: what a path from outside enters by crossing an odd number of edges; one given twice is crossed twice.
+    /// nonzero: what the edges go round, more often in one direction than in the other. positive: more often
+    /// counter-clockwise; negative: more often clockwise; at-least-K: at least K times. Each edge runs from its first
+    /// vertex to its second. For these and for even-odd, the edges must be closed rings.
+    /// holes: what is not reached without crossing an edge, neither from outside nor from the seed of a hole.
+    /// hull-without-holes: what is not reached from the seed of a hole (-c of Triangle). Triangles have the attributes of
+    /// the file's regions.
+    #[arg(long, value_name = "RULE", value_parser = Inside::named, verbatim_doc_comment)]
     inside: Option<Inside>,
 }
 
 /// The rules.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Inside {
-    /// All of the convex hull
     Hull,
-    /// What a path from outside enters by crossing an odd number of edges; one given twice is crossed
-    /// twice. The edges must be closed rings
+    Polygons,
     EvenOdd,
-    /// What the edges go round, more often in one direction than in the other; each runs from its first
-    /// vertex to its second. The edges must be closed rings
     Nonzero,
-    /// What is not reached without crossing an edge, neither from outside nor from the point of a hole in
-    /// the .poly. Triangles have the attributes of its regions
+    Positive,
+    Negative,
+    AtLeast(u32),
     Holes,
+    HullWithoutHoles,
 }
 
-impl Inside {
-    /// The name in messages and on the command line.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Inside::Hull => "hull",
-            Inside::EvenOdd => "even-odd",
-            Inside::Nonzero => "nonzero",
-            Inside::Holes => "holes",
-        }
-    }
+/// The names on the command line of the rules that need no number.
+const NAMES: [(Inside, &str); 8] = [
+    (Inside::Hull, "hull"),
+    (Inside::Polygons, "polygons"),
+    (Inside::EvenOdd, "even-odd"),
+    (Inside::Nonzero, "nonzero"),
+    (Inside::Positive, "positive"),
+    (Inside::Negative, "negative"),
+    (Inside::Holes, "holes"),
+    (Inside::HullWithoutHoles, "hull-without-holes"),
+];
+/// The beginning of the name of the others.
+const AT_LEAST: &str = "at-least-";
 
-    /// The domain of a graph.
-    pub(crate) fn domain<'a, S: Coordinate>(
-        self,
-        graph: &'a Pslg<S>,
-        result: &'a Triangulation,
-    ) -> Result<Interior<'a>, InteriorError> {
+impl fmt::Display for Inside {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Inside::Hull => result.interior(FillRule::Hull),
-            Inside::EvenOdd => result.interior(FillRule::EvenOdd),
-            Inside::Nonzero => result.interior(FillRule::NonZero(&graph.edges)),
-            Inside::Holes => {
-                let seeds = graph.regions.iter().map(|region| region.seed.clone());
-                let regions: Vec<[S; 2]> = seeds.collect();
-                result
-                    .with_points(&graph.points)
-                    .interior_of_seeds(&graph.holes, &regions)
+            Inside::AtLeast(times) => write!(f, "{AT_LEAST}{times}"),
+            rule => {
+                let name = NAMES.iter().find(|(named, _)| named == rule);
+                f.write_str(name.map_or("", |(_, name)| name))
             }
         }
     }
 }
 
-impl InsideArgs {
-    /// The rule for a graph.
-    pub(crate) fn rule<S>(&self, graph: &Pslg<S>) -> Inside {
-        self.inside.unwrap_or(if graph.holes.is_empty() {
-            Inside::Hull
-        } else {
-            Inside::Holes
+impl Inside {
+    /// The rule of a name.
+    pub(crate) fn named(name: &str) -> Result<Inside, String> {
+        if let Some((rule, _)) = NAMES.iter().find(|(_, known)| *known == name) {
+            return Ok(*rule);
+        }
+        let times = name
+            .strip_prefix(AT_LEAST)
+            .and_then(|times| times.parse().ok());
+        let times = times.filter(|&times| times > 0);
+        times.map(Inside::AtLeast).ok_or_else(|| {
+            let known: Vec<&str> = NAMES.iter().map(|(_, name)| *name).collect();
+            format!(
+                "it is one of {}, and {AT_LEAST}K with a whole number K from 1 on",
+                known.join(", ")
+            )
         })
+    }
+
+    /// The domain of a file's graph. The rule [`Inside::Polygons`] needs polygons ([`Inside::suits`]).
+    pub(crate) fn domain<'a, S: Coordinate>(
+        self,
+        file: &'a GraphFile<S>,
+        result: &'a Triangulation,
+    ) -> Result<Interior<'a>, InteriorError> {
+        let graph = &file.graph;
+        match self {
+            Inside::Hull => result.interior(FillRule::Hull),
+            Inside::Polygons => file.polygons.interior(result),
+            Inside::EvenOdd => result.interior(FillRule::EvenOdd),
+            Inside::Nonzero => result.interior(FillRule::NonZero(&graph.edges)),
+            Inside::Positive => result.interior(FillRule::Positive(&graph.edges)),
+            Inside::Negative => result.interior(FillRule::Negative(&graph.edges)),
+            Inside::AtLeast(times) => result.interior(FillRule::AtLeast(&graph.edges, times)),
+            Inside::Holes | Inside::HullWithoutHoles => {
+                let seeds = graph.regions.iter().map(|region| region.seed.clone());
+                let regions: Vec<[S; 2]> = seeds.collect();
+                let result = result.with_points(&graph.points);
+                if self == Inside::Holes {
+                    result.interior_of_seeds(&graph.holes, &regions)
+                } else {
+                    result.hull_without_holes(&graph.holes, &regions)
+                }
+            }
+        }
+    }
+
+    /// The rule for a file where none is asked for.
+    pub(crate) fn of<S>(file: &GraphFile<S>) -> Inside {
+        if !file.graph.holes.is_empty() {
+            Inside::Holes
+        } else if !file.polygons.is_empty() {
+            Inside::Polygons
+        } else {
+            Inside::Hull
+        }
+    }
+
+    /// Refuses a rule that a file says nothing about; `name` is what messages call it.
+    pub(crate) fn suits<S>(self, name: &str, file: &GraphFile<S>) -> Result<(), Failure> {
+        if self == Inside::Polygons && file.polygons.is_empty() {
+            return Err(Failure::Error(format!(
+                "{name}: there are no polygons, which .geojson and .wkt have, and meshes with --faces; the rule even-odd \
+                 takes edges that are closed rings"
+            )));
+        }
+        Ok(())
+    }
+}
+
+impl InsideArgs {
+    /// The rule for a file, and why it is this one, in words.
+    pub(crate) fn rule<S>(&self, file: &GraphFile<S>) -> (Inside, String) {
+        let count = |number: usize, one: &str, many: &str| match number {
+            1 => format!("1 {one}"),
+            number => format!("{number} {many}"),
+        };
+        let (holes, polygons) = (file.graph.holes.len(), file.polygons.features.len());
+        match (self.inside, Inside::of(file)) {
+            (Some(rule), _) => (rule, "as --inside says".to_owned()),
+            (None, Inside::Holes) => {
+                let holes = count(holes, "hole", "holes");
+                let why = format!("as the file has {holes}; --inside hull keeps all");
+                (Inside::Holes, why)
+            }
+            (None, Inside::Polygons) => {
+                let polygons = count(polygons, "polygon", "polygons");
+                let why = format!("as the file has {polygons}; --inside hull keeps all");
+                (Inside::Polygons, why)
+            }
+            (None, rule) => {
+                let why = "as the file has no holes and no polygons; --inside holes keeps what edges enclose";
+                (rule, why.to_owned())
+            }
+        }
     }
 
     /// The domain, unless it is the hull. `name` is what messages call the input.
@@ -88,9 +179,11 @@ impl InsideArgs {
         file: &'a GraphFile<S>,
         result: &'a Triangulation,
     ) -> Result<Option<Interior<'a>>, Failure> {
-        let domain = match self.rule(&file.graph) {
+        let (rule, _) = self.rule(file);
+        rule.suits(name, file)?;
+        let domain = match rule {
             Inside::Hull => return Ok(None),
-            rule => rule.domain(&file.graph, result),
+            rule => rule.domain(file, result),
         };
         let refused = |error| {
             let way_out = match self.inside {
@@ -115,56 +208,70 @@ struct Wanted {
     numbers: Vec<usize>,
 }
 
-/// Verifies that triangles fill the interior by a rule, and that they have the attributes of its regions, if the result
-/// has any. The first `own` points are the input's, the others added.
-pub(crate) fn verify_interior<S: Coordinate, T: Measure + Sync>(
+/// Verifies that triangles fill the hull, or the interior by a rule, and that they have the attributes of its regions, if
+/// the result has any. The first `own` points are the input's, the others added.
+pub(crate) fn answer<S: Coordinate, T: Measure + Sync>(
     rule: Inside,
     given: &Given<'_, S, T>,
     own: usize,
     verifier: Verifier<'_>,
     triangles: &Triangles,
 ) -> Result<Answer, Failure> {
-    let interior = Wanted::of(rule, given, &proven(given, own)?)?;
-    let list = &triangles.list;
-    let regions = &given.file.graph.regions;
-    let (Some(attributes), Inside::Holes, false) =
-        (&triangles.attributes, rule, regions.is_empty())
-    else {
-        return Ok(interior.verify(given, verifier, list));
-    };
-    let seeds: Vec<[S; 2]> = regions.iter().map(|region| region.seed.clone()).collect();
-    let places = locate_seeds(&given.file.graph.points, list, &seeds).into_iter();
-    let seeds = places.zip(regions);
-    let seeds: Vec<(usize, f64)> = seeds
-        .filter_map(|(place, region)| Some((place?, region.attribute)))
-        .collect();
-    let regions = Regions {
-        attributes,
-        seeds: &seeds,
-    };
-    Ok(interior.verify(given, verifier.regions(regions), list))
+    match rule {
+        Inside::Hull => Ok(in_hull(given, verifier, triangles)),
+        rule => {
+            let interior = Wanted::of(rule, given, &proven(given, own)?)?;
+            Ok(interior.answer(rule, given, verifier, triangles))
+        }
+    }
 }
 
-/// A rule by which triangles that do not fill the hull fill the interior, if there is one. The first `own` points are
-/// the input's.
-pub(crate) fn fitting_rule<S: Coordinate, T: Measure + Sync>(
+/// The answers by all rules by which the triangles may be right; the one that was asked for is the first. Fails where the
+/// input has no triangulation.
+pub(crate) fn answers<S: Coordinate, T: Measure + Sync>(
     given: &Given<'_, S, T>,
     own: usize,
     verifier: Verifier<'_>,
-    triangles: &[[usize; 3]],
-) -> Option<Inside> {
-    let mut rules = [Inside::Holes, Inside::EvenOdd, Inside::Nonzero];
-    if given.file.graph.holes.is_empty() {
-        rules.rotate_left(1);
+    triangles: &Triangles,
+    asked: Inside,
+) -> Result<Vec<(Inside, Answer)>, Failure> {
+    let mut rules = vec![Inside::Hull];
+    if !given.file.polygons.is_empty() {
+        rules.push(Inside::Polygons);
     }
-    let hull = proven(given, own).ok()?;
+    if given.file.graph.holes.is_empty() {
+        rules.extend([Inside::EvenOdd, Inside::Nonzero, Inside::Holes]);
+    } else {
+        rules.extend([
+            Inside::Holes,
+            Inside::HullWithoutHoles,
+            Inside::EvenOdd,
+            Inside::Nonzero,
+        ]);
+    }
+    rules.retain(|&rule| rule != asked);
+    rules.insert(0, asked);
+    let hull = proven(given, own)?;
+    let count = triangles.list.len();
     let is_possible =
-        |interior: &Wanted| given.points.len() > own || interior.triangles == triangles.len();
-    rules.into_iter().find(|&rule| {
-        Wanted::of(rule, given, &hull).is_ok_and(|interior| {
-            is_possible(&interior) && interior.verify(given, verifier, triangles).is_ok()
-        })
-    })
+        |interior: &Wanted| count > 0 && (given.points.len() > own || interior.triangles == count);
+    let answer = |rule: Inside| match rule {
+        Inside::Hull => Some((rule, in_hull(given, verifier, triangles))),
+        rule => {
+            let interior = Wanted::of(rule, given, &hull).ok().filter(is_possible)?;
+            Some((rule, interior.answer(rule, given, verifier, triangles)))
+        }
+    };
+    Ok(rules.into_iter().filter_map(answer).collect())
+}
+
+fn in_hull<S: Coordinate, T: Measure + Sync>(
+    given: &Given<'_, S, T>,
+    verifier: Verifier<'_>,
+    triangles: &Triangles,
+) -> Answer {
+    let edges = &given.file.graph.edges;
+    verification::verify(verifier, given.points, edges, &triangles.list)
 }
 
 /// The triangulation of the hull of the first `own` points.
@@ -188,7 +295,8 @@ impl Wanted {
         hull: &Triangulation,
     ) -> Result<Wanted, Failure> {
         let (file, graph) = (given.file, &given.file.graph);
-        let domain = rule.domain(graph, hull);
+        rule.suits(given.name, file)?;
+        let domain = rule.domain(file, hull);
         let domain = domain.map_err(|error| given.failure(file.interior_as_numbered(error)))?;
         let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
         let mut sides: Vec<[usize; 2]> = domain.constrained_sides().map(sorted).collect();
@@ -215,6 +323,34 @@ impl Wanted {
             edges,
             numbers,
         })
+    }
+
+    /// The answer, with the attributes of regions where the rule has them.
+    fn answer<S: Coordinate, T: Measure + Sync>(
+        &self,
+        rule: Inside,
+        given: &Given<'_, S, T>,
+        verifier: Verifier<'_>,
+        triangles: &Triangles,
+    ) -> Answer {
+        let list = &triangles.list;
+        let regions = &given.file.graph.regions;
+        let (Some(attributes), Inside::Holes | Inside::HullWithoutHoles, false) =
+            (&triangles.attributes, rule, regions.is_empty())
+        else {
+            return self.verify(given, verifier, list);
+        };
+        let seeds: Vec<[S; 2]> = regions.iter().map(|region| region.seed.clone()).collect();
+        let places = locate_seeds(&given.file.graph.points, list, &seeds).into_iter();
+        let seeds = places.zip(regions);
+        let seeds: Vec<(usize, f64)> = seeds
+            .filter_map(|(place, region)| Some((place?, region.attribute)))
+            .collect();
+        let regions = Regions {
+            attributes,
+            seeds: &seeds,
+        };
+        self.verify(given, verifier.regions(regions), list)
     }
 
     fn verify<S, T: Measure + Sync>(

@@ -20,7 +20,7 @@ pub(crate) fn rows(out: &mut impl Write, rows: &[(&str, u64)]) -> io::Result<()>
 }
 
 /// A number with commas between its thousands.
-fn grouped(number: u64) -> String {
+pub(crate) fn grouped(number: u64) -> String {
     if number < 1000 {
         return number.to_string();
     }

@@ -1,7 +1,5 @@
 //! Terrain: an input with heights, triangulated, and its part that is inside.
 
-use std::io::{self, Write};
-
 use sweep_cdt::Triangulator;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
@@ -9,8 +7,8 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 use sweep_cdt_terrain::Surface;
 
 use super::arguments::InputArgs;
-use super::failure::Failure;
-use super::files::{FilesRead, LimitArgs};
+use super::failure::{Failure, note};
+use super::files::{FilesRead, ReadingArgs};
 use super::inside::InsideArgs;
 use super::splitting::SplitArgs;
 
@@ -21,7 +19,7 @@ pub(crate) struct TerrainArgs {
     input: InputArgs,
 
     #[command(flatten)]
-    packed: LimitArgs,
+    reading: ReadingArgs,
 
     #[command(flatten)]
     inside: InsideArgs,
@@ -47,7 +45,7 @@ impl TerrainArgs {
 
     /// No files; the input is the first that is read.
     pub(crate) fn files(&self) -> FilesRead {
-        self.packed.files()
+        self.reading.files()
     }
 
     /// Reads the input.
@@ -92,10 +90,4 @@ impl TerrainArgs {
         }
         Ok(done)
     }
-}
-
-/// Says something that changes nothing about the files.
-pub(crate) fn note(words: std::fmt::Arguments<'_>) {
-    // If standard error is closed, it has no reader.
-    let _ = writeln!(io::stderr(), "note: {words}");
 }

@@ -1,5 +1,6 @@
 //! Running the verifier, and what it found in words.
 
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::sync::Mutex;
 
@@ -7,8 +8,9 @@ use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
 use sweep_cdt_formats::{Coordinate, GraphFile, Matched, Triangles};
 
+use super::glossary::meaning;
 use super::resources::Progress;
-use super::tables::{NAME, NUMBER, rows};
+use super::tables::{NAME, NUMBER, grouped};
 
 /// The verifier's answer.
 pub(crate) type Answer = Result<Report, Violations>;
@@ -102,9 +104,10 @@ pub(crate) fn reached(report: &Report) -> &'static str {
 pub(crate) fn write_matching(matched: Matched, out: &mut impl Write) -> io::Result<()> {
     let why = match matched {
         Matched::Single { .. } => ", which are of single precision",
+        Matched::Printed { .. } => ", which are rounded",
         Matched::Unplaced => ": the result has no coordinates",
         Matched::Rounded { .. } => ", because coordinates are rounded",
-        Matched::Near { .. } => ", within --tolerance",
+        Matched::Near { .. } | Matched::Within { .. } => ", within --tolerance",
         Matched::Asked { .. } => ", because of --by-number",
         _ => "",
     };
@@ -115,28 +118,42 @@ pub(crate) fn write_matching(matched: Matched, out: &mut impl Write) -> io::Resu
     }
 }
 
-/// Writes the counts.
-pub(crate) fn write_counts(report: &Report, out: &mut impl Write) -> io::Result<()> {
-    let size = |number: usize| number as u64;
-    rows(
-        out,
-        &[
-            ("points", size(report.points)),
-            ("distinct points", size(report.distinct_points)),
-            ("edges", size(report.edges)),
-            ("triangles", size(report.triangles)),
-            ("boundary sides", size(report.boundary_sides)),
-            ("constrained sides", size(report.constrained_sides)),
-            ("free sides", size(report.free_sides)),
-            ("cocircular ties", size(report.cocircular_sides)),
-            ("ties not canonical", size(report.uncanonical_sides)),
-        ],
-    )?;
-    if report.added_points > 0 {
-        let added = ("added points", size(report.added_points));
-        rows(out, &[added, ("split edges", size(report.split_edges))])?;
+/// Writes a figure, and below it what it is, if that is asked for.
+fn write_figure(
+    name: &str,
+    figure: impl Display,
+    explain: bool,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    writeln!(out, "{name:NAME$}{figure:>NUMBER$}")?;
+    if explain {
+        writeln!(out, "  {}", meaning(name))?;
     }
-    writeln!(out, "{:NAME$}{:>NUMBER$}", "highest level", reached(report))?;
+    Ok(())
+}
+
+/// Writes the counts.
+pub(crate) fn write_counts(report: &Report, explain: bool, out: &mut impl Write) -> io::Result<()> {
+    let counts = [
+        ("points", report.points),
+        ("distinct points", report.distinct_points),
+        ("edges", report.edges),
+        ("triangles", report.triangles),
+        ("boundary sides", report.boundary_sides),
+        ("constrained sides", report.constrained_sides),
+        ("free sides", report.free_sides),
+        ("cocircular ties", report.cocircular_sides),
+        ("ties not canonical", report.uncanonical_sides),
+    ];
+    let added = [
+        ("added points", report.added_points),
+        ("split edges", report.split_edges),
+    ];
+    let is_shown = |_: &(&str, usize)| report.added_points > 0;
+    for (name, number) in counts.into_iter().chain(added.into_iter().filter(is_shown)) {
+        write_figure(name, grouped(number as u64), explain, out)?;
+    }
+    write_figure("highest level", reached(report), explain, out)?;
     let all = (report.filtered + report.exact).max(1);
     for (name, number) in [("by filter", report.filtered), ("exact", report.exact)] {
         let share = 100.0 * number as f64 / all as f64;
@@ -145,12 +162,15 @@ pub(crate) fn write_counts(report: &Report, out: &mut impl Write) -> io::Result<
             "{:NAME$}{share:>NUMBER$.3} %",
             format!("signs: {name}")
         )?;
+        if explain {
+            writeln!(out, "  {}", meaning(&format!("signs: {name}")))?;
+        }
     }
     Ok(())
 }
 
 /// Writes how many violations are how deep, by decades.
-pub(crate) fn write_depths(answer: &Answer, out: &mut impl Write) -> io::Result<()> {
+pub(crate) fn write_depths(answer: &Answer, explain: bool, out: &mut impl Write) -> io::Result<()> {
     let Err(violations) = answer else {
         return Ok(());
     };
@@ -160,14 +180,13 @@ pub(crate) fn write_depths(answer: &Answer, out: &mut impl Write) -> io::Result<
     writeln!(out, "\ndepths of violations")?;
     for (&decade, &count) in &violations.depths.decades {
         let name = format!("1e{decade} to 1e{}", decade + 1);
-        rows(out, &[(&name, count as u64)])?;
+        write_figure(&name, grouped(count as u64), explain, out)?;
     }
     match violations.found - violations.depths.measured() {
         0 => {}
-        others => rows(out, &[("not measured", others as u64)])?,
+        others => write_figure("not measured", grouped(others as u64), explain, out)?,
     }
-    let greatest = greatest.to_string();
-    writeln!(out, "{:NAME$}{greatest:>NUMBER$}", "the deepest")
+    write_figure("the deepest", greatest.to_string(), explain, out)
 }
 
 /// Writes the violations, with all things numbered as in their files and where they are.

@@ -28,10 +28,41 @@ fn all_pairs_are_listed_as_the_file_numbers_them() {
         text(&output.stdout).to_owned()
     };
     let report = "a.poly: edges 4, crossings 3\n";
-    let pairs = "edges 1 and 2 cross at (3/2, 1/2)\n\
-                 edges 1 and 3 cross at (1, 1/3), near (1, 0.3333333333333333)\n\
-                 edges 2 and 3 cross at (1, 2/3), near (1, 0.6666666666666666)\n";
+    let pairs = "edges 1 and 2 cross near (1.5, 0.5)\n\
+                 edges 1 and 3 cross near (1, 0.3333333333333333)\n\
+                 edges 2 and 3 cross near (1, 0.6666666666666666)\n";
     assert_eq!(listed("a.poly"), format!("{report}{pairs}"));
+    let exact = "edges 1 and 2 cross near (1.5, 0.5), exactly at (3/2, 1/2)\n\
+                 edges 1 and 3 cross near (1, 0.3333333333333333), exactly at (1, 1/3)\n\
+                 edges 2 and 3 cross near (1, 0.6666666666666666), exactly at (1, 2/3)\n";
+    assert_eq!(listed("a.poly --fractions"), format!("{report}{exact}"));
+    let feature = |edges: &str, place: &str, near: &str| {
+        format!(
+            "{{\"type\":\"Feature\",\"properties\":{{{edges},{place}}},\"geometry\":{{\"type\":\"Point\",\"coordinates\":{near}}}}}"
+        )
+    };
+    let features = [
+        feature(
+            "\"edge\":0,\"other\":1",
+            "\"x\":\"3/2\",\"y\":\"1/2\"",
+            "[1.5,0.5]",
+        ),
+        feature(
+            "\"edge\":0,\"other\":2",
+            "\"x\":\"1\",\"y\":\"1/3\"",
+            "[1,0.3333333333333333]",
+        ),
+        feature(
+            "\"edge\":1,\"other\":2",
+            "\"x\":\"1\",\"y\":\"2/3\"",
+            "[1,0.6666666666666666]",
+        ),
+    ];
+    let collection = "{\"type\": \"FeatureCollection\", \"features\": [\n";
+    assert_eq!(
+        listed("b.json -o - --output-format geojson"),
+        format!("{collection}{}]}}\n", features.join(",\n"))
+    );
     assert_eq!(listed("a.poly -o - --output-format csv"), LIST);
     assert_eq!(listed("a.poly -o a.csv --svg a.svg"), report);
     let read = |name: &str| fs::read_to_string(folder.path().join(name)).expect("a file");

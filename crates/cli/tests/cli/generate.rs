@@ -74,7 +74,8 @@ fn a_file_holds_points_and_edges_as_its_format_has_them() {
         ("comb 5 -o a.poly", "a.poly", poly),
         ("comb 2 -o a.json", "a.json", json),
         ("comb 2 -o a.node", "a.node", "2 2 0 0\n0 0 2\n1 1 2\n"),
-        ("comb 2 -o a.txt --output-format json", "a.txt", json),
+        ("comb 2 -o a.dat --output-format json", "a.dat", json),
+        ("comb 2 -o a.csv", "a.csv", "x,y\n0,2\n1,2\n"),
     ] {
         let output = sweep_cdt(&folder, &format!("generate {arguments}")).output();
         assert_eq!(printed(&output.expect("the command starts")), "");
@@ -120,11 +121,11 @@ fn what_cannot_be_generated_is_refused() {
         ("uniform 5 --seed -1", "unexpected argument '-1' found"),
         (
             "uniform 5 -o a.svg",
-            "the format of a.svg is not known: add --output-format with one of node, poly, json, obj, off, ply, vtk, vtu, msh, geojson, wkt",
+            "the format of a.svg is not known: add --output-format with one of node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, dxf",
         ),
         (
             "uniform 5 -o a",
-            "the format of a is not known: add --output-format with one of node, poly, json, obj, off, ply, vtk, vtu, msh, geojson, wkt",
+            "the format of a is not known: add --output-format with one of node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, dxf",
         ),
     ] {
         assert_refused(&folder, &format!("generate {arguments}"), message);

@@ -78,11 +78,13 @@ fn a_poly_with_holes_has_them() {
     let summary = "frame.poly: points 8, duplicates 0, edges 8, triangles 10, hull 4";
     assert_eq!(
         printed(&run(&folder, "frame.poly")),
-        format!("{summary}, inside 8\n")
+        format!(
+            "{summary}\ninside 8 of 10 triangles: rule holes, as the file has 1 hole; --inside hull keeps all\n"
+        )
     );
     assert_eq!(
         printed(&run(&folder, "frame.poly --inside hull")),
-        format!("{summary}\n")
+        format!("{summary}\ninside 10 of 10 triangles: rule hull, as --inside says\n")
     );
 }
 
@@ -144,10 +146,11 @@ fn an_outline_that_is_open_keeps_nothing() {
     let open = FRAME.replace("1 1 2\n", "1 2 3\n");
     let open = open.replace("1\n1 1 2 0.5 0.1\n", "0\n");
     let folder = folder(&[("open.poly", &open)]);
-    let summary = "open.poly: points 8, duplicates 0, edges 8, triangles 10, hull 4, inside ";
+    let summary = "open.poly: points 8, duplicates 0, edges 8, triangles 10, hull 4\n\
+                   inside 0 of 10 triangles: rule holes, as the file has 1 hole; --inside hull keeps all\n";
     // The outside comes in.
     let output = run(&folder, "open.poly");
-    assert_eq!(printed_without_triangles(&output), format!("{summary}0\n"));
+    assert_eq!(printed_without_triangles(&output), summary);
     for rule in ["even-odd", "nonzero"] {
         let output = run(&folder, &format!("open.poly --inside {rule}"));
         let error = "open.poly: the edges are no closed rings: they do not go on at vertex 1";
@@ -229,6 +232,8 @@ fn seeds_are_read_with_care() {
     // Without them the file may end.
     let end = FRAME.find("1\n1 4 5").expect("the holes");
     let folder = folder(&[("frame.poly", &FRAME[..end])]);
-    let summary = "frame.poly: points 8, duplicates 0, edges 8, triangles 10, hull 4\n";
+    let summary = "frame.poly: points 8, duplicates 0, edges 8, triangles 10, hull 4\n\
+                   inside 10 of 10 triangles: rule hull, as the file has no holes and no polygons; --inside holes \
+                   keeps what edges enclose\n";
     assert_eq!(printed(&run(&folder, "frame.poly")), summary);
 }

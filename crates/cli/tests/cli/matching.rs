@@ -157,8 +157,8 @@ fn a_tolerance_takes_the_place_of_rounding() {
         };
         let place = if name == "r.obj" { "r.obj:3" } else { place };
         let error = format!(
-            "{place}: vertex {vertex} is at (4000, 3999.5), but vertex 2 of the input at (4000, 3999), \
-             which is more than the tolerance 0.49 (--tolerance allows for more, --by-number ignores \
+            "{place}: vertex {vertex} is at (4000, 3999.5), but vertex 2 of the input at (4000, 3999): \
+             the difference of 0.5 is more than the tolerance 0.49 (--tolerance 0.5 accepts it, --by-number ignores \
              coordinates)"
         );
         assert_fails(&run("0.49"), &error);
@@ -175,7 +175,8 @@ fn other_numbers_of_vertices_are_matched_by_coordinates_alone() {
     for (name, files) in results(&more, &TRIANGLES) {
         let folder = with_result(&files);
         let error = text(&verify(&folder, &format!("in.json {name}")).stderr).to_owned();
-        let expected = " is at (9, 9), where the input has none (--steiner allows for vertices that were added, \
+        let expected = " is at (9, 9), where the input has none: the nearest is vertex 0 at (0.25, 0.5), by 8.75 \
+             (--steiner allows for vertices that were added, \
              --by-number ignores coordinates)\n";
         assert!(error.ends_with(expected), "{error}");
         printed(&verify(&folder, &format!("in.json {name} --by-number")));

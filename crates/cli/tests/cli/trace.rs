@@ -258,7 +258,7 @@ fn a_trace_of_edges_that_cross_ends_there() {
         output.expect("the command starts")
     };
     let printed = trace("");
-    let error = "error: crossing.json: edges 0 and 1 cross; ";
+    let error = "error: crossing.json: edges 0 and 1 cross near (0.5, 0.5); ";
     let there =
         |place: &str, steps: usize| format!("{error}{place} has the {steps} steps up to there\n");
     let steps = text(&printed.stdout);
@@ -289,11 +289,11 @@ fn a_trace_of_edges_that_cross_ends_there() {
     let output = sweep_cdt(&folder, "replay a.txt --input crossing.json").output();
     assert_fails(
         &output.expect("the command starts"),
-        "crossing.json: edges 0 and 1 cross",
+        "crossing.json: edges 0 and 1 cross near (0.5, 0.5)",
     );
     assert_fails(
         &trace("--from 999"),
-        "crossing.json: edges 0 and 1 cross; the last step is 30",
+        "crossing.json: edges 0 and 1 cross near (0.5, 0.5); the last step is 30",
     );
 }
 

@@ -57,6 +57,8 @@ ties not canonical                   0
 highest level                canonical
 signs: by filter               100.000 %
 signs: exact                     0.000 %
+
+correct: nothing to do
 ";
     assert_eq!(printed(&verify(&folder, "a.poly a.ele")), report);
 }
@@ -114,7 +116,7 @@ fn foreign_layouts_are_understood() {
     let clockwise = r#"{"triangles": [[4,1,0],[4,2,1],[4,3,2],[4,0,3]]}"#;
     let clockwise = || {
         feed(
-            &mut sweep_cdt(&folder, "verify a.poly - --result-format json --clockwise"),
+            &mut sweep_cdt(&folder, "verify a.poly - --result-format json"),
             clockwise.as_bytes(),
         )
     };

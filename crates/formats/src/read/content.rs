@@ -9,9 +9,10 @@ use std::borrow::Cow;
 
 #[cfg(feature = "mesh-formats")]
 use crate::read::binary::{Kind, Number};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::threads::in_turn;
-use crate::{Column, Coordinate, CoordinateError};
+use crate::{Column, Coordinate, CoordinateError, CoordinateSystem, Faces, Polygons};
 
 /// The vertices of a file.
 pub(super) struct Vertices<'a> {
@@ -57,6 +58,14 @@ pub(super) struct Edges<'a> {
     pub(super) regions: Vertices<'a>,
     /// The attributes of the regions.
     pub(super) attributes: Vec<f64>,
+    /// The markers of the edges, or none.
+    pub(super) markers: Vec<i64>,
+    /// Vertices with markers, where these are no column.
+    pub(super) vertex_markers: Vec<(usize, i64)>,
+    pub(super) polygons: Polygons,
+    pub(super) faces: Faces,
+    pub(super) system: Option<CoordinateSystem>,
+    pub(super) remarks: Remarks,
 }
 
 /// Triangles, and the vertices where the file has any.
@@ -93,6 +102,12 @@ impl<'a> Edges<'a> {
             holes: Vertices::none(vertices.source, first),
             regions: Vertices::none(vertices.source, first),
             attributes: Vec::new(),
+            markers: Vec::new(),
+            vertex_markers: Vec::new(),
+            polygons: Polygons::default(),
+            faces: Faces::default(),
+            system: None,
+            remarks: Remarks::default(),
             vertices,
             edges,
             first,

@@ -8,8 +8,10 @@
 //! | `Polygon`, `MultiPolygon` | points and edges of the rings | triangles: polygons of three corners |
 //! | `GeometryCollection`, `Feature`, `FeatureCollection` | what is in it | what is in it |
 //!
-//! The third coordinate is a height. Properties and all other members are ignored, and so is a geometry that is `null` or whose
-//! coordinates are an empty list. A coordinate may be a string with a fraction, as in our own JSON.
+//! The third coordinate is a height. Where there is none, a property may be: the one that
+//! [`Source::height_property`] names, or, of points and lines, one of the names in [`HEIGHTS`] with a number. The member
+//! `crs` goes through. Other properties and members are ignored with a remark, and so is a geometry that is `null` or
+//! whose coordinates are an empty list, without one. A coordinate may be a string with a fraction, as in our own JSON.
 //!
 //! Cost: each object is read once for each object around it, of which there may be [`NESTED`].
 
@@ -17,26 +19,40 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::read::content::Syntax;
-use crate::read::json_pieces::{Position, fault, texts};
+use crate::read::json_pieces::{Position, fault, members, texts};
 use crate::read::shapes::{Part, Shapes};
 use crate::read::source::{ReadError, Source, quoted};
+use crate::{CoordinateSystem, Remark};
 
 /// So many objects may be in each other.
 const NESTED: usize = 100;
 
+/// The usual names of heights, in lower case.
+const HEIGHTS: [&str; 10] = [
+    "elev",
+    "elevation",
+    "height",
+    "altitude",
+    "ele",
+    "alt",
+    "z",
+    "contour",
+    "hoehe",
+    "z_value",
+];
+
 /// Any object of the format.
-#[derive(Deserialize)]
+#[derive(Default)]
 struct Object<'a> {
-    #[serde(borrow, rename = "type")]
-    kind: &'a RawValue,
-    #[serde(borrow, default)]
+    kind: Option<&'a RawValue>,
     coordinates: Option<&'a RawValue>,
-    #[serde(borrow, default)]
     geometry: Option<&'a RawValue>,
-    #[serde(borrow, default)]
-    geometries: Vec<&'a RawValue>,
-    #[serde(borrow, default)]
-    features: Vec<&'a RawValue>,
+    geometries: Option<&'a RawValue>,
+    features: Option<&'a RawValue>,
+    properties: Option<&'a RawValue>,
+    system: Option<&'a RawValue>,
+    /// The names of other members.
+    others: Vec<String>,
 }
 
 /// The types of objects.
@@ -53,34 +69,66 @@ enum Kind {
     FeatureCollection,
 }
 
-impl Object<'_> {
+impl<'a> Object<'a> {
+    /// The object that a piece is, if it is one, and has no member of the format twice.
+    fn of(piece: &'a RawValue) -> Option<Object<'a>> {
+        let mut object = Object::default();
+        for (name, value) in members(piece)? {
+            let member = match &name[..] {
+                "type" => &mut object.kind,
+                "coordinates" => &mut object.coordinates,
+                "geometry" => &mut object.geometry,
+                "geometries" => &mut object.geometries,
+                "features" => &mut object.features,
+                "properties" => &mut object.properties,
+                "crs" => &mut object.system,
+                _ => {
+                    object.others.push(name);
+                    continue;
+                }
+            };
+            if member.replace(value).is_some() {
+                return None;
+            }
+        }
+        object.kind.is_some().then_some(object)
+    }
+
     /// The type, if the format has it.
     fn kind(&self) -> Option<Kind> {
-        serde_json::from_str(self.kind.get()).ok()
+        serde_json::from_str(self.kind?.get()).ok()
     }
+}
+
+/// The objects in a list.
+fn list(piece: Option<&RawValue>) -> Option<Vec<&RawValue>> {
+    piece.map_or(Some(Vec::new()), |piece| {
+        serde_json::from_str(piece.get()).ok()
+    })
 }
 
 /// Whether a `.json` holds `GeoJSON`: its first text has a type of it.
 pub(super) fn is_in(source: &Source) -> bool {
     let text = source.text().unwrap_or_default();
     let mut texts = serde_json::Deserializer::from_slice(text).into_iter::<&RawValue>();
-    let first = texts.next().and_then(Result::ok).map(RawValue::get);
+    let first = texts.next().and_then(Result::ok);
     first
-        .filter(|text| text.starts_with('{'))
-        .and_then(|text| serde_json::from_str::<Object<'_>>(text).ok())
+        .and_then(Object::of)
         .is_some_and(|object| object.kind().is_some())
 }
 
 /// Reads a `.geojson`.
 pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
     let mut shapes = Shapes::new(source, Syntax::Json);
-    // What is still to be read, each with the number of objects around it, the next one last.
-    let mut waiting: Vec<_> = texts(source)?
-        .into_iter()
-        .rev()
-        .map(|text| (text, 0))
-        .collect();
-    while let Some((piece, around)) = waiting.pop() {
+    // What is still to be read, each with the number of objects around it, and whether a feature is; the next one last.
+    let mut waiting: Vec<_> = texts(source)?.into_iter().rev().map(Waiting::new).collect();
+    let mut raised = Raised::default();
+    while let Some(next) = waiting.pop() {
+        let Waiting {
+            piece,
+            around,
+            feature,
+        } = next;
         if piece.get() == "null" {
             continue;
         }
@@ -88,25 +136,53 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
             let message = format!("more than {NESTED} objects are in each other");
             return Err(fault(source, piece, message));
         }
-        let in_it = |piece| (piece, around + 1);
+        let in_it = |piece| Waiting {
+            piece,
+            around: around + 1,
+            feature,
+        };
         let wrong = |piece: &RawValue, what: &str| {
             let shown = quoted(piece.get().as_bytes());
             fault(source, piece, format!("{shown} is not {what}"))
         };
-        // Serde would take a list for an object without names.
-        let object = Some(piece.get()).filter(|text| text.starts_with('{'));
-        let object: Object<'_> = object
-            .and_then(|text| serde_json::from_str(text).ok())
+        let object = Object::of(piece)
             .ok_or_else(|| wrong(piece, "a geometry, a feature or a collection of them"))?;
+        for name in &object.others {
+            shapes.remarks.ignore_named(1, "member", name.as_bytes());
+        }
+        if let Some(system) = object.system.filter(|system| system.get() != "null") {
+            shapes.system = Some(CoordinateSystem::of_json(system));
+        }
         let coordinates = || object.coordinates.unwrap_or(piece);
-        let kind = object.kind();
-        match kind.ok_or_else(|| wrong(object.kind, "a type of GeoJSON"))? {
-            Kind::Feature => waiting.extend(object.geometry.map(in_it)),
+        let all = |piece| {
+            list(piece).ok_or_else(|| wrong(piece.unwrap_or(next.piece), "a list of objects"))
+        };
+        let kind = object
+            .kind()
+            .ok_or_else(|| wrong(object.kind.unwrap_or(piece), "a type of GeoJSON"))?;
+        let is_geometry = !matches!(
+            kind,
+            Kind::Feature | Kind::FeatureCollection | Kind::GeometryCollection
+        );
+        if is_geometry && feature.is_none() {
+            shapes.begin_feature();
+        }
+        let first = shapes.len();
+        match kind {
+            Kind::Feature => {
+                shapes.begin_feature();
+                let properties = raised.properties(source, object.properties, &mut shapes)?;
+                let geometry = object.geometry.map(in_it);
+                waiting.extend(geometry.map(|waiting| Waiting {
+                    feature: Some(properties),
+                    ..waiting
+                }));
+            }
             Kind::FeatureCollection => {
-                waiting.extend(object.features.into_iter().rev().map(in_it));
+                waiting.extend(all(object.features)?.into_iter().rev().map(in_it));
             }
             Kind::GeometryCollection => {
-                waiting.extend(object.geometries.into_iter().rev().map(in_it));
+                waiting.extend(all(object.geometries)?.into_iter().rev().map(in_it));
             }
             Kind::Point if is_empty(coordinates()) => {}
             Kind::Point => {
@@ -144,8 +220,117 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
                     .for_each(|rings| add_polygon(&mut shapes, rings));
             }
         }
+        if let Some(height) = feature.flatten() {
+            let is_area = matches!(kind, Kind::Polygon | Kind::MultiPolygon);
+            raised.raise(height, is_area, first, &mut shapes);
+        }
     }
+    raised.say(&mut shapes);
     Ok(shapes)
+}
+
+/// An object that is still to be read.
+struct Waiting<'a> {
+    piece: &'a RawValue,
+    /// How many objects are around it.
+    around: usize,
+    /// The height in the properties of the feature around it, if there is one.
+    feature: Option<Option<Height<'a>>>,
+}
+
+impl<'a> Waiting<'a> {
+    fn new(piece: &'a RawValue) -> Waiting<'a> {
+        Waiting {
+            piece,
+            around: 0,
+            feature: None,
+        }
+    }
+}
+
+/// A property that is a height.
+#[derive(Clone, Copy)]
+struct Height<'a> {
+    piece: &'a RawValue,
+    /// Whether it was asked for by its name.
+    is_asked: bool,
+}
+
+/// The features whose height is a property.
+#[derive(Default)]
+struct Raised {
+    /// The name of the property.
+    name: Option<String>,
+    count: usize,
+}
+
+impl Raised {
+    /// The height among the properties of a feature. All others are ignored.
+    fn properties<'a>(
+        &mut self,
+        source: &Source,
+        properties: Option<&'a RawValue>,
+        shapes: &mut Shapes<'a>,
+    ) -> Result<Option<Height<'a>>, ReadError> {
+        let members = properties.and_then(members).unwrap_or_default();
+        let asked = source.height_property.as_deref();
+        let is_height = |(name, value): &(String, &RawValue)| match asked {
+            Some(asked) => name == asked,
+            None => HEIGHTS.contains(&&name.to_lowercase()[..]) && is_number(value),
+        };
+        let place = members.iter().position(is_height);
+        shapes.remarks.ignore(
+            members.len() - usize::from(place.is_some()),
+            "property",
+            "properties",
+        );
+        let Some((name, piece)) = place.map(|place| &members[place]) else {
+            return Ok(None);
+        };
+        if asked.is_some() && !is_number(piece) && piece.get() != "null" {
+            let shown = quoted(piece.get().as_bytes());
+            return Err(fault(
+                source,
+                piece,
+                format!("{shown} is not a height, a number"),
+            ));
+        }
+        self.name.get_or_insert_with(|| name.clone());
+        let is_asked = asked.is_some();
+        Ok((piece.get() != "null").then_some(Height { piece, is_asked }))
+    }
+
+    /// Gives the positions from `first` on the height of their feature. Areas have to be asked for: the height of a
+    /// building is not that of its ground.
+    fn raise<'a>(
+        &mut self,
+        height: Height<'a>,
+        is_area: bool,
+        first: usize,
+        shapes: &mut Shapes<'a>,
+    ) {
+        if height.is_asked || !is_area {
+            shapes.raise(first, height.piece.get().as_bytes());
+            self.count += 1;
+        } else {
+            shapes.remarks.ignore(1, "property", "properties");
+        }
+    }
+
+    /// Says where heights come from.
+    fn say(self, shapes: &mut Shapes<'_>) {
+        if let (Some(name), 1..) = (self.name, self.count) {
+            let count = self.count;
+            shapes.remarks.add(Remark::HeightProperty { name, count });
+        }
+    }
+}
+
+/// Whether a value is a finite number, or a string with one.
+fn is_number(value: &RawValue) -> bool {
+    Syntax::Json
+        .value::<f64>(value.get().as_bytes())
+        .is_ok_and(f64::is_finite)
 }
 
 /// Whether a list is empty, as coordinates are that stand for none.

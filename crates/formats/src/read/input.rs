@@ -4,18 +4,24 @@ use num_rational::BigRational;
 
 use crate::read::content::{Edges, Vertices};
 use crate::read::matching::{find, is_finite};
+#[cfg(feature = "mesh-formats")]
+use crate::read::numpy::Arrays;
+use crate::read::remarks::Remarks;
+#[cfg(feature = "mesh-formats")]
+use crate::read::shapes::Part;
 use crate::read::source::{ReadError, Source};
 #[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
 #[cfg(feature = "mesh-formats")]
-use crate::read::{geojson, msh, ply, vtk, wkt};
-use crate::read::{json, obj, off, triangle};
+use crate::read::{dxf, geojson, msh, ply, vtk, wkt};
+use crate::read::{json, obj, off, points, triangle};
 use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
 use sweep_cdt::{Pslg, Region};
 
 named! {
     /// A format that [`read()`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `geojson` and `wkt`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `geojson`, `wkt`, `npy`, `npz`
+    /// and `dxf`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum InputFormat {
@@ -29,6 +35,12 @@ named! {
         Obj = "obj",
         /// Geomview's vertices, and faces of two corners.
         Off = "off",
+        /// Points, a row for each, with or without the names of columns.
+        Csv = "csv",
+        /// Points as in `.csv`.
+        Xyz = "xyz",
+        /// Points as in `.csv`.
+        Txt = "txt",
         /// Stanford's vertices and edges, as text or binary.
         #[cfg(feature = "mesh-formats")]
         Ply = "ply",
@@ -38,7 +50,10 @@ named! {
         /// VTK's points and lines, as XML.
         #[cfg(feature = "mesh-formats")]
         Vtu = "vtu",
-        /// Gmsh's nodes and lines, as text.
+        /// VTK's points and lines of polygons, as XML.
+        #[cfg(feature = "mesh-formats")]
+        Vtp = "vtp",
+        /// Gmsh's nodes and lines, as text or binary.
         #[cfg(feature = "mesh-formats")]
         Msh = "msh",
         /// Points, lines and polygons of maps, as JSON.
@@ -47,20 +62,37 @@ named! {
         /// Points, lines and polygons as text.
         #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
+        /// Points as an array of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npy = "npy",
+        /// Points and edges as arrays of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npz = "npz",
+        /// Points and straight lines of CAD, as text.
+        #[cfg(feature = "mesh-formats")]
+        Dxf = "dxf",
     }
 }
 
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        use InputFormat::{Json, Node, Poly};
-        !matches!(self, Node | Poly | Json) && !self.is_without_vertices()
+        #[cfg(feature = "mesh-formats")]
+        use InputFormat::{Dxf, Msh, Ply, Vtk, Vtp, Vtu};
+        use InputFormat::{Obj, Off};
+        #[cfg(feature = "mesh-formats")]
+        return matches!(self, Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Dxf);
+        #[cfg(not(feature = "mesh-formats"))]
+        matches!(self, Obj | Off)
     }
 
     /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
     fn is_without_vertices(self) -> bool {
         #[cfg(feature = "mesh-formats")]
-        return matches!(self, InputFormat::Geojson | InputFormat::Wkt);
+        return matches!(
+            self,
+            InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
+        );
         #[cfg(not(feature = "mesh-formats"))]
         false
     }
@@ -111,7 +143,14 @@ pub fn read(
     node: Option<&Source>,
 ) -> Result<Input, ReadError> {
     let content = match format {
-        InputFormat::Node => triangle::read_node(source).map(without_edges)?,
+        InputFormat::Node => {
+            let mut remarks = Remarks::default();
+            let vertices = triangle::read_node(source, &mut remarks)?;
+            Edges {
+                remarks,
+                ..without_edges(vertices)
+            }
+        }
         InputFormat::Poly => triangle::read_poly(source, node)?,
         InputFormat::Json => match json::read(source) {
             #[cfg(feature = "mesh-formats")]
@@ -120,12 +159,13 @@ pub fn read(
         },
         InputFormat::Obj => obj::read(source)?.into_graph()?,
         InputFormat::Off => off::read(source)?.into_graph()?,
+        InputFormat::Csv | InputFormat::Xyz | InputFormat::Txt => points::read(source)?,
         #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => ply::read(source)?.into_graph()?,
         #[cfg(feature = "mesh-formats")]
         InputFormat::Vtk => vtk::read(source)?.into_graph()?,
         #[cfg(feature = "mesh-formats")]
-        InputFormat::Vtu => {
+        InputFormat::Vtu | InputFormat::Vtp => {
             let unpacked = Unpacked::of(source)?;
             return input(format, unpacked.mesh()?.into_graph()?);
         }
@@ -135,6 +175,12 @@ pub fn read(
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Dxf => dxf::read(source, Part::Points)?.into_graph(),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Npy => return input(format, Arrays::of_points(source)?.graph()?),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Npz => return input(format, Arrays::of_archive(source)?.graph()?),
     };
     input(format, content)
 }
@@ -164,19 +210,25 @@ fn file<S: Coordinate>(
     content: Edges<'_>,
     graph: Pslg<S>,
 ) -> Result<GraphFile<S>, ReadError> {
+    let mut columns = columns(format, &content.vertices)?;
+    columns.extend(markers(&content));
     let file = GraphFile {
-        columns: columns(format, &content.vertices)?,
-        pieces_of: Vec::new(),
+        columns,
         numbering: Numbering {
             vertex: content.vertices.first,
             edge: content.first,
             hole: content.holes.first,
             region: content.regions.first,
         },
-        graph: Pslg {
+        edge_markers: content.markers,
+        polygons: content.polygons,
+        faces: content.faces,
+        system: content.system,
+        remarks: content.remarks.into_list(),
+        ..GraphFile::from(Pslg {
             edges: content.edges,
             ..graph
-        },
+        })
     };
     Ok(if format.is_without_vertices() {
         merged(file)
@@ -188,14 +240,15 @@ fn file<S: Coordinate>(
 /// A file with one vertex for equal points: the first of them. In each column it has the first number that any of these
 /// points has. Graphs with points that are not finite stay as they are; nothing is made of them.
 pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
-    let GraphFile { graph, columns, .. } = file;
-    if !graph.points.iter().all(is_finite) {
-        return GraphFile {
-            graph,
-            columns,
-            ..file
-        };
+    if !file.graph.points.iter().all(is_finite) {
+        return file;
     }
+    let GraphFile {
+        graph,
+        columns,
+        mut remarks,
+        ..
+    } = file;
     let firsts = find(&graph.points, &graph.points);
     let is_first = |v: &usize| firsts[*v] == Some(*v);
     let kept: Vec<usize> = (0..graph.points.len()).filter(is_first).collect();
@@ -203,18 +256,20 @@ pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
         let first = firsts[v].expect("every point equals itself");
         kept.binary_search(&first).expect("the first one is kept")
     };
-    let column = |column: Column| {
-        let mut values = vec![f64::NAN; kept.len()];
-        for v in 0..graph.points.len() {
-            let value = &mut values[place(v)];
-            if value.is_nan() {
-                *value = column.of(v);
-            }
-        }
-        Column { values, ..column }
-    };
+    let places: Vec<usize> = (0..graph.points.len()).map(place).collect();
+    let gathered = columns.into_iter().map(|column| {
+        let values = places
+            .iter()
+            .enumerate()
+            .map(|(v, &place)| (place, column.of(v)));
+        let (column, conflict) = column.gathered(kept.len(), values);
+        remarks.extend(conflict);
+        column
+    });
     GraphFile {
-        columns: columns.into_iter().map(column).collect(),
+        columns: gathered.collect(),
+        merged: graph.points.len() - kept.len(),
+        remarks,
         graph: Pslg {
             edges: graph.edges.iter().map(|edge| edge.map(place)).collect(),
             points: kept.iter().map(|&v| graph.points[v].clone()).collect(),
@@ -236,6 +291,19 @@ fn columns(format: InputFormat, vertices: &Vertices<'_>) -> Result<Vec<Column>, 
         });
     }
     Ok(columns)
+}
+
+/// The markers of vertices that are given one by one, if any are.
+fn markers(content: &Edges<'_>) -> Option<Column> {
+    let mut values = vec![f64::NAN; content.vertices.coordinates.len()];
+    for &(vertex, marker) in &content.vertex_markers {
+        if let Some(value) = values.get_mut(vertex) {
+            *value = marker as f64;
+        }
+    }
+    let name = Column::MARKER.to_owned();
+    let column = Column { name, values };
+    (column.missing() < column.values.len()).then_some(column)
 }
 
 /// The graph without its edges, with coordinates as values of a type.

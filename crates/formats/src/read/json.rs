@@ -6,15 +6,17 @@
 //!
 //! Other programs call these lists `vertices`, `segments`, and `simplices` or `faces`, which are read too.
 //!
+//! An input may have more, as Triangle has it (see `json_more.rs`).
+//!
 //! A coordinate is a number, or a string for what a JSON number cannot be: `"2/3"`, `"nan"`, `"inf"`,
-//! `"-inf"`. Other members are ignored.
+//! `"-inf"`. Other members are ignored, with a remark in an input.
 //!
 //! A file without `points` that has a `type` of `GeoJSON` is read as that format.
 
 use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};
-use crate::read::json_faults;
 use crate::read::json_pieces::Position;
 use crate::read::source::{ReadError, Source};
+use crate::read::{json_faults, json_more};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
@@ -46,7 +48,10 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     if !edges.iter().all(exists) {
         return Err(json_faults::of_ends(source, &edges, points.len()));
     }
-    Ok(Edges::without_seeds(vertices(source, points), edges, 0))
+    json_more::read(
+        source,
+        Edges::without_seeds(vertices(source, points), edges, 0),
+    )
 }
 
 /// Reads a `.json` with triangles.

@@ -113,6 +113,14 @@ fn word_at(text: &[u8], at: usize) -> &[u8] {
     &text[before.len() - begun..before.len() + length]
 }
 
+/// The members of the object that a piece is, if it is one.
+pub(super) fn members(piece: &RawValue) -> Option<Vec<(String, &RawValue)>> {
+    // Serde would take a list for an object without names.
+    let text = Some(piece.get()).filter(|text| text.starts_with('{'));
+    let Members(members) = serde_json::from_str(text?).ok()?;
+    Some(members)
+}
+
 /// The members of an object, in their order and with those that are there twice.
 struct Members<'a>(Vec<(String, &'a RawValue)>);
 

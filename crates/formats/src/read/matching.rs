@@ -3,20 +3,21 @@
 //! A result that lists its vertices tells so by their coordinates, in whatever order they stand: all of
 //! them must be vertices of the input, exactly. Where one is not, the file may have rounded coordinates.
 //! Then numbers decide, and coordinates only confirm them: each must be the one of the same number,
-//! rounded ([`is_rounded`]). The nearest vertex is never taken for the right one.
+//! rounded. Where numbers do not fit, or there are none because triangles are listed by coordinates alone, each vertex
+//! of the file must be one vertex of the input, rounded ([`Rule`]), and no other one. Of two that are possible none is
+//! taken, and the nearest vertex is never taken for the right one.
 //!
-//! Triangles that are listed by coordinates alone have no numbers. Where these are numbers of single precision, a vertex
-//! of the input is taken that is rounded to them, if only one is.
-//!
-//! Cost: one sort of the input's points, and a binary search for each vertex of the file.
+//! Cost: one sort of the input's points, and a binary search for each vertex of the file; of rounded ones
+//! what [`Nearby`] takes.
 
 use std::cmp::Ordering;
-use std::collections::HashSet;
 
 use num_rational::BigRational;
 
 use crate::read::content::Vertices;
-use crate::read::source::{ReadError, ResultError};
+use crate::read::nearby::{Nearby, around};
+use crate::read::rounding::{Rule, are_singles, fixed_places};
+use crate::read::source::{Nearest, ReadError, ResultError};
 use crate::{Coordinate, GraphFile};
 use sweep_cdt::scalar::Scalar;
 
@@ -30,7 +31,8 @@ pub struct Matching {
 }
 
 impl Matching {
-    /// By coordinates; by number where they are rounded to 6 or more digits, or where there are none.
+    /// By coordinates; by number where these are rounded to 6 or more digits, or where there are none. Rounded ones
+    /// whose numbers do not fit are matched by coordinates too, if each is that of one vertex only.
     #[must_use]
     pub fn new() -> Matching {
         Matching::default()
@@ -42,8 +44,8 @@ impl Matching {
         Matching { by_number, ..self }
     }
 
-    /// By how much a coordinate may differ from that of the vertex of the same number, in place of
-    /// rounding.
+    /// By how much a coordinate may differ from that of the vertex of the same number, or of the only vertex within
+    /// this difference, in place of rounding.
     #[must_use]
     pub fn tolerance(self, tolerance: f64) -> Matching {
         Matching {
@@ -83,38 +85,15 @@ impl Matching {
         }
 
         // Some vertex is none of the input's: numbers decide, if there are any, and as many.
-        if let (true, Some(places)) = (is_soup && vertices.is_single(), by_singles(points, own)) {
-            let pairs = points.iter().zip(&places).map(|(p, &v)| apart(p, &own[v]));
-            let difference = pairs.fold(0.0, f64::max);
-            return Ok((Matched::Single { difference }, Some(places)));
-        }
-        if is_soup || points.len() != own.len() {
-            let stranger = found.iter().position(Option::is_none);
-            let at = stranger.expect("not all were found");
-            let (file, line, vertex) = vertices.name(at);
-            let at = points[at].each_ref().map(S::approx);
-            return Err(ResultError::Stranger {
-                file,
-                line,
-                vertex,
-                at,
-            });
-        }
-        let is_close = |at: &usize| match self.tolerance {
-            Some(tolerance) => apart(&points[*at], &own[*at]) <= tolerance,
-            None => (0..2).all(|axis| {
-                let (read, exact) = (&points[*at][axis], &own[*at][axis]);
-                let is_near = !S::APPROX_IS_EXACT;
-                let text = vertices.text(*at, axis);
-                let rounded = || single(exact.approx()).compare(&read.approx());
-                let is_single = vertices.is_single() && rounded().is_eq();
-                read == exact
-                    || is_single
-                    || is_rounded(exact.approx(), is_near, &text, read.approx())
-            }),
+        let rounded = Rounded::new(self.tolerance, vertices, points, own, &found);
+        let has_numbers = !is_soup && points.len() == own.len();
+        let far: Vec<usize> = match has_numbers {
+            true => (0..points.len())
+                .filter(|&at| !rounded.is_close(at, at))
+                .collect(),
+            false => Vec::new(),
         };
-        let far: Vec<usize> = (0..points.len()).filter(|at| !is_close(at)).collect();
-        if far.is_empty() {
+        if has_numbers && far.is_empty() {
             let difference = greatest();
             let matched = match self.tolerance {
                 None => Matched::Rounded { difference },
@@ -122,20 +101,188 @@ impl Matching {
             };
             return Ok((matched, None));
         }
-        // A vertex that is nowhere in the input says more than one that is elsewhere.
-        let stranger = far.iter().copied().find(|&at| found[at].is_none());
-        let at = stranger.unwrap_or(far[0]);
+        let nearby = Nearby::new(approximations(own), distinct(own));
+        let at = match rounded.places(&nearby) {
+            Ok((places, rule)) => {
+                let pairs = points.iter().zip(&places).map(|(p, &v)| apart(p, &own[v]));
+                let difference = pairs.fold(0.0, f64::max);
+                let matched = match (self.tolerance, rule) {
+                    (Some(_), _) => Matched::Within { difference },
+                    (None, Rule::Decimals | Rule::Fixed(_)) => Matched::Printed { difference },
+                    (None, Rule::Singles) => Matched::Single { difference },
+                };
+                return Ok((matched, Some(places)));
+            }
+            Err(at) => at,
+        };
+
+        let accepted = nearby.tolerance(&rounded.values);
+        if has_numbers {
+            // A vertex that is nowhere in the input says more than one that is elsewhere.
+            let stranger = far.iter().copied().find(|&at| found[at].is_none());
+            let at = stranger.unwrap_or(far[0]);
+            let (file, line, vertex) = vertices.name(at);
+            let greatest = greatest();
+            return Err(ResultError::Elsewhere {
+                file,
+                line,
+                vertex,
+                at: rounded.values[at],
+                of_input: at + input.numbering.vertex,
+                expected: own[at].each_ref().map(S::approx),
+                difference: apart(&points[at], &own[at]),
+                tolerance: self.tolerance,
+                accepted: accepted.map_or(greatest, |by_place| by_place.min(greatest)),
+            });
+        }
         let (file, line, vertex) = vertices.name(at);
-        Err(ResultError::Elsewhere {
+        let place = rounded.values[at];
+        let named = |v: usize| v + input.numbering.vertex;
+        if let [Some(one), Some(other)] = rounded.candidates(&nearby, rounded.rules[0], at) {
+            return Err(ResultError::Ambiguous {
+                file,
+                line,
+                vertex,
+                at: place,
+                of_input: [one.min(other), one.max(other)].map(named),
+                tolerance: self.tolerance,
+            });
+        }
+        let nearest = nearby.nearest(place).map(|(v, difference)| Nearest {
+            of_input: named(v),
+            at: nearby.points()[v],
+            difference,
+        });
+        Err(ResultError::Stranger {
             file,
             line,
             vertex,
-            at: points[at].each_ref().map(S::approx),
-            of_input: at + input.numbering.vertex,
-            expected: own[at].each_ref().map(S::approx),
-            tolerance: self.tolerance,
+            at: place,
+            nearest,
+            is_numbered: !is_soup,
+            accepted,
         })
     }
+}
+
+/// A file with coordinates that are rounded, or differ by no more than a tolerance.
+struct Rounded<'a, S> {
+    tolerance: Option<f64>,
+    vertices: &'a Vertices<'a>,
+    points: &'a [[S; 2]],
+    own: &'a [[S; 2]],
+    /// The vertices of the input that are exactly these.
+    found: &'a [Option<usize>],
+    /// The points, as doubles.
+    values: Vec<[f64; 2]>,
+    /// How they may be rounded: all of them by one of these.
+    rules: Vec<Rule>,
+}
+
+impl<'a, S: Coordinate> Rounded<'a, S> {
+    fn new(
+        tolerance: Option<f64>,
+        vertices: &'a Vertices<'a>,
+        points: &'a [[S; 2]],
+        own: &'a [[S; 2]],
+        found: &'a [Option<usize>],
+    ) -> Rounded<'a, S> {
+        let values = approximations(points);
+        let rules = if vertices.is_single() {
+            vec![Rule::Singles]
+        } else {
+            let singles = are_singles(vertices, &values).then_some(Rule::Singles);
+            [Rule::Decimals].into_iter().chain(singles).collect()
+        };
+        Rounded {
+            tolerance,
+            vertices,
+            points,
+            own,
+            found,
+            values,
+            rules,
+        }
+    }
+
+    /// Whether this vertex of the file may be that one of the input.
+    fn is_close(&self, at: usize, v: usize) -> bool {
+        if let Some(tolerance) = self.tolerance {
+            return apart(&self.points[at], &self.own[v]) <= tolerance;
+        }
+        (0..2).all(|axis| {
+            let (read, exact) = (&self.points[at][axis], &self.own[v][axis]);
+            let is_rounded = |&rule: &Rule| {
+                let range = self.range(rule, at, axis);
+                range.is_some_and(|[low, high]| (low..=high).contains(&exact.approx()))
+            };
+            read == exact || self.rules.iter().any(is_rounded)
+        })
+    }
+
+    /// The least and the greatest double that a coordinate of the input may be which is rounded to this one; `None` for
+    /// a fraction, which is not rounded.
+    fn range(&self, rule: Rule, at: usize, axis: usize) -> Option<[f64; 2]> {
+        let text = self.vertices.text(at, axis);
+        let [low, high] = rule.doubles(&text, self.values[at][axis])?;
+        // Others than doubles are known to one unit in the last place only.
+        Some(match S::APPROX_IS_EXACT {
+            true => [low, high],
+            false => [low.next_down(), high.next_up()],
+        })
+    }
+
+    /// The vertices of the input that this one may be: two of them, the only one, or none.
+    fn candidates(&self, nearby: &Nearby, rule: Rule, at: usize) -> [Option<usize>; 2] {
+        let rectangle = match self.tolerance {
+            Some(tolerance) => Some(around(self.values[at], tolerance)),
+            None => self.range(rule, at, 0).zip(self.range(rule, at, 1)),
+        };
+        let rounded = rectangle.map(|(x, y)| nearby.first_two(x, y));
+        rounded.unwrap_or([self.found[at], None])
+    }
+
+    /// For each vertex of the file the only one of the input that it may be, all by one rule; or the first vertex for
+    /// which there are two, or none.
+    fn places(&self, nearby: &Nearby) -> Result<(Vec<usize>, Rule), usize> {
+        let by = |rule: Rule| {
+            let mut places = Vec::with_capacity(self.points.len());
+            let mut first_at = vec![None; self.own.len()];
+            for at in 0..self.points.len() {
+                let [Some(v), None] = self.candidates(nearby, rule, at) else {
+                    return Err(at);
+                };
+                // Vertices at two places are not one vertex.
+                let first = *first_at[v].get_or_insert(at);
+                if self.points[first] != self.points[at] {
+                    return Err(if self.found[at].is_none() { at } else { first });
+                }
+                places.push(v);
+            }
+            Ok((places, rule))
+        };
+        let fixed = fixed_places(self.vertices).map(Rule::Fixed);
+        let mut rules = fixed.into_iter().chain(self.rules.iter().copied());
+        rules
+            .find_map(|rule| by(rule).ok())
+            .map_or_else(|| by(self.rules[0]), Ok)
+    }
+}
+
+/// The points as doubles.
+fn approximations<S: Scalar>(points: &[[S; 2]]) -> Vec<[f64; 2]> {
+    let approximation = |point: &[S; 2]| point.each_ref().map(S::approx);
+    points.iter().map(approximation).collect()
+}
+
+/// The positions of finite points, of equal ones the lowest.
+fn distinct<S: Scalar>(points: &[[S; 2]]) -> Vec<usize> {
+    let mut sorted: Vec<usize> = (0..points.len())
+        .filter(|&v| is_finite(&points[v]))
+        .collect();
+    sorted.sort_by(|&v, &w| order(&points[v], &points[w]));
+    sorted.dedup_by(|v, w| order(&points[*v], &points[*w]).is_eq());
+    sorted
 }
 
 /// The vertices of a file that are none of `own`, the input's.
@@ -162,41 +309,6 @@ fn refuse_non_finite<S: Scalar>(
     };
     let (file, line, vertex) = vertices.name(at);
     Err(ResultError::NonFinite { file, line, vertex })
-}
-
-/// For each of `points` the first of the input's `own` whose coordinates they are in single precision, if each has one,
-/// and no other vertex of the input has the same.
-fn by_singles<S: Coordinate>(points: &[[S; 2]], own: &[[S; 2]]) -> Option<Vec<usize>> {
-    if !own.iter().all(is_finite) {
-        return None;
-    }
-    let singles = own
-        .iter()
-        .map(|point| point.each_ref().map(|x| single(x.approx())));
-    let singles: Vec<[f64; 2]> = singles.collect();
-    let near: Vec<[f64; 2]> = points
-        .iter()
-        .map(|point| point.each_ref().map(S::approx))
-        .collect();
-    let places: Vec<usize> = find(&near, &singles).into_iter().collect::<Option<_>>()?;
-    let (same, equal) = (find(&singles, &singles), find(own, own));
-    let pairs = same.iter().zip(&equal);
-    let ambiguous: HashSet<usize> = pairs
-        .filter_map(|(&same, &equal)| same.filter(|&first| equal != Some(first)))
-        .collect();
-    places
-        .iter()
-        .all(|place| !ambiguous.contains(place))
-        .then_some(places)
-}
-
-/// The nearest number of single precision.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "this is how programs round"
-)]
-fn single(x: f64) -> f64 {
-    f64::from(x as f32)
 }
 
 /// For each of `points` the lowest position in `among` of an equal point. All of `points` are finite.
@@ -249,6 +361,16 @@ pub enum Matched {
         /// The greatest difference of two coordinates.
         difference: f64,
     },
+    /// By coordinates: each is that of a vertex of the input, rounded to the digits that are printed, and of no other one.
+    Printed {
+        /// The greatest difference of two coordinates.
+        difference: f64,
+    },
+    /// By coordinates: within the tolerance that was asked for, each has one vertex of the input, and no other one.
+    Within {
+        /// The greatest difference of two coordinates.
+        difference: f64,
+    },
     /// By number: the result has no coordinates.
     Unplaced,
     /// By number: each coordinate of the result is that of the input, rounded.
@@ -273,7 +395,10 @@ impl Matched {
     /// The rule that decided: `coordinates` or `number`.
     pub fn by(self) -> &'static str {
         match self {
-            Matched::Equal | Matched::Single { .. } => "coordinates",
+            Matched::Equal
+            | Matched::Single { .. }
+            | Matched::Printed { .. }
+            | Matched::Within { .. } => "coordinates",
             _ => "number",
         }
     }
@@ -285,6 +410,8 @@ impl Matched {
             Matched::Equal => Some(0.0),
             Matched::Unplaced => None,
             Matched::Single { difference }
+            | Matched::Printed { difference }
+            | Matched::Within { difference }
             | Matched::Rounded { difference }
             | Matched::Near { difference }
             | Matched::Asked { difference } => Some(difference),
@@ -296,43 +423,12 @@ impl Matched {
         match self {
             Matched::Equal => "equal",
             Matched::Single { .. } => "single",
+            Matched::Printed { .. } => "printed",
+            Matched::Within { .. } => "within",
             Matched::Unplaced => "unplaced",
             Matched::Rounded { .. } => "rounded",
             Matched::Near { .. } => "near",
             Matched::Asked { .. } => "asked",
         }
     }
-}
-
-/// The fewest significant digits that a program is taken to have printed.
-const FEWEST: usize = 6;
-/// A double is known from so many digits.
-const MOST: usize = 17;
-
-/// Whether a value is what printing `exact` gives, as this text has it.
-///
-/// Half a unit may be rounded to either side. `exact` is known to one unit in its last place only, if
-/// `is_near` says so.
-///
-/// A program that prints a coordinate with k significant digits moves it by at most half a unit of its
-/// k-th digit. How many digits were printed is seen in the file: as many as stand there, without leading
-/// zeros, but 6 at least, since many programs (`%g`, C++ streams) drop zeros at the end of their 6. So a
-/// number that is written with more digits than 6 must agree in all of them.
-fn is_rounded(exact: f64, is_near: bool, text: &str, value: f64) -> bool {
-    let Some(digits) = digits(text) else {
-        return false;
-    };
-    let digits = digits.clamp(FEWEST, MOST);
-    // Digits that a double has for certain leave room for both ways to round a half. (Next to zero is a
-    // number of other digits.)
-    let either_way = exact.is_normal() && (is_near || digits <= f64::DIGITS as usize);
-    let printed = |exact: f64| format!("{exact:.*e}", digits - 1).parse() == Ok(value);
-    printed(exact) || either_way && (printed(exact.next_up()) || printed(exact.next_down()))
-}
-
-/// How many significant digits are written; `None` for a fraction, which is not rounded.
-fn digits(text: &str) -> Option<usize> {
-    let mantissa = text.split(['e', 'E']).next()?;
-    let digits = mantissa.bytes().filter(u8::is_ascii_digit);
-    (!text.contains('/')).then(|| digits.skip_while(|&digit| digit == b'0').count())
 }

@@ -1,42 +1,58 @@
 //! Formats of meshes have in common: vertices, lines and faces.
 //!
-//! An input takes the vertices and the lines, and no faces. A result takes the vertices and the faces, which must be
-//! triangles, and no lines. So one file can be both: an input, and its triangulation.
+//! An input takes the vertices and the lines; its faces go along beside the graph. A result takes the vertices and the
+//! faces, which must be triangles, and no lines. So one file can be both: an input, and its triangulation.
 
+use crate::Faces;
 use crate::read::content::{Corners, Edges, Labels, Vertices};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, no_vertex};
 
 /// The contents of a file.
 pub(super) struct Mesh<'a> {
     pub(super) vertices: Vertices<'a>,
-    /// The vertices of the faces and the lines.
-    pub(super) faces: Faces,
+    /// The vertices of the lines and the faces.
+    pub(super) cells: Cells,
     /// The file's number of the first line and of the first face.
     pub(super) first: usize,
+    pub(super) remarks: Remarks,
 }
 
-/// Lines and triangles, vertices as the file numbers them.
+/// Lines and faces, vertices as the file numbers them.
 #[derive(Default)]
-pub(super) struct Faces {
+pub(super) struct Cells {
     pub(super) lines: Vec<[usize; 2]>,
-    pub(super) triangles: Vec<[usize; 3]>,
-    /// The error of the first face that is no triangle.
+    /// The marker of each line, or none.
+    pub(super) markers: Vec<i64>,
+    /// Vertices with their markers.
+    pub(super) vertex_markers: Vec<(usize, i64)>,
+    pub(super) faces: Faces,
+    /// The region of each triangle, or none.
+    pub(super) regions: Vec<f64>,
+    /// The error of the first cell that a result must not have.
     other: Option<ReadError>,
+    /// How many cells are neither lines nor faces.
+    pub(super) unread: usize,
 }
 
-impl Faces {
+impl Cells {
     /// Adds a face: of two corners it is a line, of fewer it is nothing. `error` says where it is.
     pub(super) fn add(&mut self, corners: &[usize], error: impl FnOnce(String) -> ReadError) {
         match *corners {
             [] | [_] => {}
             [a, b] => self.lines.push([a, b]),
-            [a, b, c] => self.triangles.push([a, b, c]),
-            _ => self.refuse(|| error(no_triangle(corners.len()))),
+            [a, b, c] => self.faces.triangles.push([a, b, c]),
+            _ => {
+                self.faces.others.push(corners.to_vec());
+                self.other
+                    .get_or_insert_with(|| error(no_triangle(corners.len())));
+            }
         }
     }
 
-    /// Adds that there is something which a result must not have.
+    /// Adds that there is a cell which is neither a line nor a face, and which a result must not have.
     pub(super) fn refuse(&mut self, error: impl FnOnce() -> ReadError) {
+        self.unread += 1;
         self.other.get_or_insert_with(error);
     }
 
@@ -46,7 +62,7 @@ impl Faces {
         for (at, window) in corners.windows(3).enumerate() {
             let [a, b, c] = [window[0], window[1], window[2]];
             let triangle = if at % 2 == 0 { [a, b, c] } else { [b, a, c] };
-            self.triangles.push(triangle);
+            self.faces.triangles.push(triangle);
         }
     }
 
@@ -66,12 +82,21 @@ pub(super) fn no_triangle(corners: usize) -> String {
 }
 
 impl<'a> Mesh<'a> {
-    /// The vertices and the lines.
+    /// The vertices and the lines, with the faces beside them.
     pub(super) fn into_graph(self) -> Result<Edges<'a>, ReadError> {
         let Mesh {
             vertices,
-            faces: Faces { lines, .. },
+            cells:
+                Cells {
+                    lines,
+                    markers,
+                    vertex_markers,
+                    mut faces,
+                    unread,
+                    ..
+                },
             first,
+            mut remarks,
         } = self;
         let count = vertices.coordinates.len();
         let mut edges = Vec::with_capacity(lines.len());
@@ -89,20 +114,42 @@ impl<'a> Mesh<'a> {
             }
             edges.push(line.map(|number| number - vertices.first));
         }
-        Ok(Edges::without_seeds(vertices, edges, first))
+        // A number before the first one becomes one that no vertex has.
+        let corners = (faces.triangles.as_flattened_mut().iter_mut())
+            .chain(faces.others.iter_mut().flatten());
+        corners.for_each(|corner| *corner = corner.wrapping_sub(vertices.first));
+        remarks.ignore(unread, "cell of another kind", "cells of other kinds");
+        let place = |(number, marker): (usize, i64)| (number.wrapping_sub(vertices.first), marker);
+        Ok(Edges {
+            vertex_markers: vertex_markers.into_iter().map(place).collect(),
+            markers,
+            faces,
+            remarks,
+            ..Edges::without_seeds(vertices, edges, first)
+        })
     }
 
     /// The vertices and the triangles.
     pub(super) fn into_triangles(self) -> Result<Corners<'a>, ReadError> {
-        match self.faces.other {
+        let Cells {
+            faces,
+            regions,
+            other,
+            ..
+        } = self.cells;
+        match other {
             Some(error) => Err(error),
             None => Ok(Corners {
-                triangles: self.faces.triangles,
+                labels: if regions.is_empty() {
+                    Labels::Nothing
+                } else {
+                    Labels::Attributes(regions)
+                },
+                triangles: faces.triangles,
                 first: self.first,
                 first_vertex: self.vertices.first,
                 vertices: Some(self.vertices),
                 is_soup: false,
-                labels: Labels::Nothing,
             }),
         }
     }

@@ -3,24 +3,38 @@
 #[cfg(feature = "mesh-formats")]
 mod binary;
 mod content;
+#[cfg(feature = "mesh-formats")]
+mod dxf;
 mod file;
 #[cfg(feature = "mesh-formats")]
 mod geojson;
 mod input;
 mod json;
 mod json_faults;
+mod json_more;
 mod json_pieces;
 mod matching;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod msh;
+#[cfg(feature = "mesh-formats")]
+mod msh_binary;
+mod nearby;
+#[cfg(feature = "mesh-formats")]
+mod npy;
+#[cfg(feature = "mesh-formats")]
+mod numpy;
 mod obj;
 mod off;
 #[cfg(feature = "mesh-formats")]
 mod ply;
 #[cfg(feature = "mesh-formats")]
 mod ply_header;
+mod points;
+mod remarks;
 mod result;
+mod rounding;
+mod rows;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
 mod source;
@@ -32,6 +46,8 @@ mod triangle;
 mod vtk;
 #[cfg(feature = "mesh-formats")]
 mod vtk_arrays;
+#[cfg(feature = "mesh-formats")]
+mod vtk_cells;
 #[cfg(feature = "mesh-formats")]
 mod vtu;
 #[cfg(feature = "mesh-formats")]
@@ -48,4 +64,4 @@ pub(crate) use input::merged;
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, added_points, read_result};
-pub use source::{ReadError, ReadErrorKind, ResultError, Source};
+pub use source::{Nearest, ReadError, ReadErrorKind, ResultError, Source};

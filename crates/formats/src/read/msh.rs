@@ -1,4 +1,5 @@
-//! Gmsh's `.msh`, as text, of the versions 2 and 4: nodes, and the elements that are lines and triangles.
+//! Gmsh's `.msh` of the versions 2 and 4.1, as text or binary (see `msh_binary.rs`): nodes, and the elements that are
+//! lines and triangles.
 //!
 //! ```text
 //! $MeshFormat                                   $MeshFormat
@@ -16,13 +17,16 @@
 //! ```
 //!
 //! Elements of type 1 are lines, of type 2 triangles, of type 8 lines of second order: two ends, and a node between them
-//! that the line goes through. Points (15) are read over. Nodes that are not numbered from 0 or 1
-//! in the order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are not read.
+//! that the line goes through. The first tag of a line is its marker, that of a point (15) the marker of its node, that of a
+//! triangle its region: the physical group. (Version 4.1 has no tags.) Nodes that are not numbered from 0 or 1 in the
+//! order of the file are numbered from 1 on. Other sections, data of the nodes for instance, are ignored with a remark.
 
 use std::collections::HashMap;
 
-use crate::read::content::Vertices;
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::content::{Syntax, Vertices};
+use crate::read::mesh::{Cells, Mesh};
+use crate::read::msh_binary;
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::{Line, Lines};
 
@@ -30,10 +34,13 @@ const NODE: &str = "a node's number";
 
 /// Reads a `.msh`.
 pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
+    if msh_binary::is_in(source)? {
+        return msh_binary::read(source);
+    }
     let mut lines = Lines::new(source)?;
     let mut has_blocks = None;
     let mut nodes = None;
-    let mut faces = Faces::default();
+    let (mut cells, mut remarks) = (Cells::default(), Remarks::default());
     while let Some(mut line) = lines.next_line() {
         let section = line.expect_token("a section")?;
         match (section, has_blocks, &nodes) {
@@ -42,7 +49,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
                 nodes = Some(Nodes::read(has_blocks, &mut lines)?);
             }
             (b"$Elements", Some(has_blocks), Some(nodes)) => {
-                read_elements(has_blocks, nodes, &mut faces, &mut lines)?;
+                read_elements(has_blocks, nodes, &mut cells, &mut lines)?;
             }
             (b"$NOD", None, _) => {
                 let message =
@@ -54,7 +61,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
                     line.error("`$MeshFormat`, `$Nodes` and `$Elements` come once, in this order")
                 );
             }
-            _ if section.starts_with(b"$") => {}
+            _ if section.starts_with(b"$") => remarks.ignore_named(1, "section", section),
             _ => {
                 return Err(line.error(format!("{} is not the name of a section", quoted(section))));
             }
@@ -77,41 +84,70 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
             }
         }
     }
+    mesh(source, Syntax::Plain, nodes, cells, remarks)
+}
+
+/// The contents of a file whose coordinates stand so.
+pub(super) fn mesh<'a>(
+    source: &'a Source,
+    syntax: Syntax,
+    nodes: Option<Nodes<'a>>,
+    mut cells: Cells,
+    remarks: Remarks,
+) -> Result<Mesh<'a>, ReadError> {
+    // Groups that are all 0 are none.
+    if cells.markers.iter().all(|&marker| marker == 0) {
+        cells.markers.clear();
+    }
+    if cells.regions.iter().all(|&region| region == 0.0) {
+        cells.regions.clear();
+    }
     let Some(nodes) = nodes else {
         return Err(ReadError::of_file(&source.name, "there are no `$Nodes`"));
     };
-    let vertices = Vertices::plain(source, nodes.coordinates, nodes.first);
+    let vertices = Vertices {
+        syntax,
+        ..Vertices::plain(source, nodes.coordinates, nodes.first)
+    };
     Ok(Mesh {
         vertices: vertices.with_heights(&nodes.heights),
-        faces,
+        cells,
         first: 1,
+        remarks,
     })
 }
 
 /// Whether the version has blocks.
 fn read_version(lines: &mut Lines<'_>) -> Result<bool, ReadError> {
     let mut line = lines.expect_line(|| "the version".to_owned())?;
-    let has_blocks = match line.expect_token("the version")? {
-        b"4.1" => true,
-        token if token.starts_with(b"2") => false,
-        other => {
-            let shown = quoted(other);
-            return Err(line.error(format!(
-                "the version is {shown}, and only 2 and 4.1 are read"
-            )));
-        }
-    };
+    let version = line.expect_token("the version")?;
+    let has_blocks = has_blocks(version).map_err(|message| line.error(message))?;
     match line.expect_token("the type of the file")? {
         b"0" => Ok(has_blocks),
-        _ => Err(line.error("only files of text are read, and no binary ones")),
+        other => Err(line.error(format!(
+            "the type of the file is {}, not 0 or 1",
+            quoted(other)
+        ))),
+    }
+}
+
+/// Whether a version has blocks of nodes and elements.
+pub(super) fn has_blocks(version: &[u8]) -> Result<bool, String> {
+    match version {
+        b"4.1" => Ok(true),
+        _ if version.starts_with(b"2") => Ok(false),
+        _ => Err(format!(
+            "the version is {}, and only 2 and 4.1 are read",
+            quoted(version)
+        )),
     }
 }
 
 /// The nodes of a file.
 #[derive(Default)]
-struct Nodes<'a> {
-    coordinates: Vec<[&'a [u8]; 2]>,
-    heights: Vec<Option<&'a [u8]>>,
+pub(super) struct Nodes<'a> {
+    pub(super) coordinates: Vec<[&'a [u8]; 2]>,
+    pub(super) heights: Vec<Option<&'a [u8]>>,
     /// The number of the first one.
     first: usize,
     /// The places of nodes that are not numbered one after the other.
@@ -143,19 +179,24 @@ impl<'a> Nodes<'a> {
                 nodes.push(&mut line)?;
             }
         }
-        nodes.first = numbers.first().map_or(1, |&first| first.min(1));
-        if !numbers
-            .iter()
-            .enumerate()
-            .all(|(at, &number)| at + nodes.first == number)
-        {
-            nodes.first = 1;
-            nodes.places = numbers.iter().copied().zip(1..).collect();
-            if nodes.places.len() < numbers.len() {
-                return Err(line.error("two nodes have the same number"));
+        nodes
+            .number(&numbers)
+            .map_err(|message| line.error(message))?;
+        Ok(nodes)
+    }
+
+    /// Gives the nodes their numbers.
+    pub(super) fn number(&mut self, numbers: &[usize]) -> Result<(), &'static str> {
+        self.first = numbers.first().map_or(1, |&first| first.min(1));
+        let mut counted = numbers.iter().zip(self.first..);
+        if counted.any(|(&number, expected)| number != expected) {
+            self.first = 1;
+            self.places = numbers.iter().copied().zip(1..).collect();
+            if self.places.len() < numbers.len() {
+                return Err("two nodes have the same number");
             }
         }
-        Ok(nodes)
+        Ok(())
     }
 
     fn push(&mut self, line: &mut Line<'a>) -> Result<(), ReadError> {
@@ -168,18 +209,23 @@ impl<'a> Nodes<'a> {
     /// The node that the next token names.
     fn next(&self, line: &mut Line<'_>) -> Result<usize, ReadError> {
         let number = line.index(NODE)?;
+        self.place(number).map_err(|message| line.error(message))
+    }
+
+    /// The node of a number, counted from `first`.
+    pub(super) fn place(&self, number: usize) -> Result<usize, String> {
         if self.places.is_empty() {
             return Ok(number);
         }
         let place = self.places.get(&number).copied();
-        place.ok_or_else(|| line.error(format!("there is no node {number}")))
+        place.ok_or_else(|| format!("there is no node {number}"))
     }
 }
 
 fn read_elements(
     has_blocks: bool,
     nodes: &Nodes<'_>,
-    faces: &mut Faces,
+    cells: &mut Cells,
     lines: &mut Lines<'_>,
 ) -> Result<(), ReadError> {
     let missing = || "an element".to_owned();
@@ -197,40 +243,68 @@ fn read_elements(
             for _ in 0..fourth(&mut line)? {
                 let mut line = lines.expect_line(missing)?;
                 line.index("an element's number")?;
-                add(kind, nodes, faces, &mut line)?;
+                add(kind, 0, nodes, cells, &mut line)?;
             }
         } else {
             line.index("an element's number")?;
             let kind = line.index("a type of elements")?;
-            for _ in 0..line.index("a number of tags")? {
-                line.expect_token("a tag")?;
+            let mut group = 0;
+            for tag in 0..line.index("a number of tags")? {
+                let token = line.expect_token("a tag")?;
+                if tag == 0 {
+                    let number = std::str::from_utf8(token).ok();
+                    let number = number.and_then(|number| number.parse().ok());
+                    let wrong =
+                        || line.error(format!("{} is not a tag, a whole number", quoted(token)));
+                    group = number.ok_or_else(wrong)?;
+                }
             }
-            add(kind, nodes, faces, &mut line)?;
+            add(kind, group, nodes, cells, &mut line)?;
         }
     }
     Ok(())
 }
 
-/// Adds the element whose nodes follow in its line.
+/// Adds the element of this physical group whose nodes follow in its line.
 fn add(
     kind: usize,
+    group: i64,
     nodes: &Nodes<'_>,
-    faces: &mut Faces,
+    cells: &mut Cells,
     line: &mut Line<'_>,
 ) -> Result<(), ReadError> {
+    let error = line.clone();
+    let next = || nodes.next(line);
+    add_element(kind, group, next, cells, |message| error.error(message))
+}
+
+/// Adds an element of one of Gmsh's types and of a physical group, 0 for none, whose nodes `next` returns.
+pub(super) fn add_element(
+    kind: usize,
+    group: i64,
+    mut next: impl FnMut() -> Result<usize, ReadError>,
+    cells: &mut Cells,
+    error: impl FnOnce(String) -> ReadError,
+) -> Result<(), ReadError> {
     match kind {
-        1 => faces.lines.push([nodes.next(line)?, nodes.next(line)?]),
-        8 => {
-            let [from, to] = [nodes.next(line)?, nodes.next(line)?];
-            let between = nodes.next(line)?;
-            faces.lines.extend([[from, between], [between, to]]);
+        1 => {
+            cells.lines.push([next()?, next()?]);
+            cells.markers.push(group);
         }
-        2 => faces
-            .triangles
-            .push([nodes.next(line)?, nodes.next(line)?, nodes.next(line)?]),
+        8 => {
+            let [from, to] = [next()?, next()?];
+            let between = next()?;
+            cells.lines.extend([[from, between], [between, to]]);
+            cells.markers.extend([group; 2]);
+        }
+        2 => {
+            cells.faces.triangles.push([next()?, next()?, next()?]);
+            cells.regions.push(group as f64);
+        }
+        15 if group != 0 => cells.vertex_markers.push((next()?, group)),
         15 => {}
-        _ => faces.refuse(|| {
-            line.error(format!(
+        _ => cells.refuse(|| {
+            error(format!(
                 "elements of type {kind} are not read, only triangles (2)"
             ))
         }),

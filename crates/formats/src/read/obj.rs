@@ -2,10 +2,12 @@
 //!
 //! A vertex is x, y and a height z, which may be missing. The vertex of a corner may be followed by texture and
 //! normal (`7/1/2`), which are ignored, and may be counted back from the last vertex so far (`-1`). A line may go
-//! through more than two vertices. A backslash at the end of a line says that the next one goes on with it. Vertices, lines and faces are numbered from 1. Other lines of the file are ignored.
+//! through more than two vertices. A backslash at the end of a line says that the next one goes on with it. Vertices,
+//! lines and faces are numbered from 1. Other lines of the file are ignored with a remark, by their keywords.
 
 use crate::read::content::Vertices;
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::{Line, Lines};
 
@@ -13,7 +15,7 @@ use crate::read::token_lines::{Line, Lines};
 pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     let mut lines = Lines::new(source)?;
     let (mut coordinates, mut heights) = (Vec::new(), Vec::new());
-    let mut faces = Faces::default();
+    let (mut cells, mut remarks) = (Cells::default(), Remarks::default());
     let mut corners = Vec::new();
     while let Some(line) = lines.next_line() {
         let mut line = Wrapped {
@@ -30,22 +32,26 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
             }
             Some(b"l") => 2,
             Some(b"f") => 3,
-            _ => continue,
+            _ => {
+                remarks.ignore_lines(1, keyword.unwrap_or_default());
+                continue;
+            }
         };
         corners.clear();
         while corners.len() < least || !line.is_empty() {
             corners.push(corner(&mut line, coordinates.len())?);
         }
         if least == 2 {
-            faces.add_lines(&corners);
+            cells.add_lines(&corners);
         } else {
-            faces.add(&corners, |message| line.line.error(message));
+            cells.add(&corners, |message| line.line.error(message));
         }
     }
     Ok(Mesh {
         vertices: Vertices::plain(source, coordinates, 1).with_heights(&heights),
-        faces,
+        cells,
         first: 1,
+        remarks,
     })
 }
 

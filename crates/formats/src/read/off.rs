@@ -7,11 +7,13 @@
 //! <corners> <vertex> <vertex> ... [color]  two corners: a line
 //! ```
 //!
-//! What follows z is ignored, colors and normals (`COFF`, `NOFF`, `CNOFF`) for instance, and what follows the corners.
+//! What follows z is ignored with a remark, colors and normals (`COFF`, `NOFF`, `CNOFF`) for instance, and what follows
+//! the corners.
 //! Of a line `#` and what follows is a comment.
 
 use crate::read::content::Vertices;
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source};
 use crate::read::token_lines::Lines;
 
@@ -22,12 +24,19 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     let capacity = lines.capacity(vertex_count);
     let mut coordinates = Vec::with_capacity(capacity);
     let mut heights = Vec::with_capacity(capacity);
+    let mut remarks = Remarks::default();
     for vertex in 0..vertex_count {
         let mut line = lines.expect_line(|| format!("vertex {} of {vertex_count}", vertex + 1))?;
         coordinates.push(line.coordinates()?);
         heights.push(Some(line.expect_token("a z coordinate")?));
+        let more = usize::from(!line.is_empty());
+        remarks.ignore(
+            more,
+            "color or normal of a vertex",
+            "colors or normals of vertices",
+        );
     }
-    let mut faces = Faces::default();
+    let mut cells = Cells::default();
     let mut corners = Vec::new();
     for face in 0..face_count {
         let mut line = lines.expect_line(|| format!("face {} of {face_count}", face + 1))?;
@@ -36,7 +45,12 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
         for _ in 0..count {
             corners.push(line.index("a vertex's number")?);
         }
-        faces.add(&corners, |message| line.error(message));
+        cells.add(&corners, |message| line.error(message));
+        remarks.ignore(
+            usize::from(!line.is_empty()),
+            "color of a face",
+            "colors of faces",
+        );
     }
     if let Some(line) = lines.next_line() {
         let message = format!("only {vertex_count} vertices and {face_count} faces are announced");
@@ -44,8 +58,9 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     }
     Ok(Mesh {
         vertices: Vertices::plain(source, coordinates, 0).with_heights(&heights),
-        faces,
+        cells,
         first: 0,
+        remarks,
     })
 }
 

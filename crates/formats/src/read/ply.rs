@@ -3,17 +3,20 @@
 //! | element | properties |
 //! |---|---|
 //! | `vertex` | `x` and `y`; `z` and all others but lists are columns |
-//! | `edge` | `vertex1` and `vertex2` |
-//! | `face` | the list `vertex_indices` or `vertex_index` |
+//! | `edge` | `vertex1` and `vertex2`; a whole number `marker` |
+//! | `face` | the list `vertex_indices` or `vertex_index`; of triangles a number `region` |
 //!
-//! Vertices, edges and faces are numbered from 0. Other elements and properties are read over. Every number of a
+//! Vertices, edges and faces are numbered from 0. Other elements and properties are ignored with a remark. Every number of a
 //! binary file is a double, and arrives as it is; those of a text as all texts do, whatever type they are said to
 //! have.
 
+use crate::Column;
+use crate::graph_file::whole;
 use crate::read::binary::{Kind, Number};
 use crate::read::content::{Field, Syntax, Vertices};
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
 use crate::read::ply_header::{self, Element, Encoding, Property};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::Lines;
 
@@ -30,24 +33,30 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
         },
     };
     let mut vertices = None;
-    let mut faces = Faces::default();
+    let (mut cells, mut remarks) = (Cells::default(), Remarks::default());
     // A record without properties takes no bytes, so that there may be any number of them.
     let elements = header.elements.iter();
     for element in elements.filter(|element| !element.properties.is_empty()) {
         match element.name {
             b"vertex" if vertices.is_none() => {
+                let is_read = |at: usize| element.properties[at].length.is_none();
+                ignore_others(element, is_read, &mut remarks);
                 vertices = Some(read_vertices(source, element, &mut body)?);
             }
-            b"edge" => read_edges(source, element, &mut body, &mut faces)?,
-            b"face" => read_faces(source, element, &mut body, &mut faces)?,
-            _ => (0..element.count).try_for_each(|at| body.record(element, at, |_, _| Ok(())))?,
+            b"edge" => read_edges(source, element, &mut body, &mut cells, &mut remarks)?,
+            b"face" => read_faces(source, element, &mut body, &mut cells, &mut remarks)?,
+            _ => {
+                remarks.ignore_named(element.count, "element", element.name);
+                (0..element.count).try_for_each(|at| body.record(element, at, |_, _| Ok(())))?;
+            }
         }
     }
     let missing = || ReadError::of_file(&source.name, "there is no element `vertex`");
     Ok(Mesh {
         vertices: vertices.ok_or_else(missing)?,
-        faces,
+        cells,
         first: 0,
+        remarks,
     })
 }
 
@@ -101,21 +110,30 @@ fn read_edges<'a>(
     source: &'a Source,
     element: &Element<'a>,
     body: &mut Body<'a>,
-    faces: &mut Faces,
+    cells: &mut Cells,
+    remarks: &mut Remarks,
 ) -> Result<(), ReadError> {
     let ends = [
         place(source, element, &[b"vertex1"])?,
         place(source, element, &[b"vertex2"])?,
     ];
+    let marker = element.place(&[Column::MARKER.as_bytes()]);
+    ignore_others(
+        element,
+        |at| ends.contains(&at) || Some(at) == marker,
+        remarks,
+    );
     for edge in 0..element.count {
         let mut line = [0; 2];
         body.record(element, edge, |at, piece| {
             if let Some(end) = ends.iter().position(|&end| end == at) {
                 line[end] = piece.index("a vertex's number")?;
+            } else if Some(at) == marker {
+                cells.markers.push(piece.marker()?);
             }
             Ok(())
         })?;
-        faces.lines.push(line);
+        cells.lines.push(line);
     }
     Ok(())
 }
@@ -124,7 +142,8 @@ fn read_faces<'a>(
     source: &'a Source,
     element: &Element<'a>,
     body: &mut Body<'a>,
-    faces: &mut Faces,
+    cells: &mut Cells,
+    remarks: &mut Remarks,
 ) -> Result<(), ReadError> {
     let list = element.place(&[b"vertex_indices", b"vertex_index"]);
     let list = list.filter(|&list| element.properties[list].length.is_some());
@@ -132,21 +151,42 @@ fn read_faces<'a>(
         let message = "the element `face` has no list `vertex_indices`";
         return Err(ReadError::of_file(&source.name, message));
     };
+    let region = element.place(&[b"region"]);
+    ignore_others(element, |at| at == list || Some(at) == region, remarks);
     let mut corners = Vec::new();
     for face in 0..element.count {
         corners.clear();
+        let mut attribute: Option<f64> = None;
         body.record(element, face, |at, piece| {
             if at == list {
                 corners.push(piece.index("a vertex's number")?);
+            } else if Some(at) == region {
+                attribute = piece.syntax.value(piece.bytes).ok();
             }
             Ok(())
         })?;
+        if corners.len() == 3 {
+            cells.regions.extend(attribute);
+        }
         let message = |what| format!("face {face}: {what}");
-        faces.add(&corners, |what| {
+        cells.add(&corners, |what| {
             ReadError::of_file(&source.name, message(what))
         });
     }
+    // A region that is no number makes all of them useless.
+    if cells.regions.len() != cells.faces.triangles.len() {
+        cells.regions.clear();
+    }
     Ok(())
+}
+
+/// Adds a remark for each property that is not read.
+fn ignore_others(element: &Element<'_>, is_read: impl Fn(usize) -> bool, remarks: &mut Remarks) {
+    let properties = element.properties.iter().enumerate();
+    for (_, property) in properties.filter(|(at, _)| !is_read(*at)) {
+        let what = format!("property of `{}`", String::from_utf8_lossy(element.name));
+        remarks.ignore_named(1, &what, property.name);
+    }
 }
 
 /// The place of a property that must be there, and no list.
@@ -179,6 +219,17 @@ struct Piece<'a, 'r> {
 }
 
 impl Piece<'_, '_> {
+    /// A marker.
+    fn marker(&self) -> Result<i64, ReadError> {
+        whole(self.syntax.value(self.bytes).unwrap_or(f64::NAN)).ok_or_else(|| {
+            let shown = self.syntax.text(self.bytes);
+            (self.error)(format!(
+                "{} is not a marker, a whole number",
+                quoted(shown.as_bytes())
+            ))
+        })
+    }
+
     /// The number of a vertex, or how long a list is.
     fn index(&self, what: &str) -> Result<usize, ReadError> {
         self.syntax.index(self.bytes).ok_or_else(|| {

@@ -4,11 +4,15 @@ use std::collections::HashSet;
 
 use crate::read::content::{Corners, Labels, Vertices};
 use crate::read::matching::{self, Matched, Matching};
+#[cfg(feature = "mesh-formats")]
+use crate::read::numpy::Arrays;
+#[cfg(feature = "mesh-formats")]
+use crate::read::shapes::Part;
 use crate::read::source::{ReadError, ResultError, Source};
 #[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
 #[cfg(feature = "mesh-formats")]
-use crate::read::{geojson, msh, ply, stl, vtk, wkt};
+use crate::read::{dxf, geojson, msh, ply, stl, vtk, wkt};
 use crate::read::{json, obj, off, triangle};
 use crate::{Coordinate, CoordinateError, GraphFile};
 use sweep_cdt::Pslg;
@@ -16,7 +20,8 @@ use sweep_cdt::verify::{Offenders, Violation};
 
 named! {
     /// A format that [`read_result`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `stl`, `geojson` and `wkt`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `stl`, `geojson`, `wkt`,
+    /// `npy`, `npz` and `dxf`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum ResultFormat {
@@ -37,7 +42,10 @@ named! {
         /// VTK's points and cells, as XML.
         #[cfg(feature = "mesh-formats")]
         Vtu = "vtu",
-        /// Gmsh's nodes and triangles, as text.
+        /// VTK's points and polygons, as XML.
+        #[cfg(feature = "mesh-formats")]
+        Vtp = "vtp",
+        /// Gmsh's nodes and triangles, as text or binary.
         #[cfg(feature = "mesh-formats")]
         Msh = "msh",
         /// Triangles alone, as text or binary.
@@ -49,6 +57,15 @@ named! {
         /// Polygons as text.
         #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
+        /// Triangles as an array of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npy = "npy",
+        /// Triangles, and maybe points, as arrays of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npz = "npz",
+        /// Faces of CAD, as text.
+        #[cfg(feature = "mesh-formats")]
+        Dxf = "dxf",
     }
 }
 
@@ -74,7 +91,7 @@ impl ResultFormat {
             #[cfg(feature = "mesh-formats")]
             ResultFormat::Vtk => vtk::read(source)?.into_triangles()?,
             #[cfg(feature = "mesh-formats")]
-            ResultFormat::Vtu => {
+            ResultFormat::Vtu | ResultFormat::Vtp => {
                 let unpacked = Unpacked::of(source)?;
                 return make(unpacked.mesh()?.into_triangles()?);
             }
@@ -86,6 +103,12 @@ impl ResultFormat {
             ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
             #[cfg(feature = "mesh-formats")]
             ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
+            ResultFormat::Dxf => dxf::read(source, Part::Ring)?.into_triangles()?,
+            #[cfg(feature = "mesh-formats")]
+            ResultFormat::Npy => return make(Arrays::of_triangles(source)?.triangles()?),
+            #[cfg(feature = "mesh-formats")]
+            ResultFormat::Npz => return make(Arrays::of_archive(source)?.triangles()?),
         };
         make(corners)
     }

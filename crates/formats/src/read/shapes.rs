@@ -1,14 +1,16 @@
 //! Points, lines and polygons as lists of coordinates, as `GeoJSON` and WKT have them.
 //!
 //! There are no numbers of vertices. An input takes the points, and the sides of lines and rings for edges; a ring that
-//! is not closed is closed. Equal points become one vertex ([`read`](crate::read())). A result takes the
-//! polygons, which must be triangles, and nothing else; its corners are found in the input by their coordinates.
+//! is not closed is closed. Equal points become one vertex ([`read`](crate::read())). Which ring is whose hole goes along
+//! ([`Polygons`]). A result takes the polygons, which must be triangles, and nothing else; its corners are found in the input by their coordinates.
 
 use std::ops::Range;
 
 use crate::read::content::{Corners, Edges, Labels, Syntax, Vertices};
 use crate::read::mesh::no_triangle;
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source};
+use crate::{CoordinateSystem, Polygons};
 
 /// The contents of a file.
 pub(super) struct Shapes<'a> {
@@ -16,7 +18,12 @@ pub(super) struct Shapes<'a> {
     syntax: Syntax,
     coordinates: Vec<[&'a [u8]; 2]>,
     heights: Vec<Option<&'a [u8]>>,
-    parts: Vec<(Part, Range<usize>)>,
+    /// Parts, each with its feature and positions.
+    parts: Vec<(Part, usize, Range<usize>)>,
+    /// How many features have begun.
+    features: usize,
+    pub(super) system: Option<CoordinateSystem>,
+    pub(super) remarks: Remarks,
 }
 
 /// The geometry that some positions make together.
@@ -38,6 +45,29 @@ impl<'a> Shapes<'a> {
             coordinates: Vec::new(),
             heights: Vec::new(),
             parts: Vec::new(),
+            features: 0,
+            system: None,
+            remarks: Remarks::default(),
+        }
+    }
+
+    /// Begins a feature: a geometry with what belongs to it.
+    pub(super) fn begin_feature(&mut self) {
+        self.features += 1;
+    }
+
+    /// How many positions there are.
+    pub(super) fn len(&self) -> usize {
+        self.coordinates.len()
+    }
+
+    /// Gives the positions from `first` on that have no height this one.
+    pub(super) fn raise(&mut self, first: usize, height: &'a [u8]) {
+        for missing in self.heights[first..]
+            .iter_mut()
+            .filter(|height| height.is_none())
+        {
+            *missing = Some(height);
         }
     }
 
@@ -49,35 +79,52 @@ impl<'a> Shapes<'a> {
 
     /// Ends a part: it has the positions since the part before.
     pub(super) fn end(&mut self, part: Part) {
-        let first = self.parts.last().map_or(0, |(_, range)| range.end);
-        self.parts.push((part, first..self.coordinates.len()));
+        let first = self.parts.last().map_or(0, |(.., range)| range.end);
+        let feature = self.features.saturating_sub(1);
+        self.parts
+            .push((part, feature, first..self.coordinates.len()));
     }
 
     /// All positions as vertices, and the sides of lines and rings.
     pub(super) fn into_graph(self) -> Edges<'a> {
-        let mut edges = Vec::new();
-        for (part, range) in &self.parts {
-            if *part == Part::Points {
-                continue;
-            }
+        let (mut edges, mut polygons) = (Vec::new(), Polygons::default());
+        for (part, feature, range) in &self.parts {
+            let ring = match part {
+                Part::Points => continue,
+                Part::Line => None,
+                Part::Ring => {
+                    polygons.begin(*feature);
+                    Some(polygons.add_ring(false))
+                }
+                Part::Hole => Some(polygons.add_ring(true)),
+            };
             edges.extend(range.clone().skip(1).map(|v| [v - 1, v]));
             let is_open = || self.is_apart(range.start, range.end - 1);
             if *part != Part::Line && !range.is_empty() && is_open() {
                 edges.push([range.end - 1, range.start]);
             }
+            polygons.ring_of.resize(edges.len(), ring);
+        }
+        if polygons.is_empty() {
+            polygons.ring_of.clear();
         }
         let vertices = Vertices {
             syntax: self.syntax,
             ..Vertices::plain(self.source, self.coordinates, 0)
         };
-        Edges::without_seeds(vertices.with_heights(&self.heights), edges, 0)
+        Edges {
+            polygons,
+            system: self.system,
+            remarks: self.remarks,
+            ..Edges::without_seeds(vertices.with_heights(&self.heights), edges, 0)
+        }
     }
 
     /// The polygons, each with its own three corners.
     pub(super) fn into_triangles(self) -> Result<Corners<'a>, ReadError> {
         let mut corners = Vec::new();
         let rings = self.parts.iter();
-        for (part, range) in rings.filter(|(part, _)| matches!(part, Part::Ring | Part::Hole)) {
+        for (part, _, range) in rings.filter(|(part, ..)| matches!(part, Part::Ring | Part::Hole)) {
             let mut ring = range.clone();
             if ring.len() > 1 && !self.is_apart(ring.start, ring.end - 1) {
                 ring.end -= 1;

@@ -20,6 +20,8 @@ pub struct Source {
     pub bytes: Vec<u8>,
     /// The limit that was asked for.
     unpacked_limit: Option<u64>,
+    /// The name of a property that is a height, if it was named.
+    pub(super) height_property: Option<String>,
 }
 
 /// The bytes that every file may unpack to.
@@ -36,10 +38,21 @@ impl Source {
             name: name.into(),
             bytes: bytes.into(),
             unpacked_limit: None,
+            height_property: None,
         }
     }
 
-    /// Limits the bytes that what is packed in the file may unpack to, all together. (Only a `.vtu` has packed arrays.)
+    /// Names the property of a feature that is the height of its positions, where these have no third coordinate. Of a
+    /// `GeoJSON` alone. Without a call a number is found by its usual names, `elev` or `height` for instance, for points
+    /// and lines; [`Remark::HeightProperty`](crate::Remark::HeightProperty) says which.
+    #[must_use]
+    pub fn height_property(mut self, name: impl Into<String>) -> Source {
+        self.height_property = Some(name.into());
+        self
+    }
+
+    /// Limits the bytes that what is packed in the file may unpack to, all together. (Only `.vtu`, `.vtp` and `.npz` may
+    /// have packed arrays.)
     ///
     /// Without a call the limit is 16 MiB, or 32 times the size of the file where that is more. A file that needs more
     /// is refused before memory is taken for it ([`ReadErrorKind::UnpackedLimit`]). Beside what is unpacked, a reader
@@ -233,8 +246,8 @@ pub(super) fn no_vertex(number: usize, first: usize, count: usize) -> String {
 /// let source = Source::new("a.obj", bytes);
 /// let error = read_result(ResultFormat::Obj, &source, None, &input).unwrap_err();
 /// assert!(matches!(error, ResultError::Elsewhere { vertex: 3, .. }));
-/// let text = "a.obj:3: vertex 3 is at (0, 3), but vertex 2 of the input at (0, 1), which is more than \
-///     rounding to 6 digits";
+/// let text = "a.obj:3: vertex 3 is at (0, 3), but vertex 2 of the input at (0, 1): the difference of 2 is more than \
+///     rounding to the digits of the file";
 /// assert_eq!(error.to_string(), text);
 /// ```
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -256,8 +269,8 @@ pub enum ResultError {
     /// A vertex of the result is no vertex of the input, and there are not as many of both, so that they
     /// cannot be matched by number either.
     #[error(
-        "{file}:{} vertex {vertex} is at {}, where the input has none",
-        in_line(.line), place(.at)
+        "{file}:{} vertex {vertex} is at {}, where the input has none{}",
+        in_line(.line), place(.at), nearest_one(.nearest)
     )]
     Stranger {
         /// The name of the file.
@@ -268,13 +281,39 @@ pub enum ResultError {
         vertex: usize,
         /// Where it is, in doubles.
         at: [f64; 2],
+        /// The vertex of the input that is nearest to it, if there is one.
+        nearest: Option<Nearest>,
+        /// Whether the file has vertices with numbers, and not the coordinates of triangles alone.
+        is_numbered: bool,
+        /// A tolerance within which each vertex of the result has one vertex of the input and no other one, if there is
+        /// one: see [`Matching::tolerance`](crate::Matching::tolerance).
+        accepted: Option<f64>,
+    },
+    /// A vertex of the result may be two of the input, since its coordinates are rounded, or within the tolerance.
+    #[error(
+        "{file}:{} vertex {vertex} at {} may be vertex {} or {} of the input, within {}",
+        in_line(.line), place(.at), .of_input[0], .of_input[1], allowed(.tolerance)
+    )]
+    Ambiguous {
+        /// The name of the file.
+        file: String,
+        /// The line, counted from 1, if it is a text.
+        line: Option<usize>,
+        /// The file's number of the vertex.
+        vertex: usize,
+        /// Where it is, in doubles.
+        at: [f64; 2],
+        /// The input's numbers of the two.
+        of_input: [usize; 2],
+        /// The difference that was allowed, if it was not rounding.
+        tolerance: Option<f64>,
     },
     /// The vertices of the result are not those of the input, and this one is too far from the one of the
     /// same number.
     #[error(
-        "{file}:{} vertex {vertex} is at {}, but vertex {of_input} of the input at {}, which is more \
+        "{file}:{} vertex {vertex} is at {}, but vertex {of_input} of the input at {}: the difference of {} is more \
          than {}",
-        in_line(.line), place(.at), place(.expected), allowed(.tolerance)
+        in_line(.line), place(.at), place(.expected), .difference.text(), allowed(.tolerance)
     )]
     Elsewhere {
         /// The name of the file.
@@ -289,9 +328,35 @@ pub enum ResultError {
         of_input: usize,
         /// Where that is, in doubles.
         expected: [f64; 2],
+        /// The difference of the two, in x or in y.
+        difference: f64,
         /// The difference that was allowed, if it was not rounding.
         tolerance: Option<f64>,
+        /// A tolerance with which the result is read: see [`Matching::tolerance`](crate::Matching::tolerance).
+        accepted: f64,
     },
+}
+
+/// The vertex of the input that is nearest to one of a result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Nearest {
+    /// The input's number of the vertex.
+    pub of_input: usize,
+    /// Where it is, in doubles.
+    pub at: [f64; 2],
+    /// The difference in x or in y, whichever is greater.
+    pub difference: f64,
+}
+
+fn nearest_one(nearest: &Option<Nearest>) -> String {
+    nearest.map_or_else(String::new, |nearest| {
+        let (number, difference) = (nearest.of_input, nearest.difference.text());
+        format!(
+            ": the nearest is vertex {number} at {}, by {difference}",
+            place(&nearest.at)
+        )
+    })
 }
 
 fn in_line(line: &Option<usize>) -> String {
@@ -304,7 +369,7 @@ fn place([x, y]: &[f64; 2]) -> String {
 
 fn allowed(tolerance: &Option<f64>) -> String {
     match tolerance {
-        None => "rounding to 6 digits".to_owned(),
+        None => "rounding to the digits of the file".to_owned(),
         Some(tolerance) => format!("the tolerance {}", tolerance.text()),
     }
 }

@@ -16,20 +16,27 @@
 //!          <triangle> <vertex> <vertex> <vertex> [attributes]       numbered from 0 or from 1
 //! ```
 //!
-//! The first attribute of a vertex is its height. Markers of vertices and edges are ignored, and so are attributes of
-//! triangles and the areas of regions, which limit triangles where a mesh is refined. A region without an attribute has 0. The vertices of a `.ele` are numbered
-//! as in the `.node` beside it; without one, from 0 or 1 as the triangles are, as Triangle does.
+//! The first attribute of a vertex is its height. Markers of vertices are the last of their columns. The areas of regions,
+//! which limit triangles where a mesh is refined, are ignored with a remark, and so are numbers of vertices that the first
+//! line does not announce. What else follows on a line is ignored. A region
+//! without an attribute has 0. The vertices of a `.ele` are numbered as in the `.node` beside it; without one, from 0 or 1
+//! as the triangles are, as Triangle does.
 
 use crate::read::content::{Corners, Edges, Field, Labels, Syntax, Vertices};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, no_vertex, quoted};
 use crate::read::token_lines::{Line, Lines, Records};
 use crate::{Column, Coordinate};
 
 /// Reads a `.node`.
-pub(super) fn read_node(source: &Source) -> Result<Vertices<'_>, ReadError> {
+pub(super) fn read_node<'a>(
+    source: &'a Source,
+    remarks: &mut Remarks,
+) -> Result<Vertices<'a>, ReadError> {
     let mut lines = Lines::new(source)?;
-    let (count, attributes) = vertex_counts(&mut lines)?;
-    let vertices = read_vertices(source, &mut lines, count, attributes)?;
+    let counts = vertex_counts(&mut lines)?;
+    let vertices = read_vertices(source, &mut lines, counts, remarks)?;
+    let count = counts.vertices;
     match lines.next_line() {
         Some(line) => Err(line.error(format!("the first line announces only {count} vertices"))),
         None => Ok(vertices),
@@ -43,52 +50,93 @@ pub(super) fn read_poly<'a>(
 ) -> Result<Edges<'a>, ReadError> {
     // The vertices, here or in the `.node`.
     let mut lines = Lines::new(source)?;
-    let vertices = match (vertex_counts(&mut lines)?, node) {
-        ((0, _), Some(node)) => read_node(node)?,
-        ((0, _), None) => {
+    let mut remarks = Remarks::default();
+    let counts = vertex_counts(&mut lines)?;
+    let vertices = match (counts.vertices, node) {
+        (0, Some(node)) => read_node(node, &mut remarks)?,
+        (0, None) => {
             return Err(ReadError {
                 kind: ReadErrorKind::MissingNode,
                 ..ReadError::of_file(&source.name, "no vertices, and no .node beside it")
             });
         }
-        ((count, attributes), _) => read_vertices(source, &mut lines, count, attributes)?,
+        _ => read_vertices(source, &mut lines, counts, &mut remarks)?,
     };
 
     // The edges.
-    let count = lines
-        .expect_line(|| "the number of edges".to_owned())?
-        .index("a number of edges")?;
+    let mut line = lines.expect_line(|| "the number of edges".to_owned())?;
+    let count = line.index("a number of edges")?;
+    let has_markers = is_announced(&mut line);
     let records = Records {
         name: "edge",
         number: "an edge's number",
         count,
     };
     let mut first = vertices.first;
-    let edges = records.read(&mut lines, &mut first, |line| {
-        Ok([end(line, &vertices)?, end(line, &vertices)?])
-    })?;
+    let ends = |line: &mut Line<'_>| Ok([end(line, &vertices)?, end(line, &vertices)?]);
+    let (edges, markers) = if has_markers {
+        let row = |line: &mut Line<'_>| Ok((ends(line)?, marker(line)?));
+        let rows = records.read(&mut lines, &mut first, row)?;
+        let (edges, markers): (Vec<_>, Vec<i64>) = rows.into_iter().unzip();
+        let is_marked = markers.iter().any(|&marker| marker != 0);
+        (edges, if is_marked { markers } else { Vec::new() })
+    } else {
+        (records.read(&mut lines, &mut first, ends)?, Vec::new())
+    };
 
     // Holes and regions, if the file goes on.
     let holes = read_holes(source, &mut lines, vertices.first)?;
-    let (regions, attributes) = read_regions(source, &mut lines, vertices.first)?;
+    let (regions, attributes) = read_regions(source, &mut lines, vertices.first, &mut remarks)?;
     Ok(Edges {
-        vertices,
-        edges,
-        first,
         holes,
         regions,
         attributes,
+        markers,
+        remarks,
+        ..Edges::without_seeds(vertices, edges, first)
     })
 }
 
-/// The numbers of vertices and of their attributes, from the first line.
-fn vertex_counts(lines: &mut Lines<'_>) -> Result<(usize, usize), ReadError> {
+/// What the first line announces.
+#[derive(Clone, Copy)]
+struct Counts {
+    vertices: usize,
+    attributes: usize,
+    has_markers: bool,
+}
+
+/// Whether the next number of a line announces markers.
+fn is_announced(line: &mut Line<'_>) -> bool {
+    line.token().is_some_and(|number| number != b"0")
+}
+
+/// The marker that a line may end with.
+fn marker(line: &mut Line<'_>) -> Result<i64, ReadError> {
+    let Some(token) = line.token() else {
+        return Ok(0);
+    };
+    let number = std::str::from_utf8(token).ok();
+    let number = number.and_then(|number| number.parse().ok());
+    number.ok_or_else(|| line.error(format!("{} is not a marker, a whole number", quoted(token))))
+}
+
+/// The counts in the first line.
+fn vertex_counts(lines: &mut Lines<'_>) -> Result<Counts, ReadError> {
     let mut line = lines.expect_line(|| "the number of vertices".to_owned())?;
-    let count = line.index("a number of vertices")?;
+    let vertices = line.index("a number of vertices")?;
+    let counts = Counts {
+        vertices,
+        attributes: 0,
+        has_markers: false,
+    };
     match line.token() {
-        None => Ok((count, 0)),
-        Some(b"2") if line.is_empty() => Ok((count, 0)),
-        Some(b"2") => Ok((count, line.index("a number of attributes")?)),
+        None => Ok(counts),
+        Some(b"2") if line.is_empty() => Ok(counts),
+        Some(b"2") => Ok(Counts {
+            attributes: line.index("a number of attributes")?,
+            has_markers: is_announced(&mut line),
+            ..counts
+        }),
         Some(b"3") => Err(line.error(
             "3 coordinates are announced, and only x and y are read: leave out z and announce 2",
         )),
@@ -102,42 +150,87 @@ fn vertex_counts(lines: &mut Lines<'_>) -> Result<(usize, usize), ReadError> {
 fn read_vertices<'a>(
     source: &'a Source,
     lines: &mut Lines<'a>,
-    count: usize,
-    attributes: usize,
+    Counts {
+        vertices,
+        attributes,
+        has_markers,
+    }: Counts,
+    remarks: &mut Remarks,
 ) -> Result<Vertices<'a>, ReadError> {
     let records = Records {
         name: "vertex",
         number: "a vertex's number",
-        count,
+        count: vertices,
     };
     let mut first = 0;
-    if attributes == 0 {
+    let columns = attributes + usize::from(has_markers);
+    if columns == 0 {
         let coordinates = records.read(lines, &mut first, Line::coordinates)?;
+        let more = coordinates
+            .iter()
+            .filter(|[_, y]| is_followed(source, y))
+            .count();
+        ignore_more(more, remarks);
         return Ok(Vertices::plain(source, coordinates, first));
     }
     let rows = records.read(lines, &mut first, |line| {
         let point = line.coordinates()?;
-        let row = (0..attributes).map(|_| line.expect_token("an attribute"));
+        let row = (0..columns).map(|at| match line.token() {
+            Some(token) => Ok(token),
+            // Triangle lets lines end before the marker.
+            None if at == attributes => Ok(&b""[..]),
+            None => line.expect_token("an attribute"),
+        });
         Ok((point, row.collect::<Result<Vec<_>, _>>()?))
     })?;
+    let last = rows.iter().filter_map(|(_, row)| row.last());
+    ignore_more(
+        last.filter(|piece| is_followed(source, piece)).count(),
+        remarks,
+    );
     // Without a row there may be any number of attributes.
     let width = rows.first().map_or(0, |(_, row)| row.len());
     let field = |at: usize| Field {
         name: match at {
+            _ if at == attributes => Column::MARKER.to_owned(),
             0 => Column::HEIGHT.to_owned(),
             _ => format!("attribute{}", at + 1),
         },
         syntax: Syntax::Plain,
         pieces: rows.iter().map(|(_, row)| row[at]).collect(),
     };
+    let is_said = |field: &Field<'_>| {
+        let mut pieces = field.pieces.iter();
+        field.name != Column::MARKER || !pieces.all(|&piece| piece.is_empty() || piece == b"0")
+    };
     Ok(Vertices {
-        fields: (0..width).map(field).collect(),
+        fields: (0..width).map(field).filter(is_said).collect(),
         ..Vertices::plain(
             source,
             rows.iter().map(|&(point, _)| point).collect(),
             first,
         )
     })
+}
+
+/// Whether more follows a piece on its line.
+fn is_followed(source: &Source, piece: &[u8]) -> bool {
+    let end = (piece.as_ptr().addr() + piece.len()).wrapping_sub(source.bytes.as_ptr().addr());
+    // A missing marker is no piece of the file.
+    let Some(rest) = source.bytes.get(end..).filter(|_| !piece.is_empty()) else {
+        return false;
+    };
+    let mut rest = rest.iter().filter(|&&byte| !b" \t\x0c".contains(&byte));
+    rest.next().is_some_and(|byte| !b"\n\r#".contains(byte))
+}
+
+/// Adds that vertices have more numbers than are announced.
+fn ignore_more(vertices: usize, remarks: &mut Remarks) {
+    remarks.ignore(
+        vertices,
+        "vertex's numbers that the first line does not announce",
+        "vertices' numbers that the first line does not announce",
+    );
 }
 
 /// Reads an end of an edge.
@@ -204,7 +297,8 @@ pub(super) fn read_ele<'a>(
     }
 
     // The vertices, whose numbers begin where the `.node` says, or where those of the triangles do.
-    let vertices = node.map(read_node).transpose()?;
+    let vertices = node.map(|node| read_node(node, &mut Remarks::default()));
+    let vertices = vertices.transpose()?;
     Ok(Corners {
         triangles,
         first: first_triangle,
@@ -238,11 +332,12 @@ fn read_holes<'a>(
     Ok(seeds(source, coordinates, first))
 }
 
-/// Reads the regions, likewise, and their attributes. The area that may follow is not read.
+/// Reads the regions, likewise, and their attributes. The area that may follow is ignored.
 fn read_regions<'a>(
     source: &'a Source,
     lines: &mut Lines<'a>,
     mut first: usize,
+    remarks: &mut Remarks,
 ) -> Result<(Vertices<'a>, Vec<f64>), ReadError> {
     let records = Records {
         name: "region",
@@ -250,9 +345,14 @@ fn read_regions<'a>(
         count: seed_count(lines, "a number of regions")?,
     };
     let regions = records.read(lines, &mut first, |line| {
-        Ok((line.coordinates()?, attribute(line)?))
+        let region = (line.coordinates()?, attribute(line)?);
+        // -1 is Triangle's word for no limit.
+        let has_area = line.token().is_some_and(|area| area != b"-1");
+        Ok((region, has_area))
     })?;
-    let (coordinates, attributes) = regions.into_iter().unzip();
+    let areas = regions.iter().filter(|(_, has_area)| *has_area).count();
+    remarks.ignore(areas, "area of a region", "areas of regions");
+    let (coordinates, attributes) = regions.into_iter().map(|(region, _)| region).unzip();
     Ok((seeds(source, coordinates, first), attributes))
 }
 

@@ -12,14 +12,17 @@
 //! ```
 //!
 //! Version 5 lists `OFFSETS` and `CONNECTIVITY` of cells in place of counts. A line may go through more than two
-//! points. Points as cells are read over, and so are data of the cells and those with several components. Data of
-//! kinds other than `SCALARS`, `VECTORS`, `NORMALS` and `FIELD`, and all that follows, are not read.
+//! points. Points as cells are read over. Data of the cells are read of two names: `marker` of lines and `region` of
+//! triangles. Other data of the cells, data with several components, and data of kinds other than `SCALARS`, `VECTORS`,
+//! `NORMALS` and `FIELD` with all that follows, are ignored with a remark.
 
 use crate::read::binary::Kind;
 use crate::read::content::{Field, Vertices};
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, Source};
 use crate::read::vtk_arrays::Arrays;
+use crate::read::vtk_cells::CellData;
 use crate::read::words::Words;
 
 /// Reads a `.vtk`.
@@ -47,10 +50,13 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
         data: Data::None,
         vertices: None,
         cells: None,
-        faces: Faces::default(),
+        lists: Cells::default(),
+        cell_data: CellData::default(),
+        remarks: Remarks::default(),
     };
     while let Some(keyword) = file.arrays.words.word() {
         if !file.section(source, keyword)? {
+            file.remarks.ignore_named(1, "section", keyword);
             break;
         }
     }
@@ -60,9 +66,10 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     match file.vertices {
         None => Err(ReadError::of_file(&source.name, "there are no `POINTS`")),
         Some(vertices) => Ok(Mesh {
+            cells: file.cell_data.given_to(file.lists, &mut file.remarks),
             vertices,
-            faces: file.faces,
             first: 0,
+            remarks: file.remarks,
         }),
     }
 }
@@ -73,7 +80,9 @@ struct File<'a> {
     vertices: Option<Vertices<'a>>,
     /// The corners of cells whose types follow.
     cells: Option<Vec<Vec<usize>>>,
-    faces: Faces,
+    lists: Cells,
+    cell_data: CellData,
+    remarks: Remarks,
 }
 
 /// The things that the data belong to, and their number.
@@ -107,23 +116,11 @@ impl<'a> File<'a> {
                 }
             }
             b"POINTS" => self.read_points(source)?,
-            b"VERTICES" => drop(self.arrays.read_cells()?),
-            b"LINES" => self
-                .arrays
-                .read_cells()?
-                .iter()
-                .for_each(|cell| self.faces.add_lines(cell)),
-            b"POLYGONS" => {
-                for (at, cell) in self.arrays.read_cells()?.iter().enumerate() {
-                    self.faces.add(cell, |what| of_cell(source, at, &what));
-                }
-            }
-            b"TRIANGLE_STRIPS" => {
-                self.arrays
-                    .read_cells()?
-                    .iter()
-                    .for_each(|cell| self.faces.add_strip(cell));
-            }
+            // The numbers of points, lines, polygons and strips in a grid.
+            b"VERTICES" => self.add_cells(source, 2)?,
+            b"LINES" => self.add_cells(source, 4)?,
+            b"POLYGONS" => self.add_cells(source, 7)?,
+            b"TRIANGLE_STRIPS" => self.add_cells(source, 6)?,
             b"CELLS" => self.cells = Some(self.arrays.read_cells()?),
             b"CELL_TYPES" => self.read_types(source)?,
             b"POINT_DATA" => {
@@ -178,6 +175,15 @@ impl<'a> File<'a> {
         Ok(true)
     }
 
+    /// Reads cells that are all of one of VTK's types, and adds them.
+    fn add_cells(&mut self, source: &'a Source, kind: usize) -> Result<(), ReadError> {
+        for (at, cell) in self.arrays.read_cells()?.iter().enumerate() {
+            add_cell(&mut self.lists, kind, cell, source, at);
+            self.cell_data.end_cell(&self.lists);
+        }
+        Ok(())
+    }
+
     fn read_points(&mut self, source: &'a Source) -> Result<(), ReadError> {
         let count = self.arrays.words.index("a number of points")?;
         let kind = self.arrays.read_kind()?;
@@ -211,7 +217,8 @@ impl<'a> File<'a> {
             return Err(ReadError::of_file(&source.name, message));
         }
         for (at, (kind, cell)) in types.into_iter().zip(&cells).enumerate() {
-            add_cell(&mut self.faces, kind, cell, source, at);
+            add_cell(&mut self.lists, kind, cell, source, at);
+            self.cell_data.end_cell(&self.lists);
         }
         Ok(())
     }
@@ -225,15 +232,24 @@ impl<'a> File<'a> {
     ) -> Result<(), ReadError> {
         let pieces = self.arrays.numbers(kind, count, "a number")?;
         let syntax = self.arrays.syntax(kind);
-        if let (Data::Points(count), Some(vertices)) = (self.data, &mut self.vertices)
-            && pieces.len() == count
-            && count == vertices.coordinates.len()
-        {
-            vertices.fields.push(Field {
-                name: String::from_utf8_lossy(name).into_owned(),
-                syntax,
-                pieces,
-            });
+        match (self.data, &mut self.vertices) {
+            (Data::Points(count), Some(vertices))
+                if pieces.len() == count && count == vertices.coordinates.len() =>
+            {
+                vertices.fields.push(Field {
+                    name: String::from_utf8_lossy(name).into_owned(),
+                    syntax,
+                    pieces,
+                });
+            }
+            (Data::Cells(_), _) if CellData::is_read(name) => {
+                let numbers = pieces
+                    .iter()
+                    .map(|piece| syntax.value(piece).unwrap_or(f64::NAN));
+                self.cell_data.add(name, numbers.collect());
+            }
+            (Data::Cells(_), _) => self.remarks.ignore_named(1, "array of cells", name),
+            _ => self.remarks.ignore_named(1, "array of points", name),
         }
         Ok(())
     }
@@ -241,7 +257,7 @@ impl<'a> File<'a> {
 
 /// Adds a cell of one of VTK's types.
 pub(super) fn add_cell(
-    faces: &mut Faces,
+    cells: &mut Cells,
     kind: usize,
     corners: &[usize],
     source: &Source,
@@ -250,10 +266,10 @@ pub(super) fn add_cell(
     let error = |what: String| of_cell(source, at, &what);
     match kind {
         1 | 2 => {}
-        3 | 4 => faces.add_lines(corners),
-        5 | 7 | 8 | 9 => faces.add(corners, error),
-        6 => faces.add_strip(corners),
-        _ => faces.refuse(|| error(format!("cells of type {kind} are no triangles"))),
+        3 | 4 => cells.add_lines(corners),
+        5 | 7 | 8 | 9 => cells.add(corners, error),
+        6 => cells.add_strip(corners),
+        _ => cells.refuse(|| error(format!("cells of type {kind} are no triangles"))),
     }
 }
 

@@ -1,4 +1,5 @@
-//! VTK's XML format `.vtu`: an `UnstructuredGrid` of one piece.
+//! VTK's XML formats `.vtu` and `.vtp`: an `UnstructuredGrid` or a `PolyData` of one piece. Which of them it is says the
+//! file, whatever it is called.
 //!
 //! ```text
 //! <VTKFile type="UnstructuredGrid" byte_order=".." header_type=".." compressor="..">
@@ -6,11 +7,14 @@
 //!     <PointData>  columns: DataArrays of one number for each point
 //!     <Points>     one DataArray of x, y and z of each point; numbered from 0
 //!     <Cells>      the DataArrays connectivity, offsets (the end of each cell) and types
+//! <VTKFile type="PolyData" ..>
+//!   <PolyData> <Piece NumberOfPoints=".." NumberOfVerts=".." NumberOfLines=".." NumberOfPolys=".." NumberOfStrips="..">
+//!     <Lines>      connectivity and offsets; Verts, Polys and Strips, too
 //! ```
 //!
 //! The numbers of a `DataArray` stand in it as text or in base 64, or in `AppendedData` behind all others, in base 64 or
-//! as they are; packed by zlib or not (see `vtu_arrays.rs`). All else is read over, and so are data of the cells and data
-//! of several components.
+//! as they are; packed by zlib or not (see `vtu_arrays.rs`). Data of the cells are read of two names, `marker` and
+//! `region` (see `vtk_cells.rs`). Other data of the cells, and data of several components, are ignored with a remark.
 //!
 //! What is packed is unpacked into a copy of the file, behind its text. So numbers are pieces of one source here as in
 //! all other readers. It costs the memory of the copy, for which there is a limit ([`Source::unpacked_limit`]).
@@ -20,9 +24,11 @@ use std::ops::Range;
 
 use crate::read::binary::{Kind, Number};
 use crate::read::content::{Field, Syntax, Vertices};
-use crate::read::mesh::{Faces, Mesh};
+use crate::read::mesh::{Cells, Mesh};
+use crate::read::remarks::Remarks;
 use crate::read::source::{ReadError, ReadErrorKind, Source, quoted};
 use crate::read::vtk;
+use crate::read::vtk_cells::CellData;
 use crate::read::vtu_arrays::{Fault, Packing, Stored};
 use crate::read::vtu_elements::{Array, Elements, Section};
 
@@ -30,12 +36,27 @@ use crate::read::vtu_elements::{Array, Elements, Section};
 pub(super) struct Unpacked {
     source: Source,
     points: Numbers,
+    sections: Vec<CellArrays>,
+    columns: Vec<(String, Numbers)>,
+    /// Data of the cells that are read.
+    cell_data: Vec<(String, Numbers)>,
+    /// The names of arrays that are not.
+    others: Vec<String>,
+}
+
+/// The cells of a section.
+struct CellArrays {
     /// The corners of all cells, one after the other.
     corners: Numbers,
     /// Where the corners of each cell end.
     ends: Numbers,
-    types: Numbers,
-    columns: Vec<(String, Numbers)>,
+    types: Types,
+}
+
+/// The types of cells, by VTK's numbers.
+enum Types {
+    Each(Numbers),
+    All(usize),
 }
 
 /// Where numbers stand, and how.
@@ -75,23 +96,59 @@ impl Unpacked {
             return Err(source.error_in_line(points.line, message));
         }
         let points = unpack(points, coordinates)?;
-        let cells = Some(elements.cells);
-        let corners = unpack(array(Section::Cells, "connectivity")?, None)?;
-        let ends = unpack(array(Section::Cells, "offsets")?, cells)?;
-        let types = unpack(array(Section::Cells, "types")?, cells)?;
-        let is_column =
-            |array: &&Array| array.section == Section::PointData && array.components == 1;
-        let columns = elements.arrays.iter().filter(is_column);
-        let columns = columns.map(|array| {
-            let numbers = unpack(array, Some(elements.points))?;
-            Ok((array.name.clone(), numbers))
-        });
+        let mut sections = Vec::new();
+        for &(section, count) in &elements.cells {
+            let count = Some(count);
+            let kind = match (section, elements.is_poly_data) {
+                (Section::Cells, false) => None,
+                (Section::Verts, true) => Some(2),
+                (Section::Lines, true) => Some(4),
+                (Section::Polys, true) => Some(7),
+                (Section::Strips, true) => Some(6),
+                _ => continue,
+            };
+            let is_there = elements.array(section, "offsets").is_some();
+            if elements.is_poly_data && count == Some(0) && !is_there {
+                continue;
+            }
+            sections.push(CellArrays {
+                corners: unpack(array(section, "connectivity")?, None)?,
+                ends: unpack(array(section, "offsets")?, count)?,
+                types: match kind {
+                    Some(kind) => Types::All(kind),
+                    None => Types::Each(unpack(array(section, "types")?, count)?),
+                },
+            });
+        }
+        let is_column = |array: &&Array| {
+            array.components == 1
+                && match array.section {
+                    Section::PointData => true,
+                    Section::CellData => CellData::is_read(array.name.as_bytes()),
+                    _ => false,
+                }
+        };
+        let counts = elements.cells.iter().map(|&(_, count)| count);
+        let cells = counts.fold(0, usize::saturating_add);
+        let (mut columns, mut cell_data) = (Vec::new(), Vec::new());
+        for array in elements.arrays.iter().filter(is_column) {
+            let (list, count) = match array.section {
+                Section::CellData => (&mut cell_data, cells),
+                _ => (&mut columns, elements.points),
+            };
+            list.push((array.name.clone(), unpack(array, Some(count))?));
+        }
+        let is_data =
+            |array: &&Array| matches!(array.section, Section::PointData | Section::CellData);
+        let others = elements.arrays.iter();
+        let others = others.filter(|array| is_data(array) && !is_column(array));
+        let others = others.map(|array| array.name.clone());
         Ok(Unpacked {
             points,
-            corners,
-            ends,
-            types,
-            columns: columns.collect::<Result<_, ReadError>>()?,
+            sections,
+            columns,
+            cell_data,
+            others: others.chain(elements.others.iter().cloned()).collect(),
             source: unpacked,
         })
     }
@@ -114,28 +171,44 @@ impl Unpacked {
                 syntax: numbers.syntax,
                 pieces: self.pieces(numbers).collect(),
             }));
+        let mut remarks = Remarks::default();
+        for name in &self.others {
+            remarks.ignore_named(1, "array", name.as_bytes());
+        }
         Ok(Mesh {
             vertices,
-            faces: self.faces()?,
+            cells: self.cells(&mut remarks)?,
             first: 0,
+            remarks,
         })
     }
 
-    fn faces(&self) -> Result<Faces, ReadError> {
-        let corners: Vec<usize> = self.indices(&self.corners).collect::<Result<_, _>>()?;
-        let (ends, types) = (self.indices(&self.ends), self.indices(&self.types));
-        let mut faces = Faces::default();
-        let mut begin = 0;
-        for (at, (end, kind)) in ends.zip(types).enumerate() {
-            let (end, kind) = (end?, kind?);
-            let Some(cell) = corners.get(begin..end) else {
-                let message = format!("cell {at}: its corners are not in `connectivity`");
-                return Err(ReadError::of_file(&self.source.name, message));
+    fn cells(&self, remarks: &mut Remarks) -> Result<Cells, ReadError> {
+        let (mut cells, mut data) = (Cells::default(), CellData::default());
+        let mut at = 0;
+        for section in &self.sections {
+            let corners: Vec<usize> = self.indices(&section.corners).collect::<Result<_, _>>()?;
+            let types: Box<dyn Iterator<Item = _>> = match &section.types {
+                Types::Each(types) => Box::new(self.indices(types)),
+                &Types::All(kind) => Box::new(iter::repeat_with(move || Ok(kind))),
             };
-            vtk::add_cell(&mut faces, kind, cell, &self.source, at);
-            begin = end;
+            let mut begin = 0;
+            for (end, kind) in self.indices(&section.ends).zip(types) {
+                let (end, kind) = (end?, kind?);
+                let Some(cell) = corners.get(begin..end) else {
+                    let message = format!("cell {at}: its corners are not in `connectivity`");
+                    return Err(ReadError::of_file(&self.source.name, message));
+                };
+                vtk::add_cell(&mut cells, kind, cell, &self.source, at);
+                data.end_cell(&cells);
+                (begin, at) = (end, at + 1);
+            }
         }
-        Ok(faces)
+        for (name, numbers) in &self.cell_data {
+            let value = |piece| numbers.syntax.value(piece).unwrap_or(f64::NAN);
+            data.add(name.as_bytes(), self.pieces(numbers).map(value).collect());
+        }
+        Ok(data.given_to(cells, remarks))
     }
 
     fn indices(&self, numbers: &Numbers) -> impl Iterator<Item = Result<usize, ReadError>> {

@@ -1,4 +1,4 @@
-//! The elements of a `.vtu`: what it says of itself, and which arrays there are.
+//! The elements of a `.vtu` or `.vtp`: what it says of itself, and which arrays there are.
 
 use std::borrow::Cow;
 use std::str::FromStr;
@@ -14,10 +14,15 @@ use crate::read::vtu_arrays::{Appended, Packing, Stored};
 /// The contents of the elements.
 pub(super) struct Elements<'a> {
     pub(super) packing: Packing<'a>,
+    /// Whether it is a `PolyData`, and no `UnstructuredGrid`.
+    pub(super) is_poly_data: bool,
     /// How many points there are, if the piece is there.
     pub(super) points: usize,
-    pub(super) cells: usize,
+    /// How many cells there are in each section, if the piece is there.
+    pub(super) cells: Vec<(Section, usize)>,
     pub(super) arrays: Vec<Array>,
+    /// The names of arrays of points and cells that are no numbers.
+    pub(super) others: Vec<String>,
 }
 
 /// A `DataArray` of numbers.
@@ -35,8 +40,25 @@ pub(super) struct Array {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Section {
     PointData,
+    CellData,
     Points,
+    /// Those of an `UnstructuredGrid`; the others are of a `PolyData`.
     Cells,
+    Verts,
+    Lines,
+    Polys,
+    Strips,
+}
+
+impl Section {
+    /// Those that hold cells, in the order in which VTK counts these, each with the attribute that says how many.
+    const CELLS: [(Section, &str); 5] = [
+        (Section::Cells, "NumberOfCells"),
+        (Section::Verts, "NumberOfVerts"),
+        (Section::Lines, "NumberOfLines"),
+        (Section::Polys, "NumberOfPolys"),
+        (Section::Strips, "NumberOfStrips"),
+    ];
 }
 
 /// An element that is open.
@@ -69,9 +91,11 @@ impl<'a> Elements<'a> {
                     is_zlib: false,
                     appended: None,
                 },
+                is_poly_data: false,
                 points: 0,
-                cells: 0,
+                cells: Vec::new(),
                 arrays: Vec::new(),
+                others: Vec::new(),
             },
         };
         scan.read(text)?;
@@ -136,15 +160,21 @@ impl<'a> Scan<'a> {
             "Piece" => return self.enter_piece(element),
             "DataArray" => return self.enter_array(element),
             "PointData" => Section::PointData,
+            "CellData" => Section::CellData,
             "Points" => Section::Points,
             "Cells" => Section::Cells,
+            "Verts" => Section::Verts,
+            "Lines" => Section::Lines,
+            "Polys" => Section::Polys,
+            "Strips" => Section::Strips,
             _ => return Ok(Open::Other),
         };
         Ok(Open::Section(section))
     }
 
     fn enter_file(&mut self, element: &BytesStart<'_>) -> Result<Open, ReadError> {
-        self.choose(element, "type", &["UnstructuredGrid"])?;
+        let kind = self.choose(element, "type", &["UnstructuredGrid", "PolyData"])?;
+        self.elements.is_poly_data = kind == 1;
         let order = self.choose(element, "byte_order", &["LittleEndian", "BigEndian"])?;
         let header = self.choose(element, "header_type", &["UInt32", "UInt64"])?;
         let compressor = self.choose(element, "compressor", &["", "vtkZLibDataCompressor"])?;
@@ -160,7 +190,10 @@ impl<'a> Scan<'a> {
             return Err(self.error(element.as_bytes(), "more than one `Piece` is not read"));
         }
         self.elements.points = self.number(element, "NumberOfPoints")?.unwrap_or(0);
-        self.elements.cells = self.number(element, "NumberOfCells")?.unwrap_or(0);
+        for (section, attribute) in Section::CELLS {
+            let count = self.number(element, attribute)?.unwrap_or(0);
+            self.elements.cells.push((section, count));
+        }
         Ok(Open::Other)
     }
 
@@ -170,7 +203,9 @@ impl<'a> Scan<'a> {
         };
         let kind = self.attribute(element, "type")?;
         let Some(kind) = kind_of(&kind) else {
-            if section == Section::PointData {
+            if matches!(section, Section::PointData | Section::CellData) {
+                let name = self.attribute(element, "Name")?;
+                self.elements.others.push(name.into_owned());
                 return Ok(Open::Other);
             }
             let message = format!("{} is not a type that is read", quoted(kind.as_bytes()));

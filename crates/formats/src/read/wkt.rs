@@ -7,13 +7,16 @@
 //! | `POLYGON`, `MULTIPOLYGON`, `TRIANGLE`, `TIN` | points and edges of the rings | triangles: polygons of three corners |
 //! | `GEOMETRYCOLLECTION` | what is in it | what is in it |
 //!
-//! The third number of a position is a height, unless the geometry is marked `M`; what follows is ignored. Before a
-//! geometry `SRID=...;` is ignored, and so are semicolons. Coordinates may be fractions.
+//! The third number of a position is a height, unless the geometry is marked `M`; measures are ignored with a remark.
+//! Before a geometry `SRID=...;` names the coordinate system, which must be one for all. Semicolons are ignored, and
+//! coordinates may be fractions.
 //!
 //! Collections are counted, not entered, so that nothing recurses.
 
+use crate::CoordinateSystem;
 use crate::read::content::Syntax;
 use crate::read::shapes::{Part, Shapes};
+
 use crate::read::source::{ReadError, Source, quoted};
 
 /// Geometries with parts that are not straight (SQL/MM).
@@ -35,7 +38,11 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
     // How many collections are open.
     let mut open = 0_usize;
     while let Some(token) = tokens.next() {
-        if token == b";" || token.to_ascii_uppercase().starts_with(b"SRID=") {
+        if token == b";" {
+            continue;
+        }
+        if token.to_ascii_uppercase().starts_with(b"SRID=") {
+            tokens.system(token, &mut shapes)?;
             continue;
         }
         let Some(geometry) = Geometry::named(token) else {
@@ -49,6 +56,9 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         let has_measure = tokens.skip(b"M") || geometry.has_measure;
         if !has_measure && !tokens.skip(b"Z") {
             tokens.skip(b"ZM");
+        }
+        if geometry.depth > 0 {
+            shapes.begin_feature();
         }
         if !tokens.skip(b"EMPTY") {
             if geometry.depth == 0 {
@@ -210,6 +220,27 @@ impl<'a> Tokens<'a> {
         }
     }
 
+    /// Reads the number of a coordinate system.
+    fn system(&self, token: &'a [u8], shapes: &mut Shapes<'a>) -> Result<(), ReadError> {
+        let number = std::str::from_utf8(&token[b"SRID=".len()..]).ok();
+        let srid: Option<u32> = number.and_then(|number| number.parse().ok());
+        let srid =
+            srid.ok_or_else(|| self.fault(token, "is not the number of a coordinate system"))?;
+        // 0 stands for none.
+        let system = (srid != 0).then(|| CoordinateSystem::of_srid(srid));
+        if let (Some(one), Some(other)) = (&shapes.system, &system)
+            && one != other
+        {
+            let why = format!(
+                "is another coordinate system than {}, and one is read",
+                one.name()
+            );
+            return Err(self.fault(token, &why));
+        }
+        shapes.system = system.or(shapes.system.take());
+        Ok(())
+    }
+
     /// Reads two to four numbers.
     fn position(&mut self, has_measure: bool, shapes: &mut Shapes<'a>) -> Result<(), ReadError> {
         let mut numbers = [None; 4];
@@ -226,7 +257,10 @@ impl<'a> Tokens<'a> {
             *self = behind;
         }
         match numbers {
-            [Some(x), Some(y), z, _] => {
+            [Some(x), Some(y), z, fourth] => {
+                let measures =
+                    usize::from(has_measure && z.is_some()) + usize::from(fourth.is_some());
+                shapes.remarks.ignore(measures, "measure", "measures");
                 shapes.push([x, y], z.filter(|_| !has_measure));
                 Ok(())
             }

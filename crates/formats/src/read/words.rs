@@ -51,6 +51,13 @@ impl<'a> Words<'a> {
         Some(bytes)
     }
 
+    /// Goes on at this text, if it follows anywhere.
+    pub(super) fn skip_to(&mut self, text: &[u8]) -> Option<()> {
+        let at = memchr::memmem::find(self.rest, text)?;
+        self.rest = &self.rest[at..];
+        Some(())
+    }
+
     /// How many bytes are left.
     pub(super) fn len(&self) -> usize {
         self.rest.len()

@@ -4,6 +4,9 @@
 //! |---|---|---|
 //! | `points` | vertex | `[x, y]`, or `[x, y, z]` with a height; numbers, fractions as strings `"p/q"` |
 //! | `edges` | input edge | its two vertices |
+//! | `vertex_markers`, `edge_markers` | vertex, input edge, if any has a marker | a whole number |
+//! | `columns` | other column, an object of lists | a number for each vertex, `null` where it is missing |
+//! | `crs` | | the coordinate system, if there is one |
 //! | `triangles` | triangle | its vertices counter-clockwise, the lowest first; sorted |
 //! | `neighbors` | triangle | the triangles opposite its vertices, `null` beyond the hull |
 //! | `constrained` | side that is an edge or a piece of one | its two vertices, lower first; sorted |
@@ -12,21 +15,24 @@
 //! | `chains` | input edge | the vertices along it, upper end first |
 //! | `split` | edge before edges were split at their crossings, if they were | the vertices along it, from its first to its second |
 //!
-//! Of a graph that is not triangulated there are the first two alone. Of a domain only the triangles inside are listed, with their constrained sides, and beyond the domain is `null`.
-//! There are two members more:
+//! Of a graph that is not triangulated there are only those up to `crs`, with `holes` and `regions`, their seeds. Of a domain only the triangles inside are listed, with their constrained sides, and beyond the domain is `null`.
+//! There are members more:
 //!
 //! | member | one element for each | which is |
 //! |---|---|---|
 //! | `boundary` | closed chain around the domain | its vertices, with the domain on the left |
 //! | `regions` | triangle, if there are regions | its region, `null` for none |
+//! | `features` | triangle, if the domain is that of polygons | the feature whose polygon covers it, from 1 |
 //!
 //! All vertices, triangles and regions are positions in `points`, in `triangles` and in the input's list, from 0.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use serde::Serialize;
 use serde_json::value::RawValue;
 
+use super::labels::Labels;
 use super::rows::places;
 use crate::{Coordinate, GraphFile, sorted_pairs};
 use sweep_cdt::Triangulation;
@@ -51,7 +57,11 @@ pub(super) fn write_interior<S: Coordinate>(
 ) -> io::Result<()> {
     write_members(file, interior, out)?;
     member(out, "boundary", interior.boundary())?;
-    if interior.has_regions() {
+    if interior.is_of_polygons() {
+        let labels = Labels::of(file, interior, &interior.canonical_triangles());
+        let features = labels.map_or(Vec::new(), |labels| labels.values);
+        member(out, "features", features.iter().map(json_coordinate))?;
+    } else if interior.has_regions() {
         let triangles = interior.canonical_triangles();
         let mut regions = vec![None; triangles.len()];
         for (t, place) in places(interior, &triangles).into_iter().enumerate() {
@@ -70,6 +80,22 @@ pub(super) fn write_graph<S: Coordinate>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     write_input(file, out)?;
+    let graph = &file.graph;
+    if !graph.holes.is_empty() {
+        let holes = graph.holes.iter();
+        member(
+            out,
+            "holes",
+            holes.map(|seed| seed.each_ref().map(json_coordinate)),
+        )?;
+    }
+    if !graph.regions.is_empty() {
+        let regions = graph.regions.iter().map(|region| {
+            let [x, y] = region.seed.each_ref().map(json_coordinate);
+            [x, y, json_coordinate(&region.attribute)]
+        });
+        member(out, "regions", regions)?;
+    }
     out.write_all(b"\n}\n")
 }
 
@@ -121,7 +147,28 @@ fn write_input<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> io::
     let points = file.graph.points.iter().enumerate().map(point);
     out.write_all(b"{\n")?;
     member(out, "points", points)?;
-    member(out, "edges", &file.graph.edges)
+    member(out, "edges", &file.graph.edges)?;
+    if let Some(markers) = file.vertex_markers() {
+        member(out, "vertex_markers", markers)?;
+    }
+    if !file.edge_markers.is_empty() {
+        member(out, "edge_markers", &file.edge_markers)?;
+    }
+    let mut columns = file.other_columns().peekable();
+    if columns.peek().is_some() {
+        let value = |value: f64| (!value.is_nan()).then(|| json_coordinate(&value));
+        let columns = columns.map(|column| {
+            let values = (0..file.graph.points.len()).map(|v| value(column.of(v)));
+            (column.name.clone(), values.collect())
+        });
+        let columns: BTreeMap<String, Vec<_>> = columns.collect();
+        out.write_all(b",\n\"columns\": ")?;
+        serde_json::to_writer(&mut *out, &columns)?;
+    }
+    match &file.system {
+        Some(system) => write!(out, ",\n\"crs\": {}", system.json()),
+        None => Ok(()),
+    }
 }
 
 fn member<T: Serialize>(

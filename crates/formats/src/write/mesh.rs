@@ -1,28 +1,39 @@
 //! Formats of meshes: vertices, lines and triangles. They have three dimensions: the column `z` is the height, and
-//! without one it is 0. Rationals are rounded to doubles, which all of them are read as.
+//! without one it is 0. Rationals are rounded to doubles, which all of them are read as. The lines of a result are its
+//! constrained sides.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
+use super::labels::{Labels, markers};
 use super::rows::{numbers, write_rows};
-use crate::{Column, Coordinate, GraphFile};
+use crate::{Column, Coordinate, GraphFile, sorted_pairs};
 use sweep_cdt::interior::Interior;
 
 /// The mesh that is written: the vertices of a graph with triangles of a result, or with the edges.
 pub(super) struct Mesh<'a, S> {
     pub(super) file: &'a GraphFile<S>,
     pub(super) heights: Option<&'a Column>,
-    pub(super) lines: &'a [[usize; 2]],
+    pub(super) lines: Cow<'a, [[usize; 2]]>,
+    /// The marker of each line, or none.
+    pub(super) markers: Cow<'a, [i64]>,
     pub(super) triangles: Vec<[usize; 3]>,
+    /// The region or feature of each triangle.
+    pub(super) labels: Option<Labels>,
 }
 
 impl<'a, S: Coordinate> Mesh<'a, S> {
-    /// The triangles inside.
+    /// The triangles inside, and the constrained sides.
     pub(super) fn of(file: &'a GraphFile<S>, interior: &Interior<'_>) -> Mesh<'a, S> {
+        let lines = sorted_pairs(interior.constrained_sides());
+        let triangles = interior.canonical_triangles();
         Mesh {
             file,
             heights: file.heights(),
-            lines: &[],
-            triangles: interior.canonical_triangles(),
+            markers: markers(file, interior, &lines).into(),
+            lines: lines.into(),
+            labels: Labels::of(file, interior, &triangles),
+            triangles,
         }
     }
 
@@ -31,15 +42,26 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         Mesh {
             file,
             heights: file.heights(),
-            lines: &file.graph.edges,
+            lines: Cow::Borrowed(&file.graph.edges),
+            markers: Cow::Borrowed(&file.edge_markers),
             triangles: Vec::new(),
+            labels: None,
+        }
+    }
+
+    /// The mesh for a format in which lines are faces.
+    pub(super) fn without_lines(self) -> Mesh<'a, S> {
+        Mesh {
+            lines: Cow::Borrowed(&[]),
+            markers: Cow::Borrowed(&[]),
+            ..self
         }
     }
 
     /// Writes Wavefront's format, numbered from 1.
     pub(super) fn write_obj(&self, out: &mut impl Write) -> io::Result<()> {
         self.write_vertices(|_, text| text.extend_from_slice(b"v "), &[], out)?;
-        write_faces(b"l ", 1, self.lines, out)?;
+        write_faces(b"l ", 1, &self.lines, out)?;
         write_faces(b"f ", 1, &self.triangles, out)
     }
 
@@ -48,7 +70,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         let faces = self.lines.len() + self.triangles.len();
         writeln!(out, "OFF\n{} {faces} 0", self.file.graph.points.len())?;
         self.write_vertices(|_, _| (), &[], out)?;
-        write_faces(b"2 ", 0, self.lines, out)?;
+        write_faces(b"2 ", 0, &self.lines, out)?;
         write_faces(b"3 ", 0, &self.triangles, out)
     }
 

@@ -1,14 +1,23 @@
 //! Writers: a [`GraphFile`] and its [`Triangulation`] in, or a graph alone, and text out.
 
 mod crossings;
+#[cfg(feature = "mesh-formats")]
+mod dxf;
+mod features;
 mod json;
+mod labels;
 mod lines;
+mod losses;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
 mod mesh_formats;
+#[cfg(feature = "mesh-formats")]
+mod numpy;
+mod points;
 mod rows;
 #[cfg(feature = "mesh-formats")]
 mod shapes;
+mod violations;
 #[cfg(feature = "mesh-formats")]
 mod vtu;
 
@@ -16,7 +25,9 @@ use std::io::{self, Write};
 
 pub use crossings::{CrossingsFormat, write_crossings};
 pub use lines::write_lines;
+pub use losses::not_written;
 pub use rows::write_node;
+pub use violations::write_violations;
 
 use self::mesh::Mesh;
 use crate::{Coordinate, GraphFile, InputFormat};
@@ -26,7 +37,8 @@ use sweep_cdt::memory::has_room;
 
 named! {
     /// A format that [`write()`] makes, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `msh`, `stl`, `geojson` and `wkt`.
+    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `stl`, `geojson`, `wkt`, `npy`, `npz`
+    /// and `dxf`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum OutputFormat {
@@ -49,6 +61,9 @@ named! {
         /// VTK's points and cells, as XML.
         #[cfg(feature = "mesh-formats")]
         Vtu = "vtu",
+        /// VTK's points and polygons, as XML.
+        #[cfg(feature = "mesh-formats")]
+        Vtp = "vtp",
         /// Gmsh's nodes and triangles, as text of version 2.2.
         #[cfg(feature = "mesh-formats")]
         Msh = "msh",
@@ -61,6 +76,15 @@ named! {
         /// Polygons as text.
         #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
+        /// Triangles as an array of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npy = "npy",
+        /// Points, edges and triangles as arrays of NumPy.
+        #[cfg(feature = "mesh-formats")]
+        Npz = "npz",
+        /// Faces of CAD, as text.
+        #[cfg(feature = "mesh-formats")]
+        Dxf = "dxf",
     }
 }
 
@@ -131,13 +155,15 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Node => write_node(file, out),
         OutputFormat::Json => json::write_interior(file, interior, out),
         OutputFormat::Obj => Mesh::of(file, interior).write_obj(out),
-        OutputFormat::Off => Mesh::of(file, interior).write_off(out),
+        OutputFormat::Off => Mesh::of(file, interior).without_lines().write_off(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Ply => Mesh::of(file, interior).write_ply(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Vtk => Mesh::of(file, interior).write_vtk(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Vtu => Mesh::of(file, interior).write_vtu(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Vtp => Mesh::of(file, interior).write_vtp(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Msh => Mesh::of(file, interior).write_msh(out),
         #[cfg(feature = "mesh-formats")]
@@ -146,6 +172,12 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Geojson => shapes::write_geojson(file, interior, out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Dxf => Mesh::of(file, interior).write_dxf(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Npy => Mesh::of(file, interior).write_triangles(out),
+        #[cfg(feature = "mesh-formats")]
+        OutputFormat::Npz => Mesh::of(file, interior).write_npz(&file.graph.edges, out),
     }
 }
 
@@ -166,7 +198,8 @@ fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
 }
 
 /// Writes a graph that is not triangulated, in a format from which [`read()`](crate::read()) makes the same
-/// one, but for fractions, which only the first three hold: the others have the nearest doubles. A `.node` holds vertices alone, a `.json` no seeds, and a `.poly` without vertices is read as one whose
+/// one, but for fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest doubles. A `.node` and points as text hold
+/// vertices alone, a `.json` no seeds, and a `.poly` without vertices is read as one whose
 /// vertices are in the `.node` beside it.
 ///
 /// ```
@@ -194,6 +227,8 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Json => json::write_graph(file, out),
         InputFormat::Obj => Mesh::of_graph(file).write_obj(out),
         InputFormat::Off => Mesh::of_graph(file).write_off(out),
+        InputFormat::Csv => points::write(file, b',', out),
+        InputFormat::Xyz | InputFormat::Txt => points::write(file, b' ', out),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => Mesh::of_graph(file).write_ply(out),
         #[cfg(feature = "mesh-formats")]
@@ -201,10 +236,18 @@ pub fn write_graph<S: Coordinate>(
         #[cfg(feature = "mesh-formats")]
         InputFormat::Vtu => Mesh::of_graph(file).write_vtu(out),
         #[cfg(feature = "mesh-formats")]
+        InputFormat::Vtp => Mesh::of_graph(file).write_vtp(out),
+        #[cfg(feature = "mesh-formats")]
         InputFormat::Msh => Mesh::of_graph(file).write_msh(out),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Geojson => shapes::write_geojson_graph(file, out),
         #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => shapes::write_wkt_graph(file, out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Dxf => Mesh::of_graph(file).write_dxf(out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Npy => Mesh::of_graph(file).write_points(out),
+        #[cfg(feature = "mesh-formats")]
+        InputFormat::Npz => Mesh::of_graph(file).write_npz(&file.graph.edges, out),
     }
 }

@@ -1,15 +1,16 @@
 //! Triangle's formats, long lists of short lines: `.ele` and the `.node` that it refers to, and `.poly`. Columns are
-//! attributes of the vertices.
+//! attributes of the vertices, but for their markers.
 
 use std::io::{self, Write};
 
+use super::labels::Labels;
 use crate::threads::in_turn;
-use crate::{Coordinate, GraphFile};
+use crate::{Column, Coordinate, GraphFile};
 use sweep_cdt::interior::Interior;
-use sweep_cdt::{CanonicalGroups, Pslg, Region};
+use sweep_cdt::{CanonicalGroups, Region};
 
-/// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions, with the
-/// attributes of these.
+/// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions or polygons, with
+/// the attributes or features of these.
 pub(super) fn write_ele<S>(
     file: &GraphFile<S>,
     interior: &Interior<'_>,
@@ -20,7 +21,8 @@ pub(super) fn write_ele<S>(
         return write_triangles(first, &interior.canonical_groups(), out);
     }
     let triangles = interior.canonical_triangles();
-    let attributes = attributes(&file.graph, interior, &triangles);
+    let labels = Labels::of(file, interior, &triangles);
+    let attributes = labels.map_or(vec![0.0; triangles.len()], |labels| labels.values);
     writeln!(out, "{} 3 1", triangles.len())?;
     write_rows(out, triangles.len(), |t, text| {
         triangle(first, t, triangles[t], text);
@@ -60,20 +62,6 @@ fn triangle(first: usize, t: usize, [a, b, c]: [usize; 3], text: &mut Vec<u8>) {
     numbers([t, a, b, c].map(|number| number + first), text);
 }
 
-/// The attribute of each triangle in the list, 0 without a region.
-fn attributes<S>(graph: &Pslg<S>, interior: &Interior<'_>, triangles: &[[usize; 3]]) -> Vec<f64> {
-    let mut attributes = vec![0.0; triangles.len()];
-    for (t, place) in places(interior, triangles).into_iter().enumerate() {
-        let region = interior
-            .region(t)
-            .and_then(|region| graph.regions.get(region));
-        if let (Some((place, _)), Some(region)) = (place, region) {
-            attributes[place] = region.attribute;
-        }
-    }
-    attributes
-}
-
 /// Writes the vertices as a `.node`.
 ///
 /// ```
@@ -91,11 +79,15 @@ fn attributes<S>(graph: &Pslg<S>, interior: &Interior<'_>, triangles: &[[usize; 
 /// # Errors
 /// Errors of `out`.
 pub fn write_node<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
+    let markers = file.vertex_markers();
+    let is_attribute = |column: &&Column| column.name != Column::MARKER || markers.is_none();
+    let attributes: Vec<&Column> = file.columns.iter().filter(is_attribute).collect();
     writeln!(
         out,
-        "{} 2 {} 0",
+        "{} 2 {} {}",
         file.graph.points.len(),
-        file.columns.len()
+        attributes.len(),
+        usize::from(markers.is_some())
     )?;
     write_rows(out, file.graph.points.len(), |vertex, text| {
         number(vertex + file.numbering.vertex, text);
@@ -103,9 +95,12 @@ pub fn write_node<S: Coordinate>(file: &GraphFile<S>, out: &mut impl Write) -> i
             text.push(b' ');
             coordinate.write_text(text);
         }
-        for column in &file.columns {
+        for column in &attributes {
             text.push(b' ');
             column.of(vertex).write_text(text);
+        }
+        if let Some(markers) = &markers {
+            write_marker(markers[vertex], text);
         }
         text.push(b'\n');
     })
@@ -120,10 +115,19 @@ pub(super) fn write_poly<S: Coordinate>(
     let GraphFile {
         graph, numbering, ..
     } = file;
-    writeln!(out, "{} 0", graph.edges.len())?;
+    let markers = &file.edge_markers;
+    writeln!(
+        out,
+        "{} {}",
+        graph.edges.len(),
+        usize::from(!markers.is_empty())
+    )?;
     write_rows(out, graph.edges.len(), |edge, text| {
         let [a, b] = graph.edges[edge].map(|end| end + numbering.vertex);
         numbers([edge + numbering.edge, a, b], text);
+        if let Some(marker) = markers.get(edge) {
+            write_marker(*marker, text);
+        }
         text.push(b'\n');
     })?;
     writeln!(out, "{}", graph.holes.len())?;
@@ -196,4 +200,10 @@ pub(super) fn numbers<const N: usize>(numbers: [usize; N], text: &mut Vec<u8>) {
 /// Appends a number.
 pub(super) fn number(number: usize, text: &mut Vec<u8>) {
     numbers([number], text);
+}
+
+/// Appends a space and a marker.
+pub(super) fn write_marker(marker: i64, text: &mut Vec<u8>) {
+    text.push(b' ');
+    text.extend_from_slice(itoa::Buffer::new().format(marker).as_bytes());
 }

@@ -3,8 +3,9 @@
 
 use std::io::{self, Write};
 
+use super::labels::Labels;
 use super::rows::write_rows;
-use crate::{Column, Coordinate, GraphFile};
+use crate::{Column, Coordinate, CoordinateSystem, GraphFile};
 use sweep_cdt::Pslg;
 use sweep_cdt::interior::Interior;
 
@@ -46,9 +47,22 @@ impl<'a, S: Coordinate> Positions<'a, S> {
         vertices: impl Fn(usize) -> [usize; N] + Sync + Send,
         out: &mut impl Write,
     ) -> io::Result<()> {
+        let begin = |_, text: &mut Vec<u8>| text.extend_from_slice(before.as_bytes());
+        self.write_after(begin, after, count, vertices, out)
+    }
+
+    /// Writes an item for each list of vertices, after what `begin` appends for it.
+    fn write_after<const N: usize>(
+        &self,
+        begin: impl Fn(usize, &mut Vec<u8>) + Sync + Send,
+        after: &str,
+        count: usize,
+        vertices: impl Fn(usize) -> [usize; N] + Sync + Send,
+        out: &mut impl Write,
+    ) -> io::Result<()> {
         write_rows(out, count, |at, text| {
             text.extend_from_slice(if at == 0 { b"\n" } else { b",\n" });
-            text.extend_from_slice(before.as_bytes());
+            begin(at, text);
             for (at, vertex) in vertices(at).into_iter().enumerate() {
                 if at > 0 {
                     text.push(b',');
@@ -56,6 +70,33 @@ impl<'a, S: Coordinate> Positions<'a, S> {
                 self.write_position(vertex, text);
             }
             text.extend_from_slice(after.as_bytes());
+        })
+    }
+
+    /// Writes polygons as lists of rings, which are lists of positions.
+    fn write_polygons(
+        &self,
+        polygons: &[Polygon],
+        [begin, end]: [&str; 2],
+        out: &mut impl Write,
+    ) -> io::Result<()> {
+        write_rows(out, polygons.len(), |at, text| {
+            text.extend_from_slice(if at == 0 { b"\n" } else { b",\n" });
+            text.extend_from_slice(begin.as_bytes());
+            for (at, ring) in polygons[at].rings.iter().enumerate() {
+                if at > 0 {
+                    text.push(b',');
+                }
+                text.extend_from_slice(begin.as_bytes());
+                for (at, &vertex) in ring.iter().enumerate() {
+                    if at > 0 {
+                        text.push(b',');
+                    }
+                    self.write_position(vertex, text);
+                }
+                text.extend_from_slice(end.as_bytes());
+            }
+            text.extend_from_slice(end.as_bytes());
         })
     }
 
@@ -80,36 +121,58 @@ impl<'a, S: Coordinate> Positions<'a, S> {
     }
 }
 
-/// Writes a collection of features, one for each triangle inside.
+/// Writes a collection of features, one for each triangle inside, with its region or the feature whose polygon covers
+/// it.
 pub(super) fn write_geojson<S: Coordinate>(
     file: &GraphFile<S>,
     interior: &Interior<'_>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let triangles = interior.canonical_triangles();
-    let words = [
-        r#"{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[["#,
-        "]]}}",
-    ];
-    out.write_all(br#"{"type":"FeatureCollection","features":["#)?;
+    let labels = Labels::of(file, interior, &triangles);
+    let begin = |t: usize, text: &mut Vec<u8>| {
+        text.extend_from_slice(br#"{"type":"Feature","properties":{"#);
+        if let Some(labels) = &labels {
+            text.extend_from_slice(format!("\"{}\":", labels.name).as_bytes());
+            labels.values[t].write_text(text);
+        }
+        text.extend_from_slice(br#"},"geometry":{"type":"Polygon","coordinates":[["#);
+    };
+    write_system(r#"{"type":"FeatureCollection","#, file, out)?;
+    out.write_all(br#""features":["#)?;
     let ring = |t: usize| closed(triangles[t]);
-    Positions::of_geojson(file).write(words, triangles.len(), ring, out)?;
+    let positions = Positions::of_geojson(file);
+    positions.write_after(begin, "]]}}", triangles.len(), ring, out)?;
     out.write_all(b"]}\n")
 }
 
-/// Writes the vertices and the edges.
+/// Writes the beginning of an object, with the coordinate system.
+fn write_system<S>(begin: &str, file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
+    out.write_all(begin.as_bytes())?;
+    match &file.system {
+        Some(system) => write!(out, r#""crs":{},"#, system.json()),
+        None => Ok(()),
+    }
+}
+
+/// Writes the vertices and the edges: polygons by their rings, and lines.
 pub(super) fn write_geojson_graph<S: Coordinate>(
     file: &GraphFile<S>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let positions = Positions::of_geojson(file);
-    out.write_all(
-        br#"{"type":"GeometryCollection","geometries":[{"type":"MultiPoint","coordinates":["#,
-    )?;
+    write_system(r#"{"type":"GeometryCollection","#, file, out)?;
+    out.write_all(br#""geometries":[{"type":"MultiPoint","coordinates":["#)?;
     let graph = &file.graph;
     positions.write(["", ""], graph.points.len(), |v| [v], out)?;
+    let shapes = Shapes::of(file);
+    for polygons in shapes.polygons.chunk_by(|a, b| a.feature == b.feature) {
+        out.write_all(br#"]},{"type":"MultiPolygon","coordinates":["#)?;
+        positions.write_polygons(polygons, ["[", "]"], out)?;
+    }
     out.write_all(br#"]},{"type":"MultiLineString","coordinates":["#)?;
-    positions.write(["[", "]"], graph.edges.len(), |e| graph.edges[e], out)?;
+    let lines = &shapes.lines;
+    positions.write(["[", "]"], lines.len(), |at| graph.edges[lines[at]], out)?;
     out.write_all(b"]}]}\n")
 }
 
@@ -121,6 +184,7 @@ pub(super) fn write_wkt<S: Coordinate>(
 ) -> io::Result<()> {
     let positions = Positions::of_wkt(file);
     let triangles = interior.canonical_triangles();
+    write_srid(file, out)?;
     let dimension = positions.dimension();
     if triangles.is_empty() {
         return writeln!(out, "GEOMETRYCOLLECTION{dimension} EMPTY");
@@ -139,17 +203,91 @@ pub(super) fn write_wkt_graph<S: Coordinate>(
 ) -> io::Result<()> {
     let positions = Positions::of_wkt(file);
     let dimension = positions.dimension();
+    write_srid(file, out)?;
     write!(out, "GEOMETRYCOLLECTION{dimension} (MULTIPOINT{dimension} ")?;
     let graph = &file.graph;
-    let (points, edges) = (graph.points.len(), graph.edges.len());
+    let points = graph.points.len();
     write_list(points, out, |out| {
         positions.write(["(", ")"], points, |v| [v], out)
     })?;
+    let shapes = Shapes::of(file);
+    for polygons in shapes.polygons.chunk_by(|a, b| a.feature == b.feature) {
+        write!(out, ",\nMULTIPOLYGON{dimension} (")?;
+        positions.write_polygons(polygons, ["(", ")"], out)?;
+        out.write_all(b")")?;
+    }
     write!(out, ",\nMULTILINESTRING{dimension} ")?;
-    write_list(edges, out, |out| {
-        positions.write(["(", ")"], edges, |e| graph.edges[e], out)
+    let lines = &shapes.lines;
+    write_list(lines.len(), out, |out| {
+        positions.write(["(", ")"], lines.len(), |at| graph.edges[lines[at]], out)
     })?;
     out.write_all(b")\n")
+}
+
+/// Writes the number of the coordinate system, where it has one.
+fn write_srid<S>(file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
+    match file.system.as_ref().and_then(CoordinateSystem::srid) {
+        Some(srid) => write!(out, "SRID={srid};"),
+        None => Ok(()),
+    }
+}
+
+/// The edges of a graph as polygons and lines.
+struct Shapes {
+    polygons: Vec<Polygon>,
+    /// Edges of no ring, and those of rings that are not one chain in the order of the edges.
+    lines: Vec<usize>,
+}
+
+struct Polygon {
+    feature: usize,
+    /// The vertices of each ring, the first one at the end once more.
+    rings: Vec<Vec<usize>>,
+}
+
+impl Shapes {
+    fn of<S>(file: &GraphFile<S>) -> Shapes {
+        let (graph, polygons) = (&file.graph, &file.polygons);
+        let mut edges_of = vec![Vec::new(); polygons.rings.len()];
+        let mut lines = Vec::new();
+        for edge in 0..graph.edges.len() {
+            match polygons.ring_of.get(edge).copied().flatten() {
+                Some(ring) => edges_of[ring].push(edge),
+                None => lines.push(edge),
+            }
+        }
+        let mut list: Vec<Polygon> = (polygons.features.iter())
+            .map(|&feature| Polygon {
+                feature,
+                rings: Vec::new(),
+            })
+            .collect();
+        for (ring, edges) in polygons.rings.iter().zip(edges_of) {
+            let chain: Vec<[usize; 2]> = edges.iter().map(|&edge| graph.edges[edge]).collect();
+            let is_chain = chain.windows(2).all(|pair| pair[0][1] == pair[1][0])
+                && chain.first().map(|edge| edge[0]) == chain.last().map(|edge| edge[1]);
+            let rings = list
+                .get_mut(ring.polygon as usize)
+                .map(|polygon| &mut polygon.rings);
+            match rings.filter(|rings| is_chain && ring.is_hole != rings.is_empty()) {
+                Some(rings) => {
+                    let first = chain.first().map(|edge| edge[0]);
+                    rings.push(
+                        first
+                            .into_iter()
+                            .chain(chain.iter().map(|edge| edge[1]))
+                            .collect(),
+                    );
+                }
+                None => lines.extend(edges),
+            }
+        }
+        list.retain(|polygon| !polygon.rings.is_empty());
+        Shapes {
+            polygons: list,
+            lines,
+        }
+    }
 }
 
 /// Writes a list of WKT of so many items, which has a word of its own for none.

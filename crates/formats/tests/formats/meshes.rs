@@ -164,6 +164,12 @@ fn other_columns_go_with_the_vertices() {
     assert_eq!(count, 15);
 }
 
+/// Whether a format holds more than vertices.
+fn has_edges(format: InputFormat) -> bool {
+    use InputFormat::{Csv, Node, Npy, Txt, Xyz};
+    ![Node, Csv, Xyz, Txt, Npy].contains(&format)
+}
+
 #[test]
 fn every_format_reads_what_it_writes() {
     let (terrain, _) = samples();
@@ -179,7 +185,7 @@ fn every_format_reads_what_it_writes() {
             let again = file(format, &source(&text));
             assert_eq!(again.graph.points, written.graph.points, "{format:?}");
             assert_eq!(again.columns, written.columns, "{format:?}");
-            if format != InputFormat::Node {
+            if has_edges(format) {
                 assert_eq!(again.graph.edges, written.graph.edges, "{format:?}");
             }
         }
@@ -345,43 +351,48 @@ fn triangles_are_written_by_the_book() {
                 values: vec![1.0, 2.0, 0.25],
             },
         ],
+        edge_markers: vec![-5],
         ..graph.into()
     };
     let graph = &file.graph;
     let result = sweep_cdt::triangulate(&graph.points, &graph.edges).expect("a triangle");
     for (format, lines) in [
-        ("obj", "v 0.5 0 7|v 4 0 8.5|v 0 3 -9|f 1 2 3"),
+        ("obj", "v 0.5 0 7|v 4 0 8.5|v 0 3 -9|l 2 3|f 1 2 3"),
         ("off", "OFF|3 1 0|0.5 0 7|4 0 8.5|0 3 -9|3 0 1 2"),
         (
             "ply",
             "ply|format ascii 1.0|element vertex 3|property double x|property double y|property double z|\
-             property double wind_speed|element face 1|property list uchar int vertex_indices|end_header|\
-             0.5 0 7 1|4 0 8.5 2|0 3 -9 0.25|3 0 1 2",
+             property double wind_speed|element edge 1|property int vertex1|property int vertex2|property int marker|\
+             element face 1|property list uchar int vertex_indices|end_header|\
+             0.5 0 7 1|4 0 8.5 2|0 3 -9 0.25|1 2 -5|3 0 1 2",
         ),
         (
             "vtk",
             "# vtk DataFile Version 3.0|sweep-cdt|ASCII|DATASET UNSTRUCTURED_GRID|POINTS 3 double|0.5 0 7|4 0 8.5|0 3 -9|\
-             CELLS 1 4|3 0 1 2|CELL_TYPES 1|5|POINT_DATA 3|SCALARS wind_speed double 1|LOOKUP_TABLE default|1|2|0.25",
+             CELLS 2 7|2 1 2|3 0 1 2|CELL_TYPES 2|3|5|CELL_DATA 2|SCALARS marker long 1|LOOKUP_TABLE default|-5|0|\
+             POINT_DATA 3|SCALARS wind_speed double 1|LOOKUP_TABLE default|1|2|0.25",
         ),
         (
             "vtu",
             "<?xml version=\"1.0\"?>|\
              <VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">|<UnstructuredGrid>|\
-             <Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">|<PointData>|\
+             <Piece NumberOfPoints=\"3\" NumberOfCells=\"2\">|<PointData>|\
              <DataArray type=\"Float64\" Name=\"wind speed\" NumberOfComponents=\"1\" format=\"ascii\">|1|2|0.25|\
-             </DataArray>|</PointData>|<Points>|\
+             </DataArray>|</PointData>|<CellData>|\
+             <DataArray type=\"Int64\" Name=\"marker\" NumberOfComponents=\"1\" format=\"ascii\">|-5|0|</DataArray>|\
+             </CellData>|<Points>|\
              <DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">|\
              0.5 0 7|4 0 8.5|0 3 -9|</DataArray>|</Points>|<Cells>|\
-             <DataArray type=\"Int64\" Name=\"connectivity\" NumberOfComponents=\"1\" format=\"ascii\">|0 1 2|\
+             <DataArray type=\"Int64\" Name=\"connectivity\" NumberOfComponents=\"1\" format=\"ascii\">|1 2|0 1 2|\
              </DataArray>|\
-             <DataArray type=\"Int64\" Name=\"offsets\" NumberOfComponents=\"1\" format=\"ascii\">|3|</DataArray>|\
-             <DataArray type=\"UInt8\" Name=\"types\" NumberOfComponents=\"1\" format=\"ascii\">|5|</DataArray>|\
+             <DataArray type=\"Int64\" Name=\"offsets\" NumberOfComponents=\"1\" format=\"ascii\">|2|5|</DataArray>|\
+             <DataArray type=\"UInt8\" Name=\"types\" NumberOfComponents=\"1\" format=\"ascii\">|3|5|</DataArray>|\
              </Cells>|</Piece>|</UnstructuredGrid>|</VTKFile>",
         ),
         (
             "msh",
-            "$MeshFormat|2.2 0 8|$EndMeshFormat|$Nodes|3|1 0.5 0 7|2 4 0 8.5|3 0 3 -9|$EndNodes|$Elements|1|\
-             1 2 0 1 2 3|$EndElements",
+            "$MeshFormat|2.2 0 8|$EndMeshFormat|$Nodes|3|1 0.5 0 7|2 4 0 8.5|3 0 3 -9|$EndNodes|$Elements|2|\
+             1 1 2 -5 -5 2 3|2 2 0 1 2 3|$EndElements",
         ),
         (
             "stl",

@@ -124,7 +124,12 @@ const WRONG: &[(&str, &str, &str)] = &[
     (
         "msh",
         "$MeshFormat|2.2 1 8",
-        "file:2: only files of text are read, and no binary ones",
+        "file:2: no int of 1 follows, which tells the order of bytes",
+    ),
+    (
+        "msh",
+        "$MeshFormat|2.2 2 8",
+        "file:2: the type of the file is `2`, not 0 or 1",
     ),
     (
         "msh",
@@ -341,6 +346,7 @@ fn coordinates_alone_decide_where_there_are_no_numbers() {
     input.graph.points.pop();
     let error =
         read_result(ResultFormat::Wkt, &source(text), None, &input).expect_err("a stranger");
-    let expected = "file:1: vertex 0 is at (0.100001, 0), where the input has none";
+    let expected = "file:1: vertex 0 is at (0.100001, 0), where the input has none: the nearest is vertex 0 at \
+         (0.1, 0), by 1.000000000001e-6";
     assert_eq!(error.to_string(), expected);
 }

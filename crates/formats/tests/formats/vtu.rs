@@ -9,7 +9,7 @@ use flate2::Compression;
 use flate2::read::ZlibEncoder;
 use sweep_cdt_formats::{
     GraphFile, Input, InputFormat, ReadError, ReadErrorKind, ResultFormat, Source, read,
-    read_result,
+    read_result, write_graph,
 };
 
 /// A file of two points and a line: what the elements `VTKFile` and `Points` say, and what stands behind the piece.
@@ -101,8 +101,8 @@ fn wrong_elements_are_named() {
     let text = points("", TEXT);
     assert_refused(Vec::new(), "file: there is no `Piece` of a `VTKFile`");
     assert_refused(
-        b"<VTKFile type=\"PolyData\"/>".to_vec(),
-        "file:1: the attribute `type` is `PolyData`, not `UnstructuredGrid`",
+        b"<VTKFile type=\"ImageData\"/>".to_vec(),
+        "file:1: the attribute `type` is `ImageData`, not `UnstructuredGrid` or `PolyData`",
     );
     assert_refused(
         file("compressor=\"vtkLZ4DataCompressor\"", &text, ""),
@@ -350,4 +350,120 @@ fn the_limit_of_what_is_unpacked_is_for_all_arrays_and_can_be_raised() {
     };
     assert_eq!(file.graph.points.len() as u64, points + 4);
     assert_eq!(file.columns[0].name, "depth");
+}
+
+/// A file of five points, with these sections of cells and counts of them.
+fn poly_data(counts: &str, sections: &str) -> Vec<u8> {
+    let text = format!(
+        "<VTKFile type=\"PolyData\"><PolyData>\n<Piece NumberOfPoints=\"5\" {counts}>\n\
+         <PointData>\n<DataArray type=\"Float64\" Name=\"rain\">1 2 3 4 nan</DataArray>\n</PointData>\n<Points>\n\
+         <DataArray type=\"Float64\" NumberOfComponents=\"3\">0 0 7 2 0 7 2 2 7 0 2 7 1 1 8</DataArray>\n\
+         </Points>\n{sections}</Piece></PolyData></VTKFile>\n"
+    );
+    text.into_bytes()
+}
+
+fn section(name: &str, corners: &str, ends: &str) -> String {
+    format!(
+        "<{name}>\n<DataArray type=\"Int64\" Name=\"connectivity\">{corners}</DataArray>\n\
+         <DataArray type=\"Int32\" Name=\"offsets\">{ends}</DataArray>\n</{name}>\n"
+    )
+}
+
+/// Triangles of the file.
+fn triangles(bytes: Vec<u8>) -> Result<Vec<[usize; 3]>, String> {
+    let file = input(poly_data("", "")).expect("points");
+    let source = Source::new("file", bytes);
+    let result = read_result(ResultFormat::Vtp, &source, None, &file);
+    result
+        .map(|result| result.list)
+        .map_err(|error| error.to_string())
+}
+
+#[test]
+fn lines_polygons_and_strips_of_poly_data_are_read() {
+    let counts = "NumberOfVerts=\"1\" NumberOfLines=\"2\" NumberOfStrips=\"1\" NumberOfPolys=\"2\"";
+    let verts = section("Verts", "0 1 2", "3");
+    let lines = section("Lines", "0 1 2 3 0", "3 5");
+    let polys = section("Polys", "0 1 4 1 2 4", "3 6");
+    let strips = section("Strips", "4 3 0", "3");
+    let all = [verts, lines.clone(), polys.clone(), strips].concat();
+    let file = input(poly_data(counts, &all)).expect("it is right");
+    assert_eq!(file.graph.edges, [[0, 1], [1, 2], [3, 0]]);
+    assert_eq!(file.graph.points[4], [1.0, 1.0]);
+    assert_eq!(file.columns[0].values, [7.0, 7.0, 7.0, 7.0, 8.0]);
+    assert_eq!(
+        (file.columns[1].name.as_str(), file.columns[1].missing()),
+        ("rain", 1)
+    );
+    let expected = vec![[0, 1, 4], [1, 2, 4], [4, 3, 0]];
+    assert_eq!(triangles(poly_data(counts, &all)), Ok(expected));
+    // Sections without cells may be there, empty, or not.
+    let none = "NumberOfLines=\"0\"";
+    let empty = "<Lines/>".to_owned() + &section("Polys", "", "");
+    for (counts, sections) in [("", ""), (none, ""), (none, &empty)] {
+        assert_eq!(
+            input(poly_data(counts, sections)).map(|file| file.graph.edges),
+            Ok(vec![])
+        );
+        assert_eq!(triangles(poly_data(counts, sections)), Ok(vec![]));
+    }
+    // The cells of the other kind of file mean nothing.
+    let cells = section("Cells", "0 1", "2");
+    assert_eq!(
+        input(poly_data("NumberOfCells=\"1\"", &cells)).map(|file| file.graph.edges),
+        Ok(vec![])
+    );
+    let refused = |counts: &str, sections: &str, why: &str| {
+        assert_eq!(triangles(poly_data(counts, sections)), Err(why.to_owned()));
+    };
+    refused(
+        "NumberOfPolys=\"1\"",
+        "",
+        "file: there is no array `connectivity`",
+    );
+    refused(
+        "",
+        &lines,
+        "file:11: the array `offsets` has 2 numbers, not 0",
+    );
+    refused(
+        "NumberOfPolys=\"many\"",
+        "",
+        "file:2: the attribute `NumberOfPolys` is `many`, not a whole number",
+    );
+    refused(
+        "NumberOfPolys=\"2\"",
+        &section("Polys", "0 1 4 1 2", "3 6"),
+        "file: cell 1: its corners are not in `connectivity`",
+    );
+    let quad = section("Polys", "0 1 2 3", "4");
+    let error = triangles(poly_data(
+        "NumberOfLines=\"2\" NumberOfPolys=\"1\"",
+        &(lines + &quad),
+    ));
+    let error = error.expect_err("no triangle");
+    assert!(
+        error.starts_with("file: cell 2: the face has 4 corners"),
+        "{error}"
+    );
+}
+
+/// Polygons as the specification has them, by what VTK writes itself.
+#[test]
+fn poly_data_is_written_by_the_book() {
+    let mut file = input(poly_data("", "")).expect("points");
+    file.graph.edges = vec![[0, 4]];
+    let mut text = Vec::new();
+    write_graph(InputFormat::Vtp, &file, &mut text).expect("memory takes it");
+    let text = String::from_utf8(text).expect("a text");
+    assert!(text.contains(
+        "<PolyData>\n<Piece NumberOfPoints=\"5\" NumberOfVerts=\"0\" NumberOfLines=\"1\" NumberOfStrips=\"0\" \
+         NumberOfPolys=\"0\">\n<PointData>"
+    ));
+    let lines = "<Lines>\n<DataArray type=\"Int64\" Name=\"connectivity\" NumberOfComponents=\"1\" format=\"ascii\">\n\
+                 0 4\n</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" NumberOfComponents=\"1\" \
+                 format=\"ascii\">\n2\n</DataArray>\n</Lines>\n<Polys>";
+    assert!(text.contains(lines), "{text}");
+    assert_eq!(input(text.into_bytes()), Ok(file));
 }

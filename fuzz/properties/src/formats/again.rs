@@ -4,8 +4,8 @@ use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Pslg, Triangulation, triangulate};
 use sweep_cdt_formats::{
-    Column, Coordinate, GraphFile, Input, InputFormat, Named, Numbering, OutputFormat,
-    ResultFormat, Source, read, read_result, write_graph, write_node,
+    Column, Coordinate, GraphFile, Input, InputFormat, Named, OutputFormat, ResultFormat, Source,
+    read, read_result, write_graph, write_node,
 };
 
 use sweep_cdt_testing::oracle::canonical;
@@ -16,7 +16,7 @@ const POINTS: usize = 64;
 const CHARACTERS: usize = 2000;
 
 /// The formats of inputs that came later.
-pub(super) const INPUTS: [InputFormat; 8] = [
+pub(super) const INPUTS: [InputFormat; 13] = [
     InputFormat::Obj,
     InputFormat::Off,
     InputFormat::Ply,
@@ -25,10 +25,15 @@ pub(super) const INPUTS: [InputFormat; 8] = [
     InputFormat::Msh,
     InputFormat::Geojson,
     InputFormat::Wkt,
+    InputFormat::Csv,
+    InputFormat::Vtp,
+    InputFormat::Npy,
+    InputFormat::Npz,
+    InputFormat::Dxf,
 ];
 
 /// The formats of results that came later.
-pub(super) const RESULTS: [ResultFormat; 8] = [
+pub(super) const RESULTS: [ResultFormat; 12] = [
     ResultFormat::Off,
     ResultFormat::Ply,
     ResultFormat::Vtk,
@@ -37,6 +42,10 @@ pub(super) const RESULTS: [ResultFormat; 8] = [
     ResultFormat::Stl,
     ResultFormat::Geojson,
     ResultFormat::Wkt,
+    ResultFormat::Vtp,
+    ResultFormat::Npy,
+    ResultFormat::Npz,
+    ResultFormat::Dxf,
 ];
 
 /// So many coordinates are read as numbers of each kind.
@@ -253,20 +262,17 @@ fn write_result<S: Exact>(file: &GraphFile<S>, result: &Triangulation, node: &[u
             reads(format, &result_text(format, file, result), None);
         }
         for format in INPUTS {
-            let has_vertices = !matches!(format, InputFormat::Geojson | InputFormat::Wkt);
+            let has_vertices = !matches!(
+                format,
+                InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
+            );
             if has_vertices || result.duplicates().len() == 0 {
-                let numbering = Numbering {
-                    vertex: first_of(format),
-                    edge: first_of(format),
-                    ..file.numbering
-                };
-                let counted = GraphFile {
-                    numbering,
-                    ..file.clone()
-                };
-                assert_reads(format, &graph_text(format, file), None, &counted);
+                assert_reads(format, &graph_text(format, file), None, &counted(format, file));
             }
         }
+    }
+    for format in [InputFormat::Csv, InputFormat::Txt] {
+        assert_reads(format, &graph_text(format, file), None, &counted(format, file));
     }
     assert_matches(file, result);
     let mut picture = Vec::new();
@@ -274,6 +280,20 @@ fn write_result<S: Exact>(file: &GraphFile<S>, result: &Triangulation, node: &[u
         .write(file, result, &mut picture)
         .expect("memory takes all that is written");
     assert_picture(picture);
+}
+
+/// A file as a format of meshes or of points counts it, without edges where that has none.
+fn counted<S: Exact>(format: InputFormat, file: &GraphFile<S>) -> GraphFile<S> {
+    let mut counted = file.clone();
+    counted.numbering.vertex = first_of(format);
+    counted.numbering.edge = first_of(format);
+    if matches!(
+        format,
+        InputFormat::Csv | InputFormat::Txt | InputFormat::Npy
+    ) {
+        counted.graph.edges.clear();
+    }
+    counted
 }
 
 /// Where a format of meshes begins to count.

@@ -38,13 +38,8 @@ pub(super) fn others() -> Vec<Reader> {
 impl Reader {
     /// Into how many files a zero byte divides what it reads: files that may be no text are one.
     pub(super) fn parts(self) -> usize {
-        let may_be_binary = matches!(
-            self,
-            Reader::Input(InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu)
-                | Reader::Result(
-                    ResultFormat::Ply | ResultFormat::Vtk | ResultFormat::Vtu | ResultFormat::Stl
-                )
-        );
+        let binary = ["ply", "vtk", "vtu", "vtp", "stl", "msh", "npy", "npz"];
+        let may_be_binary = binary.contains(&self.extension());
         if may_be_binary { 1 } else { 2 }
     }
 

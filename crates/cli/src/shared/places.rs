@@ -1,0 +1,39 @@
+//! Faults of an input with the place where they are, in its own coordinates.
+//!
+//! A number of an edge says little to somebody who drew a map. Why the place is right: it is the exact common point of
+//! the two edges, as the nearest doubles. Cost: that of one crossing, once.
+
+use num_rational::BigRational;
+use sweep_cdt::Error;
+use sweep_cdt::crossings::crossings;
+use sweep_cdt_formats::{Coordinate, GraphFile};
+
+/// The fault in words, with vertices and edges numbered as in the file, and where it is.
+pub(crate) fn located<S: Coordinate>(file: &GraphFile<S>, error: Error) -> String {
+    let numbered = file.as_numbered(error);
+    let place = match error {
+        Error::CrossingEdges { edges } => crossing(file, edges),
+        _ => None,
+    };
+    match place {
+        Some([x, y]) => format!("{numbered} near ({}, {})", x.text(), y.text()),
+        None => numbered.to_string(),
+    }
+}
+
+/// Where two edges cross.
+fn crossing<S: Coordinate>(file: &GraphFile<S>, edges: [usize; 2]) -> Option<[f64; 2]> {
+    let mut ends = Vec::with_capacity(4);
+    for edge in edges {
+        for &vertex in file.graph.edges.get(edge)? {
+            let exact = |x: &S| match x.is_finite() && S::APPROX_IS_EXACT {
+                true => BigRational::from_float(x.approx()),
+                false => BigRational::from_text(&x.text()).ok(),
+            };
+            let [x, y] = file.graph.points.get(vertex)?;
+            ends.push([exact(x)?, exact(y)?]);
+        }
+    }
+    let found = crossings(&ends, &[[0, 1], [2, 3]]).ok()?;
+    found.first().map(|crossing| crossing.near())
+}

@@ -1,0 +1,319 @@
+//! Points as text, a row for each: `.csv`, `.xyz` and `.txt`.
+//!
+//! ```text
+//! id;easting;northing;elev;note     names, which may be missing: then the columns are x, y, z and others
+//! 7;3402.5;811.25;102.4;oak
+//! ```
+//!
+//! | column | names, in any case, without units in brackets |
+//! |---|---|
+//! | x and y | the first of these pairs: `x`, `y`; `point_x`, `point_y`; `easting`, `northing`; `longitude`, `latitude` (`lon`, `long`, `lng`, `lat`); `e`, `n` |
+//! | z | the first of `z`, `elevation`, `elev`, `ele`, `height`, `h`, `altitude`, `alt` and `point_z` |
+//! | others | of numbers: columns of the vertices; of anything else: ignored with a remark |
+//!
+//! The names may also stand in the last comment before the numbers, if that has those of x and y. The separator is the
+//! first one of semicolon, tab, comma and blanks that makes a row of names, or of numbers, out of the first row. (See
+//! `rows.rs` for rows and quotes.) A field that is empty, `nan`, `na`, `n/a`, `null`, `none` or `-` is missing, which x and
+//! y must not be. Rows may be short, and what they lack is missing; fields beyond the first row must not be numbers.
+//!
+//! Cost: time in proportion to the text. So is the memory: short rows may leave out no more fields than the file has
+//! bytes.
+
+use std::collections::HashMap;
+
+use crate::read::content::{Edges, Field, Syntax, Vertices};
+use crate::read::remarks::Remarks;
+use crate::read::rows::{Rows, Separator, text};
+use crate::read::source::{ReadError, Source, quoted};
+use crate::{Column, CoordinateError};
+
+/// The names of x and y, in families: both are of the same one.
+const PLACES: [[&[&str]; 2]; 5] = [
+    [&["x"], &["y"]],
+    [
+        &["point_x", "x_coord", "xcoord", "coord_x"],
+        &["point_y", "y_coord", "ycoord", "coord_y"],
+    ],
+    [&["easting", "east"], &["northing", "north"]],
+    [&["longitude", "lon", "long", "lng"], &["latitude", "lat"]],
+    [&["e"], &["n"]],
+];
+
+/// The names of the height, the better ones first.
+const HEIGHTS: [&str; 12] = [
+    "z",
+    "elevation",
+    "elev",
+    "ele",
+    "height",
+    "h",
+    "altitude",
+    "alt",
+    "point_z",
+    "z_coord",
+    "zcoord",
+    "coord_z",
+];
+
+/// The words for a number that is missing.
+const MISSING: [&[u8]; 6] = [b"nan", b"na", b"n/a", b"null", b"none", b"-"];
+
+/// Reads points.
+pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
+    let mut rows = Rows::new(source, separator(source)?)?;
+    let mut fields = Vec::new();
+    let Some(line) = rows.next_row(&mut fields)? else {
+        return Err(ReadError::of_file(&source.name, "the file is empty"));
+    };
+    let error = |message: String| source.error_in_line(line, message);
+    let header = Header::of(&fields).map_err(error)?;
+    let is_header = header.is_some();
+    let comment = rows.comment();
+    let header = match header {
+        Some(header) => header,
+        None if fields.len() < 2 => {
+            let message = "the first row has one field: x and y must stand in two, with a comma, a semicolon, a tab or \
+                           blanks between them";
+            return Err(error(message.to_owned()));
+        }
+        None if fields.iter().any(|field| begins_as_number(field)) => match Header::of(&comment) {
+            Ok(Some(header)) if comment.len() == fields.len() => header,
+            _ => Header::without_names(&fields),
+        },
+        None => {
+            let names: Vec<String> = fields.iter().take(8).map(|&name| quoted(name)).collect();
+            let message = format!(
+                "of the columns {} none are called x and y, or easting and northing, or longitude and latitude: rename \
+                 two of them",
+                names.join(", ")
+            );
+            return Err(error(message));
+        }
+    };
+    let mut table = Table::new(source, line, header);
+    if !is_header {
+        table.add(line, &fields)?;
+    }
+    while let Some(line) = rows.next_row(&mut fields)? {
+        table.add(line, &fields)?;
+    }
+    let mut remarks = Remarks::default();
+    let vertices = table.vertices(&mut remarks);
+    Ok(Edges {
+        remarks,
+        ..Edges::without_seeds(vertices, Vec::new(), 0)
+    })
+}
+
+/// The separator of a file.
+fn separator(source: &Source) -> Result<Separator, ReadError> {
+    let mut there = None;
+    for separator in Separator::ALL {
+        let mut fields = Vec::new();
+        if Rows::new(source, separator)?.next_row(&mut fields).is_err() {
+            continue;
+        }
+        let is_header = || !matches!(Header::of(&fields), Ok(None));
+        let are_numbers = || fields.len() > 1 && fields[..2].iter().copied().all(is_number);
+        if is_header() || are_numbers() {
+            return Ok(separator);
+        }
+        if fields.len() > 1 {
+            there.get_or_insert(separator);
+        }
+    }
+    Ok(there.unwrap_or(Separator::Blanks))
+}
+
+/// The names of the columns, and what they hold.
+struct Header {
+    names: Vec<String>,
+    x: usize,
+    y: usize,
+    z: Option<usize>,
+}
+
+impl Header {
+    /// The header that a row is, if it names x and y.
+    fn of(fields: &[&[u8]]) -> Result<Option<Header>, String> {
+        let known: Vec<String> = fields.iter().map(|name| plain(name)).collect();
+        let place = |names: &[&str]| {
+            let mut found = names.iter().map(|name| {
+                let is_it = |known: &&String| known == name;
+                let first = known.iter().position(|known| known == name)?;
+                Some((first, known.iter().filter(is_it).count() > 1))
+            });
+            found.find_map(|place| place)
+        };
+        let pair = |[x, y]: &[&[&str]; 2]| Some([place(x)?, place(y)?]);
+        let Some([x, y]) = PLACES.iter().find_map(pair) else {
+            return Ok(None);
+        };
+        let z = place(&HEIGHTS);
+        for (at, is_repeated) in [x, y].into_iter().chain(z) {
+            if is_repeated {
+                let message = format!("two columns are called `{}`: rename one", known[at]);
+                return Err(message);
+            }
+        }
+        let end = fields.iter().rposition(|field| !field.is_empty());
+        let names = fields[..end.map_or(0, |end| end + 1)].iter();
+        Ok(Some(Header {
+            names: names.map(|name| text(name)).collect(),
+            x: x.0,
+            y: y.0,
+            z: z.map(|(z, _)| z),
+        }))
+    }
+
+    /// The columns of a file without names, by its first row: x, y, and z if there are three of numbers.
+    fn without_names(first: &[&[u8]]) -> Header {
+        let is_height = |field: &&&[u8]| is_missing(field) || is_number(field);
+        Header {
+            names: vec![String::new(); first.len()],
+            x: 0,
+            y: 1,
+            z: first.get(2).filter(is_height).map(|_| 2),
+        }
+    }
+}
+
+/// A name in lower case, without its unit in brackets.
+fn plain(name: &[u8]) -> String {
+    let name = text(name).to_lowercase();
+    let unit = name.find(['(', '[']).filter(|&at| at > 0);
+    name[..unit.unwrap_or(name.len())].trim().to_owned()
+}
+
+fn is_missing(field: &[u8]) -> bool {
+    let is_it = |word: &&[u8]| field.eq_ignore_ascii_case(word);
+    field.is_empty() || MISSING.iter().any(is_it)
+}
+
+/// Whether a field can be a coordinate.
+fn is_number(field: &[u8]) -> bool {
+    let is_of_fraction = |byte: &u8| byte.is_ascii_digit() || b"/-+".contains(byte);
+    match value(field) {
+        Err(CoordinateError::Fraction) => field.iter().all(is_of_fraction),
+        value => !matches!(value, Err(CoordinateError::NotANumber)),
+    }
+}
+
+/// Whether a field begins as a number does, perhaps one with a decimal comma.
+fn begins_as_number(field: &[u8]) -> bool {
+    let unsigned = field.strip_prefix(b"-").unwrap_or(field);
+    is_number(field) || unsigned.first().is_some_and(u8::is_ascii_digit)
+}
+
+/// Whether a field is a number, too large a one included, which is then refused where it stands.
+fn is_double(field: &[u8]) -> bool {
+    matches!(value(field), Ok(_) | Err(CoordinateError::TooLarge))
+}
+
+fn value(field: &[u8]) -> Result<f64, CoordinateError> {
+    Syntax::Plain.value(field)
+}
+
+/// The points that are read, and their columns.
+struct Table<'a> {
+    source: &'a Source,
+    /// The line of the first row.
+    first_line: usize,
+    header: Header,
+    coordinates: Vec<[&'a [u8]; 2]>,
+    /// The fields of each column but x and y, as long as they are numbers or missing.
+    columns: Vec<Option<Vec<&'a [u8]>>>,
+    /// How many fields were left out of short rows.
+    left_out: usize,
+}
+
+impl<'a> Table<'a> {
+    fn new(source: &'a Source, first_line: usize, header: Header) -> Table<'a> {
+        let is_column = |at: usize| at != header.x && at != header.y;
+        let columns = (0..header.names.len()).map(|at| is_column(at).then(Vec::new));
+        Table {
+            source,
+            first_line,
+            columns: columns.collect(),
+            header,
+            coordinates: Vec::new(),
+            left_out: 0,
+        }
+    }
+
+    /// Adds a point.
+    fn add(&mut self, line: usize, fields: &[&'a [u8]]) -> Result<(), ReadError> {
+        let width = self.columns.len();
+        let error = |message: String| Err(self.source.error_in_line(line, message));
+        let is_beyond = |field: &&[u8]| is_double(field);
+        self.left_out += width.saturating_sub(fields.len());
+        if fields.iter().skip(width).any(is_beyond) || self.left_out > self.source.bytes.len() {
+            let (fields, first) = (fields.len(), self.first_line);
+            return error(format!(
+                "the row has {fields} fields, and that of line {first} has {width}"
+            ));
+        }
+        let field = |at: usize| fields.get(at).copied().unwrap_or_default();
+        let Header { x, y, .. } = self.header;
+        for (name, at) in [("x", x), ("y", y)] {
+            if is_missing(field(at)) {
+                return error(format!("{name} is missing"));
+            }
+            if field(at).contains(&b',') || field(at).contains(&b' ') {
+                let shown = quoted(field(at));
+                return error(format!(
+                    "{shown} is not a coordinate: decimal commas are not read, only points, as in 0.5"
+                ));
+            }
+        }
+        self.coordinates.push([field(x), field(y)]);
+        for (at, column) in self.columns.iter_mut().enumerate() {
+            let field = field(at);
+            let is_height = self.header.z == Some(at);
+            match column {
+                Some(column) if is_missing(field) => column.push(b""),
+                Some(column) if is_height || is_double(field) => column.push(field),
+                _ => *column = None,
+            }
+        }
+        Ok(())
+    }
+
+    /// The points with the columns that have any numbers; others are ignored.
+    fn vertices(self, remarks: &mut Remarks) -> Vertices<'a> {
+        let Table { header, .. } = self;
+        let mut seen: HashMap<String, usize> = HashMap::new();
+        let mut fields: Vec<Field<'a>> = Vec::new();
+        for (at, (name, pieces)) in header.names.into_iter().zip(self.columns).enumerate() {
+            let has_numbers = |pieces: &Vec<&[u8]>| pieces.iter().any(|piece| !piece.is_empty());
+            let Some(pieces) = pieces.filter(has_numbers) else {
+                if at != header.x && at != header.y {
+                    remarks.ignore_named(1, "column", name.as_bytes());
+                }
+                continue;
+            };
+            let name = match name.as_str() {
+                _ if header.z == Some(at) => Column::HEIGHT.to_owned(),
+                "" => format!("column{}", at + 1),
+                _ => name,
+            };
+            let count = seen.entry(name.clone()).or_default();
+            *count += 1;
+            let name = match *count {
+                1 => name,
+                _ => format!("{name}_{count}"),
+            };
+            fields.push(Field {
+                name,
+                syntax: Syntax::Plain,
+                pieces,
+            });
+        }
+        // Formats without names take the first column for heights.
+        fields.sort_by_key(|field| field.name != Column::HEIGHT);
+        Vertices {
+            fields,
+            ..Vertices::plain(self.source, self.coordinates, 0)
+        }
+    }
+}

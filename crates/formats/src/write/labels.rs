@@ -1,0 +1,71 @@
+//! What is said of triangles and of sides beside their corners: regions or features, and markers.
+
+use super::rows::places;
+use crate::GraphFile;
+use sweep_cdt::interior::Interior;
+
+/// A number for each triangle of a list.
+pub(super) struct Labels {
+    /// `region` or `feature`.
+    pub(super) name: &'static str,
+    pub(super) values: Vec<f64>,
+}
+
+impl Labels {
+    /// The region of each triangle in the canonical list of an interior, or the feature whose polygon covers it; 0
+    /// where there is none. `None`, if the interior has neither.
+    pub(super) fn of<S>(
+        file: &GraphFile<S>,
+        interior: &Interior<'_>,
+        canonical: &[[usize; 3]],
+    ) -> Option<Labels> {
+        let label = |t: usize| {
+            if interior.is_of_polygons() {
+                let feature = file.polygons.feature(interior, t)?;
+                Some(feature as f64)
+            } else {
+                let region = file.graph.regions.get(interior.region(t)?)?;
+                Some(region.attribute)
+            }
+        };
+        if !interior.has_regions() {
+            return None;
+        }
+        let mut values = vec![0.0; canonical.len()];
+        for (t, place) in places(interior, canonical).into_iter().enumerate() {
+            if let (Some((place, _)), Some(label)) = (place, label(t)) {
+                values[place] = label;
+            }
+        }
+        let is_of_polygons = interior.is_of_polygons();
+        Some(Labels {
+            name: if is_of_polygons { "feature" } else { "region" },
+            values,
+        })
+    }
+}
+
+/// The markers of sides, lower vertices first: of several edges along a side the first with a marker counts. Nothing, if
+/// no edge has one.
+pub(super) fn markers<S>(
+    file: &GraphFile<S>,
+    interior: &Interior<'_>,
+    sides: &[[usize; 2]],
+) -> Vec<i64> {
+    if file.edge_markers.is_empty() {
+        return Vec::new();
+    }
+    let mut markers = vec![0; sides.len()];
+    let marked = file.edge_markers.iter().enumerate();
+    for (edge, &marker) in marked.filter(|(_, marker)| **marker != 0) {
+        let chain = interior.triangulation().edge_chain(edge);
+        for (a, b) in chain.clone().zip(chain.skip(1)) {
+            if let Ok(place) = sides.binary_search(&[a.min(b), a.max(b)])
+                && markers[place] == 0
+            {
+                markers[place] = marker;
+            }
+        }
+    }
+    markers
+}

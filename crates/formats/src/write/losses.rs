@@ -1,0 +1,152 @@
+//! What a format has no room for.
+
+use crate::{Coordinate, GraphFile, OutputFormat};
+use sweep_cdt::interior::Interior;
+
+/// What of a file and its domain an output in this format does not say, each as words that follow "not written:".
+/// Heights have their own words, since formats without them have no vertices either.
+///
+/// ```
+/// use sweep_cdt_formats::{Column, GraphFile, OutputFormat, not_written};
+///
+/// let wind = Column { name: "wind".to_owned(), values: vec![1.5] };
+/// let file = GraphFile::<f64> { columns: vec![wind], ..GraphFile::default() };
+/// assert_eq!(not_written(OutputFormat::Obj, &file, None), ["the column `wind`"]);
+/// assert!(not_written(OutputFormat::Node, &file, None).is_empty());
+/// ```
+pub fn not_written<S: Coordinate>(
+    format: OutputFormat,
+    file: &GraphFile<S>,
+    interior: Option<&Interior<'_>>,
+) -> Vec<String> {
+    let Room {
+        columns,
+        vertex_markers,
+        edge_markers,
+        regions,
+        system,
+    } = Room::of(format);
+    let mut losses = Vec::new();
+    if !columns {
+        let columns = file.other_columns();
+        losses.extend(columns.map(|column| format!("the column `{}`", column.name)));
+    }
+    let markers = file.vertex_markers().unwrap_or_default();
+    let marked = markers.iter().filter(|marker| **marker != 0).count();
+    if !vertex_markers && marked > 0 {
+        losses.push(format!("markers of {marked} vertices"));
+    }
+    let marked = file
+        .edge_markers
+        .iter()
+        .filter(|marker| **marker != 0)
+        .count();
+    if !edge_markers && marked > 0 {
+        losses.push(format!("markers of {marked} edges"));
+    }
+    if !regions && let Some(interior) = interior.filter(|interior| interior.has_regions()) {
+        let what = if interior.is_of_polygons() {
+            "features"
+        } else {
+            "regions"
+        };
+        losses.push(format!("{what} of triangles"));
+    }
+    let is_named = |name: &String| match system {
+        System::No => true,
+        System::Number => {
+            file.system
+                .as_ref()
+                .is_some_and(|system| system.srid().is_none())
+                && !name.is_empty()
+        }
+        System::Any => false,
+    };
+    let name = file.system.as_ref().map(crate::CoordinateSystem::name);
+    losses.extend(
+        name.filter(is_named)
+            .map(|name| format!("the coordinate system {name}")),
+    );
+    losses
+}
+
+/// What a format can say.
+struct Room {
+    columns: bool,
+    vertex_markers: bool,
+    edge_markers: bool,
+    regions: bool,
+    system: System,
+}
+
+/// How a format names a coordinate system.
+enum System {
+    No,
+    /// By a number of the EPSG.
+    Number,
+    Any,
+}
+
+impl Room {
+    fn of(format: OutputFormat) -> Room {
+        let nothing = Room {
+            columns: false,
+            vertex_markers: false,
+            edge_markers: false,
+            regions: false,
+            system: System::No,
+        };
+        match format {
+            // A `.ele` stands beside a `.node`.
+            OutputFormat::Ele | OutputFormat::Node => Room {
+                columns: true,
+                vertex_markers: true,
+                regions: true,
+                ..nothing
+            },
+            OutputFormat::Json => Room {
+                columns: true,
+                vertex_markers: true,
+                edge_markers: true,
+                regions: true,
+                system: System::Any,
+            },
+            OutputFormat::Obj | OutputFormat::Off => nothing,
+            #[cfg(feature = "mesh-formats")]
+            OutputFormat::Ply | OutputFormat::Vtk | OutputFormat::Vtu | OutputFormat::Vtp => Room {
+                columns: true,
+                vertex_markers: true,
+                edge_markers: true,
+                regions: true,
+                ..nothing
+            },
+            #[cfg(feature = "mesh-formats")]
+            OutputFormat::Msh => Room {
+                vertex_markers: true,
+                edge_markers: true,
+                regions: true,
+                ..nothing
+            },
+            #[cfg(feature = "mesh-formats")]
+            OutputFormat::Geojson => Room {
+                regions: true,
+                system: System::Any,
+                ..nothing
+            },
+            #[cfg(feature = "mesh-formats")]
+            OutputFormat::Wkt => Room {
+                system: System::Number,
+                ..nothing
+            },
+            #[cfg(feature = "mesh-formats")]
+            OutputFormat::Stl | OutputFormat::Npy | OutputFormat::Dxf => nothing,
+            // Columns have no names in it, but are there.
+            #[cfg(feature = "mesh-formats")]
+            OutputFormat::Npz => Room {
+                columns: true,
+                vertex_markers: true,
+                ..nothing
+            },
+        }
+    }
+}
