@@ -33,13 +33,16 @@ pub struct Kind {
     make: Make,
 }
 
+/// Points and edges, and the height of each point.
+type Terrain = (Pslg<f64>, Vec<f64>);
+
 /// How the data of a kind is made, for a number of points.
 #[derive(Clone, Copy, Debug)]
 enum Make {
     /// Points and edges in the plane.
     Plane(fn(n: usize, random: &mut Random) -> Pslg<f64>),
     /// The same with a height for each point.
-    Terrain(fn(n: usize, random: &mut Random) -> (Pslg<f64>, Vec<f64>)),
+    Terrain(fn(n: usize, random: &mut Random) -> Terrain),
 }
 
 impl Kind {

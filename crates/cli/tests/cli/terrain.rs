@@ -183,7 +183,7 @@ fn generated_contour_lines_have_heights() {
     let summary = printed(&output.expect("the command starts")).to_owned();
     // The lines are at whole heights, 1 apart; between two of them there is a level.
     let numbers: Vec<i64> = summary
-        .split([' ', ','])
+        .split([' ', ',', '\n'])
         .filter_map(|word| word.parse().ok())
         .collect();
     let [low, high, levels, lines, _] = numbers[..] else {
