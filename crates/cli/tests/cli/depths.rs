@@ -61,7 +61,7 @@ fn vertices_may_be_added_where_that_is_allowed() {
     let counts =
         "\nadded points                         2\nsplit edges                          1\n";
     assert!(report.contains(counts), "{report}");
-    let unasked = verify(&folder, "a.poly b.obj --steiner");
+    let unasked = verify(&folder, "a.poly b.obj --domain hull --steiner");
     let last = refuted(&unasked).lines().next_back();
     let hint = "this is a right triangulation of the interior: `--domain holes`";
     assert_eq!(last, Some(hint));
@@ -70,7 +70,7 @@ fn vertices_may_be_added_where_that_is_allowed() {
     let beyond = more.replace("9 4 0\n", "9 4 -1\n");
     std::fs::write(folder.path().join("beyond.poly"), beyond).expect("a file");
     printed(&run(&folder, "beyond.poly --inside hull -o b.obj"));
-    let report = verify(&folder, "a.poly b.obj --steiner");
+    let report = verify(&folder, "a.poly b.obj --domain hull --steiner");
     let outside = "\nadded-outside: vertex 9 was added outside of the hull\n  9 (4, -1)\n";
     assert!(refuted(&report).contains(outside), "{}", refuted(&report));
 }

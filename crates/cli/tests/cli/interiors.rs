@@ -29,8 +29,11 @@ fn a_result_may_fill_the_interior() {
             let interior = "the interior of a.poly (holes), the canonical one";
             let expected = format!("correct: {result} is {WHAT} {interior}");
             assert_eq!(first_line(printed(&report)), expected);
+            // What is inside by default is what is verified by default.
+            let report = verify(&folder, &format!("a.poly {result}"));
+            assert_eq!(first_line(printed(&report)), expected);
         }
-        let hull = verify(&folder, "a.poly a.ele");
+        let hull = verify(&folder, "a.poly a.ele --domain hull");
         let mut lines = refuted(&hull).lines();
         let verdict = lines.next().expect("a verdict");
         assert!(verdict.starts_with("wrong: "), "{verdict}");

@@ -24,7 +24,7 @@ use crate::read::source::{ReadError, Source};
 use crate::{Column, CoordinateSystem, Faces};
 
 /// The members of results that follow from the graph.
-const OF_RESULT: [&str; 8] = [
+const OF_RESULT: [&str; 9] = [
     "neighbors",
     "constrained",
     "hull",
@@ -32,6 +32,7 @@ const OF_RESULT: [&str; 8] = [
     "chains",
     "split",
     "boundary",
+    "region_attributes",
     "features",
 ];
 

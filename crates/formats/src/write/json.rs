@@ -22,6 +22,7 @@
 //! |---|---|---|
 //! | `boundary` | closed chain around the domain | its vertices, with the domain on the left |
 //! | `regions` | triangle, if there are regions | its region, `null` for none |
+//! | `region_attributes` | region of the input, if there are any | its attribute |
 //! | `features` | triangle, if the domain is that of polygons | the feature whose polygon covers it, from 1 |
 //!
 //! All vertices, triangles and regions are positions in `points`, in `triangles` and in the input's list, from 0.
@@ -70,6 +71,9 @@ pub(super) fn write_interior<S: Coordinate>(
             }
         }
         member(out, "regions", regions)?;
+        let attributes = file.graph.regions.iter();
+        let attributes = attributes.map(|region| json_coordinate(&region.attribute));
+        member(out, "region_attributes", attributes)?;
     }
     out.write_all(b"\n}\n")
 }
