@@ -149,7 +149,7 @@ fn lines_on_a_plane_are_straight() {
     let levels: Vec<f64> = (-100..200).map(|at| f64::from(at) * 3.0).collect();
     let lines = surface.contours(&levels).expect("few pieces");
     let [low, high] = surface.range().expect("triangles");
-    let crossing = levels.iter().filter(|level| (low..high).contains(level));
+    let crossing = levels.iter().filter(|&level| (low..high).contains(level));
     assert_eq!(lines.len(), crossing.count());
     for line in &lines {
         assert!(!line.is_closed());

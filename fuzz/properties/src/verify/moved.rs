@@ -113,13 +113,16 @@ impl Moved {
             {
                 let points = &input.graph.points;
                 let files = triangles.as_flattened().iter().map(|&v| own[v]);
-                let pairs: Vec<_> = files.zip(result.list.as_flattened()).collect();
+                let pairs: Vec<_> = files
+                    .zip(result.list.as_flattened().iter().copied())
+                    .collect();
                 let is_near = |(x, y): (f64, f64)| (x - y).abs() <= 5.000_001e-6 * y.abs() + 5e-7;
-                for (place, &v) in &pairs {
-                    let coordinates = place.iter().copied().zip(points[v]);
+                for &(place, v) in &pairs {
+                    let coordinates = place.into_iter().zip(points[v]);
                     assert!(coordinates.clone().all(is_near), "{own:?} for {input:?}");
-                    let others = pairs.iter().filter(|(_, &w)| points[w] == points[v]);
-                    others.for_each(|(other, _)| assert_eq!(other, place, "{own:?} for {input:?}"));
+                    let others = pairs.iter().filter(|(_, w)| points[*w] == points[v]);
+                    others
+                        .for_each(|&(other, _)| assert_eq!(other, place, "{own:?} for {input:?}"));
                 }
             }
             // No coordinate is off by more than half a unit of its sixth digit.
