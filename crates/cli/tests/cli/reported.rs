@@ -304,3 +304,24 @@ fn what_is_ignored_or_not_written_is_said_or_refused() {
     let geojson = std::fs::read_to_string(folder.path().join("d.geojson")).expect("a file");
     assert!(geojson.contains("urn:ogc:def:crs:EPSG::25832"), "{geojson}");
 }
+
+/// Where edges cross, with the features and rings that they are of.
+#[test]
+fn crossing_edges_name_their_place_and_their_features() {
+    let ring = "[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]], [[1, 1], [3, 1], [2, 3], [1, 1]]";
+    let map = format!(
+        r#"{{"type": "FeatureCollection", "features": [
+            {{"type": "Feature", "geometry": {{"type": "Point", "coordinates": [9, 9]}}}},
+            {{"type": "Feature", "geometry": {{"type": "Polygon", "coordinates": [{ring}]}}}},
+            {{"type": "Feature", "geometry": {{"type": "LineString", "coordinates": [[-1, 2], [2, 2.5]]}}}}]}}"#
+    );
+    let folder = folder(&[("map.geojson", &map)]);
+    let error = run(&folder, "map.geojson");
+    assert_eq!(
+        text(&error.stderr).split(" (`").next(),
+        Some(
+            "error: map.geojson: edges 3 and 7 cross near (0, 2.1666666666666665), the outline of feature 2 and \
+             a line of feature 3"
+        )
+    );
+}
