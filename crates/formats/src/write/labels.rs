@@ -7,6 +7,7 @@ use sweep_cdt::interior::Interior;
 /// A number for each triangle of a list.
 pub(super) struct Labels {
     /// `region` or `feature`.
+    #[cfg(feature = "mesh-formats")]
     pub(super) name: &'static str,
     pub(super) values: Vec<f64>,
 }
@@ -37,9 +38,13 @@ impl Labels {
                 values[place] = label;
             }
         }
-        let is_of_polygons = interior.is_of_polygons();
         Some(Labels {
-            name: if is_of_polygons { "feature" } else { "region" },
+            #[cfg(feature = "mesh-formats")]
+            name: if interior.is_of_polygons() {
+                "feature"
+            } else {
+                "region"
+            },
             values,
         })
     }
@@ -47,6 +52,7 @@ impl Labels {
 
 /// The markers of sides, lower vertices first: of several edges along a side the first with a marker counts. Nothing, if
 /// no edge has one.
+#[cfg(feature = "mesh-formats")]
 pub(super) fn markers<S>(
     file: &GraphFile<S>,
     interior: &Interior<'_>,
