@@ -1,9 +1,11 @@
 //! Inputs from public reports, each with the result that it must have (`tests/data/reports/README.md` has the sources).
 //! Areas and counts come from the reports, or from hand.
 
+use std::process::Output;
+
 use serde_json::Value;
 
-use crate::{Output, folder, run, text, without_losses};
+use crate::{folder, run, text, without_losses};
 
 const REPORTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/reports");
 
