@@ -1,6 +1,5 @@
 //! What is said of triangles and of sides beside their corners: regions or features, and markers.
 
-use super::rows::places;
 use crate::GraphFile;
 use sweep_cdt::interior::Interior;
 
@@ -74,4 +73,24 @@ pub(super) fn markers<S>(
         }
     }
     markers
+}
+
+/// For each triangle, if it is inside, its place in the canonical list of the domain, and which of its vertices comes
+/// first there.
+pub(super) fn places(
+    interior: &Interior<'_>,
+    canonical: &[[usize; 3]],
+) -> Vec<Option<(usize, usize)>> {
+    let result = interior.triangulation();
+    let mut places = vec![None; result.len()];
+    for t in interior.inside() {
+        let corners = result.triangle(t);
+        let first = (0..3)
+            .min_by_key(|&i| corners[i])
+            .expect("a triangle has corners");
+        let listed = [0, 1, 2].map(|i| corners[(first + i) % 3]);
+        let place = canonical.binary_search(&listed);
+        places[t] = Some((place.expect("every triangle inside is listed"), first));
+    }
+    places
 }
