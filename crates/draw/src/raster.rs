@@ -137,15 +137,19 @@ impl Raster {
                 place.map(super::window::units)
             };
             let mut way = 0.0;
+            // A dash that ends on this step ends there by rule, not by a sum: so every turn draws or goes on.
             while way < length {
-                let end = (way + dashes[now] - done).min(length);
+                let rest = dashes[now] - done;
+                let is_ended = way + rest <= length;
+                let end = if is_ended { way + rest } else { length };
                 if now == 0 {
                     self.stroke(colour, width, &[at(way), at(end)]);
                 }
-                done += end - way;
-                if done >= dashes[now] {
-                    (done, now) = (0.0, 1 - now);
-                }
+                (done, now) = if is_ended {
+                    (0.0, 1 - now)
+                } else {
+                    (done + (end - way), now)
+                };
                 way = end;
             }
         }
@@ -304,5 +308,26 @@ mod tests {
         raster.stroke_dashed(BLACK, 100.0, [100.0, 100.0], &[[0, 0], [0, 0]]);
         raster.dot(BLACK, 100.0, [-4000, 90_000]);
         assert_eq!(painted(&raster), 20 * FINE * FINE);
+    }
+
+    /// A dash whose end was a sum could fall short of its length by less than the doubles there tell, and then no turn
+    /// of the loop went on.
+    #[test]
+    fn dashes_come_to_an_end_on_every_line() {
+        for i in 1..200_i64 {
+            let mut raster = Raster::new([1000, 1000], WHITE);
+            let places = [
+                [0, 0],
+                [9_973 * i % 7919, 137 * i],
+                [61 * i, 7_001 * i % 9973],
+            ];
+            raster.stroke_dashed(BLACK, 50.0, [70.0, 30.0], &places);
+            assert!(painted(&raster) > 0);
+        }
+        // Along a straight line seven tenths are dashes.
+        let mut raster = Raster::new([100_000, 300], WHITE);
+        raster.stroke_dashed(BLACK, 100.0, [700.0, 300.0], &[[0, 150], [100_000, 150]]);
+        let whole = 1000 * FINE * FINE;
+        assert!(painted(&raster).abs_diff(whole * 7 / 10) <= whole / 50);
     }
 }
