@@ -106,7 +106,9 @@ impl Contours {
         let mut outputs = Outputs::default();
         if let Some((format, output)) = target {
             let lines = &lines;
-            outputs.add(output, move |out| write_lines(format, lines, out))?;
+            outputs.add(output, move |out| {
+                write_lines(format, lines, file.system.as_ref(), out)
+            })?;
         }
         if is_free {
             outputs.add(Destination::standard(), move |out| {

@@ -6,14 +6,13 @@ use std::path::PathBuf;
 use num_rational::BigRational;
 use sweep_cdt::crossings::{Crossing, Exact, crossings};
 use sweep_cdt_draw::CrossingsPicture;
-use sweep_cdt_formats::{
-    Coordinate, CrossingsFormat, GraphFile, Input, Numbering, write_crossings,
-};
+use sweep_cdt_formats::{Coordinate, CrossingsFormat, GraphFile, Input, write_crossings};
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, ReadingArgs, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
+use crate::shared::places::parts;
 
 /// List the edges that cross
 ///
@@ -115,7 +114,7 @@ impl Crossings {
                 if is_printed {
                     found
                         .iter()
-                        .try_for_each(|pair| print(numbering, pair, self.fractions, out))?;
+                        .try_for_each(|pair| print(file, pair, self.fractions, out))?;
                 }
                 Ok(())
             })?;
@@ -129,20 +128,20 @@ impl Crossings {
     }
 }
 
-/// Writes a pair of edges, numbered as in their file, with the nearest doubles and, if asked for, the exact point: one
+/// Writes a pair of edges, numbered as in their file, with their features, with the nearest doubles and, if asked for, the exact point: one
 /// line.
 fn print<S: Exact>(
-    numbering: Numbering,
+    file: &GraphFile<S>,
     crossing: &Crossing<S>,
     with_fractions: bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let [edge, other] = numbering.edges(crossing.edges);
+    let [edge, other] = file.numbering.edges(crossing.edges);
     let [x, y] = crossing.near().map(|x| x.text());
     write!(out, "edges {edge} and {other} cross near ({x}, {y})")?;
     if with_fractions {
         let [x, y] = crossing.point().each_ref().map(BigRational::text);
         write!(out, ", exactly at ({x}, {y})")?;
     }
-    writeln!(out)
+    writeln!(out, "{}", parts(file, crossing.edges))
 }

@@ -55,7 +55,7 @@ Exit status:
   0  done   1  wrong input, nothing written   2  wrong usage
 
 Examples:
-  sweep-cdt heights terrain.poly --at trees.node -o trees3d.node
+  sweep-cdt heights terrain.poly --at trees.csv -o trees3d.csv
   sweep-cdt heights survey.geojson --inside even-odd --at wells.geojson -o wells.obj";
 
 impl Heights {

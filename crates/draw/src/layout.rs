@@ -114,7 +114,7 @@ impl Layout {
             size,
             spacing,
             outside: interior.map(|_| closed(&hull)),
-            border: border.iter().map(closed).collect(),
+            border: border.iter().map(|chain| closed(chain)).collect(),
             relief,
             sides,
             edges: trails(places.len(), &input_edges(graph, result)),
@@ -133,7 +133,7 @@ impl Layout {
 }
 
 /// A chain back to its first vertex.
-fn closed(chain: &Vec<usize>) -> Vec<usize> {
+fn closed(chain: &[usize]) -> Vec<usize> {
     chain.iter().chain(chain.first()).copied().collect()
 }
 

@@ -66,9 +66,9 @@ fn chunk(name: [u8; 4], contents: &[u8], out: &mut impl Write) -> io::Result<()>
 /// The remainders of all bytes by the polynomial of CRC-32.
 const CHECKS: [u32; 256] = {
     let mut table = [0; 256];
-    let mut at = 0;
-    while at < 256 {
-        let mut rest = at as u32;
+    let mut byte = 0_u32;
+    while byte < 256 {
+        let mut rest = byte;
         let mut bit = 0;
         while bit < 8 {
             rest = if rest & 1 == 1 {
@@ -78,8 +78,8 @@ const CHECKS: [u32; 256] = {
             };
             bit += 1;
         }
-        table[at] = rest;
-        at += 1;
+        table[byte as usize] = rest;
+        byte += 1;
     }
     table
 };

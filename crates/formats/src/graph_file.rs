@@ -2,7 +2,7 @@
 //! the file counts.
 
 use sweep_cdt::crossings::SplitError;
-use sweep_cdt::interior::InteriorError;
+use sweep_cdt::interior::{InteriorError, Ring};
 use sweep_cdt::{Error, Pslg};
 
 use crate::{CoordinateSystem, Polygons, Remark};
@@ -22,6 +22,8 @@ pub struct GraphFile<S> {
     pub edge_markers: Vec<i64>,
     /// Whose border each edge is.
     pub polygons: Polygons,
+    /// The feature of each edge, counted from 1 as in [`Polygons::features`]; empty, if the format has no features.
+    pub edge_features: Vec<u32>,
     /// The faces of a mesh. They are no part of the graph: see [`GraphFile::with_faces`].
     pub faces: Faces,
     /// The coordinate system, if the file names one.
@@ -193,6 +195,7 @@ impl<S> From<Pslg<S>> for GraphFile<S> {
             pieces_of: Vec::new(),
             edge_markers: Vec::new(),
             polygons: Polygons::default(),
+            edge_features: Vec::new(),
             faces: Faces::default(),
             system: None,
             merged: 0,
@@ -328,6 +331,37 @@ impl<S> GraphFile<S> {
             |vertex| vertex.saturating_add(first.vertex),
             |edge| edge.saturating_add(first.edge),
         )
+    }
+
+    /// The part of the map that an edge is of, in words: its feature, and whether it is a hole or a line. `None`, if the
+    /// format has no features.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{Input, InputFormat, Source, read};
+    ///
+    /// # #[cfg(feature = "mesh-formats")] {
+    /// let text = "POINT (5 5) POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1)) LINESTRING (0 0, 9 9)";
+    /// let Input::Doubles(file) = read(InputFormat::Wkt, &Source::new("a.wkt", text), None)? else {
+    ///     unreachable!("no fraction in the file")
+    /// };
+    /// let parts = [0, 3, 6].map(|edge| file.part_of(edge).unwrap());
+    /// assert_eq!(parts, ["the outline of feature 2", "hole 1 of feature 2", "a line of feature 3"]);
+    /// # }
+    /// # Ok::<(), sweep_cdt_formats::ReadError>(())
+    /// ```
+    pub fn part_of(&self, edge: usize) -> Option<String> {
+        let feature = self.edge_features.get(edge)?;
+        let ring = self.polygons.ring_of.get(edge).copied().flatten();
+        let Some(ring) = ring else {
+            return Some(format!("a line of feature {feature}"));
+        };
+        let of_polygon = |other: &&Ring| other.polygon == self.polygons.rings[ring].polygon;
+        let before = self.polygons.rings[..ring].iter().rev();
+        let hole = before.take_while(of_polygon).count();
+        Some(match hole {
+            0 => format!("the outline of feature {feature}"),
+            hole => format!("hole {hole} of feature {feature}"),
+        })
     }
 
     /// An error of [`split`](sweep_cdt::crossings::split) or [`crossings`](sweep_cdt::crossings::crossings()) with

@@ -63,10 +63,12 @@ impl<S: Coordinate + Exact> GraphFile<S> {
             column
         });
         let marker = |&edge: &usize| self.edge_markers.get(edge).copied();
+        let feature = |&edge: &usize| self.edge_features.get(edge).copied();
         let file = GraphFile {
             columns: columns.collect(),
             edge_markers: split.pieces_of.iter().filter_map(marker).collect(),
             polygons: self.polygons.of_pieces(&split.pieces_of),
+            edge_features: split.pieces_of.iter().filter_map(feature).collect(),
             faces: self.faces.clone(),
             system: self.system.clone(),
             merged: self.merged,

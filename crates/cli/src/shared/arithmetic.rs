@@ -146,6 +146,7 @@ pub(crate) fn as_rationals(name: &str, input: Input) -> Result<GraphFile<BigRati
         pieces_of: file.pieces_of,
         edge_markers: file.edge_markers,
         polygons: file.polygons,
+        edge_features: file.edge_features,
         faces: file.faces,
         system: file.system,
         merged: file.merged,

@@ -15,9 +15,22 @@ pub(crate) fn located<S: Coordinate>(file: &GraphFile<S>, error: Error) -> Strin
         Error::CrossingEdges { edges } => crossing(file, edges),
         _ => None,
     };
+    let parts = match error {
+        Error::CrossingEdges { edges } => parts(file, edges),
+        _ => String::new(),
+    };
     match place {
-        Some([x, y]) => format!("{numbered} near ({}, {})", x.text(), y.text()),
-        None => numbered.to_string(),
+        Some([x, y]) => format!("{numbered} near ({}, {}){parts}", x.text(), y.text()),
+        None => format!("{numbered}{parts}"),
+    }
+}
+
+/// The parts of the map that two edges are of, where the file has features.
+pub(crate) fn parts<S>(file: &GraphFile<S>, edges: [usize; 2]) -> String {
+    match edges.map(|edge| file.part_of(edge)) {
+        [Some(one), Some(other)] if one == other => format!(", both of {one}"),
+        [Some(one), Some(other)] => format!(", {one} and {other}"),
+        _ => String::new(),
     }
 }
 

@@ -10,6 +10,8 @@ use super::arguments::InputArgs;
 use super::failure::{Failure, note};
 use super::files::{FilesRead, ReadingArgs};
 use super::inside::InsideArgs;
+use super::missing::MissingArgs;
+use super::places::located;
 use super::splitting::SplitArgs;
 
 /// Arguments that name a terrain.
@@ -23,6 +25,9 @@ pub(crate) struct TerrainArgs {
 
     #[command(flatten)]
     inside: InsideArgs,
+
+    #[command(flatten)]
+    missing: MissingArgs,
 
     #[command(flatten)]
     split: SplitArgs,
@@ -51,6 +56,7 @@ impl TerrainArgs {
     /// Reads the input.
     pub(crate) fn read(&self, files: &mut FilesRead) -> Result<Input, Failure> {
         let input = self.input.read(files, |_| ())?;
+        let input = self.missing.apply(&self.name(), input)?;
         if self.split.is_asked() {
             Ok(self.split.apply(&self.name(), input)?.0)
         } else {
@@ -68,14 +74,14 @@ impl TerrainArgs {
         let failure = |error: &dyn std::fmt::Display| Failure::Error(format!("{name}: {error}"));
         let Some(heights) = file.heights() else {
             return Err(failure(
-                &"the vertices have no heights: a third coordinate, or the first attribute of a .node or .poly",
+                &"the vertices have no heights: a third coordinate, the column z, or the first attribute of a .node or .poly",
             ));
         };
         let graph = &file.graph;
         let result = Triangulator::new().triangulate_parallel(&graph.points, &graph.edges);
         let result = result.map_err(|error| {
             let advice = SplitArgs::advice(&error);
-            failure(&format!("{}{advice}", file.as_numbered(error)))
+            failure(&format!("{}{advice}", located(file, error)))
         })?;
         let domain = self.inside.domain(&name, file, &result)?;
         let domain = domain.unwrap_or_else(|| Interior::whole(&result));

@@ -1,9 +1,11 @@
 //! Inputs from public reports, each with the result that it must have (`tests/data/reports/README.md` has the sources).
 //! Areas and counts come from the reports, or from hand.
 
+use std::process::Output;
+
 use serde_json::Value;
 
-use crate::{Output, folder, run, text, without_losses};
+use crate::{folder, run, text, without_losses};
 
 const REPORTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/reports");
 
@@ -30,7 +32,8 @@ fn number(value: &Value) -> f64 {
 /// How many triangles there are, and their area.
 fn area(json: &Value) -> (usize, f64) {
     let point = |v: &Value| {
-        let point = &json["points"][v.as_u64().expect("a vertex") as usize];
+        let vertex: usize = serde_json::from_value(v.clone()).expect("a vertex");
+        let point = &json["points"][vertex];
         [number(&point[0]), number(&point[1])]
     };
     let triangles = json["triangles"].as_array().expect("triangles");
@@ -124,17 +127,12 @@ fn no_height_is_invented_and_none_is_lost() {
     assert_eq!(given, 2);
 
     let (line, _) = result("flat_line_first.wkt");
-    let height = |x: f64, y: f64| {
+    let height = |x: i64, y: i64| {
         let points = line["points"].as_array().expect("points");
-        let point = points
-            .iter()
-            .find(|p| number(&p[0]) == x && number(&p[1]) == y);
+        let point = points.iter().find(|p| p[0] == x && p[1] == y);
         point.expect("a point").get(2).map(number)
     };
-    assert_eq!(
-        [height(0.0, 0.0), height(10.0, 10.0)],
-        [Some(5.0), Some(7.0)]
-    );
+    assert_eq!([height(0, 0), height(10, 10)], [Some(5.0), Some(7.0)]);
 
     let (_, said) = result("conflicting_heights.wkt");
     let conflict = "vertex 1 at (10, 10) has two numbers for z, 7 and 30: 7 counts";
@@ -303,4 +301,25 @@ fn what_is_ignored_or_not_written_is_said_or_refused() {
     }
     let geojson = std::fs::read_to_string(folder.path().join("d.geojson")).expect("a file");
     assert!(geojson.contains("urn:ogc:def:crs:EPSG::25832"), "{geojson}");
+}
+
+/// Where edges cross, with the features and rings that they are of.
+#[test]
+fn crossing_edges_name_their_place_and_their_features() {
+    let ring = "[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]], [[1, 1], [3, 1], [2, 3], [1, 1]]";
+    let map = format!(
+        r#"{{"type": "FeatureCollection", "features": [
+            {{"type": "Feature", "geometry": {{"type": "Point", "coordinates": [9, 9]}}}},
+            {{"type": "Feature", "geometry": {{"type": "Polygon", "coordinates": [{ring}]}}}},
+            {{"type": "Feature", "geometry": {{"type": "LineString", "coordinates": [[-1, 2], [2, 2.5]]}}}}]}}"#
+    );
+    let folder = folder(&[("map.geojson", &map)]);
+    let error = run(&folder, "map.geojson");
+    assert_eq!(
+        text(&error.stderr).split(" (`").next(),
+        Some(
+            "error: map.geojson: edges 3 and 7 cross near (0, 2.1666666666666665), the outline of feature 2 and \
+             a line of feature 3"
+        )
+    );
 }

@@ -98,6 +98,50 @@ fn points_get_the_heights_of_the_terrain() {
     assert!(read(&folder, "d.obj").starts_with("v 2 1 5\nv 2 2 10\nv 1 1 5\nv 0 0 0\n"));
 }
 
+/// From the text of a table to another one, with the columns that are no coordinates.
+#[test]
+fn points_as_text_get_a_column_of_heights() {
+    let folder = folder(&[
+        ("a.poly", PYRAMID),
+        ("b.csv", "x,y,girth\n2,1,0.5\n9,9,0.25\n"),
+    ]);
+    let output = sweep_cdt(&folder, "heights a.poly --at b.csv -o c.csv").output();
+    assert_eq!(output.expect("the command starts").status.code(), Some(0));
+    assert_eq!(
+        read(&folder, "c.csv"),
+        "x,y,z,girth\n2,1,5,0.5\n9,9,NaN,0.25\n"
+    );
+}
+
+/// A polygon bounds the lines, its coordinate system goes through, and a vertex without a height gets one on request.
+#[test]
+fn maps_keep_their_outlines_and_systems() {
+    let map = "SRID=25832;GEOMETRYCOLLECTION Z (POLYGON Z ((0 0 0,4 0 8,4 4 8,0 4 0,0 0 0)),\
+               POINT Z (9 2 8),POINT Z (2 2 NaN))";
+    let folder = folder(&[("a.wkt", map)]);
+    let contours = |arguments: &str| {
+        let output = sweep_cdt(&folder, &format!("contours a.wkt --every 6 {arguments}")).output();
+        let output = output.expect("the command starts");
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        text(&output.stdout).to_owned()
+    };
+    let line = contours("--missing interpolate -o - --output-format wkt");
+    // The slope rises by 2 a step: one straight line, between two sides of the outline.
+    assert!(
+        line.starts_with("SRID=25832;MULTILINESTRING Z (\n(3 4 6,"),
+        "{line}"
+    );
+    assert!(
+        line.ends_with(",3 0 6))\n") && line.lines().count() == 2,
+        "{line}"
+    );
+    let map = contours("--missing interpolate -o - --output-format geojson");
+    assert!(
+        map.contains("\"crs\":") && map.contains("EPSG::25832"),
+        "{map}"
+    );
+}
+
 #[test]
 fn triangles_without_heights_are_left_out_and_said() {
     let folder = folder(&[("a.poly", GAP), ("b.node", "1 2 0 0\n0 5 2\n")]);
@@ -121,7 +165,7 @@ fn what_makes_no_terrain_is_refused() {
         let output = sweep_cdt(&folder, arguments).output();
         assert_fails(&output.expect("the command starts"), error);
     };
-    let words = "the vertices have no heights: a third coordinate, or the first attribute of a .node or .poly";
+    let words = "the vertices have no heights: a third coordinate, the column z, or the first attribute of a .node or .poly";
     fails("contours b.node --every 1", &format!("b.node: {words}"));
     fails("heights b.node --at a.poly", &format!("b.node: {words}"));
     fails(

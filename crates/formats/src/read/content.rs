@@ -63,6 +63,8 @@ pub(super) struct Edges<'a> {
     /// Vertices with markers, where these are no column.
     pub(super) vertex_markers: Vec<(usize, i64)>,
     pub(super) polygons: Polygons,
+    /// The feature of each edge, or none.
+    pub(super) features: Vec<u32>,
     pub(super) faces: Faces,
     pub(super) system: Option<CoordinateSystem>,
     pub(super) remarks: Remarks,
@@ -105,6 +107,7 @@ impl<'a> Edges<'a> {
             markers: Vec::new(),
             vertex_markers: Vec::new(),
             polygons: Polygons::default(),
+            features: Vec::new(),
             faces: Faces::default(),
             system: None,
             remarks: Remarks::default(),

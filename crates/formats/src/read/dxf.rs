@@ -21,6 +21,8 @@
 //!
 //! Cost: time and memory in proportion to the text.
 
+use std::cmp::Ordering;
+
 use crate::read::content::Syntax;
 use crate::read::shapes::{Part, Shapes};
 use crate::read::source::{ReadError, Source, quoted, split_line};
@@ -101,9 +103,12 @@ struct Pairs<'a> {
     lines: usize,
 }
 
+/// The line of a value, its code, and the value.
+type Pair<'a> = (usize, i32, &'a [u8]);
+
 impl<'a> Pairs<'a> {
     /// The next code, with its line and its value.
-    fn next_pair(&mut self) -> Result<Option<(usize, i32, &'a [u8])>, ReadError> {
+    fn next_pair(&mut self) -> Result<Option<Pair<'a>>, ReadError> {
         if self.rest.trim_ascii().is_empty() {
             return Ok(None);
         }
@@ -347,5 +352,8 @@ impl<'a> Drawing<'a> {
 /// Whether two places are the same, heights included.
 fn is_same(one: &Place<'_>, other: &Place<'_>) -> bool {
     let values = |([x, y], z): &Place<'_>| [number(x), number(y), z.map_or(0.0, number)];
-    values(one) == values(other)
+    let pairs = values(one).into_iter().zip(values(other));
+    pairs
+        .map(|(x, y)| x.partial_cmp(&y))
+        .all(|order| order.is_some_and(Ordering::is_eq))
 }

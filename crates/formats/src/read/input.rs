@@ -222,6 +222,7 @@ fn file<S: Coordinate>(
         },
         edge_markers: content.markers,
         polygons: content.polygons,
+        edge_features: content.features,
         faces: content.faces,
         system: content.system,
         remarks: content.remarks.into_list(),

@@ -51,6 +51,7 @@ impl Cells {
     }
 
     /// Adds that there is a cell which is neither a line nor a face, and which a result must not have.
+    #[cfg(feature = "mesh-formats")]
     pub(super) fn refuse(&mut self, error: impl FnOnce() -> ReadError) {
         self.unread += 1;
         self.other.get_or_insert_with(error);

@@ -19,6 +19,8 @@ mod mesh;
 mod msh;
 #[cfg(feature = "mesh-formats")]
 mod msh_binary;
+#[cfg(feature = "mesh-formats")]
+mod msh_parts;
 mod nearby;
 #[cfg(feature = "mesh-formats")]
 mod npy;

@@ -53,8 +53,8 @@ impl Array {
         let shape = shape_of(&header)?;
         let is_by_columns = value(&header, "fortran_order")?.starts_with("True");
         let sizes = shape.iter().copied();
-        let size = sizes.chain([number.kind.size()]);
-        let size = size.fold(Some(1_usize), |all, one| all?.checked_mul(one));
+        let mut sizes = sizes.chain([number.kind.size()]);
+        let size = sizes.try_fold(1_usize, usize::checked_mul);
         match size {
             Some(size) if size == numbers.len() => Ok(Array {
                 number,

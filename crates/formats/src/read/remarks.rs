@@ -55,6 +55,7 @@ impl Remarks {
         );
     }
 
+    #[cfg(feature = "mesh-formats")]
     pub(super) fn add(&mut self, remark: Remark) {
         self.others.push(remark);
     }

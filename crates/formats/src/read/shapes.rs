@@ -82,14 +82,14 @@ impl<'a> Shapes<'a> {
     /// Ends a part: it has the positions since the part before.
     pub(super) fn end(&mut self, part: Part) {
         let first = self.parts.last().map_or(0, |(.., range)| range.end);
-        let feature = self.features.saturating_sub(1);
         self.parts
-            .push((part, feature, first..self.coordinates.len()));
+            .push((part, self.features, first..self.coordinates.len()));
     }
 
     /// All positions as vertices, and the sides of lines and rings.
     pub(super) fn into_graph(self) -> Edges<'a> {
         let (mut edges, mut polygons) = (Vec::new(), Polygons::default());
+        let mut features = Vec::new();
         for (part, feature, range) in &self.parts {
             let ring = match part {
                 Part::Points => continue,
@@ -106,6 +106,8 @@ impl<'a> Shapes<'a> {
                 edges.push([range.end - 1, range.start]);
             }
             polygons.ring_of.resize(edges.len(), ring);
+            let feature = u32::try_from(*feature).unwrap_or(u32::MAX);
+            features.resize(edges.len(), feature);
         }
         if polygons.is_empty() {
             polygons.ring_of.clear();
@@ -114,8 +116,13 @@ impl<'a> Shapes<'a> {
             syntax: self.syntax,
             ..Vertices::plain(self.source, self.coordinates, 0)
         };
+        // What begins no features, a drawing, has none.
+        if self.features == 0 {
+            features.clear();
+        }
         Edges {
             polygons,
+            features,
             system: self.system,
             remarks: self.remarks,
             ..Edges::without_seeds(vertices.with_heights(&self.heights), edges, 0)

@@ -33,8 +33,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::value::RawValue;
 
-use super::labels::Labels;
-use super::rows::places;
+use super::labels::{Labels, places};
 use crate::{Coordinate, GraphFile, sorted_pairs};
 use sweep_cdt::Triangulation;
 use sweep_cdt::crossings::joined;

@@ -1,12 +1,12 @@
 //! What is said of triangles and of sides beside their corners: regions or features, and markers.
 
-use super::rows::places;
 use crate::GraphFile;
 use sweep_cdt::interior::Interior;
 
 /// A number for each triangle of a list.
 pub(super) struct Labels {
     /// `region` or `feature`.
+    #[cfg(feature = "mesh-formats")]
     pub(super) name: &'static str,
     pub(super) values: Vec<f64>,
 }
@@ -37,9 +37,13 @@ impl Labels {
                 values[place] = label;
             }
         }
-        let is_of_polygons = interior.is_of_polygons();
         Some(Labels {
-            name: if is_of_polygons { "feature" } else { "region" },
+            #[cfg(feature = "mesh-formats")]
+            name: if interior.is_of_polygons() {
+                "feature"
+            } else {
+                "region"
+            },
             values,
         })
     }
@@ -47,6 +51,7 @@ impl Labels {
 
 /// The markers of sides, lower vertices first: of several edges along a side the first with a marker counts. Nothing, if
 /// no edge has one.
+#[cfg(feature = "mesh-formats")]
 pub(super) fn markers<S>(
     file: &GraphFile<S>,
     interior: &Interior<'_>,
@@ -68,4 +73,24 @@ pub(super) fn markers<S>(
         }
     }
     markers
+}
+
+/// For each triangle, if it is inside, its place in the canonical list of the domain, and which of its vertices comes
+/// first there.
+pub(super) fn places(
+    interior: &Interior<'_>,
+    canonical: &[[usize; 3]],
+) -> Vec<Option<(usize, usize)>> {
+    let result = interior.triangulation();
+    let mut places = vec![None; result.len()];
+    for t in interior.inside() {
+        let corners = result.triangle(t);
+        let first = (0..3)
+            .min_by_key(|&i| corners[i])
+            .expect("a triangle has corners");
+        let listed = [0, 1, 2].map(|i| corners[(first + i) % 3]);
+        let place = canonical.binary_search(&listed);
+        places[t] = Some((place.expect("every triangle inside is listed"), first));
+    }
+    places
 }

@@ -7,18 +7,20 @@
 use std::io::{self, Write};
 
 #[cfg(feature = "mesh-formats")]
+use super::shapes::{write_srid, write_system};
+#[cfg(feature = "mesh-formats")]
 use crate::Coordinate;
-use crate::{Column, GraphFile, InputFormat, write_graph};
+use crate::{Column, CoordinateSystem, GraphFile, InputFormat, write_graph};
 use sweep_cdt::Pslg;
 
-/// Writes lines, each with its height; the last point of a closed line equals its first.
+/// Writes lines, each with its height, and their coordinate system; the last point of a closed line equals its first.
 ///
 /// ```
 /// use sweep_cdt_formats::{InputFormat, write_lines};
 ///
 /// let lines = [(7.5, vec![[0.0, 0.0], [1.0, 0.0], [0.0, 2.0], [0.0, 0.0]])];
 /// let mut text = Vec::new();
-/// write_lines(InputFormat::Poly, &lines, &mut text)?;
+/// write_lines(InputFormat::Poly, &lines, None, &mut text)?;
 /// let vertices = "3 2 1 0\n0 0 0 7.5\n1 1 0 7.5\n2 0 2 7.5\n";
 /// let edges = "3 0\n0 0 1\n1 1 2\n2 2 0\n0\n";
 /// assert_eq!(text, [vertices, edges].concat().as_bytes());
@@ -30,14 +32,19 @@ use sweep_cdt::Pslg;
 pub fn write_lines(
     format: InputFormat,
     lines: &[(f64, Vec<[f64; 2]>)],
+    system: Option<&CoordinateSystem>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
         #[cfg(feature = "mesh-formats")]
-        InputFormat::Geojson => write_geojson(lines, out),
+        InputFormat::Geojson => write_geojson(lines, system, out),
         #[cfg(feature = "mesh-formats")]
-        InputFormat::Wkt => write_wkt(lines, out),
-        _ => write_graph(format, &graph(lines), out),
+        InputFormat::Wkt => write_wkt(lines, system, out),
+        _ => {
+            let mut file = graph(lines);
+            file.system = system.cloned();
+            write_graph(format, &file, out)
+        }
     }
 }
 
@@ -63,8 +70,13 @@ fn graph(lines: &[(f64, Vec<[f64; 2]>)]) -> GraphFile<f64> {
 
 /// Writes a feature for each line.
 #[cfg(feature = "mesh-formats")]
-fn write_geojson(lines: &[(f64, Vec<[f64; 2]>)], out: &mut impl Write) -> io::Result<()> {
-    out.write_all(br#"{"type":"FeatureCollection","features":["#)?;
+fn write_geojson(
+    lines: &[(f64, Vec<[f64; 2]>)],
+    system: Option<&CoordinateSystem>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_system(r#"{"type":"FeatureCollection","#, system, out)?;
+    out.write_all(br#""features":["#)?;
     for (at, (height, points)) in lines.iter().enumerate() {
         let height = height.text();
         let comma = if at == 0 { "" } else { "," };
@@ -84,7 +96,12 @@ fn write_geojson(lines: &[(f64, Vec<[f64; 2]>)], out: &mut impl Write) -> io::Re
 
 /// Writes a collection of lines.
 #[cfg(feature = "mesh-formats")]
-fn write_wkt(lines: &[(f64, Vec<[f64; 2]>)], out: &mut impl Write) -> io::Result<()> {
+fn write_wkt(
+    lines: &[(f64, Vec<[f64; 2]>)],
+    system: Option<&CoordinateSystem>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    write_srid(system, out)?;
     if lines.is_empty() {
         return out.write_all(b"MULTILINESTRING Z EMPTY\n");
     }

@@ -1,6 +1,6 @@
 //! What a format has no room for.
 
-use crate::{Coordinate, GraphFile, OutputFormat};
+use crate::{Coordinate, CoordinateSystem, GraphFile, OutputFormat};
 use sweep_cdt::interior::Interior;
 
 /// What of a file and its domain an output in this format does not say, each as words that follow "not written:".
@@ -52,21 +52,9 @@ pub fn not_written<S: Coordinate>(
         };
         losses.push(format!("{what} of triangles"));
     }
-    let is_named = |name: &String| match system {
-        System::No => true,
-        System::Number => {
-            file.system
-                .as_ref()
-                .is_some_and(|system| system.srid().is_none())
-                && !name.is_empty()
-        }
-        System::Any => false,
-    };
-    let name = file.system.as_ref().map(crate::CoordinateSystem::name);
-    losses.extend(
-        name.filter(is_named)
-            .map(|name| format!("the coordinate system {name}")),
-    );
+    if let Some(lost) = file.system.as_ref().filter(|lost| !system.holds(lost)) {
+        losses.push(format!("the coordinate system {}", lost.name()));
+    }
     losses
 }
 
@@ -83,8 +71,21 @@ struct Room {
 enum System {
     No,
     /// By a number of the EPSG.
+    #[cfg(feature = "mesh-formats")]
     Number,
     Any,
+}
+
+impl System {
+    /// Whether a system can be named so.
+    fn holds(&self, system: &CoordinateSystem) -> bool {
+        match self {
+            System::No => false,
+            #[cfg(feature = "mesh-formats")]
+            System::Number => system.srid().is_some(),
+            System::Any => !system.json().is_empty(),
+        }
+    }
 }
 
 impl Room {

@@ -5,6 +5,7 @@
 use std::borrow::Cow;
 use std::io::{self, Write};
 
+#[cfg(feature = "mesh-formats")]
 use super::labels::{Labels, markers};
 use super::rows::{numbers, write_rows};
 use crate::{Column, Coordinate, GraphFile, sorted_pairs};
@@ -16,9 +17,11 @@ pub(super) struct Mesh<'a, S> {
     pub(super) heights: Option<&'a Column>,
     pub(super) lines: Cow<'a, [[usize; 2]]>,
     /// The marker of each line, or none.
+    #[cfg(feature = "mesh-formats")]
     pub(super) markers: Cow<'a, [i64]>,
     pub(super) triangles: Vec<[usize; 3]>,
     /// The region or feature of each triangle.
+    #[cfg(feature = "mesh-formats")]
     pub(super) labels: Option<Labels>,
 }
 
@@ -30,8 +33,10 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
         Mesh {
             file,
             heights: file.heights(),
+            #[cfg(feature = "mesh-formats")]
             markers: markers(file, interior, &lines).into(),
             lines: lines.into(),
+            #[cfg(feature = "mesh-formats")]
             labels: Labels::of(file, interior, &triangles),
             triangles,
         }
@@ -43,8 +48,10 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             file,
             heights: file.heights(),
             lines: Cow::Borrowed(&file.graph.edges),
+            #[cfg(feature = "mesh-formats")]
             markers: Cow::Borrowed(&file.edge_markers),
             triangles: Vec::new(),
+            #[cfg(feature = "mesh-formats")]
             labels: None,
         }
     }
@@ -53,6 +60,7 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     pub(super) fn without_lines(self) -> Mesh<'a, S> {
         Mesh {
             lines: Cow::Borrowed(&[]),
+            #[cfg(feature = "mesh-formats")]
             markers: Cow::Borrowed(&[]),
             ..self
         }

@@ -146,26 +146,6 @@ pub(super) fn write_poly<S: Coordinate>(
     Ok(())
 }
 
-/// For each triangle, if it is inside, its place in the canonical list of the domain, and which of its vertices comes
-/// first there.
-pub(super) fn places(
-    interior: &Interior<'_>,
-    canonical: &[[usize; 3]],
-) -> Vec<Option<(usize, usize)>> {
-    let result = interior.triangulation();
-    let mut places = vec![None; result.len()];
-    for t in interior.inside() {
-        let corners = result.triangle(t);
-        let first = (0..3)
-            .min_by_key(|&i| corners[i])
-            .expect("a triangle has corners");
-        let listed = [0, 1, 2].map(|i| corners[(first + i) % 3]);
-        let place = canonical.binary_search(&listed);
-        places[t] = Some((place.expect("every triangle inside is listed"), first));
-    }
-    places
-}
-
 /// Writes `count` rows; `row` appends each to a text. The texts of some chunks at a time are made on all cores,
 /// while those before them are written.
 pub(super) fn write_rows(

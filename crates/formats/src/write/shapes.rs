@@ -138,7 +138,7 @@ pub(super) fn write_geojson<S: Coordinate>(
         }
         text.extend_from_slice(br#"},"geometry":{"type":"Polygon","coordinates":[["#);
     };
-    write_system(r#"{"type":"FeatureCollection","#, file, out)?;
+    write_system(r#"{"type":"FeatureCollection","#, file.system.as_ref(), out)?;
     out.write_all(br#""features":["#)?;
     let ring = |t: usize| closed(triangles[t]);
     let positions = Positions::of_geojson(file);
@@ -147,9 +147,13 @@ pub(super) fn write_geojson<S: Coordinate>(
 }
 
 /// Writes the beginning of an object, with the coordinate system.
-fn write_system<S>(begin: &str, file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
+pub(super) fn write_system(
+    begin: &str,
+    system: Option<&CoordinateSystem>,
+    out: &mut impl Write,
+) -> io::Result<()> {
     out.write_all(begin.as_bytes())?;
-    match &file.system {
+    match system {
         Some(system) => write!(out, r#""crs":{},"#, system.json()),
         None => Ok(()),
     }
@@ -161,7 +165,11 @@ pub(super) fn write_geojson_graph<S: Coordinate>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let positions = Positions::of_geojson(file);
-    write_system(r#"{"type":"GeometryCollection","#, file, out)?;
+    write_system(
+        r#"{"type":"GeometryCollection","#,
+        file.system.as_ref(),
+        out,
+    )?;
     out.write_all(br#""geometries":[{"type":"MultiPoint","coordinates":["#)?;
     let graph = &file.graph;
     positions.write(["", ""], graph.points.len(), |v| [v], out)?;
@@ -184,7 +192,7 @@ pub(super) fn write_wkt<S: Coordinate>(
 ) -> io::Result<()> {
     let positions = Positions::of_wkt(file);
     let triangles = interior.canonical_triangles();
-    write_srid(file, out)?;
+    write_srid(file.system.as_ref(), out)?;
     let dimension = positions.dimension();
     if triangles.is_empty() {
         return writeln!(out, "GEOMETRYCOLLECTION{dimension} EMPTY");
@@ -203,7 +211,7 @@ pub(super) fn write_wkt_graph<S: Coordinate>(
 ) -> io::Result<()> {
     let positions = Positions::of_wkt(file);
     let dimension = positions.dimension();
-    write_srid(file, out)?;
+    write_srid(file.system.as_ref(), out)?;
     write!(out, "GEOMETRYCOLLECTION{dimension} (MULTIPOINT{dimension} ")?;
     let graph = &file.graph;
     let points = graph.points.len();
@@ -225,8 +233,11 @@ pub(super) fn write_wkt_graph<S: Coordinate>(
 }
 
 /// Writes the number of the coordinate system, where it has one.
-fn write_srid<S>(file: &GraphFile<S>, out: &mut impl Write) -> io::Result<()> {
-    match file.system.as_ref().and_then(CoordinateSystem::srid) {
+pub(super) fn write_srid(
+    system: Option<&CoordinateSystem>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    match system.and_then(CoordinateSystem::srid) {
         Some(srid) => write!(out, "SRID={srid};"),
         None => Ok(()),
     }

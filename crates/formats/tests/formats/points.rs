@@ -241,7 +241,7 @@ fn random_tables_are_read_as_they_are_meant() {
             let mut line = Vec::new();
             for &at in &order {
                 let field = &fields[at];
-                let must = is_blank && field.contains(' ') || field.is_empty() && is_blank;
+                let must = is_blank && (field.contains(' ') || field.is_empty());
                 let quote = if must || dice.below(4) == 0 { "\"" } else { "" };
                 line.push(format!("{quote}{field}{quote}"));
             }

@@ -390,7 +390,7 @@ fn lines_polygons_and_strips_of_poly_data_are_read() {
     let all = [verts, lines.clone(), polys.clone(), strips].concat();
     let file = input(poly_data(counts, &all)).expect("it is right");
     assert_eq!(file.graph.edges, [[0, 1], [1, 2], [3, 0]]);
-    assert_eq!(file.graph.points[4], [1.0, 1.0]);
+    assert_eq!(file.graph.points[4..5], [[1.0, 1.0]]);
     assert_eq!(file.columns[0].values, [7.0, 7.0, 7.0, 7.0, 8.0]);
     assert_eq!(
         (file.columns[1].name.as_str(), file.columns[1].missing()),

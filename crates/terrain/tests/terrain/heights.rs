@@ -34,7 +34,7 @@ fn heights_are_those_of_the_definition() {
             match (found, expected) {
                 (None, None) => found_none += 1,
                 (Some(found), Some(expected)) if (found - expected).abs() < 1e-11 => {
-                    found_some += 1
+                    found_some += 1;
                 }
                 _ => panic!("round {round}: {query:?} has {found:?}, not {expected:?}"),
             }

@@ -47,7 +47,7 @@ enum Case {
     /// An input that is traced.
     Traced(Pslg<f64>),
     /// An input that is written in every format, with these numbers; one file is damaged.
-    Written(GraphFile<f64>, Numbers, u8, [[u8; 4]; 3]),
+    Written(Box<GraphFile<f64>>, Numbers, u8, [[u8; 4]; 3]),
 }
 
 /// The coordinates of an input that is written.
@@ -179,7 +179,7 @@ fn generated(style: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
         },
         ..graph.into()
     };
-    Ok(Case::Written(file, numbers, which, damage))
+    Ok(Case::Written(Box::new(file), numbers, which, damage))
 }
 
 /// Writes the input in every format and reads it back; one of the files, damaged, and who reads it.
