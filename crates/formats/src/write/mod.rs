@@ -177,7 +177,7 @@ pub fn write_interior<S: Coordinate>(
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Npy => Mesh::of(file, interior).write_triangles(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Npz => Mesh::of(file, interior).write_npz(&file.graph.edges, out),
+        OutputFormat::Npz => Mesh::of(file, interior).write_npz(true, out),
     }
 }
 
@@ -248,6 +248,6 @@ pub fn write_graph<S: Coordinate>(
         #[cfg(feature = "mesh-formats")]
         InputFormat::Npy => Mesh::of_graph(file).write_points(out),
         #[cfg(feature = "mesh-formats")]
-        InputFormat::Npz => Mesh::of_graph(file).write_npz(&file.graph.edges, out),
+        InputFormat::Npz => Mesh::of_graph(file).write_npz(false, out),
     }
 }

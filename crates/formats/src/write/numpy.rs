@@ -37,8 +37,9 @@ impl<S: Coordinate> Mesh<'_, S> {
         write_corners(&self.triangles, out)
     }
 
-    /// Writes a `.npz`: `points`, `edges`, `triangles` of a result, and the seeds of holes and regions if there are any.
-    pub(super) fn write_npz(&self, edges: &[[usize; 2]], out: &mut impl Write) -> io::Result<()> {
+    /// Writes a `.npz`: `points`, `edges`, of a result `triangles`, even if there are none, and the seeds of holes and
+    /// regions if there are any.
+    pub(super) fn write_npz(&self, is_result: bool, out: &mut impl Write) -> io::Result<()> {
         let graph = &self.file.graph;
         let mut archive = ZipArchiveWriter::new(out);
         let mut add = |name: &str, write: &dyn Fn(&mut dyn Write) -> io::Result<()>| {
@@ -49,8 +50,10 @@ impl<S: Coordinate> Mesh<'_, S> {
             entry.finish(sums).map_err(io::Error::other).map(drop)
         };
         add("points.npy", &|mut out| self.write_points(&mut out))?;
-        add("edges.npy", &|mut out| write_corners(edges, &mut out))?;
-        if !self.triangles.is_empty() {
+        add("edges.npy", &|mut out| {
+            write_corners(&graph.edges, &mut out)
+        })?;
+        if is_result {
             add("triangles.npy", &|mut out| self.write_triangles(&mut out))?;
         }
         let place = |place: &[S; 2]| place.each_ref().map(S::approx);

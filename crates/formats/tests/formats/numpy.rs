@@ -483,6 +483,26 @@ fn arrays_are_written_by_the_book() {
     }
 }
 
+/// Points on a line have no triangles, and a file that says so.
+#[test]
+fn a_result_without_triangles_is_one() {
+    let graph = Pslg {
+        points: vec![[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]],
+        ..Pslg::default()
+    };
+    let file = GraphFile::from(graph);
+    let result = sweep_cdt::triangulate(&file.graph.points, &[]).expect("no edges");
+    for (output, format) in [
+        (OutputFormat::Npy, ResultFormat::Npy),
+        (OutputFormat::Npz, ResultFormat::Npz),
+    ] {
+        let mut written = Vec::new();
+        write(output, &file, &result, &mut written).expect("memory takes it");
+        let again = read_result(format, &Source::new("file", written), None, &file);
+        assert_eq!(again.expect("a result").list, Vec::<[usize; 3]>::new());
+    }
+}
+
 #[test]
 fn damaged_archives_are_refused_or_read_but_nothing_else() {
     let points = matrix(
