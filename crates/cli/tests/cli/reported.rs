@@ -318,7 +318,7 @@ fn crossing_edges_name_their_place_and_their_features() {
     assert_eq!(
         text(&error.stderr).split(" (`").next(),
         Some(
-            "error: map.geojson: edges 3 and 7 cross near (0, 2.1666666666666665), the outline of feature 2 and \
+            "error: map.geojson: edges 6 and 7 cross near (1.7272727272727273, 2.4545454545454546), hole 1 of feature 2 and \
              a line of feature 3"
         )
     );
