@@ -2,14 +2,17 @@
 
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
-use sweep_cdt_formats::{Column, Coordinate, GraphFile, Input, InputFormat, write_graph};
+use sweep_cdt_formats::{
+    Column, Coordinate, GraphFile, Input, InputFormat, Named, OutputFormat, not_written,
+    write_graph,
+};
 use sweep_cdt_terrain::Surface;
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::as_rationals;
 use crate::shared::failure::Failure;
 use crate::shared::failure::note;
-use crate::shared::files::{FileArgument, format_of_output, format_parser};
+use crate::shared::files::{FileArgument, FilesRead, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read};
 use crate::shared::terrain::{TerrainArgs, Work};
 
@@ -72,17 +75,17 @@ impl Heights {
         let name = points.name();
         let (count, missing) = match (terrain, points_read) {
             (Input::Doubles(terrain), Input::Doubles(points)) => {
-                self.write(&terrain, points, format, destination)?
+                self.write(&terrain, points, format, destination, &files)?
             }
             (terrain, points) => {
                 let terrain = as_rationals(&self.terrain.name(), terrain)?;
                 let points = as_rationals(&name, points)?;
-                self.write::<BigRational>(&terrain, points, format, destination)?
+                self.write::<BigRational>(&terrain, points, format, destination, &files)?
             }
         };
         if missing > 0 {
             note(format_args!(
-                "{missing} of {count} points of {name} have no height: they are not on the terrain"
+                "{missing} of {count} points of {name} have no height: they are on no triangle that has three"
             ));
         }
         Ok(())
@@ -95,6 +98,7 @@ impl Heights {
         mut points: GraphFile<S>,
         format: InputFormat,
         destination: Destination,
+        files: &FilesRead,
     ) -> Result<(usize, usize), Failure> {
         let places = &points.graph.points;
         let heights = self.terrain.surface(terrain, At { places })?;
@@ -107,6 +111,13 @@ impl Heights {
         let counts = (heights.values.len(), heights.missing());
         points.columns.retain(|column| column.name != heights.name);
         points.columns.insert(0, heights);
+        if let Some(format) = OutputFormat::named(format.name()) {
+            let losses = not_written(format, &points, None);
+            if !losses.is_empty() {
+                let words = format!("not written: {}", losses.join(", "));
+                files.say(&destination.name.display().to_string(), &[words])?;
+            }
+        }
         let mut outputs = Outputs::default();
         outputs.add(destination, |out| write_graph(format, &points, out))?;
         outputs.finish()?;

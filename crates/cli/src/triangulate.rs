@@ -264,11 +264,25 @@ impl Job for Run<'_> {
         }
         outputs.finish()?;
         let missing = asks_heights.then(|| without_heights(file)).flatten();
-        for words in why_nothing(file, &result, domain).iter().chain(&missing) {
+        let twice = covered_twice(domain);
+        for words in why_nothing(file, &result, domain)
+            .iter()
+            .chain(&missing)
+            .chain(&twice)
+        {
             note(format_args!("{words}"));
         }
         Ok(())
     }
+}
+
+/// How many triangles are covered by more than one polygon, if any are: each names one feature alone.
+fn covered_twice(domain: Option<&Interior<'_>>) -> Option<String> {
+    let domain = domain.filter(|domain| domain.is_of_polygons())?;
+    let twice = domain.inside().filter(|&t| domain.depth(t) > 1).count();
+    (twice > 0).then(|| {
+        format!("polygons overlap: {twice} triangles are covered more than once, and have the first feature that does")
+    })
 }
 
 /// How many vertices have no height, if others have.
@@ -276,7 +290,7 @@ fn without_heights<S>(file: &GraphFile<S>) -> Option<String> {
     let missing = file.heights()?.missing();
     let points = file.graph.points.len();
     (missing > 0)
-        .then(|| format!("{missing} of {points} vertices have no height: z is `NaN` there"))
+        .then(|| format!("{missing} of {points} vertices have no height: z is `NaN` there, or left out in .geojson, which some programs read as 0"))
 }
 
 /// Why there are no triangles, or none inside, if there are none.

@@ -90,6 +90,9 @@ impl fmt::Display for Remark {
                 }
             }
             Remark::HeightProperty { name, count } => {
+                if *count == 0 {
+                    return write!(f, "no feature has the property `{name}`");
+                }
                 let plural = if *count == 1 { "" } else { "s" };
                 write!(
                     f,

@@ -172,12 +172,12 @@ impl Target {
         self.destination.name.display().to_string()
     }
 
-    /// Whether the format has a height for every vertex.
+    /// Whether those who read the format may take a missing height for 0.
     pub(crate) fn asks_heights(&self) -> bool {
-        use OutputFormat::{Msh, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu};
+        use OutputFormat::{Geojson, Msh, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu, Wkt};
         matches!(
             self.format,
-            Output::File(Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Stl)
+            Output::File(Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Stl | Geojson | Wkt)
         )
     }
 }

@@ -267,7 +267,7 @@ fn what_is_ignored_or_not_written_is_said_or_refused() {
     for (arguments, said) in [
         (
             "a.geojson",
-            "note: a.geojson: ignored: 1 member `id`, 2 properties\n",
+            "note: a.geojson: ignored: 1 member `id`, 1 property `name`, 1 property `wind`\n",
         ),
         (
             "b.poly -o b.obj",
@@ -321,5 +321,49 @@ fn crossing_edges_name_their_place_and_their_features() {
             "error: map.geojson: edges 6 and 7 cross near (1.7272727272727273, 2.4545454545454546), hole 1 of feature 2 and \
              a line of feature 3"
         )
+    );
+}
+
+/// A property that is asked for is the height, whatever the third coordinates, and its name must be there.
+#[test]
+fn a_property_that_is_asked_for_is_the_height() {
+    let line = |z: i32, elev: i32| {
+        format!(
+            r#"{{"type": "Feature", "properties": {{"ELEV_M": {elev}}}, "geometry": {{"type": "LineString",
+                "coordinates": [[{elev}, 0, {z}], [{elev}, 9, {z}]]}}}}"#
+        )
+    };
+    let map = format!(
+        r#"{{"type": "FeatureCollection", "features": [{}, {}]}}"#,
+        line(0, 10),
+        line(0, 20)
+    );
+    let folder = folder(&[("map.geojson", &map)]);
+    let said = |arguments: &str| text(&run(&folder, arguments).stderr).to_owned();
+    assert_eq!(
+        said("map.geojson --height-property ELEV_M -o a.obj"),
+        "note: map.geojson: heights are the property `ELEV_M` of 2 features\n"
+    );
+    let obj = std::fs::read_to_string(folder.path().join("a.obj")).expect("a file");
+    assert!(
+        obj.starts_with("v 10 0 10\nv 10 9 10\nv 20 0 20\n"),
+        "{obj}"
+    );
+    assert_eq!(
+        said("map.geojson --height-property elev_m -o b.obj"),
+        "note: map.geojson: no feature has the property `elev_m`\n\
+         note: map.geojson: ignored: 2 properties `ELEV_M`\n"
+    );
+}
+
+#[test]
+fn polygons_that_overlap_are_said_to() {
+    let folder = folder(&[(
+        "two.wkt",
+        "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0)) POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))",
+    )]);
+    assert_eq!(
+        text(&run(&folder, "two.wkt").stderr),
+        "note: polygons overlap: 2 triangles are covered more than once, and have the first feature that does\n"
     );
 }

@@ -67,7 +67,7 @@ fn vertices_without_a_height_are_counted() {
             text(&output.stderr).to_owned(),
         )
     };
-    let note = "note: 2 of 5 vertices have no height: z is `NaN` there\n";
+    let note = "note: 2 of 5 vertices have no height: z is `NaN` there, or left out in .geojson, which some programs read as 0\n";
     for format in ["obj", "off", "ply", "vtk", "vtu", "vtp", "msh", "stl"] {
         let (written, notes) = noted(format);
         assert_eq!(notes, note, "{format}");
@@ -76,8 +76,9 @@ fn vertices_without_a_height_are_counted() {
             "{format}"
         );
     }
-    assert_eq!(noted("wkt").1, "");
+    assert_eq!(noted("wkt").1, note);
     assert!(noted("wkt").0.contains("3 2 NaN"));
+    assert_eq!(noted("geojson").1, note);
     assert!(noted("geojson").0.contains("[3,2]"));
     assert!(noted("json").0.contains("[3,2]"));
     assert_eq!(noted("dxf").1, "");

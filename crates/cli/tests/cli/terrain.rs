@@ -85,7 +85,7 @@ fn points_get_the_heights_of_the_terrain() {
         written,
         "5 2 1 0\n1 2 1 5\n2 2 2 10\n3 1 1 5\n4 0 0 0\n5 9 9 NaN\n"
     );
-    let words = "1 of 5 points of b.node have no height: they are not on the terrain";
+    let words = "1 of 5 points of b.node have no height: they are on no triangle that has three";
     assert_eq!(note, format!("note: {words}\n"));
     let [written, _] = heights("--at c.json");
     // 2/3 of the way up a slope of 10 in 2.
@@ -165,7 +165,7 @@ fn what_makes_no_terrain_is_refused() {
         let output = sweep_cdt(&folder, arguments).output();
         assert_fails(&output.expect("the command starts"), error);
     };
-    let words = "the vertices have no heights: a third coordinate, the column z, or the first attribute of a .node or .poly";
+    let words = "the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson that --height-property names";
     fails("contours b.node --every 1", &format!("b.node: {words}"));
     fails("heights b.node --at a.poly", &format!("b.node: {words}"));
     fails(

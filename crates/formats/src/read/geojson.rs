@@ -8,8 +8,8 @@
 //! | `Polygon`, `MultiPolygon` | points and edges of the rings | triangles: polygons of three corners |
 //! | `GeometryCollection`, `Feature`, `FeatureCollection` | what is in it | what is in it |
 //!
-//! The third coordinate is a height. Where there is none, a property may be: the one that
-//! [`Source::height_property`] names, or, of points and lines, one of the names in [`HEIGHTS`] with a number. The member
+//! The third coordinate is a height, unless [`Source::height_property`] names a property that is. Where there is
+//! neither, of points and lines one of the names in [`HEIGHTS`] with a number is. The member
 //! `crs` goes through. Other properties and members are ignored with a remark, and so is a geometry that is `null` or
 //! whose coordinates are an empty list, without one. A coordinate may be a string with a fraction, as in our own JSON.
 //!
@@ -139,7 +139,7 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         let in_it = |piece| Waiting {
             piece,
             around: around + 1,
-            feature,
+            feature: feature.clone(),
         };
         let wrong = |piece: &RawValue, what: &str| {
             let shown = quoted(piece.get().as_bytes());
@@ -220,12 +220,12 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
                     .for_each(|rings| add_polygon(&mut shapes, rings));
             }
         }
-        if let Some(height) = feature.flatten() {
+        if let Some(height) = feature.clone().flatten() {
             let is_area = matches!(kind, Kind::Polygon | Kind::MultiPolygon);
-            raised.raise(height, is_area, first, &mut shapes);
+            raised.raise(&height, is_area, first, &mut shapes);
         }
     }
-    raised.say(&mut shapes);
+    raised.say(source, &mut shapes);
     Ok(shapes)
 }
 
@@ -249,8 +249,9 @@ impl<'a> Waiting<'a> {
 }
 
 /// A property that is a height.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Height<'a> {
+    name: String,
     piece: &'a RawValue,
     /// Whether it was asked for by its name.
     is_asked: bool,
@@ -279,11 +280,13 @@ impl Raised {
             None => HEIGHTS.contains(&&name.to_lowercase()[..]) && is_number(value),
         };
         let place = members.iter().position(is_height);
-        shapes.remarks.ignore(
-            members.len() - usize::from(place.is_some()),
-            "property",
-            "properties",
-        );
+        for (_, (name, _)) in members
+            .iter()
+            .enumerate()
+            .filter(|(at, _)| Some(*at) != place)
+        {
+            ignore_property(name, shapes);
+        }
         let Some((name, piece)) = place.map(|place| &members[place]) else {
             return Ok(None);
         };
@@ -297,33 +300,48 @@ impl Raised {
         }
         self.name.get_or_insert_with(|| name.clone());
         let is_asked = asked.is_some();
-        Ok((piece.get() != "null").then_some(Height { piece, is_asked }))
+        let height = Height {
+            name: name.clone(),
+            piece,
+            is_asked,
+        };
+        Ok((piece.get() != "null").then_some(height))
     }
 
     /// Gives the positions from `first` on the height of their feature. Areas have to be asked for: the height of a
     /// building is not that of its ground.
     fn raise<'a>(
         &mut self,
-        height: Height<'a>,
+        height: &Height<'a>,
         is_area: bool,
         first: usize,
         shapes: &mut Shapes<'a>,
     ) {
         let is_height = height.is_asked || !is_area;
-        if is_height && shapes.raise(first, height.piece.get().as_bytes()) {
+        let text = height.piece.get().as_bytes();
+        // What was asked for wins.
+        if is_height && shapes.raise(first, text, height.is_asked) {
             self.count += 1;
         } else {
-            shapes.remarks.ignore(1, "property", "properties");
+            ignore_property(&height.name, shapes);
         }
     }
 
-    /// Says where heights come from.
-    fn say(self, shapes: &mut Shapes<'_>) {
-        if let (Some(name), 1..) = (self.name, self.count) {
-            let count = self.count;
+    /// Says where heights come from, or that none has the property that was asked for.
+    fn say(self, source: &Source, shapes: &mut Shapes<'_>) {
+        let count = self.count;
+        let asked = source.height_property.clone();
+        if let Some(name) = asked.or(self.name.filter(|_| count > 0)) {
             shapes.remarks.add(Remark::HeightProperty { name, count });
         }
     }
+}
+
+/// Adds that a property of this name is ignored.
+fn ignore_property(name: &str, shapes: &mut Shapes<'_>) {
+    let name = quoted(name.as_bytes());
+    let [one, many] = [format!("property {name}"), format!("properties {name}")];
+    shapes.remarks.ignore(1, &one, &many);
 }
 
 /// Whether a value is a finite number, or a string with one.

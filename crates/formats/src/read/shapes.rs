@@ -61,16 +61,11 @@ impl<'a> Shapes<'a> {
         self.coordinates.len()
     }
 
-    /// Gives the positions from `first` on that have no height this one. Returns whether there are any.
-    pub(super) fn raise(&mut self, first: usize, height: &'a [u8]) -> bool {
-        let is_missing = self.heights[first..].iter().any(Option::is_none);
-        for missing in self.heights[first..]
-            .iter_mut()
-            .filter(|height| height.is_none())
-        {
-            *missing = Some(height);
-        }
-        is_missing
+    /// Gives the positions from `first` on this height: those that have none, or all. Returns whether there are any.
+    pub(super) fn raise(&mut self, first: usize, height: &'a [u8], is_for_all: bool) -> bool {
+        let heights = self.heights[first..].iter_mut();
+        let raised = heights.filter(|height| is_for_all || height.is_none());
+        raised.map(|missing| *missing = Some(height)).count() > 0
     }
 
     /// Adds a position.

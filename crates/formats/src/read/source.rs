@@ -42,7 +42,7 @@ impl Source {
         }
     }
 
-    /// Names the property of a feature that is the height of its positions, where these have no third coordinate. Of a
+    /// Names the property of a feature that is the height of its positions, whatever their third coordinates. Of a
     /// `GeoJSON` alone. Without a call a number is found by its usual names, `elev` or `height` for instance, for points
     /// and lines; [`Remark::HeightProperty`](crate::Remark::HeightProperty) says which.
     #[must_use]

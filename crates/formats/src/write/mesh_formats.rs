@@ -146,18 +146,17 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             let labels = labels.values.iter().map(|&value| whole(value));
             labels.collect::<Option<Vec<i64>>>()
         });
+        // Some programs want as many tags of all elements, where any has one.
+        let labels = labels.unwrap_or_default();
+        let has_groups = !(groups.is_empty() && self.markers.is_empty() && labels.is_empty());
         let elements = vertices.len() + lines.len() + triangles.len();
         writeln!(out, "$EndNodes\n$Elements\n{elements}")?;
-        write_elements(b" 15", 1, &vertices, &groups, out)?;
+        let grouped = |groups| has_groups.then_some(groups);
+        write_elements(b" 15", 1, &vertices, grouped(&groups[..]), out)?;
         let first = vertices.len() + 1;
-        write_elements(b" 1", first, lines, &self.markers, out)?;
-        write_elements(
-            b" 2",
-            first + lines.len(),
-            triangles,
-            &labels.unwrap_or_default(),
-            out,
-        )?;
+        write_elements(b" 1", first, lines, grouped(&self.markers), out)?;
+        let first = first + lines.len();
+        write_elements(b" 2", first, triangles, grouped(&labels), out)?;
         writeln!(out, "$EndElements")
     }
 
@@ -198,20 +197,22 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
     }
 }
 
-/// Writes a line for each element of a `.msh`: its number, from `first` on, this kind, its group, and the corners.
+/// Writes a line for each element of a `.msh`: its number, from `first` on, this kind, its
+/// group if any element has one, 0 for none, and the corners.
 fn write_elements<const N: usize>(
     kind: &[u8],
     first: usize,
     elements: &[[usize; N]],
-    groups: &[i64],
+    groups: Option<&[i64]>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     write_rows(out, elements.len(), |at, text| {
         number(at + first, text);
         text.extend_from_slice(kind);
-        match groups.get(at) {
+        match groups {
             // The second tag is the part of the geometry, which Gmsh wants beside a group.
-            Some(&group) => {
+            Some(groups) => {
+                let group = groups.get(at).copied().unwrap_or_default();
                 text.extend_from_slice(b" 2");
                 write_marker(group, text);
                 write_marker(group, text);

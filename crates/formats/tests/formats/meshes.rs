@@ -392,7 +392,7 @@ fn triangles_are_written_by_the_book() {
         (
             "msh",
             "$MeshFormat|2.2 0 8|$EndMeshFormat|$Nodes|3|1 0.5 0 7|2 4 0 8.5|3 0 3 -9|$EndNodes|$Elements|2|\
-             1 1 2 -5 -5 2 3|2 2 0 1 2 3|$EndElements",
+             1 1 2 -5 -5 2 3|2 2 2 0 0 1 2 3|$EndElements",
         ),
         (
             "stl",
