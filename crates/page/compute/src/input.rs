@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use sweep_cdt_formats::{Input, InputFormat, Named, Source, read as read_file};
+use sweep_cdt_formats::{Column, GraphFile, Input, InputFormat, Named, Source, read as read_file};
 use sweep_cdt_generate::Kind;
 
 use super::request::Given;
@@ -25,7 +25,13 @@ pub(crate) fn read(given: Given, mut files: Vec<u8>) -> Result<Input, Box<dyn Er
         }
         Given::Generated { kind, points, seed } => {
             let kind = Kind::named(&kind).ok_or_else(|| format!("there is no kind `{kind}`"))?;
-            Ok(Input::Doubles(kind.graph(points, seed).into()))
+            let (graph, heights) = kind.graph_and_heights(points, seed);
+            let columns = heights.into_iter().map(Column::heights).collect();
+            let file = GraphFile {
+                columns,
+                ..graph.into()
+            };
+            Ok(Input::Doubles(file))
         }
     }
 }

@@ -40,7 +40,7 @@ pub(crate) fn write<S: Coordinate + Exact>(
             let format: Output = named(&format)?;
             let result = settings.triangulate(&file.graph, None);
             let (result, _) = result.map_err(|error| refused(file, error.into()))?;
-            match settings.domain(&file.graph, &result) {
+            match settings.domain(file, &result) {
                 None => format.write(file, &result, out)?,
                 Some(domain) => {
                     let domain = domain.map_err(|error| file.interior_as_numbered(error));

@@ -105,7 +105,7 @@ impl Picture {
         let mut domain_refused = None;
         let mut shown = Shown::default();
         if let Some((result, _)) = &run {
-            shown = match settings.domain(&pieces.graph, result) {
+            shown = match settings.domain(pieces, result) {
                 None => Shown::new(result, |_| true),
                 Some(Ok(domain)) => Shown::new(result, |t| domain.is_inside(t)),
                 Some(Err(error)) => {

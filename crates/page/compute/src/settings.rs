@@ -53,12 +53,16 @@ impl Settings {
     /// The interior; nothing, if that is the whole hull.
     pub(crate) fn domain<'a, S: Coordinate>(
         &self,
-        graph: &'a Pslg<S>,
+        file: &'a GraphFile<S>,
         result: &'a Triangulation,
     ) -> Option<Result<Interior<'a>, InteriorError>> {
+        let graph = &file.graph;
         let rule = match self.inside {
-            Inside::Default if graph.holes.is_empty() => Inside::Hull,
-            Inside::Default => Inside::Holes,
+            Inside::Default if !graph.holes.is_empty() => Inside::Holes,
+            Inside::Default if !file.polygons.is_empty() => {
+                return Some(file.polygons.interior(result));
+            }
+            Inside::Default => Inside::Hull,
             rule => rule,
         };
         match rule {
