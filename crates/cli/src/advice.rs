@@ -168,7 +168,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
         }
     }
 
-    /// The same, where the result has to be changed first.
+    /// A change of the result in words, with the options that accept the changed triangles.
     fn then(&self, mut change: String, changed: &Triangles) -> Option<String> {
         let fit = self.best_fit(changed).ok().flatten()?;
         let options = self.options(&fit);

@@ -128,8 +128,8 @@ impl Crossings {
     }
 }
 
-/// Writes a pair of edges, numbered as in their file, with their features, with the nearest doubles and, if asked for, the exact point: one
-/// line.
+/// Writes a pair of edges in one line: their numbers in the file, the nearest doubles, the exact point if it is asked
+/// for, and their features.
 fn print<S: Exact>(
     file: &GraphFile<S>,
     crossing: &Crossing<S>,

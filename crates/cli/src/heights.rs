@@ -10,8 +10,7 @@ use sweep_cdt_terrain::Surface;
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::as_rationals;
-use crate::shared::failure::Failure;
-use crate::shared::failure::note;
+use crate::shared::failure::{Failure, note};
 use crate::shared::files::{FileArgument, FilesRead, format_of_output, format_parser};
 use crate::shared::outputs::{Destination, Outputs, refuse_read};
 use crate::shared::terrain::{TerrainArgs, Work};
@@ -48,8 +47,9 @@ const AFTER_HELP: &str = "\
 Heights are the third coordinate, or the first attribute of the vertices of a .node or .poly.
 A triangle with a corner that has no height gives none, and none are outside of --inside.
 
-Output: the points in the order of their file, with all that the file says of them, and their heights
-in place of those that they had. A point without a height has what its format has for that: nothing,
+Output: the points in the order of their file, with their columns, markers and coordinate system where
+the format has room for them, and their heights in place of those that they had. Equal points of a map
+(.geojson, .wkt) are one. A point without a height has what its format has for that: nothing,
 or `NaN`. A line says how many there are.
 
 Time is proportional to points and triangles, times the logarithm, however the points lie.

@@ -12,7 +12,7 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::{Failure, note};
-use crate::shared::files::{FileArgument, FilesRead, ReadingArgs, in_words};
+use crate::shared::files::{FileArgument, FilesRead, ReadingArgs};
 use crate::shared::inside::InsideArgs;
 use crate::shared::missing::MissingArgs;
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
@@ -216,7 +216,7 @@ impl Job for Run<'_> {
         let domain = domain.as_ref();
         let summary = targets.is_empty();
         let asks_heights = targets.iter().any(Target::asks_heights);
-        let conflicts = file.remarks.iter().map(|remark| in_words(remark, file));
+        let conflicts = file.remarks.iter().map(|remark| file.in_words(remark));
         self.read.say(given.name, &conflicts.collect::<Vec<_>>())?;
         let mut losses: Vec<(String, String)> = Vec::new();
         for target in &targets {

@@ -2,10 +2,11 @@
 //! the file counts.
 
 use sweep_cdt::crossings::SplitError;
-use sweep_cdt::interior::{InteriorError, Ring};
+use sweep_cdt::interior::InteriorError;
 use sweep_cdt::{Error, Pslg};
 
-use crate::{CoordinateSystem, Polygons, Remark};
+use crate::remark::Conflicts;
+use crate::{Coordinate, CoordinateSystem, Polygons, Remark};
 
 /// A graph, all in the order of its file, and what the file says beyond it.
 #[derive(Clone, Debug, PartialEq)]
@@ -129,27 +130,20 @@ impl Column {
         values: impl Iterator<Item = (usize, f64)>,
     ) -> (Column, Option<Remark>) {
         let mut gathered = vec![f64::NAN; vertices];
-        let mut has_two = vec![false; vertices];
-        let mut first = None;
+        let mut conflicts = Conflicts::new(vertices);
         for (vertex, value) in values.filter(|(_, value)| !value.is_nan()) {
             let kept = &mut gathered[vertex];
             if kept.is_nan() {
                 *kept = value;
             } else if (*kept - value).abs() > 0.0 {
-                has_two[vertex] = true;
-                first.get_or_insert((vertex, [*kept, value]));
+                conflicts.add(vertex, [*kept, value]);
             }
         }
-        let conflict = first.map(|(vertex, values)| Remark::Conflict {
-            column: self.name.clone(),
-            vertex,
-            values,
-            count: has_two.into_iter().filter(|&two| two).count(),
-        });
         let column = Column {
             name: self.name.clone(),
             values: gathered,
         };
+        let conflict = conflicts.remark(&column.name);
         (column, conflict)
     }
 
@@ -333,6 +327,31 @@ impl<S> GraphFile<S> {
         )
     }
 
+    /// A remark in words, with its vertex numbered as in the file, and the place of the vertex.
+    ///
+    /// ```
+    /// use sweep_cdt::Pslg;
+    /// use sweep_cdt_formats::{GraphFile, Remark};
+    ///
+    /// let file = GraphFile::from(Pslg { points: vec![[1.5, 2.0]], ..Pslg::default() });
+    /// let column = "z".to_owned();
+    /// let remark = Remark::Conflict { column, vertex: 0, values: [7.0, 30.0], count: 1 };
+    /// let words = "vertex 0 at (1.5, 2) has two numbers for z, 7 and 30: 7 counts";
+    /// assert_eq!(file.in_words(&remark), words);
+    /// ```
+    pub fn in_words(&self, remark: &Remark) -> String
+    where
+        S: Coordinate,
+    {
+        remark.words(|vertex| {
+            let number = vertex.saturating_add(self.numbering.vertex);
+            match self.graph.points.get(vertex) {
+                Some([x, y]) => format!("vertex {number} at ({}, {})", x.text(), y.text()),
+                None => format!("vertex {number}"),
+            }
+        })
+    }
+
     /// The part of the map that an edge is of, in words: its feature, and whether it is a hole or a line. `None`, if the
     /// format has no features.
     ///
@@ -355,9 +374,10 @@ impl<S> GraphFile<S> {
         let Some(ring) = ring else {
             return Some(format!("a line of feature {feature}"));
         };
-        let of_polygon = |other: &&Ring| other.polygon == self.polygons.rings[ring].polygon;
-        let before = self.polygons.rings[..ring].iter().rev();
-        let hole = before.take_while(of_polygon).count();
+        // The rings of a polygon follow each other, the outline first.
+        let rings = &self.polygons.rings;
+        let outline = rings.partition_point(|other| other.polygon < rings[ring].polygon);
+        let hole = ring.saturating_sub(outline);
         Some(match hole {
             0 => format!("the outline of feature {feature}"),
             hole => format!("hole {hole} of feature {feature}"),

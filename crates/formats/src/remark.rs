@@ -57,48 +57,73 @@ impl Remark {
         !matches!(self, Remark::HeightProperty { .. })
     }
 
-    /// The remark with another number for its vertex.
-    #[must_use]
-    pub fn renumbered(&self, first: usize) -> Remark {
-        let mut remark = self.clone();
-        if let Remark::Conflict { vertex, .. } = &mut remark {
-            *vertex = vertex.saturating_add(first);
-        }
-        remark
-    }
-}
-
-impl fmt::Display for Remark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// The remark in words, with a name for the vertex in it.
+    pub(crate) fn words(&self, name: impl Fn(usize) -> String) -> String {
         match self {
-            Remark::Ignored { count, what } => write!(f, "ignored: {count} {what}"),
+            Remark::Ignored { count, what } => format!("ignored: {count} {what}"),
             Remark::Conflict {
                 column,
                 vertex,
                 values: [kept, other],
                 count,
             } => {
-                write!(
-                    f,
-                    "vertex {vertex} has two numbers for {column}, {kept} and {other}"
-                )?;
-                write!(f, ": {kept} counts")?;
-                match count - 1 {
-                    0 => Ok(()),
-                    1 => write!(f, "; another vertex has two, too"),
-                    more => write!(f, "; {more} more vertices have two, too"),
-                }
-            }
-            Remark::HeightProperty { name, count } => {
-                if *count == 0 {
-                    return write!(f, "no feature has the property `{name}`");
-                }
-                let plural = if *count == 1 { "" } else { "s" };
-                write!(
-                    f,
-                    "heights are the property `{name}` of {count} feature{plural}"
+                let more = match count.saturating_sub(1) {
+                    0 => String::new(),
+                    1 => "; another vertex has two, too".to_owned(),
+                    more => format!("; {more} more vertices have two, too"),
+                };
+                let name = name(*vertex);
+                format!(
+                    "{name} has two numbers for {column}, {kept} and {other}: {kept} counts{more}"
                 )
             }
+            Remark::HeightProperty { name, count: 0 } => {
+                format!("no feature has the property `{name}`")
+            }
+            Remark::HeightProperty { name, count } => {
+                let plural = if *count == 1 { "" } else { "s" };
+                format!("heights are the property `{name}` of {count} feature{plural}")
+            }
         }
+    }
+}
+
+/// The vertices that have two numbers in a column, as they are found.
+pub(crate) struct Conflicts {
+    has_two: Vec<bool>,
+    /// The first of them, the number that counts, and the other one.
+    first: Option<(usize, [f64; 2])>,
+}
+
+impl Conflicts {
+    /// None, of so many vertices.
+    pub(crate) fn new(vertices: usize) -> Conflicts {
+        Conflicts {
+            has_two: vec![false; vertices],
+            first: None,
+        }
+    }
+
+    /// Adds a vertex with the number that counts and another one.
+    pub(crate) fn add(&mut self, vertex: usize, values: [f64; 2]) {
+        self.has_two[vertex] = true;
+        self.first.get_or_insert((vertex, values));
+    }
+
+    /// What is to say about a column of this name.
+    pub(crate) fn remark(self, column: &str) -> Option<Remark> {
+        let (vertex, values) = self.first?;
+        Some(Remark::Conflict {
+            column: column.to_owned(),
+            vertex,
+            values,
+            count: self.has_two.into_iter().filter(|&two| two).count(),
+        })
+    }
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words(|vertex| format!("vertex {vertex}")))
     }
 }

@@ -7,6 +7,7 @@
 //!
 //! Cost: that of [`split`], and the pieces times the columns.
 
+use crate::remark::Conflicts;
 use crate::{Column, Coordinate, GraphFile, Remark};
 use sweep_cdt::Pslg;
 use sweep_cdt::crossings::{Exact, Split, SplitError, split};
@@ -100,8 +101,7 @@ fn extended<S: Coordinate>(
         return (Column { name, values }, None);
     }
     let near = |v: usize| split.points[v].each_ref().map(S::approx);
-    let mut has_two = vec![false; split.points.len()];
-    let mut first = None;
+    let mut conflicts = Conflicts::new(split.points.len());
     for (piece, &edge) in split.edges.iter().zip(&split.pieces_of) {
         let [a, b] = graph.edges[edge];
         if values[a].is_nan() || values[b].is_nan() {
@@ -120,18 +120,12 @@ fn extended<S: Coordinate>(
             if kept.is_nan() {
                 values[v] = value;
             } else if is_apart(kept, value, values[a].abs().max(values[b].abs())) {
-                has_two[v] = true;
-                first.get_or_insert((v, [kept, value]));
+                conflicts.add(v, [kept, value]);
             }
         }
     }
     let name = column.name.clone();
-    let conflict = first.map(|(vertex, values)| Remark::Conflict {
-        column: name.clone(),
-        vertex,
-        values,
-        count: has_two.into_iter().filter(|&two| two).count(),
-    });
+    let conflict = conflicts.remark(&name);
     (Column { name, values }, conflict)
 }
 

@@ -41,7 +41,7 @@ type Terrain = (Pslg<f64>, Vec<f64>);
 enum Make {
     /// Points and edges in the plane.
     Plane(fn(n: usize, random: &mut Random) -> Pslg<f64>),
-    /// The same with a height for each point.
+    /// Points and edges as above, with a height for each point.
     Terrain(fn(n: usize, random: &mut Random) -> Terrain),
 }
 

@@ -213,7 +213,7 @@ struct Crossed {
 }
 
 impl Crossed {
-    /// Those that the level at this place crosses.
+    /// The triangles that the level at this place crosses.
     fn at(&self, level: usize) -> &[usize] {
         let begin = level.checked_sub(1).map_or(0, |before| self.ends[before]);
         &self.triangles[begin..self.ends[level]]

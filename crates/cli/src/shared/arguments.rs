@@ -45,7 +45,7 @@ impl InputArgs {
         }
     }
 
-    /// The same, where this option gives the format.
+    /// The input, where messages name this option for its format.
     pub(crate) fn format_option(self, format_option: &'static str) -> InputArgs {
         InputArgs {
             format_option,

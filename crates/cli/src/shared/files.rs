@@ -226,7 +226,7 @@ impl FilesRead {
         for loss in losses {
             match loss {
                 Remark::Ignored { count, what } => ignored.push(format!("{count} {what}")),
-                other => said.push(in_words(other, &file)),
+                other => said.push(file.in_words(other)),
             }
         }
         if faces > 0 && !self.has_faces {
@@ -263,18 +263,6 @@ impl FilesRead {
     /// Whether this file was read.
     pub(crate) fn has(&self, identity: &Identity) -> bool {
         self.identities.contains(identity)
-    }
-}
-
-/// A remark, with the place of the vertex that it names.
-pub(crate) fn in_words<S: Coordinate>(remark: &Remark, file: &GraphFile<S>) -> String {
-    let words = remark.renumbered(file.numbering.vertex).to_string();
-    match remark {
-        Remark::Conflict { vertex, .. } => {
-            let [x, y] = file.graph.points[*vertex].each_ref().map(S::text);
-            words.replacen(" has", &format!(" at ({x}, {y}) has"), 1)
-        }
-        _ => words,
     }
 }
 

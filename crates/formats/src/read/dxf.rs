@@ -187,8 +187,8 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn add(&mut self, entity: &Entity<'a>) -> Result<(), ReadError> {
         if entity.has(67, 1) {
-            let names = ["entity on the paper", "entities on the paper"];
-            self.shapes.remarks.ignore(1, names[0], names[1]);
+            let remarks = &mut self.shapes.remarks;
+            remarks.ignore(1, "entity on the paper", "entities on the paper");
             return Ok(());
         }
         match entity.kind {
@@ -248,9 +248,8 @@ impl<'a> Drawing<'a> {
             }
             b"SECTION" => {}
             kind => {
-                let name = quoted(kind);
-                let [one, many] = [format!("entity {name}"), format!("entities {name}")];
-                self.shapes.remarks.ignore(1, &one, &many);
+                let remarks = &mut self.shapes.remarks;
+                remarks.ignore_named(1, ["entity", "entities"], kind);
             }
         }
         Ok(())

@@ -41,6 +41,9 @@ const HEIGHTS: [&str; 10] = [
     "z_value",
 ];
 
+/// The name of one property and of many.
+const PROPERTY: [&str; 2] = ["property", "properties"];
+
 /// Any object of the format.
 #[derive(Default)]
 struct Object<'a> {
@@ -73,7 +76,7 @@ impl<'a> Object<'a> {
     /// The object that a piece is, if it is one, and has no member of the format twice.
     fn of(piece: &'a RawValue) -> Option<Object<'a>> {
         let mut object = Object::default();
-        for (name, value) in members(piece)? {
+        for (name, value) in members(piece.get().as_bytes())? {
             let member = match &name[..] {
                 "type" => &mut object.kind,
                 "coordinates" => &mut object.coordinates,
@@ -148,7 +151,9 @@ pub(super) fn read(source: &Source) -> Result<Shapes<'_>, ReadError> {
         let object = Object::of(piece)
             .ok_or_else(|| wrong(piece, "a geometry, a feature or a collection of them"))?;
         for name in &object.others {
-            shapes.remarks.ignore_named(1, "member", name.as_bytes());
+            shapes
+                .remarks
+                .ignore_named(1, ["member", "members"], name.as_bytes());
         }
         if let Some(system) = object.system.filter(|system| system.get() != "null") {
             shapes.system = Some(CoordinateSystem::of_json(system));
@@ -273,7 +278,8 @@ impl Raised {
         properties: Option<&'a RawValue>,
         shapes: &mut Shapes<'a>,
     ) -> Result<Option<Height<'a>>, ReadError> {
-        let members = properties.and_then(members).unwrap_or_default();
+        let members = properties.and_then(|piece| members(piece.get().as_bytes()));
+        let members = members.unwrap_or_default();
         let asked = source.height_property.as_deref();
         let is_height = |(name, value): &(String, &RawValue)| match asked {
             Some(asked) => name == asked,
@@ -285,7 +291,7 @@ impl Raised {
             .enumerate()
             .filter(|(at, _)| Some(*at) != place)
         {
-            ignore_property(name, shapes);
+            shapes.remarks.ignore_named(1, PROPERTY, name.as_bytes());
         }
         let Some((name, piece)) = place.map(|place| &members[place]) else {
             return Ok(None);
@@ -323,7 +329,9 @@ impl Raised {
         if is_height && shapes.raise(first, text, height.is_asked) {
             self.count += 1;
         } else {
-            ignore_property(&height.name, shapes);
+            shapes
+                .remarks
+                .ignore_named(1, PROPERTY, height.name.as_bytes());
         }
     }
 
@@ -335,13 +343,6 @@ impl Raised {
             shapes.remarks.add(Remark::HeightProperty { name, count });
         }
     }
-}
-
-/// Adds that a property of this name is ignored.
-fn ignore_property(name: &str, shapes: &mut Shapes<'_>) {
-    let name = quoted(name.as_bytes());
-    let [one, many] = [format!("property {name}"), format!("properties {name}")];
-    shapes.remarks.ignore(1, &one, &many);
 }
 
 /// Whether a value is a finite number, or a string with one.

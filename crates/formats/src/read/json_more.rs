@@ -19,7 +19,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::read::content::{Edges, Field, Syntax, Vertices};
-use crate::read::json_pieces::{File, Position};
+use crate::read::json_pieces::{Position, fault, members};
 use crate::read::source::{ReadError, Source};
 use crate::{Column, CoordinateSystem, Faces};
 
@@ -46,10 +46,11 @@ enum Marker {
 
 /// Adds what else the file says to its points and edges.
 pub(super) fn read<'a>(source: &'a Source, mut edges: Edges<'a>) -> Result<Edges<'a>, ReadError> {
-    let file = File::new(source)?;
+    // It has been read as an object.
+    let all = members(source.text()?).unwrap_or_default();
     let points = edges.vertices.coordinates.len();
-    for (name, piece) in &file.members {
-        let fault = |what: &str| file.fault(piece, format!("`{name}` is not {what}"));
+    for (name, piece) in &all {
+        let fault = |what: &str| fault(source, piece, format!("`{name}` is not {what}"));
         match &name[..] {
             "points" | "vertices" | "edges" | "segments" => {}
             "holes" => {
@@ -126,8 +127,7 @@ pub(super) fn read<'a>(source: &'a Source, mut edges: Edges<'a>) -> Result<Edges
             }
             "columns" => {
                 let what = format!("an object of lists of {points} numbers, one for each point");
-                let columns =
-                    crate::read::json_pieces::members(piece).ok_or_else(|| fault(&what))?;
+                let columns = members(text(piece)).ok_or_else(|| fault(&what))?;
                 for (name, numbers) in columns {
                     let numbers: Option<Vec<&RawValue>> = list(numbers);
                     let numbers = numbers.filter(|numbers| numbers.len() == points);
@@ -145,10 +145,14 @@ pub(super) fn read<'a>(source: &'a Source, mut edges: Edges<'a>) -> Result<Edges
                         others: Vec::new(),
                     };
                 }
-                None => edges.remarks.ignore_named(1, "member", name.as_bytes()),
+                None => edges
+                    .remarks
+                    .ignore_named(1, ["member", "members"], name.as_bytes()),
             },
             "crs" => edges.system = Some(CoordinateSystem::of_json(piece)),
-            _ => edges.remarks.ignore_named(1, "member", name.as_bytes()),
+            _ => edges
+                .remarks
+                .ignore_named(1, ["member", "members"], name.as_bytes()),
         }
     }
     Ok(edges)

@@ -113,11 +113,11 @@ fn word_at(text: &[u8], at: usize) -> &[u8] {
     &text[before.len() - begun..before.len() + length]
 }
 
-/// The members of the object that a piece is, if it is one.
-pub(super) fn members(piece: &RawValue) -> Option<Vec<(String, &RawValue)>> {
+/// The members of the object that a text is, if it is one.
+pub(super) fn members(text: &[u8]) -> Option<Vec<(String, &RawValue)>> {
     // Serde would take a list for an object without names.
-    let text = Some(piece.get()).filter(|text| text.starts_with('{'));
-    let Members(members) = serde_json::from_str(text?).ok()?;
+    let text = Some(text.trim_ascii_start()).filter(|text| text.starts_with(b"{"));
+    let Members(members) = serde_json::from_slice(text?).ok()?;
     Some(members)
 }
 

@@ -60,7 +60,9 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
                     line.error("`$MeshFormat`, `$Nodes` and `$Elements` come once, in this order")
                 );
             }
-            _ if section.starts_with(b"$") => remarks.ignore_named(1, "section", section),
+            _ if section.starts_with(b"$") => {
+                remarks.ignore_named(1, ["section", "sections"], section);
+            }
             _ => {
                 return Err(line.error(format!("{} is not the name of a section", quoted(section))));
             }

@@ -51,7 +51,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
                 return Err(body.words.error(section, why));
             }
             _ if section.starts_with(b"$") => {
-                remarks.ignore_named(1, "section", section);
+                remarks.ignore_named(1, ["section", "sections"], section);
                 let end = [b"$End", &section[1..]].concat();
                 body.words
                     .skip_to(&end)

@@ -180,7 +180,7 @@ impl<'a> Arrays<'a> {
         }
         let mut remarks = Remarks::default();
         for name in &self.others {
-            remarks.ignore_named(1, "array", name.as_bytes());
+            remarks.ignore_named(1, ["array", "arrays"], name.as_bytes());
         }
         let mesh = Mesh {
             vertices,

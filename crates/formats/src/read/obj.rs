@@ -33,7 +33,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
             Some(b"l") => 2,
             Some(b"f") => 3,
             _ => {
-                remarks.ignore_lines(1, keyword.unwrap_or_default());
+                remarks.ignore_named(1, ["line of", "lines of"], keyword.unwrap_or_default());
                 continue;
             }
         };

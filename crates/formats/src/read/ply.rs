@@ -46,7 +46,7 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
             b"edge" => read_edges(source, element, &mut body, &mut cells, &mut remarks)?,
             b"face" => read_faces(source, element, &mut body, &mut cells, &mut remarks)?,
             _ => {
-                remarks.ignore_named(element.count, "element", element.name);
+                remarks.ignore_named(element.count, ["element", "elements"], element.name);
                 (0..element.count).try_for_each(|at| body.record(element, at, |_, _| Ok(())))?;
             }
         }
@@ -180,12 +180,16 @@ fn read_faces<'a>(
     Ok(())
 }
 
-/// Adds a remark for each property that is not read.
+/// Adds a remark for each property of a vertex, an edge or a face that is not read.
 fn ignore_others(element: &Element<'_>, is_read: impl Fn(usize) -> bool, remarks: &mut Remarks) {
+    let kind = match element.name {
+        b"vertex" => ["property of `vertex`", "properties of `vertex`"],
+        b"edge" => ["property of `edge`", "properties of `edge`"],
+        _ => ["property of `face`", "properties of `face`"],
+    };
     let properties = element.properties.iter().enumerate();
     for (_, property) in properties.filter(|(at, _)| !is_read(*at)) {
-        let what = format!("property of `{}`", String::from_utf8_lossy(element.name));
-        remarks.ignore_named(1, &what, property.name);
+        remarks.ignore_named(1, kind, property.name);
     }
 }
 

@@ -288,7 +288,7 @@ impl<'a> Table<'a> {
             let has_numbers = |pieces: &Vec<&[u8]>| pieces.iter().any(|piece| !piece.is_empty());
             let Some(pieces) = pieces.filter(has_numbers) else {
                 if at != header.x && at != header.y {
-                    remarks.ignore_named(1, "column", name.as_bytes());
+                    remarks.ignore_named(1, ["column", "columns"], name.as_bytes());
                 }
                 continue;
             };

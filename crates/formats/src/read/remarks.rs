@@ -15,44 +15,46 @@ const OTHERS: [&str; 2] = ["thing of another kind", "things of other kinds"];
 /// What a reader has to say, as it goes on.
 #[derive(Default)]
 pub(super) struct Remarks {
-    /// The names of one thing and of many, and how many are ignored.
-    ignored: Vec<(String, String, usize)>,
+    ignored: Vec<Ignored>,
     others: Vec<Remark>,
+}
+
+/// Things of one kind that are ignored.
+struct Ignored {
+    /// The name of one thing and of many.
+    kind: [&'static str; 2],
+    /// What the file calls them, or nothing.
+    name: Vec<u8>,
+    count: usize,
 }
 
 impl Remarks {
     /// Adds so many things that are ignored, with the name of one and of many.
-    pub(super) fn ignore(&mut self, count: usize, one: &str, many: &str) {
+    pub(super) fn ignore(&mut self, count: usize, one: &'static str, many: &'static str) {
+        self.ignore_named(count, [one, many], b"");
+    }
+
+    /// Adds things that are ignored, with the name of one and of many, and what the file calls them.
+    pub(super) fn ignore_named(&mut self, count: usize, kind: [&'static str; 2], name: &[u8]) {
         if count == 0 {
             return;
         }
-        let place = self.ignored.iter().position(|(name, ..)| name == one);
+        let mut ignored = self.ignored.iter();
+        let place = ignored.position(|other| other.kind == kind && other.name == name);
         match place.or((self.ignored.len() == MOST_NAMES).then_some(MOST_NAMES - 1)) {
-            Some(place) => self.ignored[place].2 += count,
+            Some(place) => self.ignored[place].count += count,
             None => {
                 // The last name stands for all that follow.
                 let is_last = self.ignored.len() + 1 == MOST_NAMES;
-                let names = if is_last { OTHERS } else { [one, many] };
-                let [one, many] = names.map(str::to_owned);
-                self.ignored.push((one, many, count));
+                let (kind, name) = if is_last {
+                    (OTHERS, &b""[..])
+                } else {
+                    (kind, name)
+                };
+                let name = name.to_vec();
+                self.ignored.push(Ignored { kind, name, count });
             }
         }
-    }
-
-    /// Adds things that are ignored, whose kind the file names.
-    pub(super) fn ignore_named(&mut self, count: usize, what: &str, name: &[u8]) {
-        let name = quoted(name);
-        self.ignore(count, &format!("{what} {name}"), &format!("{what}s {name}"));
-    }
-
-    /// Adds lines with this keyword.
-    pub(super) fn ignore_lines(&mut self, count: usize, keyword: &[u8]) {
-        let name = quoted(keyword);
-        self.ignore(
-            count,
-            &format!("line of {name}"),
-            &format!("lines of {name}"),
-        );
     }
 
     #[cfg(feature = "mesh-formats")]
@@ -61,8 +63,15 @@ impl Remarks {
     }
 
     pub(super) fn into_list(self) -> Vec<Remark> {
-        let ignored = self.ignored.into_iter();
-        let ignored = ignored.map(|(one, many, count)| Remark::ignored(count, &one, &many));
+        let remark = |Ignored { kind, name, count }| {
+            let shown = match &name[..] {
+                b"" => String::new(),
+                name => format!(" {}", quoted(name)),
+            };
+            let [one, many] = kind.map(|kind| format!("{kind}{shown}"));
+            Remark::ignored(count, &one, &many)
+        };
+        let ignored = self.ignored.into_iter().map(remark);
         self.others.into_iter().chain(ignored).collect()
     }
 }

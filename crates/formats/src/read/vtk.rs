@@ -56,7 +56,8 @@ pub(super) fn read(source: &Source) -> Result<Mesh<'_>, ReadError> {
     };
     while let Some(keyword) = file.arrays.words.word() {
         if !file.section(source, keyword)? {
-            file.remarks.ignore_named(1, "section", keyword);
+            file.remarks
+                .ignore_named(1, ["section", "sections"], keyword);
             break;
         }
     }
@@ -248,8 +249,13 @@ impl<'a> File<'a> {
                     .map(|piece| syntax.value(piece).unwrap_or(f64::NAN));
                 self.cell_data.add(name, numbers.collect());
             }
-            (Data::Cells(_), _) => self.remarks.ignore_named(1, "array of cells", name),
-            _ => self.remarks.ignore_named(1, "array of points", name),
+            (Data::Cells(_), _) => {
+                self.remarks
+                    .ignore_named(1, ["array of cells", "arrays of cells"], name);
+            }
+            _ => self
+                .remarks
+                .ignore_named(1, ["array of points", "arrays of points"], name),
         }
         Ok(())
     }

@@ -57,26 +57,17 @@ impl CellData {
             }
             (numbers.len() == ends.len()).then_some(list)
         };
-        let names = [Column::MARKER, CellData::REGION].map(str::as_bytes);
+        let mut expect = |name: &str, is_there: bool, is_read: bool| {
+            let lost = usize::from(is_there && !is_read);
+            remarks.ignore_named(lost, ["array of cells", "arrays of cells"], name.as_bytes());
+        };
         let is_there = [&markers, &regions].map(Option::is_some);
-        let read = spread(markers, 0).and_then(|list| list.into_iter().map(whole).collect());
-        let is_read = read.is_some();
-        if let Some(markers) = read {
-            cells.markers = markers;
-        }
-        remarks.ignore_named(
-            usize::from(is_there[0] && !is_read),
-            "array of cells",
-            names[0],
-        );
-        let read = spread(regions, 1);
-        let is_read = read.is_some();
-        cells.regions = read.unwrap_or_default();
-        remarks.ignore_named(
-            usize::from(is_there[1] && !is_read),
-            "array of cells",
-            names[1],
-        );
+        let markers = spread(markers, 0).and_then(|list| list.into_iter().map(whole).collect());
+        let regions = spread(regions, 1);
+        expect(Column::MARKER, is_there[0], markers.is_some());
+        expect(CellData::REGION, is_there[1], regions.is_some());
+        cells.markers = markers.unwrap_or_default();
+        cells.regions = regions.unwrap_or_default();
         cells
     }
 }

@@ -173,7 +173,7 @@ impl Unpacked {
             }));
         let mut remarks = Remarks::default();
         for name in &self.others {
-            remarks.ignore_named(1, "array", name.as_bytes());
+            remarks.ignore_named(1, ["array", "arrays"], name.as_bytes());
         }
         Ok(Mesh {
             vertices,

@@ -42,7 +42,7 @@ pub(super) enum Section {
     PointData,
     CellData,
     Points,
-    /// Those of an `UnstructuredGrid`; the others are of a `PolyData`.
+    /// The cells of an `UnstructuredGrid`; the sections below hold those of a `PolyData`.
     Cells,
     Verts,
     Lines,
@@ -51,7 +51,7 @@ pub(super) enum Section {
 }
 
 impl Section {
-    /// Those that hold cells, in the order of the data of cells, each with the attribute that says how many.
+    /// The sections that hold cells, in the order of the data of cells, each with the attribute that says how many.
     const CELLS: [(Section, &str); 5] = [
         (Section::Cells, "NumberOfCells"),
         (Section::Verts, "NumberOfVerts"),

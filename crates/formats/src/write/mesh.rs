@@ -26,19 +26,33 @@ pub(super) struct Mesh<'a, S> {
 }
 
 impl<'a, S: Coordinate> Mesh<'a, S> {
-    /// The triangles inside, and the constrained sides.
+    /// The triangles inside.
     pub(super) fn of(file: &'a GraphFile<S>, interior: &Interior<'_>) -> Mesh<'a, S> {
-        let lines = sorted_pairs(interior.constrained_sides());
-        let triangles = interior.canonical_triangles();
         Mesh {
-            file,
-            heights: file.heights(),
+            triangles: interior.canonical_triangles(),
+            lines: Cow::Borrowed(&[]),
             #[cfg(feature = "mesh-formats")]
-            markers: markers(file, interior, &lines).into(),
-            lines: lines.into(),
-            #[cfg(feature = "mesh-formats")]
-            labels: Labels::of(file, interior, &triangles),
-            triangles,
+            markers: Cow::Borrowed(&[]),
+            ..Mesh::of_graph(file)
+        }
+    }
+
+    /// The mesh with the constrained sides for lines.
+    pub(super) fn with_sides(self, interior: &Interior<'_>) -> Mesh<'a, S> {
+        Mesh {
+            lines: sorted_pairs(interior.constrained_sides()).into(),
+            ..self
+        }
+    }
+
+    /// The mesh with the constrained sides, their markers, and the regions or features of triangles.
+    #[cfg(feature = "mesh-formats")]
+    pub(super) fn with_labels(self, interior: &Interior<'_>) -> Mesh<'a, S> {
+        let mesh = self.with_sides(interior);
+        Mesh {
+            markers: markers(mesh.file, interior, &mesh.lines).into(),
+            labels: Labels::of(mesh.file, interior, &mesh.triangles),
+            ..mesh
         }
     }
 
@@ -53,16 +67,6 @@ impl<'a, S: Coordinate> Mesh<'a, S> {
             triangles: Vec::new(),
             #[cfg(feature = "mesh-formats")]
             labels: None,
-        }
-    }
-
-    /// The mesh for a format in which lines are faces.
-    pub(super) fn without_lines(self) -> Mesh<'a, S> {
-        Mesh {
-            lines: Cow::Borrowed(&[]),
-            #[cfg(feature = "mesh-formats")]
-            markers: Cow::Borrowed(&[]),
-            ..self
         }
     }
 

@@ -154,18 +154,28 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Ele => rows::write_ele(file, interior, out),
         OutputFormat::Node => write_node(file, out),
         OutputFormat::Json => json::write_interior(file, interior, out),
-        OutputFormat::Obj => Mesh::of(file, interior).write_obj(out),
-        OutputFormat::Off => Mesh::of(file, interior).without_lines().write_off(out),
+        OutputFormat::Obj => Mesh::of(file, interior).with_sides(interior).write_obj(out),
+        OutputFormat::Off => Mesh::of(file, interior).write_off(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Ply => Mesh::of(file, interior).write_ply(out),
+        OutputFormat::Ply => Mesh::of(file, interior)
+            .with_labels(interior)
+            .write_ply(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Vtk => Mesh::of(file, interior).write_vtk(out),
+        OutputFormat::Vtk => Mesh::of(file, interior)
+            .with_labels(interior)
+            .write_vtk(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Vtu => Mesh::of(file, interior).write_vtu(out),
+        OutputFormat::Vtu => Mesh::of(file, interior)
+            .with_labels(interior)
+            .write_vtu(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Vtp => Mesh::of(file, interior).write_vtp(out),
+        OutputFormat::Vtp => Mesh::of(file, interior)
+            .with_labels(interior)
+            .write_vtp(out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Msh => Mesh::of(file, interior).write_msh(out),
+        OutputFormat::Msh => Mesh::of(file, interior)
+            .with_labels(interior)
+            .write_msh(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Stl => Mesh::of(file, interior).write_stl(out),
         #[cfg(feature = "mesh-formats")]
@@ -173,7 +183,7 @@ pub fn write_interior<S: Coordinate>(
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
         #[cfg(feature = "mesh-formats")]
-        OutputFormat::Dxf => Mesh::of(file, interior).write_dxf(out),
+        OutputFormat::Dxf => Mesh::of(file, interior).with_sides(interior).write_dxf(out),
         #[cfg(feature = "mesh-formats")]
         OutputFormat::Npy => Mesh::of(file, interior).write_triangles(out),
         #[cfg(feature = "mesh-formats")]

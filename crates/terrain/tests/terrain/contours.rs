@@ -25,7 +25,7 @@ fn pieces(lines: &[Contour]) -> HashMap<(String, String), usize> {
     pieces
 }
 
-/// The same by the definition: the level divides the corners of a triangle in those above, or just there, and those below.
+/// The lines by the definition: the level divides the corners of a triangle in those above, or just there, and those below.
 /// `twice` is twice the level.
 fn expected(
     lattice: &Lattice,
