@@ -2,7 +2,10 @@
 
 use std::fs;
 
-use crate::{FORMATS, assert_fails, feed, folder, names, printed, run, sweep_cdt, text};
+use crate::{
+    FORMATS, assert_fails, feed, folder, names, printed, printed_despite_losses, run, sweep_cdt,
+    text,
+};
 
 /// Three edges, of which the first crosses both others; numbered from 1.
 const POLY: &str = "6\n1 0 0\n2 3 1\n3 0 1\n4 3 0\n5 1 0\n6 1 1\n4\n1 1 2\n2 3 4\n3 5 6\n4 2 3\n";
@@ -183,7 +186,7 @@ fn edges_are_split_and_the_result_is_verified() {
     for name in ["a.json", "c.json"] {
         let output = sweep_cdt(&folder, &format!("verify {name} {name}")).output();
         let output = output.expect("the command starts");
-        assert!(printed(&output).starts_with("correct: "));
+        assert!(printed_despite_losses(&output).starts_with("correct: "));
     }
 }
 

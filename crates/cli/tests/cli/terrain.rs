@@ -3,7 +3,9 @@
 use std::fs;
 
 use crate::outputs::{assert_refused, read};
-use crate::{CONTOURS, assert_fails, folder, names, printed, run, sweep_cdt, text};
+use crate::{
+    CONTOURS, assert_fails, folder, names, printed, printed_despite_losses, run, sweep_cdt, text,
+};
 
 /// A pyramid, whose top is 10 high, numbered from 1.
 const PYRAMID: &str = "5 2 1 0\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 2 2 10\n0 0\n0\n";
@@ -49,7 +51,7 @@ fn contour_lines_are_read_again() {
     let folder = folder(&[]);
     let contours = |arguments: &str| {
         let output = sweep_cdt(&folder, &format!("contours {arguments}")).output();
-        printed(&output.expect("the command starts")).to_owned()
+        printed_despite_losses(&output.expect("the command starts")).to_owned()
     };
     // The shipped lines are 20 m apart from 309.37 m on.
     let summary = contours(&format!("{CONTOURS} --every 20 --from 319.37 -o a.geojson"));
