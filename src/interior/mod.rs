@@ -82,7 +82,8 @@ pub enum FillRule<'a> {
     Positive(&'a [[usize; 2]]),
     /// All that the edges go round more often clockwise than counter-clockwise.
     Negative(&'a [[usize; 2]]),
-    /// All that the edges go round at least so many times, in one direction: the overlap of rings that run one way.
+    /// All that the edges go round at least so many times, in one direction: the overlap of rings that run one way. At
+    /// least 0 times is the hull.
     AtLeast(&'a [[usize; 2]], u32),
 }
 

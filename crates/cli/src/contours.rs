@@ -42,7 +42,8 @@ pub(crate) struct Contours {
 }
 
 const AFTER_HELP: &str = "\
-Heights are the third coordinate, or the first attribute of the vertices of a .node or .poly.
+Heights are the third coordinate, the first attribute of the vertices of a .node or .poly, or a
+property of the features of a .geojson (--height-property).
 A triangle with a corner that has no height has no lines, and none are outside of --inside.
 
 A vertex that is exactly at a level counts as a little higher. So no line ever breaks or branches;

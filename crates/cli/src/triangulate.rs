@@ -88,32 +88,36 @@ const AFTER_HELP: &str = "\
 Input:
   .node    Triangle's vertices; numbered from 0 or 1
   .poly    Triangle's vertices and segments; with 0 vertices, those of the .node beside it.
-           Points of holes and regions are read for --inside; markers of vertices and edges are ignored
+           Seeds of holes and regions are read for --inside; markers go with vertices and edges
   .json    {\"points\": [[x, y], ...], \"edges\": [[i, j], ...]}; fractions as strings: \"1/3\".
-           They may be called vertices and segments
+           They may be called vertices and segments. Also holes, regions, markers, columns and crs
   .obj, .off, .ply, .vtk, .vtu, .vtp, .msh
-           vertices, and lines for edges; faces are ignored. All but the first two may be binary
+           vertices, and lines for edges; faces with --faces. All but the first two may be binary
   .csv, .xyz, .txt
            points, one a row; the columns x, y and z, or lon, lat and so on, by their names, or in this order
   .npy, .npz
            points as an array of NumPy; or points and edges as arrays with these names
   .geojson, .wkt, .dxf
-           points, and lines and rings of polygons for edges; equal points become one vertex
+           points, and lines and rings of polygons for edges; equal points become one vertex.
+           Of .geojson and .wkt the holes of each polygon are known (--inside polygons)
   Heights (a third coordinate, or the first attribute of a vertex) and other columns of the vertices
   change nothing, and go with the vertices to the outputs that have room for them.
+  A note says what else a file says, and what an output has no room for; see --strict.
 
 Output, with the triangles always in the same order:
-  .ele     Triangle's triangles, numbered as the input, with the attributes of regions. A .node with
+  .ele     Triangle's triangles, numbered as the input, with the attributes of regions or the numbers
+           of features (polygons, from 1). A .node with
            the vertices is written beside it, unless there is one with the same vertices. One with
            others is not overwritten unless it is an output, too
   .node    Triangle's vertices, numbered as the input
   .json    points, edges, triangles, neighbors, constrained sides, hull, duplicates, and the chain
            of vertices along each edge; numbered from 0. With --inside also the boundary, and the
-           region of each triangle. With --split-crossings also the chain of each edge of the input
+           region or feature of each triangle. With --split-crossings also the chain of each edge of the input
   .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl
-           vertices and triangles for 3D programs, as text; z is the height, or 0
+           vertices, triangles and constrained sides (not in .off and .stl), as text; z is the height,
+           or 0 where no vertex has one
   .geojson, .wkt, .dxf
-           a polygon for each triangle; in .dxf a 3DFACE
+           a polygon for each triangle, in .geojson with its region or feature; in .dxf a 3DFACE
   .npy, .npz
            triangles as an array of NumPy; or points, edges and triangles as arrays with these names
   .svg, .png
@@ -281,7 +285,9 @@ fn covered_twice(domain: Option<&Interior<'_>>) -> Option<String> {
     let domain = domain.filter(|domain| domain.is_of_polygons())?;
     let twice = domain.inside().filter(|&t| domain.depth(t) > 1).count();
     (twice > 0).then(|| {
-        format!("polygons overlap: {twice} triangles are covered more than once, and have the first feature that does")
+        format!(
+            "polygons overlap: {twice} triangles are covered more than once, and have the first feature that does"
+        )
     })
 }
 
@@ -290,7 +296,12 @@ fn without_heights<S>(file: &GraphFile<S>) -> Option<String> {
     let missing = file.heights()?.missing();
     let points = file.graph.points.len();
     (missing > 0)
-        .then(|| format!("{missing} of {points} vertices have no height: z is `NaN` there, or left out in .geojson, which some programs read as 0"))
+        .then(|| {
+            format!(
+                "{missing} of {points} vertices have no height: z is `NaN` there, or left out in .geojson, which some \
+                 programs read as 0"
+            )
+        })
 }
 
 /// Why there are no triangles, or none inside, if there are none.

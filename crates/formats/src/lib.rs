@@ -19,7 +19,9 @@
 //! | `npy`, `npz` | arrays of points, edges and triangles | the same (NumPy) |
 //!
 //! Heights and other numbers that stand beside the coordinates of vertices are [`Column`]s of a [`GraphFile`], and are
-//! written where a format has room for them. `docs/formats.md` says of each format what is read, and what is ignored.
+//! written where a format has room for them. So are markers, polygons with their holes, and the coordinate system.
+//! [`GraphFile::remarks`] names what a reader ignores, [`not_written`] what an output has no room for. `docs/formats.md`
+//! says of each format what is read, written and ignored.
 //!
 //! Readers take bytes, never panic on any of them, and name the line that is wrong. A byte order mark is
 //! skipped; lines end with a line feed, a carriage return or both. Writers list triangles in

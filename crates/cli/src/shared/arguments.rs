@@ -138,7 +138,7 @@ impl ResultArgs {
 /// Arguments that name outputs.
 #[derive(clap::Args)]
 pub(crate) struct OutputArgs {
-    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz, .dxf
+    /// File to write: .ele, .node, .json, .obj, .off, .ply, .vtk, .vtu, .vtp, .msh, .stl, .geojson, .wkt, .npy, .npz, .dxf,
     /// .svg or .png; may be given several times; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Vec<FileArgument>,

@@ -22,16 +22,21 @@ pub(crate) struct InsideArgs {
     /// polygons, otherwise hull]
     ///
     /// hull: all of the convex hull.
+    ///
     /// polygons: what the outlines of polygons cover, each without its own holes, whichever way rings run. Lines bound
     /// nothing. For .geojson and .wkt, and for meshes with --faces.
+    ///
     /// even-odd: what a path from outside enters by crossing an odd number of edges; one given twice is crossed twice.
+    ///
     /// nonzero: what the edges go round, more often in one direction than in the other. positive: more often
-    /// counter-clockwise; negative: more often clockwise; at-least-K: at least K times. Each edge runs from its first
-    /// vertex to its second. For these and for even-odd, the edges must be closed rings.
+    /// counter-clockwise. negative: more often clockwise. at-least-K: at least K times, in one direction. Each edge
+    /// runs from its first vertex to its second. For these rules and for even-odd, the edges must be closed rings.
+    ///
     /// holes: what is not reached without crossing an edge, neither from outside nor from the seed of a hole.
-    /// hull-without-holes: what is not reached from the seed of a hole (-c of Triangle). Triangles have the attributes of
-    /// the file's regions.
-    #[arg(long, value_name = "RULE", value_parser = Inside::named, verbatim_doc_comment)]
+    ///
+    /// hull-without-holes: what is not reached from the seed of a hole (-c of Triangle). By this rule and by holes,
+    /// triangles have the attributes of the file's regions.
+    #[arg(long, value_name = "RULE", value_parser = Inside::named)]
     inside: Option<Inside>,
 }
 
