@@ -207,10 +207,10 @@ fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
     }
 }
 
-/// Writes a graph that is not triangulated, in a format from which [`read()`](crate::read()) makes the same
-/// one, but for fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest doubles. A `.node` and points as text hold
-/// vertices alone, and a `.poly` without vertices is read as one whose
-/// vertices are in the `.node` beside it.
+/// Writes a graph that is not triangulated, in a format from which [`read()`](crate::read()) makes the same one, but for
+/// fractions, which only `.node`, `.poly`, `.json` and points as text hold: the others have the nearest doubles. A
+/// `.node` and points as text hold vertices alone, and a `.poly` without vertices is read as one whose vertices are in the
+/// `.node` beside it.
 ///
 /// ```
 /// use sweep_cdt::Pslg;
