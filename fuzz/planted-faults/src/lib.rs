@@ -234,13 +234,17 @@ mod tests {
     use super::{faults, plant, root};
 
     #[test]
-    fn every_right_text_occurs_once() {
+    fn every_fault_can_be_planted() {
         let faults = faults();
         let files: BTreeSet<_> = faults.iter().map(|fault| &fault.file).collect();
         for file in files {
             let source = fs::read_to_string(root().join(file)).expect("a source file");
-            if let Err(message) = plant(file, &source, &faults) {
-                panic!("{}: {message}", file.display());
+            let planted = plant(file, &source, &faults)
+                .unwrap_or_else(|message| panic!("{}: {message}", file.display()));
+            // A text that is no expression leaves what is not Rust.
+            if let Err(error) = syn::parse_file(&planted) {
+                let line = planted.lines().nth(error.span().start().line - 1);
+                panic!("{}: {error}: {}", file.display(), line.unwrap_or(""));
             }
         }
     }
