@@ -43,7 +43,7 @@ pub(crate) struct Contours {
 
 const AFTER_HELP: &str = "\
 Heights are the third coordinate, the first attribute of the vertices of a .node or .poly, or a
-property of the features of a .geojson (--height-property).
+property of the features of a .geojson or column of a .csv (--height-property).
 A triangle with a corner that has no height has no lines, and none are outside of --inside.
 
 A vertex that is exactly at a level counts as a little higher. So no line ever breaks or branches;

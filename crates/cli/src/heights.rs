@@ -45,7 +45,7 @@ pub(crate) struct Heights {
 
 const AFTER_HELP: &str = "\
 Heights are the third coordinate, the first attribute of the vertices of a .node or .poly, or a
-property of the features of a .geojson (--height-property).
+property of the features of a .geojson or column of a .csv (--height-property).
 A triangle with a corner that has no height gives none, and none are outside of --inside.
 
 Output: the points in the order of their file, with their columns, markers and coordinate system where

@@ -36,11 +36,11 @@ pub enum Remark {
         /// How many places have two numbers.
         count: usize,
     },
-    /// Heights stand in a property.
+    /// Heights stand in a property, or were asked for in one or in a column that is not there.
     HeightProperty {
-        /// The name of the property.
+        /// The name of the property or column.
         name: String,
-        /// How many features have it.
+        /// How many features have it: none if it is not there.
         count: usize,
     },
 }
@@ -78,7 +78,7 @@ impl Remark {
                 )
             }
             Remark::HeightProperty { name, count: 0 } => {
-                format!("no feature has the property `{name}`")
+                format!("no property or column with heights is called `{name}`")
             }
             Remark::HeightProperty { name, count } => {
                 let plural = if *count == 1 { "" } else { "s" };

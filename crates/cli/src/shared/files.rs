@@ -139,8 +139,9 @@ pub(crate) struct ReadingArgs {
     #[arg(long)]
     faces: bool,
 
-    /// The property of the features of a .geojson that is the height of their positions [default: where these have no
-    /// third coordinate, elev, height and such names, if it is a number, for points and lines]
+    /// The property of the features of a .geojson that is the height of their positions, or the column of a .csv, .xyz or
+    /// .txt [default: z, elev, height and such names; in a .geojson where there is no third coordinate, if it is a number,
+    /// for points and lines]
     #[arg(long, value_name = "NAME")]
     height_property: Option<String>,
 

@@ -13,6 +13,7 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
 
 use super::arithmetic::Given;
 use super::failure::Failure;
+use super::places::located_interior;
 use super::verification::{self, Answer};
 
 /// Arguments that choose the rule.
@@ -195,7 +196,7 @@ impl InsideArgs {
                 None => " (--inside hull keeps all triangles)",
                 Some(_) => "",
             };
-            let error = file.interior_as_numbered(error);
+            let error = located_interior(file, error);
             Failure::Error(format!("{name}: {error}{way_out}"))
         };
         domain.map(Some).map_err(refused)
@@ -302,7 +303,7 @@ impl Wanted {
         let (file, graph) = (given.file, &given.file.graph);
         rule.suits(given.name, file)?;
         let domain = rule.domain(file, hull);
-        let domain = domain.map_err(|error| given.failure(file.interior_as_numbered(error)))?;
+        let domain = domain.map_err(|error| given.failure(located_interior(file, error)))?;
         let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
         let mut sides: Vec<[usize; 2]> = domain.constrained_sides().map(sorted).collect();
         sides.sort_unstable();

@@ -6,6 +6,7 @@
 use num_rational::BigRational;
 use sweep_cdt::Error;
 use sweep_cdt::crossings::crossings;
+use sweep_cdt::interior::{InteriorError, Seed};
 use sweep_cdt_formats::{Coordinate, GraphFile};
 
 /// The fault in words, with vertices and edges numbered as in the file, and where it is.
@@ -22,6 +23,28 @@ pub(crate) fn located<S: Coordinate>(file: &GraphFile<S>, error: Error) -> Strin
     match place {
         Some([x, y]) => format!("{numbered} near ({}, {}){parts}", x.text(), y.text()),
         None => format!("{numbered}{parts}"),
+    }
+}
+
+/// What keeps a rule from telling the inside, in words, numbered as in the file, and where it is.
+pub(crate) fn located_interior<S: Coordinate>(file: &GraphFile<S>, error: InteriorError) -> String {
+    let graph = &file.graph;
+    let seed_of_region = |region: usize| graph.regions.get(region).map(|region| &region.seed);
+    let place = match error {
+        InteriorError::OpenAtVertex { vertex } => graph.points.get(vertex),
+        InteriorError::SeedOutside { seed }
+        | InteriorError::SeedOnVertex { seed, .. }
+        | InteriorError::SeedOnEdge { seed, .. } => match seed {
+            Seed::Hole(hole) => graph.holes.get(hole),
+            Seed::Region(region) => seed_of_region(region),
+        },
+        InteriorError::RegionOutside { region } => seed_of_region(region),
+        _ => None,
+    };
+    let numbered = file.interior_as_numbered(error);
+    match place {
+        Some([x, y]) => format!("{numbered}, at ({}, {})", x.text(), y.text()),
+        None => numbered.to_string(),
     }
 }
 

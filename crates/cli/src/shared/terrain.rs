@@ -74,7 +74,7 @@ impl TerrainArgs {
         let failure = |error: &dyn std::fmt::Display| Failure::Error(format!("{name}: {error}"));
         let Some(heights) = file.heights() else {
             return Err(failure(
-                &"the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson that --height-property names",
+                &"the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names",
             ));
         };
         let graph = &file.graph;

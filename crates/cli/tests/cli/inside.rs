@@ -153,7 +153,8 @@ fn an_outline_that_is_open_keeps_nothing() {
     assert_eq!(printed_without_triangles(&output), summary);
     for rule in ["even-odd", "nonzero"] {
         let output = run(&folder, &format!("open.poly --inside {rule}"));
-        let error = "open.poly: the edges are no closed rings: they do not go on at vertex 1";
+        let error =
+            "open.poly: the edges are no closed rings: they do not go on at vertex 1, at (0, 0)";
         assert_fails(&output, error);
     }
 }
@@ -165,10 +166,14 @@ fn a_seed_that_tells_no_face_is_refused() {
         (
             "1 4 5\n",
             "1 4 6\n",
-            "hole 1 lies on the edge between vertices 7 and 8",
+            "hole 1 lies on the edge between vertices 7 and 8, at (4, 6)",
         ),
-        ("1 4 5\n", "1 6 6\n", "hole 1 lies on vertex 7"),
-        ("1 4 5\n", "1 4 9.5\n", "hole 1 lies outside of the hull"),
+        ("1 4 5\n", "1 6 6\n", "hole 1 lies on vertex 7, at (6, 6)"),
+        (
+            "1 4 5\n",
+            "1 4 9.5\n",
+            "hole 1 lies outside of the hull, at (4, 9.5)",
+        ),
         (
             "1 4 5\n",
             "1 nan 4\n",
@@ -177,7 +182,7 @@ fn a_seed_that_tells_no_face_is_refused() {
         (
             "1 1 2 0.5",
             "1 5 4 0.5",
-            "region 1 lies in a hole, or outside of the outline",
+            "region 1 lies in a hole, or outside of the outline, at (5, 4)",
         ),
     ] {
         let folder = folder(&[("frame.poly", &FRAME.replace(line, with))]);

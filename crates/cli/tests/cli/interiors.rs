@@ -160,7 +160,7 @@ fn an_input_without_an_interior_is_refused() {
     ]);
     assert_fails(
         &verify(&folder, "a.json b.json --domain even-odd"),
-        "a.json: the edges are no closed rings: they do not go on at vertex 0",
+        "a.json: the edges are no closed rings: they do not go on at vertex 0, at (0, 0)",
     );
     assert_fails(
         &verify(&folder, "c.json b.json --domain holes"),

@@ -351,7 +351,7 @@ fn a_property_that_is_asked_for_is_the_height() {
     );
     assert_eq!(
         said("map.geojson --height-property elev_m -o b.obj"),
-        "note: map.geojson: no feature has the property `elev_m`\n\
+        "note: map.geojson: no property or column with heights is called `elev_m`\n\
          note: map.geojson: ignored: 2 properties `ELEV_M`\n"
     );
 }

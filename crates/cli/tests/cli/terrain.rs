@@ -3,9 +3,7 @@
 use std::fs;
 
 use crate::outputs::{assert_refused, read};
-use crate::{
-    CONTOURS, assert_fails, folder, names, printed, printed_despite_losses, run, sweep_cdt, text,
-};
+use crate::{CONTOURS, assert_fails, folder, names, printed, run, sweep_cdt, text};
 
 /// A pyramid, whose top is 10 high, numbered from 1.
 const PYRAMID: &str = "5 2 1 0\n1 0 0 0\n2 4 0 0\n3 4 4 0\n4 0 4 0\n5 2 2 10\n0 0\n0\n";
@@ -51,7 +49,7 @@ fn contour_lines_are_read_again() {
     let folder = folder(&[]);
     let contours = |arguments: &str| {
         let output = sweep_cdt(&folder, &format!("contours {arguments}")).output();
-        printed_despite_losses(&output.expect("the command starts")).to_owned()
+        printed(&output.expect("the command starts")).to_owned()
     };
     // The shipped lines are 20 m apart from 309.37 m on.
     let summary = contours(&format!("{CONTOURS} --every 20 --from 319.37 -o a.geojson"));
@@ -167,7 +165,7 @@ fn what_makes_no_terrain_is_refused() {
         let output = sweep_cdt(&folder, arguments).output();
         assert_fails(&output.expect("the command starts"), error);
     };
-    let words = "the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson that --height-property names";
+    let words = "the vertices have no heights: a third coordinate, the column z, the first attribute of a .node or .poly, or the property of a .geojson or column of a .csv that --height-property names";
     fails("contours b.node --every 1", &format!("b.node: {words}"));
     fails("heights b.node --at a.poly", &format!("b.node: {words}"));
     fails(

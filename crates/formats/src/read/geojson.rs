@@ -9,7 +9,7 @@
 //! | `GeometryCollection`, `Feature`, `FeatureCollection` | what is in it | what is in it |
 //!
 //! The third coordinate is a height, unless [`Source::height_property`] names a property that is. Where there is
-//! neither, of points and lines one of the names in [`HEIGHTS`] with a number is. The member
+//! neither, of points and lines the best of the usual names (`names.rs`) with a number is. The member
 //! `crs` goes through. Other properties and members are ignored with a remark, and so is a geometry that is `null` or
 //! whose coordinates are an empty list, without one. A coordinate may be a string with a fraction, as in our own JSON.
 //!
@@ -20,26 +20,13 @@ use serde_json::value::RawValue;
 
 use crate::read::content::Syntax;
 use crate::read::json_pieces::{Position, fault, members, texts};
+use crate::read::names::{HEIGHTS, rank};
 use crate::read::shapes::{Part, Shapes};
 use crate::read::source::{ReadError, Source, quoted};
 use crate::{CoordinateSystem, Remark};
 
 /// So many objects may be in each other.
 const NESTED: usize = 100;
-
-/// The usual names of heights, in lower case.
-const HEIGHTS: [&str; 10] = [
-    "elev",
-    "elevation",
-    "height",
-    "altitude",
-    "ele",
-    "alt",
-    "z",
-    "contour",
-    "hoehe",
-    "z_value",
-];
 
 /// The name of one property and of many.
 const PROPERTY: [&str; 2] = ["property", "properties"];
@@ -281,11 +268,13 @@ impl Raised {
         let members = properties.and_then(|piece| members(piece.get().as_bytes()));
         let members = members.unwrap_or_default();
         let asked = source.height_property.as_deref();
-        let is_height = |(name, value): &(String, &RawValue)| match asked {
-            Some(asked) => name == asked,
-            None => HEIGHTS.contains(&&name.to_lowercase()[..]) && is_number(value),
+        let rank_of = |(name, value): &(String, &RawValue)| match asked {
+            Some(asked) => (name == asked).then_some(0),
+            None => rank(&HEIGHTS, name).filter(|_| is_number(value)),
         };
-        let place = members.iter().position(is_height);
+        let ranks = members.iter().enumerate();
+        let ranks = ranks.filter_map(|(at, member)| Some((rank_of(member)?, at)));
+        let place = ranks.min().map(|(_, at)| at);
         for (_, (name, _)) in members
             .iter()
             .enumerate()
@@ -328,7 +317,7 @@ impl Raised {
         // What was asked for wins.
         if is_height && shapes.raise(first, text, height.is_asked) {
             self.count += 1;
-        } else {
+        } else if !shapes.is_raised(first, text) {
             shapes
                 .remarks
                 .ignore_named(1, PROPERTY, height.name.as_bytes());

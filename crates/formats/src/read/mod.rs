@@ -21,6 +21,7 @@ mod msh;
 mod msh_binary;
 #[cfg(feature = "mesh-formats")]
 mod msh_parts;
+mod names;
 mod nearby;
 #[cfg(feature = "mesh-formats")]
 mod npy;

@@ -5,10 +5,10 @@
 //! 7;3402.5;811.25;102.4;oak
 //! ```
 //!
-//! | column | names, in any case, without units in brackets |
+//! | column | names, in any case, without units |
 //! |---|---|
 //! | x and y | the first of these pairs: `x`, `y`; `point_x`, `point_y`; `easting`, `northing`; `longitude`, `latitude` (`lon`, `long`, `lng`, `lat`); `e`, `n` |
-//! | z | the first of `z`, `elevation`, `elev`, `ele`, `height`, `h`, `altitude`, `alt` and `point_z` |
+//! | z | the one that [`Source::height_property`] names; or the best of the usual names (`names.rs`) |
 //! | others | of numbers: columns of the vertices; of anything else: ignored with a remark |
 //!
 //! The names may also stand in the last comment before the numbers, if that has those of x and y. The separator is the
@@ -22,10 +22,11 @@
 use std::collections::HashMap;
 
 use crate::read::content::{Edges, Field, Syntax, Vertices};
+use crate::read::names::{HEIGHTS, rank};
 use crate::read::remarks::Remarks;
 use crate::read::rows::{Rows, Separator, text};
 use crate::read::source::{ReadError, Source, quoted};
-use crate::{Column, CoordinateError};
+use crate::{Column, CoordinateError, Remark};
 
 /// The names of x and y, in families: both are of the same one.
 const PLACES: [[&[&str]; 2]; 5] = [
@@ -37,22 +38,6 @@ const PLACES: [[&[&str]; 2]; 5] = [
     [&["easting", "east"], &["northing", "north"]],
     [&["longitude", "lon", "long", "lng"], &["latitude", "lat"]],
     [&["e"], &["n"]],
-];
-
-/// The names of the height, the better ones first.
-const HEIGHTS: [&str; 12] = [
-    "z",
-    "elevation",
-    "elev",
-    "ele",
-    "height",
-    "h",
-    "altitude",
-    "alt",
-    "point_z",
-    "z_coord",
-    "zcoord",
-    "coord_z",
 ];
 
 /// The words for a number that is missing.
@@ -90,6 +75,11 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
             return Err(error(message));
         }
     };
+    let mut remarks = Remarks::default();
+    let header = match &source.height_property {
+        Some(name) => header.with_height(name, &mut remarks),
+        None => header,
+    };
     let mut table = Table::new(source, line, header);
     if !is_header {
         table.add(line, &fields)?;
@@ -97,7 +87,6 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
     while let Some(line) = rows.next_row(&mut fields)? {
         table.add(line, &fields)?;
     }
-    let mut remarks = Remarks::default();
     let vertices = table.vertices(&mut remarks);
     Ok(Edges {
         remarks,
@@ -136,14 +125,14 @@ struct Header {
 impl Header {
     /// The header that a row is, if it names x and y.
     fn of(fields: &[&[u8]]) -> Result<Option<Header>, String> {
-        let known: Vec<String> = fields.iter().map(|name| plain(name)).collect();
-        let place = |names: &[&str]| {
-            let mut found = names.iter().map(|name| {
-                let is_it = |known: &&String| known == name;
-                let first = known.iter().position(|known| known == name)?;
-                Some((first, known.iter().filter(is_it).count() > 1))
-            });
-            found.find_map(|place| place)
+        let names: Vec<String> = fields.iter().map(|name| text(name)).collect();
+        // The column of the best of these names, and whether another one has it, too.
+        let place = |known: &[&str]| {
+            let ranks = names.iter().map(|name| rank(known, name));
+            let ranks: Vec<Option<usize>> = ranks.collect();
+            let best = ranks.iter().flatten().min()?;
+            let mut found = (0..names.len()).filter(|&at| ranks[at] == Some(*best));
+            Some((found.next()?, found.next().is_some()))
         };
         let pair = |[x, y]: &[&[&str]; 2]| Some([place(x)?, place(y)?]);
         let Some([x, y]) = PLACES.iter().find_map(pair) else {
@@ -152,18 +141,28 @@ impl Header {
         let z = place(&HEIGHTS);
         for (at, is_repeated) in [x, y].into_iter().chain(z) {
             if is_repeated {
-                let message = format!("two columns are called `{}`: rename one", known[at]);
+                let message = format!("two columns are called `{}`: rename one", names[at]);
                 return Err(message);
             }
         }
         let end = fields.iter().rposition(|field| !field.is_empty());
-        let names = fields[..end.map_or(0, |end| end + 1)].iter();
         Ok(Some(Header {
-            names: names.map(|name| text(name)).collect(),
+            names: names[..end.map_or(0, |end| end + 1)].to_vec(),
             x: x.0,
             y: y.0,
             z: z.map(|(z, _)| z),
         }))
+    }
+
+    /// With the column of this name for the height, if there is one beside x and y, whatever other names there are.
+    fn with_height(self, name: &str, remarks: &mut Remarks) -> Header {
+        let is_asked = |&at: &usize| at != self.x && at != self.y && self.names[at] == name;
+        let z = (0..self.names.len()).find(is_asked);
+        if z.is_none() {
+            let name = name.to_owned();
+            remarks.add(Remark::HeightProperty { name, count: 0 });
+        }
+        Header { z, ..self }
     }
 
     /// The columns of a file without names, by its first row: x, y, and z if there are three of numbers.
@@ -176,13 +175,6 @@ impl Header {
             z: first.get(2).filter(is_height).map(|_| 2),
         }
     }
-}
-
-/// A name in lower case, without its unit in brackets.
-fn plain(name: &[u8]) -> String {
-    let name = text(name).to_lowercase();
-    let unit = name.find(['(', '[']).filter(|&at| at > 0);
-    name[..unit.unwrap_or(name.len())].trim().to_owned()
 }
 
 fn is_missing(field: &[u8]) -> bool {

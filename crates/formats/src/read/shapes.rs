@@ -68,6 +68,14 @@ impl<'a> Shapes<'a> {
         raised.map(|missing| *missing = Some(height)).count() > 0
     }
 
+    /// Whether the positions from `first` on have this height already, all of them.
+    pub(super) fn is_raised(&self, first: usize, height: &[u8]) -> bool {
+        let value = |text: &[u8]| Syntax::Json.value::<f64>(text).ok();
+        let is_it = |there: &[u8]| there == height || value(there) == value(height);
+        let mut heights = self.heights[first..].iter();
+        heights.all(|there| there.is_some_and(is_it))
+    }
+
     /// Adds a position.
     pub(super) fn push(&mut self, point: [&'a [u8]; 2], height: Option<&'a [u8]>) {
         self.coordinates.push(point);

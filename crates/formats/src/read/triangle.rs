@@ -163,7 +163,7 @@ fn read_vertices<'a>(
         count: vertices,
     };
     let mut first = 0;
-    let columns = attributes + usize::from(has_markers);
+    let columns = attributes.saturating_add(usize::from(has_markers));
     if columns == 0 {
         let coordinates = records.read(lines, &mut first, Line::coordinates)?;
         let more = coordinates

@@ -240,6 +240,17 @@ fn numbers_of_many_digits_end_a_line() {
     );
 }
 
+/// As many attributes as a number can say, and a marker more.
+#[test]
+fn attributes_and_a_marker_without_end() {
+    let text = format!("1 2 {} 1\n0 0.5 0.25 7\n", usize::MAX);
+    let error = formats::read(InputFormat::Node, &source(&text), None).expect_err("one attribute");
+    assert_eq!(
+        error.to_string(),
+        "file:2: the line ends where an attribute should follow"
+    );
+}
+
 /// The lines of a `.poly` of so many points on a line, each joined to the next, with comments, blank lines and
 /// all ends of lines in between.
 fn long(points: usize) -> Vec<String> {

@@ -3,7 +3,7 @@
 
 use num_rational::BigRational;
 use sweep_cdt_formats::{
-    Column, Coordinate, GraphFile, Input, InputFormat, Source, read, write_graph,
+    Column, Coordinate, GraphFile, Input, InputFormat, Remark, Source, read, write_graph,
 };
 use sweep_cdt_testing::Random;
 
@@ -193,6 +193,34 @@ fn wrong_rows_are_named() {
         input(b"\xff\xfex\0,\0"),
         Err("file: the text is UTF-16; save it as UTF-8".to_owned())
     );
+}
+
+#[test]
+fn heights_are_in_the_column_that_is_asked_for() {
+    let columns = |asked: Option<&str>| {
+        let source = Source::new("file", "x,y,ground_m,Roof_m,elev_ft\n1,2,3,4,5\n");
+        let source = match asked {
+            Some(name) => source.height_property(name),
+            None => source,
+        };
+        let Ok(Input::Doubles(file)) = read(InputFormat::Csv, &source, None) else {
+            panic!("doubles");
+        };
+        let column = |Column { name, values }: &Column| format!("{name} {}", values[0]);
+        let columns: Vec<String> = file.columns.iter().map(column).collect();
+        (columns.join(", "), file.remarks)
+    };
+    let found = ("z 5, ground_m 3, Roof_m 4".to_owned(), Vec::new());
+    assert_eq!(columns(None), found);
+    let asked = ("z 3, Roof_m 4, elev_ft 5".to_owned(), Vec::new());
+    assert_eq!(columns(Some("ground_m")), asked);
+    // What is not there, or is x, is said.
+    for name in ["Ground_m", "x"] {
+        let (there, remarks) = columns(Some(name));
+        assert_eq!(there, "ground_m 3, Roof_m 4, elev_ft 5");
+        let name = name.to_owned();
+        assert_eq!(remarks, [Remark::HeightProperty { name, count: 0 }]);
+    }
 }
 
 /// Short rows of a wide table would take the square of the file's size.
