@@ -57,7 +57,6 @@ impl Remarks {
         }
     }
 
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn add(&mut self, remark: Remark) {
         self.others.push(remark);
     }
