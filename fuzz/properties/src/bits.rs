@@ -33,7 +33,7 @@ pub fn test(bytes: &[u8]) {
         }
         Ok(_) | Err(Error::CrossingEdges { .. }) => {
             reached::sample(&input);
-            valid::judge(&input);
+            valid::judge_share(&input, bytes);
         }
         Err(error) => panic!("no reason for: {error}"),
     }

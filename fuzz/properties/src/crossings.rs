@@ -7,9 +7,9 @@ use num_rational::BigRational;
 use sweep_cdt::crossings::{Crossing, Split, crossings, split};
 use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::{Error, Triangulation, triangulate};
-use sweep_cdt_testing::Input;
 use sweep_cdt_testing::oracle::arrangement::{self, Exact, fractions, is_nearest};
-use sweep_cdt_testing::oracle::{check_answer, found};
+use sweep_cdt_testing::oracle::{Graph, check_answer, found};
+use sweep_cdt_testing::{Input, with_integers};
 
 /// So many edges are split: each may cross all others, and the judge tries everything.
 const EDGES: usize = 10;
@@ -23,6 +23,15 @@ pub struct Rounded {
     pub rounds: usize,
     /// By how many units in the last place an edge moved at most.
     pub displacement: f64,
+}
+
+/// Panics unless the edges that cross in this input, all of whose coordinates are finite, are listed.
+pub fn judge_listed(Input { points, edges }: &Input) {
+    let found = crossings(points, edges).expect("a valid input");
+    let found: Vec<[usize; 2]> = found.iter().map(|crossing| crossing.edges).collect();
+    let mut tried = with_integers!(points, |exact| Graph::new(&exact, edges).crossings());
+    tried.sort_unstable();
+    assert_eq!(found, tried, "crossings listed (left) and tried");
 }
 
 /// Panics unless the crossings of this input, all of whose coordinates are finite, are right, and its edges are split
@@ -142,7 +151,7 @@ fn triangulated<S: Measure>(
     let report = result.with_points(&split.points).verify(&split.edges);
     assert!(report.expect("a right result").is_canonical());
     let answer = found(&result, exact.len(), split.edges.len());
-    check_answer(exact, &split.edges, &answer);
+    with_integers!(exact, |exact| check_answer(&exact, &split.edges, &answer));
     assert_eq!(split.edges.len(), split.pieces_of.len());
     for (e, edge) in edges.iter().enumerate() {
         let chain = split.chain(e, &result);

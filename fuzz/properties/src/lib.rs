@@ -17,6 +17,7 @@ pub mod reached;
 pub mod replay;
 pub mod scalars;
 pub mod seeds;
+mod share;
 pub mod shown;
 mod targets;
 pub mod valid;

@@ -8,22 +8,35 @@
 
 use sweep_cdt::{Error, triangulate};
 
-use crate::{crossings, reached};
+use crate::{crossings, reached, share};
 use sweep_cdt_testing::oracle::{check, crosses, verdict};
 use sweep_cdt_testing::{Input, generators};
 
 /// Up to this many points the answer is built from its definition.
 const BY_DEFINITION: usize = 6;
+/// Of so many inputs whose edges cross one has them split.
+const SPLIT: u64 = 4;
 
 /// The property for the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
     let input = generators::input(bytes);
     reached::sample(&input);
-    judge(&input);
+    judge_share(&input, bytes);
 }
 
-/// Panics unless the result for this input, all of whose coordinates are finite, is right.
-pub fn judge(input: &Input) {
+/// Panics unless the result is right for this input, all of whose coordinates are finite. The bytes that it comes from
+/// choose whether crossings are judged in all ways.
+pub(crate) fn judge_share(input: &Input, bytes: &[u8]) {
+    if share::is_chosen(bytes, SPLIT) {
+        judge(input, |input| {
+            crossings::judge(input);
+        });
+    } else {
+        judge(input, crossings::judge_listed);
+    }
+}
+
+fn judge(input: &Input, judge_crossings: impl Fn(&Input)) {
     let Input { points, edges } = input;
     let outcome = triangulate(points, edges);
     let answer = match &outcome {
@@ -40,7 +53,7 @@ pub fn judge(input: &Input) {
         }
         Err(Error::CrossingEdges { edges: pair }) => {
             assert!(crosses(points, edges, *pair), "{pair:?} do not cross");
-            crossings::judge(input);
+            judge_crossings(input);
             None
         }
         Err(error) => panic!("no reason for: {error}"),

@@ -1,11 +1,15 @@
 //! Edges that cross, in fractions: every pair is tried, points are compared with `==`, and lines meet by Cramer's rule.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::graph::Graph;
-use super::numbers::Point;
+use super::numbers::{Number, Point, cross, dot, vector};
+use crate::with_integers;
 
 /// A point in fractions.
 pub type Exact = Point<BigRational>;
@@ -21,7 +25,7 @@ pub fn fractions(points: &[[f64; 2]]) -> Vec<Exact> {
 
 /// All pairs of edges that cross at a point that is no vertex, sorted, each with that point.
 pub fn crossings(points: &[Exact], edges: &[[usize; 2]]) -> Vec<([usize; 2], Exact)> {
-    let mut pairs = Graph::new(points, edges).crossings();
+    let mut pairs = with_integers!(points, |exact| Graph::new(&exact, edges).crossings());
     pairs.sort_unstable();
     let with_point = |pair: [usize; 2]| {
         let lines = pair.map(|e| edges[e].map(|v| &points[v]));
@@ -46,39 +50,57 @@ fn meeting(lines: [[&Exact; 2]; 2]) -> Exact {
 
 /// For each edge the points along it, from its first end to its second: vertices and crossings, each once.
 pub fn chains(points: &[Exact], edges: &[[usize; 2]]) -> Vec<Vec<Exact>> {
-    let crossings = crossings(points, edges);
-    let chain = |ends: &[usize; 2]| {
-        let [a, b] = ends.map(|v| &points[v]);
-        let along =
-            |p: &Exact| (&p[0] - &a[0]) * (&b[0] - &a[0]) + (&p[1] - &a[1]) * (&b[1] - &a[1]);
-        let length = along(b);
-        let is_on = |p: &&Exact| {
-            let area = (&p[0] - &a[0]) * (&b[1] - &a[1]) - (&p[1] - &a[1]) * (&b[0] - &a[0]);
-            let inside = !along(p).is_negative() && along(p) <= length;
-            area.is_zero() && if length.is_zero() { *p == a } else { inside }
-        };
-        let all = points
-            .iter()
-            .chain(crossings.iter().map(|(_, point)| point));
-        let mut chain: Vec<Exact> = all.filter(is_on).cloned().collect();
-        chain.sort_by_key(along);
-        chain.dedup();
-        chain
+    let crossings = crossings(points, edges).into_iter();
+    let all: Vec<Exact> = points
+        .iter()
+        .cloned()
+        .chain(crossings.map(|(_, point)| point))
+        .collect();
+    let chains = with_integers!(&all, |exact| edges
+        .iter()
+        .map(|&edge| chain(&exact, edge))
+        .collect());
+    let chains: Vec<Vec<usize>> = chains;
+    let named = |chain: Vec<usize>| chain.into_iter().map(|v| all[v].clone()).collect();
+    chains.into_iter().map(named).collect()
+}
+
+/// The points on an edge, from its first end to its second, of equal ones the first.
+fn chain<N: Number>(points: &[Point<N>], ends: [usize; 2]) -> Vec<usize> {
+    let [a, b] = ends.map(|v| &points[v]);
+    let to = vector(a, b);
+    let along = |p: &Point<N>| dot(&vector(a, p), &to);
+    let length = along(b);
+    let is_on = |p: &Point<N>| {
+        let is_between = || !along(p).is_negative() && along(p) <= length;
+        cross(&vector(a, p), &to).is_zero()
+            && if length.is_zero() {
+                p == a
+            } else {
+                is_between()
+            }
     };
-    edges.iter().map(chain).collect()
+    let mut chain: Vec<usize> = (0..points.len()).filter(|&v| is_on(&points[v])).collect();
+    chain.sort_by_key(|&v| along(&points[v]));
+    chain.dedup_by(|v, w| points[*v] == points[*w]);
+    chain
 }
 
 /// Whether no double is nearer, and where another one is as near, this one has an even last bit.
 pub fn is_nearest(double: f64, exact: &BigRational) -> bool {
-    let off = |x: f64| BigRational::from_float(x).map(|x| (x - exact).abs());
-    let Some(distance) = off(double) else {
+    let fraction = BigRational::from_float;
+    let Some(double_exact) = fraction(double) else {
         return false;
     };
+    // Which side of the place halfway to the next double it is on.
+    let twice = exact + exact;
+    let side = |next: f64| fraction(next).map(|next| twice.cmp(&(&double_exact + next)));
     let is_even = double.to_bits().is_multiple_of(2);
-    [double.next_down(), double.next_up()]
-        .into_iter()
-        .filter_map(off)
-        .all(|other| distance < other || distance == other && is_even)
+    let allows = |side: Option<Ordering>, allowed: Ordering| {
+        side.is_none_or(|side| side == allowed || side == Ordering::Equal && is_even)
+    };
+    allows(side(double.next_down()), Ordering::Greater)
+        && allows(side(double.next_up()), Ordering::Less)
 }
 
 /// The distance of the doubles next to a number of this size, away from zero.
@@ -103,21 +125,35 @@ pub fn unit(x: f64) -> BigRational {
 /// these places are tried.
 pub fn distance(p: &Exact, [a, b]: [&Exact; 2], units: &Exact) -> BigRational {
     let [to, along] = [p, b].map(|q| [0, 1].map(|i| (&q[i] - &a[i]) / &units[i]));
-    let off = |t: &BigRational| {
-        let [x, y] = [0, 1].map(|i| (&to[i] - t * &along[i]).abs());
-        x.max(y)
-    };
+    // As integers over one denominator, so that no step reduces a fraction.
+    let all = || to.iter().chain(&along);
+    let scale = all().fold(BigInt::one(), |product, x| product.lcm(x.denom()));
+    let integer = |x: &BigRational| x.numer() * (&scale / x.denom());
+    let [to, along] = [&to, &along].map(|vector| vector.each_ref().map(integer));
     let quotients = [
         (to[0].clone(), along[0].clone()),
         (to[1].clone(), along[1].clone()),
         (&to[0] - &to[1], &along[0] - &along[1]),
         (&to[0] + &to[1], &along[0] + &along[1]),
     ];
+    // Places on the segment, over / under.
     let places = quotients.into_iter().filter(|(_, under)| !under.is_zero());
-    let (zero, one) = (BigRational::zero(), BigRational::one());
-    let places = places.map(|(over, under)| (over / under).clamp(zero.clone(), one.clone()));
-    let places: Vec<BigRational> = places.collect();
-    let ends = [BigRational::zero(), BigRational::one()];
-    let all = places.iter().chain(&ends).map(off);
-    all.min().expect("two ends")
+    let ends = [
+        (BigInt::zero(), BigInt::one()),
+        (BigInt::one(), BigInt::one()),
+    ];
+    let clamped = places.map(|(over, under)| {
+        let (over, under) = (over * under.signum(), under.abs());
+        (over.clamp(BigInt::zero(), under.clone()), under)
+    });
+    let off = |(over, under): (BigInt, BigInt)| {
+        let [x, y] = [0, 1].map(|i| (&to[i] * &under - &over * &along[i]).abs());
+        (x.max(y), under)
+    };
+    let is_less = |one: &(BigInt, BigInt), other: &(BigInt, BigInt)| {
+        (&one.0 * &other.1).cmp(&(&other.0 * &one.1))
+    };
+    let least = clamped.chain(ends).map(off).min_by(is_less);
+    let (over, under) = least.expect("two ends");
+    BigRational::new(over, under * scale)
 }

@@ -1,10 +1,12 @@
-//! Exact numbers: doubles as integers of one scale, and the three predicates on them.
+//! Exact numbers: doubles and fractions as integers of one scale, and the three predicates on them.
 
 use std::cmp::Ordering;
 
 use bnum::types::I256;
 use num_bigint::BigInt;
-use num_traits::{Float, Signed, Zero};
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{Float, One, Signed, Zero};
 
 /// An exact number: an integer that does not overflow on the inputs at hand.
 pub trait Number: Signed + Ord + Clone {}
@@ -37,64 +39,118 @@ macro_rules! with_integers {
 
 /// With coordinates of this many bits, products of four differences (two of them of twice the length) and
 /// a few sums fit in an `i128`.
-const SMALL_BITS: u32 = 28;
+const SMALL_BITS: u64 = 28;
 /// With coordinates of this many bits, those products and sums fit in an `I256`.
-const MEDIUM_BITS: u32 = 60;
+const MEDIUM_BITS: u64 = 60;
 
-/// The points multiplied by the one power of two that makes them the smallest integers.
-pub fn integers(points: &[[f64; 2]]) -> Integers {
-    let parts = |x: f64| {
-        let (mantissa, exponent, sign) = Float::integer_decode(x);
-        let zeros = if mantissa == 0 {
-            0
+/// The points multiplied by one positive number that makes them integers, small ones if that can be.
+pub fn integers<C: Coordinate>(points: &[Point<C>]) -> Integers {
+    C::integers(points)
+}
+
+/// A coordinate of points that can be made integers.
+pub trait Coordinate: Sized {
+    /// What [`integers`] returns.
+    fn integers(points: &[Point<Self>]) -> Integers;
+}
+
+impl Coordinate for f64 {
+    /// Multiplied by the one power of two that makes them the smallest integers.
+    fn integers(points: &[[f64; 2]]) -> Integers {
+        let parts = |x: f64| {
+            let (mantissa, exponent, sign) = Float::integer_decode(x);
+            let zeros = if mantissa == 0 {
+                0
+            } else {
+                mantissa.trailing_zeros()
+            };
+            (
+                i64::from(sign) * (mantissa >> zeros).cast_signed(),
+                i32::from(exponent) + zeros.cast_signed(),
+            )
+        };
+        let coordinates = || {
+            points
+                .iter()
+                .flatten()
+                .map(|&x| parts(x))
+                .filter(|part| part.0 != 0)
+        };
+        let least = coordinates()
+            .map(|(_, exponent)| exponent)
+            .min()
+            .unwrap_or(0);
+        let shift = |exponent: i32| (exponent - least).unsigned_abs();
+        let bits = coordinates()
+            .map(|(m, e)| m.unsigned_abs().ilog2() + 1 + shift(e))
+            .max()
+            .unwrap_or(0);
+        if u64::from(bits) <= SMALL_BITS {
+            let integer = |x| match parts(x) {
+                (0, _) => 0,
+                (mantissa, exponent) => i128::from(mantissa) << shift(exponent),
+            };
+            Integers::Small(points.iter().map(|p| p.map(integer)).collect())
+        } else if u64::from(bits) <= MEDIUM_BITS {
+            let integer = |x| match parts(x) {
+                (0, _) => I256::zero(),
+                (mantissa, exponent) => I256::from(mantissa) << shift(exponent),
+            };
+            Integers::Medium(points.iter().map(|p| p.map(integer)).collect())
         } else {
-            mantissa.trailing_zeros()
-        };
-        (
-            i64::from(sign) * (mantissa >> zeros).cast_signed(),
-            i32::from(exponent) + zeros.cast_signed(),
-        )
-    };
-    let coordinates = || {
-        points
-            .iter()
-            .flatten()
-            .map(|&x| parts(x))
-            .filter(|part| part.0 != 0)
-    };
-    let least = coordinates()
-        .map(|(_, exponent)| exponent)
-        .min()
-        .unwrap_or(0);
-    let shift = |exponent: i32| (exponent - least).unsigned_abs();
-    let bits = coordinates()
-        .map(|(m, e)| m.unsigned_abs().ilog2() + 1 + shift(e))
-        .max()
-        .unwrap_or(0);
-    if bits <= SMALL_BITS {
-        let integer = |x| match parts(x) {
-            (0, _) => 0,
-            (mantissa, exponent) => i128::from(mantissa) << shift(exponent),
-        };
-        Integers::Small(points.iter().map(|p| p.map(integer)).collect())
-    } else if bits <= MEDIUM_BITS {
-        let integer = |x| match parts(x) {
-            (0, _) => I256::zero(),
-            (mantissa, exponent) => I256::from(mantissa) << shift(exponent),
-        };
-        Integers::Medium(points.iter().map(|p| p.map(integer)).collect())
-    } else {
-        let integer = |x| match parts(x) {
-            (0, _) => BigInt::zero(),
-            (mantissa, exponent) => BigInt::from(mantissa) << shift(exponent),
-        };
-        Integers::Big(points.iter().map(|p| p.map(integer)).collect())
+            let integer = |x| match parts(x) {
+                (0, _) => BigInt::zero(),
+                (mantissa, exponent) => BigInt::from(mantissa) << shift(exponent),
+            };
+            Integers::Big(points.iter().map(|p| p.map(integer)).collect())
+        }
+    }
+}
+
+impl Coordinate for BigRational {
+    /// Multiplied by the least common denominator, and divided by the largest power of two that divides them all.
+    ///
+    /// What follows costs a few products of long integers. Fractions would be reduced after each step, which costs
+    /// the square of their length.
+    fn integers(points: &[Point<BigRational>]) -> Integers {
+        let coordinates = || points.iter().flatten();
+        let denominator = coordinates().fold(BigInt::one(), |product, x| {
+            match (&product % x.denom()).is_zero() {
+                true => product,
+                false => product.lcm(x.denom()),
+            }
+        });
+        let integer = |x: &BigRational| x.numer() * (&denominator / x.denom());
+        let mut points: Vec<Point<BigInt>> =
+            points.iter().map(|p| p.each_ref().map(integer)).collect();
+        let zeros = points.iter().flatten().filter_map(BigInt::trailing_zeros);
+        let zeros = zeros.min().unwrap_or(0);
+        for x in points.iter_mut().flatten() {
+            *x >>= zeros;
+        }
+        let bits = points.iter().flatten().map(BigInt::bits).max();
+        let bits = bits.unwrap_or(0);
+        if bits <= SMALL_BITS {
+            let integer = |x: &BigInt| i128::try_from(x).expect("few bits");
+            let small = points.iter().map(|p| p.each_ref().map(integer));
+            Integers::Small(small.collect())
+        } else if bits <= MEDIUM_BITS {
+            let integer = |x: &BigInt| I256::from(i64::try_from(x).expect("few bits"));
+            let medium = points.iter().map(|p| p.each_ref().map(integer));
+            Integers::Medium(medium.collect())
+        } else {
+            Integers::Big(points)
+        }
     }
 }
 
 /// `a` to `b` as a vector.
 pub(super) fn vector<N: Number>(a: &Point<N>, b: &Point<N>) -> Point<N> {
     [b[0].clone() - a[0].clone(), b[1].clone() - a[1].clone()]
+}
+
+pub(super) fn dot<N: Number>(u: &Point<N>, v: &Point<N>) -> N {
+    u[0].clone() * v[0].clone() + u[1].clone() * v[1].clone()
 }
 
 pub(super) fn cross<N: Number>(u: &Point<N>, v: &Point<N>) -> N {

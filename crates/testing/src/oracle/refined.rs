@@ -1,5 +1,5 @@
-//! Results with vertices that the input lacks, in the hull or in a part of it, by definition and in fractions; and how
-//! deep faults are.
+//! Results with vertices that the input lacks, in the hull or in a part of it, by definition; and how deep faults are, in
+//! fractions.
 //!
 //! There are no numbers of vertices here: triangles are three points each. Everything is compared with everything, as
 //! in `naive`. A domain is what a path from outside enters by crossing its chains an odd number of times.
@@ -7,28 +7,28 @@
 use std::cmp::Ordering::{Equal, Greater};
 
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
 use super::arrangement::Exact;
 use super::naive::{Side, Triangle, are_delaunay, is_made, is_on, is_within, separates, sides};
-use super::numbers::{cross, in_circle, orient, vector};
+use super::numbers::{Number, Point, cross, in_circle, orient, vector};
 
 /// The domain of which a result must be a triangulation.
-pub struct Wanted<'a> {
+pub struct Wanted<'a, N> {
     /// The points of the input.
-    pub points: &'a [Exact],
+    pub points: &'a [Point<N>],
     /// The input's edges.
     pub edges: &'a [[usize; 2]],
     /// The closed chains around what the triangles must fill; without any that is the hull.
     pub chains: &'a [Vec<usize>],
 }
 
-impl Wanted<'_> {
+impl<N: Number> Wanted<'_, N> {
     /// Whether these triangles are right, with whatever vertices they add.
-    pub fn is_met_by(&self, triangles: &[[Exact; 3]]) -> bool {
+    pub fn is_met_by(&self, triangles: &[[Point<N>; 3]]) -> bool {
         let corners: Vec<Triangle<'_, _>> = triangles.iter().map(|t| t.each_ref()).collect();
         let all: Vec<Side<'_, _>> = corners.iter().copied().flat_map(sides).collect();
-        let mut vertices: Vec<&Exact> = corners.as_flattened().to_vec();
+        let mut vertices: Vec<&Point<N>> = corners.as_flattened().to_vec();
         vertices.sort_unstable();
         vertices.dedup();
         let outline = self.outline();
@@ -43,10 +43,9 @@ impl Wanted<'_> {
         let is_filled = || {
             let inside = corners.iter().all(|&t| self.holds(&outline, t));
             let area = |[a, b, c]: Triangle<'_, _>| cross(&vector(a, b), &vector(a, c));
-            let sum: BigRational = corners.iter().map(|&t| area(t)).sum();
-            inside && sum == self.area(&outline)
+            inside && sum(corners.iter().map(|&t| area(t))) == self.area(&outline)
         };
-        let is_needed = |p: &Exact| {
+        let is_needed = |p: &Point<N>| {
             let on = outline.iter().any(|&side| is_on(side, p));
             self.chains.is_empty() || on || is_inside(&outline, p)
         };
@@ -66,10 +65,10 @@ impl Wanted<'_> {
     }
 
     /// How many edges have a vertex on them that is none of the input's.
-    pub fn split_edges(&self, triangles: &[[Exact; 3]]) -> usize {
+    pub fn split_edges(&self, triangles: &[[Point<N>; 3]]) -> usize {
         let is_split = |edge: &&[usize; 2]| {
             let side = edge.map(|v| &self.points[v]);
-            let is_added = |v: &&Exact| is_within(side, v) && !self.points.contains(v);
+            let is_added = |v: &&Point<N>| is_within(side, v) && !self.points.contains(v);
             triangles.as_flattened().iter().any(|v| is_added(&v))
         };
         self.edges.iter().filter(is_split).count()
@@ -77,7 +76,7 @@ impl Wanted<'_> {
 
     /// The attribute that each triangle must have: that of the last seed that can be reached from it without crossing
     /// an edge, 0 without one.
-    pub fn attributes(&self, triangles: &[[Exact; 3]], seeds: &[(Exact, f64)]) -> Vec<f64> {
+    pub fn attributes(&self, triangles: &[[Point<N>; 3]], seeds: &[(Point<N>, f64)]) -> Vec<f64> {
         let corners: Vec<Triangle<'_, _>> = triangles.iter().map(|t| t.each_ref()).collect();
         let is_edge = |[a, b]: Side<'_, _>| {
             let edges = self.edges.iter();
@@ -116,12 +115,12 @@ impl Wanted<'_> {
     }
 
     /// The sides of the chains; of the hull those that have no point on their right.
-    fn outline(&self) -> Vec<Side<'_, BigRational>> {
+    fn outline(&self) -> Vec<Side<'_, N>> {
         if self.chains.is_empty() {
             let mut hull = Vec::new();
             for a in self.points {
                 for b in self.points.iter().filter(|&b| b != a) {
-                    let is_beside = |v: &Exact| orient(a, b, v) == Greater || is_on([a, b], v);
+                    let is_beside = |v: &Point<N>| orient(a, b, v) == Greater || is_on([a, b], v);
                     if self.points.iter().all(is_beside) && !hull.contains(&[a, b]) {
                         hull.push([a, b]);
                     }
@@ -137,29 +136,30 @@ impl Wanted<'_> {
     }
 
     /// Whether a triangle that turns left lies within the outline.
-    fn holds(&self, outline: &[Side<'_, BigRational>], t: Triangle<'_, BigRational>) -> bool {
+    fn holds(&self, outline: &[Side<'_, N>], t: Triangle<'_, N>) -> bool {
         if self.chains.is_empty() {
             let is_beside =
-                |v: &Exact, [a, b]: &Side<'_, _>| orient(a, b, v) != std::cmp::Ordering::Less;
+                |v: &Point<N>, [a, b]: &Side<'_, _>| orient(a, b, v) != std::cmp::Ordering::Less;
             return !outline.is_empty()
                 && t.iter().all(|v| outline.iter().all(|s| is_beside(v, s)));
         }
-        let three = BigRational::from_integer(3.into());
-        let centre = [0, 1].map(|i| t.iter().map(|v| v[i].clone()).sum::<BigRational>() / &three);
-        !outline.iter().any(|&side| pierces(side, t)) && is_inside(outline, &centre)
+        // The centre of the triangle, with everything three times as large.
+        let three_times = |p: &Point<N>| [0, 1].map(|i| sum([0; 3].map(|_| p[i].clone())));
+        let centre = [0, 1].map(|i| sum(t.iter().map(|v| v[i].clone())));
+        let large: Vec<[Point<N>; 2]> = outline.iter().map(|side| side.map(three_times)).collect();
+        let large: Vec<Side<'_, N>> = large.iter().map(|side| side.each_ref()).collect();
+        !outline.iter().any(|&side| pierces(side, t)) && is_inside(&large, &centre)
     }
 
     /// Twice the area within the outline. Chains may run any way, but their areas are nested at most once.
-    fn area(&self, outline: &[Side<'_, BigRational>]) -> BigRational {
+    fn area(&self, outline: &[Side<'_, N>]) -> N {
         if self.chains.is_empty() {
-            return outline.iter().map(|[a, b]| cross(a, b)).sum();
+            return sum(outline.iter().map(|[a, b]| cross(a, b)));
         }
-        let mut area = BigRational::zero();
+        let mut area = N::zero();
         for chain in self.chains {
             let point = |i: usize| &self.points[chain[i % chain.len()]];
-            let mut own: BigRational = (0..chain.len())
-                .map(|i| cross(point(i), point(i + 1)))
-                .sum();
+            let mut own = sum((0..chain.len()).map(|i| cross(point(i), point(i + 1))));
             // A chain within another one is a hole in it.
             let others = self.chains.iter().filter(|&other| other != chain);
             let is_hole = others.into_iter().any(|other| {
@@ -169,18 +169,22 @@ impl Wanted<'_> {
                 };
                 is_inside(&wanted.outline(), point(0))
             });
-            if (own < BigRational::zero()) != is_hole {
+            if own.is_negative() != is_hole {
                 own = -own;
             }
-            area += own;
+            area = area + own;
         }
         area
     }
 }
 
+fn sum<N: Number>(numbers: impl IntoIterator<Item = N>) -> N {
+    numbers.into_iter().fold(N::zero(), |sum, x| sum + x)
+}
+
 /// Whether a point on none of the sides has an odd number of them on its right.
-fn is_inside(outline: &[Side<'_, BigRational>], p: &Exact) -> bool {
-    let is_right = |[a, b]: &&Side<'_, BigRational>| {
+fn is_inside<N: Number>(outline: &[Side<'_, N>], p: &Point<N>) -> bool {
+    let is_right = |[a, b]: &&Side<'_, N>| {
         let [low, high] = if a[1] < b[1] { [a, b] } else { [b, a] };
         low[1] <= p[1] && p[1] < high[1] && orient(low, high, p) == Greater
     };
@@ -188,23 +192,35 @@ fn is_inside(outline: &[Side<'_, BigRational>], p: &Exact) -> bool {
 }
 
 /// Whether a part of the side lies strictly inside a triangle that turns left.
-fn pierces([p, q]: Side<'_, BigRational>, t: Triangle<'_, BigRational>) -> bool {
-    let (mut from, mut to) = (BigRational::zero(), BigRational::one());
+fn pierces<N: Number>([p, q]: Side<'_, N>, t: Triangle<'_, N>) -> bool {
+    // The part of the side over the sides of the triangle, from x / y to x / y of its length, with a positive y.
+    let (mut from, mut to) = ((N::zero(), N::one()), (N::one(), N::one()));
+    let is_less = |one: &(N, N), other: &(N, N)| {
+        one.0.clone() * other.1.clone() < other.0.clone() * one.1.clone()
+    };
     for [a, b] in sides(t) {
         // The height over a-b, at p and its change up to q.
         let along = vector(a, b);
         let (at, change) = (cross(&along, &vector(a, p)), cross(&along, &vector(p, q)));
         if change.is_zero() {
-            if at <= BigRational::zero() {
+            if !at.is_positive() {
                 return false;
             }
-        } else if change > BigRational::zero() {
-            from = from.max(-at / change);
+            continue;
+        }
+        let is_rising = change.is_positive();
+        let place = if is_rising {
+            (-at, change)
         } else {
-            to = to.min(-at / change);
+            (at, -change)
+        };
+        if is_rising && is_less(&from, &place) {
+            from = place;
+        } else if !is_rising && is_less(&place, &to) {
+            to = place;
         }
     }
-    from < to
+    is_less(&from, &to)
 }
 
 /// How deep `d` lies in the circle of three points, by its centre: (r^2 - |d - o|^2) / r^2.

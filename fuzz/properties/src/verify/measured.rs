@@ -2,8 +2,9 @@
 
 use sweep_cdt::verify::{Level, Verifier, Violation, Violations};
 use sweep_cdt_testing::oracle::arrangement::fractions;
-use sweep_cdt_testing::oracle::is_right;
 use sweep_cdt_testing::oracle::refined::{Wanted, depth, height, is_near};
+use sweep_cdt_testing::oracle::{Number, Point, is_right};
+use sweep_cdt_testing::with_integers;
 
 use super::case::{Case, is_defined, is_small};
 
@@ -40,16 +41,20 @@ pub(super) fn judge_added(case: &Case) {
     let own = case.points.len() - case.points.len() / 3;
     let is_own = |edge: &&[usize; 2]| edge.iter().all(|&v| v < own);
     let edges: Vec<[usize; 2]> = case.edges.iter().filter(is_own).copied().collect();
-    let exact = fractions(&case.points);
+    with_integers!(&case.points, |exact| judge_with(case, own, &edges, &exact));
+}
+
+/// With the places of the points as integers.
+fn judge_with<N: Number>(case: &Case, own: usize, edges: &[[usize; 2]], exact: &[Point<N>]) {
     let triangles = case.triangles.iter();
     let triangles: Vec<_> = triangles.map(|t| t.map(|v| exact[v].clone())).collect();
     let wanted = Wanted {
         points: &exact[..own],
-        edges: &edges,
+        edges,
         chains: &[],
     };
     let verifier = Verifier::new().added_from(own);
-    let verdict = verifier.verify(&case.points, &edges, &case.triangles);
+    let verdict = verifier.verify(&case.points, edges, &case.triangles);
     let is_right = wanted.is_met_by(&triangles);
     assert_eq!(
         verdict.is_ok(),
@@ -57,11 +62,8 @@ pub(super) fn judge_added(case: &Case) {
         "{verdict:?} from {own} of {case:?}"
     );
     if let Ok(report) = verdict {
-        assert_eq!(
-            report.split_edges,
-            wanted.split_edges(&triangles),
-            "{case:?}"
-        );
+        let split = wanted.split_edges(&triangles);
+        assert_eq!(report.split_edges, split, "{case:?}");
     }
 }
 

@@ -9,6 +9,8 @@ use sweep_cdt::verify::{Verifier, Violation, Violations};
 use sweep_cdt_testing::boundary;
 use sweep_cdt_testing::oracle::arrangement::{Exact, chains, crossings, fractions};
 use sweep_cdt_testing::oracle::refined::Wanted;
+use sweep_cdt_testing::oracle::{Number, Point};
+use sweep_cdt_testing::with_integers;
 
 use super::case::{Case, is_defined, is_small};
 
@@ -86,11 +88,31 @@ fn judge_within(case: &Case, own: usize, triangles: &[[usize; 3]]) {
     }
     let is_own = |edge: &&[usize; 2]| edge.iter().all(|&v| v < own);
     let edges: Vec<[usize; 2]> = case.edges.iter().filter(is_own).copied().collect();
+    let is_right = with_integers!(&case.points, |exact| fills(
+        &exact, own, &edges, &declared, triangles
+    ));
+    let verifier = Verifier::new().added_from(own).boundary(&declared);
+    let verdict = verifier.verify(&case.points, &edges, triangles);
+    assert_eq!(
+        verdict.is_ok(),
+        is_right,
+        "{verdict:?} within {declared:?} from {own} of {case:?}"
+    );
+}
+
+/// Whether triangles are right within these chains, where the points up to `own` are the input's.
+fn fills<N: Number>(
+    exact: &[Point<N>],
+    own: usize,
+    edges: &[[usize; 2]],
+    chains: &[Vec<usize>],
+    triangles: &[[usize; 3]],
+) -> bool {
     let places = triangles.iter().map(|t| t.map(|v| exact[v].clone()));
     let wanted = Wanted {
         points: &exact[..own],
-        edges: &edges,
-        chains: &declared,
+        edges,
+        chains,
     };
     // An edge may have an end outside of the domain, unless it has no length.
     let is_corner = |v: &usize| {
@@ -100,14 +122,7 @@ fn judge_within(case: &Case, own: usize, triangles: &[[usize; 3]]) {
             .any(|w| exact[*w] == exact[*v])
     };
     let has_corners = |[a, b]: &[usize; 2]| exact[*a] == exact[*b] || is_corner(a) && is_corner(b);
-    let is_right = wanted.is_met_by(&places.collect::<Vec<_>>()) && edges.iter().all(has_corners);
-    let verifier = Verifier::new().added_from(own).boundary(&declared);
-    let verdict = verifier.verify(&case.points, &edges, triangles);
-    assert_eq!(
-        verdict.is_ok(),
-        is_right,
-        "{verdict:?} within {declared:?} from {own} of {case:?}"
-    );
+    wanted.is_met_by(&places.collect::<Vec<_>>()) && edges.iter().all(has_corners)
 }
 
 /// The triangles, with the first of equal points for each corner.

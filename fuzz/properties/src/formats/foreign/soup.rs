@@ -1,7 +1,8 @@
-//! Binary STL: triangles by coordinates of single precision.
+//! STL: triangles by coordinates of single precision, or printed ones.
 //!
-//! What must be read: if all corners are points of the input, these. Else each corner must be one point of the input
-//! rounded to single precision, and no other one; or the file is refused.
+//! What must be read of a binary file: if all corners are points of the input, these. Else each corner must be one point
+//! of the input rounded to single precision, and no other one; or the file is refused. Of a text whose corners are
+//! printed with different numbers of digits: what is one vertex has one place.
 
 use sweep_cdt::{Pslg, triangulate};
 use sweep_cdt_formats::{GraphFile, Matched, ResultFormat, read_result};
@@ -48,6 +49,7 @@ pub(super) fn judge(mut points: Vec<[f64; 2]>, [style, which, height]: [u8; 3]) 
     };
     let is_finite = corners.as_flattened().iter().all(|x| x.is_finite());
     let expected = expected.filter(|_| is_finite);
+    judge_printed(&input, &triangles, style);
     let read = read_result(ResultFormat::Stl, &source(&file), None, &input);
     let found = read.as_ref().ok().map(|read| {
         let list = read.list.as_flattened().iter();
@@ -57,6 +59,30 @@ pub(super) fn judge(mut points: Vec<[f64; 2]>, [style, which, height]: [u8; 3]) 
     let Ok(read) = read else { return };
     let is_equal = read.matched == Matched::Equal;
     assert_eq!(is_equal, is_exact, "{read:?} of {corners:?} for {points:?}");
+}
+
+/// Triangles as text, in which every second one has one more digit.
+fn judge_printed(input: &GraphFile<f64>, triangles: &[[usize; 3]], style: u8) {
+    let digits = 6 + usize::from(style >> 5);
+    let mut places = Vec::new();
+    let mut text = "solid a\n".to_owned();
+    for (t, corners) in triangles.iter().enumerate() {
+        text += "facet normal 0 0 1\nouter loop\n";
+        for &v in corners {
+            let [x, y] = input.graph.points[v].map(|x| format!("{x:.*e}", digits - 1 + t % 2));
+            text += &format!("vertex {x} {y} 0\n");
+            places.push([x, y].map(|x| x.parse::<f64>().expect("a number")));
+        }
+        text += "endloop\nendfacet\n";
+    }
+    text += "endsolid a\n";
+    let read = read_result(ResultFormat::Stl, &source(text.as_bytes()), None, input);
+    let Ok(read) = read else { return };
+    let mut place_of = vec![None; input.graph.points.len()];
+    for (&v, place) in read.list.as_flattened().iter().zip(&places) {
+        let first = *place_of[v].get_or_insert(place);
+        assert_eq!(first, place, "vertex {v} at two places: {text}");
+    }
 }
 
 /// A file; the normals and the two bytes after each triangle mean nothing.
