@@ -11,8 +11,12 @@ use sweep_cdt_testing::oracle::arrangement::{self, Exact, fractions, is_nearest}
 use sweep_cdt_testing::oracle::{Graph, check_answer, found};
 use sweep_cdt_testing::{Input, with_integers};
 
-/// So many edges are split: each may cross all others, and the judge tries everything.
+/// So many edges are listed: each may cross all others.
+const LISTED: usize = 16;
+/// So many edges are split: the judge tries everything.
 const EDGES: usize = 10;
+/// So many edges are split where fractions have hundreds of digits.
+const FAR_EDGES: usize = 4;
 
 /// The outcome of a split in doubles.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,6 +31,7 @@ pub struct Rounded {
 
 /// Panics unless the edges that cross in this input, all of whose coordinates are finite, are listed.
 pub fn judge_listed(Input { points, edges }: &Input) {
+    let edges = &edges[..edges.len().min(LISTED)];
     let found = crossings(points, edges).expect("a valid input");
     let found: Vec<[usize; 2]> = found.iter().map(|crossing| crossing.edges).collect();
     let mut tried = with_integers!(points, |exact| Graph::new(&exact, edges).crossings());
@@ -38,7 +43,8 @@ pub fn judge_listed(Input { points, edges }: &Input) {
 /// rightly, exactly and rounded.
 pub fn judge(input: &Input) -> Rounded {
     let points = &input.points;
-    let edges = &input.edges[..input.edges.len().min(EDGES)];
+    let most = if are_far(points) { FAR_EDGES } else { EDGES };
+    let edges = &input.edges[..input.edges.len().min(most)];
     let exact = fractions(points);
     let crossing = arrangement::crossings(&exact, edges);
     let in_doubles = crossings(points, edges).expect("a valid input");
@@ -77,6 +83,16 @@ pub fn judge(input: &Input) -> Rounded {
         rounds: split.rounds,
         displacement: split.displacement,
     }
+}
+
+/// Whether coordinates are of very different sizes, so that fractions have hundreds of digits.
+fn are_far(points: &[[f64; 2]]) -> bool {
+    let sizes = points.iter().flatten().filter(|x| **x != 0.0);
+    let sizes = sizes.map(|x| x.abs().log2());
+    let (least, most) = sizes.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), size| {
+        (least.min(size), most.max(size))
+    });
+    most - least > 200.0
 }
 
 /// Splits in fractions: the vertices along each edge are all points and crossings on it.
