@@ -7,6 +7,13 @@ import subprocess
 
 # rustc's profiles are read by these versions of LLVM.
 VERSIONS = range(30, 18, -1)
+# So many bytes are needed: the targets take a third, corpora and the program that counts the rest.
+SPACE = 3e9
+
+
+def free(folder):
+    """The bytes that are free where a folder is."""
+    return shutil.disk_usage(folder).free
 
 
 def _answer(*command):

@@ -13,7 +13,7 @@ class Campaigns(unittest.TestCase):
     def test_every_target_has_its_share_and_the_time_is_kept(self):
         names = [f"target_{i}" for i in range(5)]
         with Workplace(*names) as place:
-            status, text = place.run("--minutes", "0.1", "--jobs", "2")
+            status, text = place.run("--minutes", "0.1", "--jobs", "2", "--coverage")
             self.assertEqual(status, 0, text)
             self.assertEqual({name for name, _ in place.slices()}, set(names))
             self.assertRegex(text, "fuzzing 0:0[567]")
@@ -28,6 +28,8 @@ class Campaigns(unittest.TestCase):
             self.assertRegex(text, "fuzzing 0:0[3-6]")
             self.assertEqual([name for name, _ in place.slices()], ["loading", "other"])
             self.assertRegex(place.report(), r"\| loading \| 0:02 \| 100 \|")
+            self.assertIn("Not measured: `--coverage` was not asked for", place.report())
+            self.assertNotIn("building the program", text)
 
     def test_a_slow_input_is_no_finding_and_does_not_hide_one(self):
         with Workplace("slow", "other") as place:
@@ -87,7 +89,7 @@ class Campaigns(unittest.TestCase):
 
     def test_interrupted_at_the_coverage_it_does_not_go_on_with_other_targets(self):
         with Workplace("first", "second", "third") as place:
-            process = place.start("--minutes", "0", "--jobs", "1", FAKE_COVERING="5")
+            process = place.start("--minutes", "0", "--jobs", "1", "--coverage", FAKE_COVERING="5")
             while process.poll() is None and not (place.log.exists() and "covering" in place.log.read_text()):
                 time.sleep(0.05)
             process.send_signal(signal.SIGINT)
@@ -103,6 +105,17 @@ class Campaigns(unittest.TestCase):
             self.assertIn("rustup toolchain install nightly", text)
             self.assertIn("cargo install cargo-fuzz", text)
             self.assertFalse(place.log.exists())
+
+    def test_a_check_tells_and_runs_nothing(self):
+        with Workplace("other") as place:
+            status, text = place.run("--check", "--minutes", "5", "--jobs", "3")
+            self.assertEqual(status, 0, text)
+            self.assertRegex(text, r"all tools are there; [\d.]+ GB of disk are free, 3 are needed\n5 minutes of fuzzing")
+            self.assertIn("3 processes at a time", text)
+            self.assertFalse(place.log.exists() or place.out.exists())
+            status, text = place.run("--check", FAKE_MISSING="fuzz --version")
+            self.assertEqual(status, 2, text)
+            self.assertIn("cargo install cargo-fuzz", text)
 
 
 if __name__ == "__main__":

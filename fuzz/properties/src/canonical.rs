@@ -27,7 +27,7 @@ use sweep_cdt_testing::{Input, generators};
 /// Something that must not change the answer, done to an input with this answer.
 type Way = fn(&Input, Option<&Answer>, &mut Random);
 
-const WAYS: [Way; 11] = [
+const WAYS: [Way; 12] = [
     judge_heuristics,
     |input, here, _| judge_algorithms(input, here),
     |input, here, _| judge_kept_memory(input, here),
@@ -39,6 +39,7 @@ const WAYS: [Way; 11] = [
     judge_sides,
     judge_bands,
     |input, _, _| judge_ring(input),
+    |input, _, random| judge_tangle(input, random),
 ];
 
 /// So many ways are gone for one input of a fuzzer, chosen by its bytes: it comes back with other choices before all
@@ -175,6 +176,20 @@ fn judge_ring(Input { points, .. }: &Input) {
         inside(FillRule::Negative(&back)),
     ];
     assert_eq!(found, expected, "which way round");
+}
+
+/// The inside alone of a ring through some of the points in any order, most of which cross themselves: the same
+/// triangles, or the same error.
+fn judge_tangle(Input { points, .. }: &Input, random: &mut Random) {
+    let mut corners = order(points.len(), random);
+    corners.truncate(3 + random.below(6));
+    let next = corners.iter().cycle().skip(1);
+    let ring: Vec<[usize; 2]> = corners.iter().zip(next).map(|(&v, &w)| [v, w]).collect();
+    judge_rules(points, &ring);
+    // Without the other points it is simple more often.
+    let alone: Vec<[f64; 2]> = corners.iter().map(|&v| points[v]).collect();
+    let sides = (0..alone.len()).map(|v| [v, (v + 1) % alone.len()]);
+    judge_rules(&alone, &sides.collect::<Vec<_>>());
 }
 
 /// A ring that goes from the leftmost point to the rightmost below the line between them, and back above it.

@@ -3,15 +3,16 @@
 
 use std::collections::BTreeSet;
 
-use num_rational::BigRational;
 use sweep_cdt::interior::locate_seeds;
 use sweep_cdt::verify::{Regions, Report, Verifier, Violation, Violations};
 use sweep_cdt::{Error, triangulate};
 
 use sweep_cdt_testing::boundary;
-use sweep_cdt_testing::oracle::arrangement::fractions;
 use sweep_cdt_testing::oracle::refined::Wanted;
-use sweep_cdt_testing::oracle::{canonical, check, crosses, firm_sides, is_right, sorted};
+use sweep_cdt_testing::oracle::{
+    Number, Point, canonical, check, crosses, firm_sides, is_right, sorted,
+};
+use sweep_cdt_testing::with_integers;
 
 /// The case that is verified.
 #[derive(Debug, Default)]
@@ -260,6 +261,24 @@ pub(super) fn judge_unused(case: &Case, hull: &[usize]) {
     assert_eq!(list, [Violation::UnusedPoint { vertex }], "of {case:?}");
 }
 
+/// The attributes that triangles must have: each seed lies in the middle of a triangle.
+fn attributes<N: Number>(exact: &[Point<N>], case: &Case, seeds: &[(usize, f64)]) -> Vec<f64> {
+    // The sum of three corners is their middle in a plane three times as large.
+    let sum = |[a, b, c]: [&N; 3]| a.clone() + b.clone() + c.clone();
+    let middle = |corners: [usize; 3]| [0, 1].map(|i| sum(corners.map(|v| &exact[v][i])));
+    let large: Vec<Point<N>> = (0..exact.len()).map(|v| middle([v; 3])).collect();
+    let wanted = Wanted {
+        points: &large,
+        edges: &case.edges,
+        chains: &[],
+    };
+    let places = case.triangles.iter().map(|t| t.map(|v| large[v].clone()));
+    let seeds = seeds
+        .iter()
+        .map(|&(t, attribute)| (middle(case.triangles[t]), attribute));
+    wanted.attributes(&places.collect::<Vec<_>>(), &seeds.collect::<Vec<_>>())
+}
+
 /// Panics unless the triangles of a right answer must have the attributes of the faces in which the first and the last
 /// triangle lie, and no others; and unless points are found in triangles that have them for corners.
 pub(super) fn judge_regions(case: &Case) {
@@ -272,22 +291,7 @@ pub(super) fn judge_regions(case: &Case) {
         return;
     }
     let seeds = [(0, 1.0), (triangles.len() - 1, 2.0)];
-    let exact = fractions(points);
-    let wanted = Wanted {
-        points: &exact,
-        edges,
-        chains: &[],
-    };
-    let places: Vec<_> = triangles
-        .iter()
-        .map(|t| t.map(|v| exact[v].clone()))
-        .collect();
-    let third = |corners: &[_; 3], i: usize| -> BigRational {
-        let sum: BigRational = corners.iter().map(|p: &[BigRational; 2]| &p[i]).sum();
-        sum / BigRational::from_integer(3.into())
-    };
-    let middles = seeds.map(|(t, attribute)| ([0, 1].map(|i| third(&places[t], i)), attribute));
-    let mut attributes = wanted.attributes(&places, &middles);
+    let mut attributes = with_integers!(points, |exact| attributes(&exact, case, &seeds));
     let verify = |attributes: &[f64]| {
         let regions = Regions {
             attributes,
