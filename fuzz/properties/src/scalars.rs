@@ -72,7 +72,10 @@ fn judge(input: &Input, steps: &Steps, scalar: u8, number: usize) {
             }
         }
         7 => {
-            if let Some(stretched) = stretched(&whole, i64::MIN, u64::MAX) {
+            // All of the range, or a part of it where integers have some bits more than doubles.
+            let ranges = [(-(1 << 60), (1 << 61) - 1), (i64::MIN, u64::MAX)];
+            let (least, range) = ranges[number % 2];
+            if let Some(stretched) = stretched(&whole, least, range) {
                 assert_same(&stretched, edges, expected, "i64, stretched");
             }
             if let Some(stretched) = stretched(&whole, i128::MIN, u128::MAX) {
