@@ -7,13 +7,14 @@
 //! [`check`](sweep_cdt_testing::oracle::check) has passed decides which triangles are right. Neither shares
 //! code with the verifier. What the verifier calls canonical must be the sweep's answer. Its options must
 //! not change its verdict, levels are what they say, and faults are as deep as fractions say. The last points may be
-//! vertices that the input lacks, also on the sides of a declared domain. Holes, other domains and regions are declared
-//! in a right answer. Some bytes are a result whose vertices have moved.
+//! vertices that the input lacks, also on the sides of a declared domain. Holes, other domains, by each rule and
+//! from polygons, and regions are declared in a right answer. Some bytes are a result whose vertices have moved.
 
 mod case;
 mod measured;
 mod moved;
 mod outline;
+mod rules;
 mod shown;
 
 use arbitrary::{Result, Unstructured};
@@ -246,6 +247,7 @@ fn judge(case: &Case, in_parallel: bool) {
                 check_list(case, &verdict);
             }
             judge_part(case);
+            rules::judge(case);
             judge_unused(case, &hull);
             judge_regions(case);
         }

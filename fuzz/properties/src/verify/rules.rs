@@ -1,0 +1,100 @@
+//! Domains by every rule in a right answer, whose triangles are the rings: the triangles inside are known beforehand, and
+//! so is what the verifier must say of them in the domain that they bound.
+
+use sweep_cdt::Triangulation;
+use sweep_cdt::interior::{FillRule, Interior, Ring};
+use sweep_cdt::triangulate;
+use sweep_cdt::verify::Verifier;
+use sweep_cdt_testing::oracle::canonical;
+
+use super::case::Case;
+
+/// How often, and which way, edges go round the triangles in turn: counter-clockwise is positive.
+const WINDINGS: [i32; 7] = [1, -1, 0, 2, 0, -2, 1];
+
+/// A rule, and whether what rings go round so often is inside by it.
+type Rule<'a> = (FillRule<'a>, fn(i32) -> bool);
+
+/// The triangles of a right answer without edges, of which some are rings.
+pub(super) fn judge(case: &Case) {
+    if !case.edges.is_empty() || case.triangles.is_empty() {
+        return;
+    }
+    judge_windings(case);
+    judge_polygons(case);
+}
+
+fn judge_windings(case: &Case) {
+    let winding = |t: usize| WINDINGS[t % WINDINGS.len()];
+    let mut edges = Vec::new();
+    for (t, &[a, b, c]) in case.triangles.iter().enumerate() {
+        let ring = match winding(t) > 0 {
+            true => [[a, b], [b, c], [c, a]],
+            false => [[a, c], [c, b], [b, a]],
+        };
+        (0..winding(t).abs()).for_each(|_| edges.extend(ring));
+    }
+    let result = triangulate(&case.points, &edges).expect("sides do not cross");
+    let rules: [Rule<'_>; 5] = [
+        (FillRule::EvenOdd, |winding| winding % 2 != 0),
+        (FillRule::NonZero(&edges), |winding| winding != 0),
+        (FillRule::Positive(&edges), |winding| winding > 0),
+        (FillRule::Negative(&edges), |winding| winding < 0),
+        (FillRule::AtLeast(&edges, 2), |winding| winding.abs() >= 2),
+    ];
+    for (rule, is_inside) in rules {
+        let domain = result.interior(rule).expect("closed rings");
+        judge_domain(case, &result, &domain, |t| is_inside(winding(t)));
+    }
+}
+
+/// A polygon for each two triangles in turn, of which the second one is a hole, too; of the third there is nothing.
+fn judge_polygons(case: &Case) {
+    let (mut edges, mut rings, mut ring_of) = (Vec::new(), Vec::new(), Vec::new());
+    for (t, &[a, b, c]) in case.triangles.iter().enumerate() {
+        for is_hole in [false, true].into_iter().take(t % 3) {
+            let polygon = u32::try_from(t / 3).expect("few triangles");
+            edges.extend([[a, b], [b, c], [c, a]]);
+            ring_of.extend([Some(rings.len()); 3]);
+            rings.push(Ring { polygon, is_hole });
+        }
+    }
+    let result = triangulate(&case.points, &edges).expect("sides do not cross");
+    let domain = result.interior_of_polygons(&rings, &ring_of);
+    let domain = domain.expect("closed rings");
+    judge_domain(case, &result, &domain, |t| t % 3 == 1);
+}
+
+/// Panics unless these triangles are inside, and the verifier accepts them and no others in the domain that they bound.
+fn judge_domain(
+    case: &Case,
+    result: &Triangulation,
+    domain: &Interior<'_>,
+    is_inside: impl Fn(usize) -> bool,
+) {
+    let mut expected = case.triangles.clone();
+    let mut at = 0..;
+    expected.retain(|_| at.next().is_some_and(&is_inside));
+    let found: Vec<[usize; 3]> = domain.inside().map(|t| result.triangle(t)).collect();
+    assert_eq!(
+        canonical(result, &found),
+        canonical(result, &expected),
+        "inside {case:?}"
+    );
+    let chains = domain.boundary();
+    if found.is_empty() {
+        assert!(chains.is_empty(), "{chains:?} around nothing");
+        return;
+    }
+    let verifier = Verifier::new().boundary(&chains);
+    let is_right = |triangles: &[[usize; 3]]| verifier.verify(&case.points, &[], triangles).is_ok();
+    assert!(is_right(&found), "the inside within {chains:?} of {case:?}");
+    assert!(
+        !is_right(&found[1..]),
+        "a part within {chains:?} of {case:?}"
+    );
+    if found.len() < result.len() {
+        let all: Vec<[usize; 3]> = result.triangles().collect();
+        assert!(!is_right(&all), "the hull within {chains:?} of {case:?}");
+    }
+}
