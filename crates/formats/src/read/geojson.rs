@@ -269,7 +269,7 @@ impl Raised {
         let members = members.unwrap_or_default();
         let asked = source.height_property.as_deref();
         let rank_of = |(name, value): &(String, &RawValue)| match asked {
-            Some(asked) => (name == asked).then_some(0),
+            Some(asked) => (name == asked).then_some((0, false)),
             None => rank(&HEIGHTS, name).filter(|_| is_number(value)),
         };
         let ranks = members.iter().enumerate();

@@ -1,6 +1,7 @@
 //! What columns and properties are usually called.
 //!
-//! A name is looked for in any case and without its unit: `Elev (m)` and `elev_m` are `elev`.
+//! A name is looked for in any case and without its unit: `Elev (m)` and `elev_m` are `elev`. A name without a unit is
+//! better than one with it, so that `x` beside `x_ft` is x.
 
 /// The usual names of heights, the better ones first.
 pub(super) const HEIGHTS: [&str; 15] = [
@@ -24,17 +25,20 @@ pub(super) const HEIGHTS: [&str; 15] = [
 /// The units that may end a name.
 const UNITS: [&str; 7] = ["m", "ft", "meter", "meters", "metres", "feet", "masl"];
 
-/// Which of these names, in lower case, a name is.
-pub(super) fn rank(known: &[&str], name: &str) -> Option<usize> {
+/// Which of these names, in lower case, a name is, and whether it has a unit. The lowest rank is the best.
+pub(super) fn rank(known: &[&str], name: &str) -> Option<(usize, bool)> {
     let name = name.to_lowercase();
-    let bracket = name.find(['(', '[']).filter(|&at| at > 0);
-    let name = name[..bracket.unwrap_or(name.len())].trim();
     let place = |name: &str| known.iter().position(|&known| known == name);
+    let bracket = name.find(['(', '[']).filter(|&at| at > 0);
+    let plain = name[..bracket.unwrap_or(name.len())].trim();
     let without_unit = || {
-        let (name, unit) = name.rsplit_once(['_', ' '])?;
-        place(name.trim_end()).filter(|_| UNITS.contains(&unit))
+        let (plain, unit) = plain.rsplit_once(['_', ' '])?;
+        place(plain.trim_end()).filter(|_| UNITS.contains(&unit))
     };
-    place(name).or_else(without_unit)
+    match place(plain) {
+        Some(place) => Some((place, bracket.is_some())),
+        None => without_unit().map(|place| (place, true)),
+    }
 }
 
 #[cfg(test)]
@@ -43,8 +47,11 @@ mod tests {
 
     #[test]
     fn a_unit_is_no_part_of_a_name() {
-        for name in ["elev", "Elev", "ELEV_M", "elev (m)", "Elev[ft]", "elev ft"] {
-            assert_eq!(rank(&HEIGHTS, name), Some(2), "{name}");
+        for name in ["elev", "Elev", " elev "] {
+            assert_eq!(rank(&HEIGHTS, name), Some((2, false)), "{name}");
+        }
+        for name in ["ELEV_M", "elev (m)", "Elev[ft]", "elev ft"] {
+            assert_eq!(rank(&HEIGHTS, name), Some((2, true)), "{name}");
         }
         for name in ["m", "elev_x", "elevator", "_m", "(z)", ""] {
             assert_eq!(rank(&HEIGHTS, name), None, "{name}");

@@ -76,11 +76,11 @@ pub(super) fn read(source: &Source) -> Result<Edges<'_>, ReadError> {
         }
     };
     let mut remarks = Remarks::default();
-    let header = match &source.height_property {
-        Some(name) => header.with_height(name, &mut remarks),
-        None => header,
+    let z = match &source.height_property {
+        Some(name) => header.asked(name, &mut remarks),
+        None => header.z().map_err(error)?,
     };
-    let mut table = Table::new(source, line, header);
+    let mut table = Table::new(source, line, header, z);
     if !is_header {
         table.add(line, &fields)?;
     }
@@ -119,50 +119,55 @@ struct Header {
     names: Vec<String>,
     x: usize,
     y: usize,
-    z: Option<usize>,
+    /// The columns with the best name of a height.
+    heights: Vec<usize>,
 }
 
 impl Header {
     /// The header that a row is, if it names x and y.
     fn of(fields: &[&[u8]]) -> Result<Option<Header>, String> {
-        let names: Vec<String> = fields.iter().map(|name| text(name)).collect();
-        // The column of the best of these names, and whether another one has it, too.
-        let place = |known: &[&str]| {
+        let mut names: Vec<String> = fields.iter().map(|name| text(name)).collect();
+        // The columns with the best of these names.
+        let places = |known: &[&str]| {
             let ranks = names.iter().map(|name| rank(known, name));
-            let ranks: Vec<Option<usize>> = ranks.collect();
-            let best = ranks.iter().flatten().min()?;
-            let mut found = (0..names.len()).filter(|&at| ranks[at] == Some(*best));
-            Some((found.next()?, found.next().is_some()))
+            let ranks: Vec<Option<(usize, bool)>> = ranks.collect();
+            let best = ranks.iter().flatten().min();
+            let is_best = |at: &usize| best.is_some() && ranks[*at].as_ref() == best;
+            (0..names.len()).filter(is_best).collect::<Vec<usize>>()
         };
-        let pair = |[x, y]: &[&[&str]; 2]| Some([place(x)?, place(y)?]);
-        let Some([x, y]) = PLACES.iter().find_map(pair) else {
+        let mut pairs = PLACES.iter().map(|pair| pair.map(places));
+        let Some([x, y]) = pairs.find(|pair| pair.iter().all(|places| !places.is_empty())) else {
             return Ok(None);
         };
-        let z = place(&HEIGHTS);
-        for (at, is_repeated) in [x, y].into_iter().chain(z) {
-            if is_repeated {
-                let message = format!("two columns are called `{}`: rename one", names[at]);
-                return Err(message);
-            }
-        }
+        let [x, y] = [only(&x, "x", &names)?, only(&y, "y", &names)?];
+        let heights = places(&HEIGHTS);
         let end = fields.iter().rposition(|field| !field.is_empty());
+        names.truncate(end.map_or(0, |end| end + 1));
         Ok(Some(Header {
-            names: names[..end.map_or(0, |end| end + 1)].to_vec(),
-            x: x.0,
-            y: y.0,
-            z: z.map(|(z, _)| z),
+            names,
+            x,
+            y,
+            heights,
         }))
     }
 
-    /// With the column of this name for the height, if there is one beside x and y, whatever other names there are.
-    fn with_height(self, name: &str, remarks: &mut Remarks) -> Header {
+    /// The column of the height by its name, if there is one.
+    fn z(&self) -> Result<Option<usize>, String> {
+        match self.heights[..] {
+            [] => Ok(None),
+            _ => only(&self.heights, "the height", &self.names).map(Some),
+        }
+    }
+
+    /// The column of the height that is asked for by its name, if there is one beside x and y.
+    fn asked(&self, name: &str, remarks: &mut Remarks) -> Option<usize> {
         let is_asked = |&at: &usize| at != self.x && at != self.y && self.names[at] == name;
         let z = (0..self.names.len()).find(is_asked);
         if z.is_none() {
             let name = name.to_owned();
             remarks.add(Remark::HeightProperty { name, count: 0 });
         }
-        Header { z, ..self }
+        z
     }
 
     /// The columns of a file without names, by its first row: x, y, and z if there are three of numbers.
@@ -172,8 +177,26 @@ impl Header {
             names: vec![String::new(); first.len()],
             x: 0,
             y: 1,
-            z: first.get(2).filter(is_height).map(|_| 2),
+            heights: first
+                .get(2)
+                .filter(is_height)
+                .map(|_| 2)
+                .into_iter()
+                .collect(),
         }
+    }
+}
+
+/// The only one of the columns that may be x, y or the height.
+fn only(columns: &[usize], what: &str, names: &[String]) -> Result<usize, String> {
+    match columns {
+        [one, other, ..] => {
+            let [one, other] = [one, other].map(|&at| quoted(names[at].as_bytes()));
+            Err(format!(
+                "the columns {one} and {other} may both be {what}: rename one"
+            ))
+        }
+        _ => Ok(columns[0]),
     }
 }
 
@@ -212,6 +235,8 @@ struct Table<'a> {
     /// The line of the first row.
     first_line: usize,
     header: Header,
+    /// The column of the height.
+    z: Option<usize>,
     coordinates: Vec<[&'a [u8]; 2]>,
     /// The fields of each column but x and y, as long as they are numbers or missing.
     columns: Vec<Option<Vec<&'a [u8]>>>,
@@ -220,7 +245,7 @@ struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    fn new(source: &'a Source, first_line: usize, header: Header) -> Table<'a> {
+    fn new(source: &'a Source, first_line: usize, header: Header, z: Option<usize>) -> Table<'a> {
         let is_column = |at: usize| at != header.x && at != header.y;
         let columns = (0..header.names.len()).map(|at| is_column(at).then(Vec::new));
         Table {
@@ -228,6 +253,7 @@ impl<'a> Table<'a> {
             first_line,
             columns: columns.collect(),
             header,
+            z,
             coordinates: Vec::new(),
             left_out: 0,
         }
@@ -261,7 +287,7 @@ impl<'a> Table<'a> {
         self.coordinates.push([field(x), field(y)]);
         for (at, column) in self.columns.iter_mut().enumerate() {
             let field = field(at);
-            let is_height = self.header.z == Some(at);
+            let is_height = self.z == Some(at);
             match column {
                 Some(column) if is_missing(field) => column.push(b""),
                 Some(column) if is_height || is_double(field) => column.push(field),
@@ -273,7 +299,7 @@ impl<'a> Table<'a> {
 
     /// The points with the columns that have any numbers; others are ignored.
     fn vertices(self, remarks: &mut Remarks) -> Vertices<'a> {
-        let Table { header, .. } = self;
+        let Table { header, z, .. } = self;
         let mut seen: HashMap<String, usize> = HashMap::new();
         let mut fields: Vec<Field<'a>> = Vec::new();
         for (at, (name, pieces)) in header.names.into_iter().zip(self.columns).enumerate() {
@@ -285,7 +311,7 @@ impl<'a> Table<'a> {
                 continue;
             };
             let name = match name.as_str() {
-                _ if header.z == Some(at) => Column::HEIGHT.to_owned(),
+                _ if z == Some(at) => Column::HEIGHT.to_owned(),
                 "" => format!("column{}", at + 1),
                 _ => name,
             };

@@ -43,8 +43,9 @@ impl Source {
     }
 
     /// Names the property of a feature that is the height of its positions, whatever their third coordinates, or the
-    /// column of points as text. Of a `GeoJSON`, `.csv`, `.xyz` or `.txt` alone. Without a call a number is found by its
-    /// usual names, `elev` or `height` for instance, of features for points and lines alone; [`Remark::HeightProperty`](crate::Remark::HeightProperty) says which.
+    /// column of points as text. Other formats have neither. Without a call a number is found by its usual names, `elev`
+    /// or `height` for instance, of features for points and lines alone;
+    /// [`Remark::HeightProperty`](crate::Remark::HeightProperty) says which.
     #[must_use]
     pub fn height_property(mut self, name: impl Into<String>) -> Source {
         self.height_property = Some(name.into());

@@ -165,11 +165,11 @@ fn wrong_rows_are_named() {
     );
     assert_refused(
         "x,y,X\n1,2,3\n",
-        "file:1: two columns are called `x`: rename one",
+        "file:1: the columns `x` and `X` may both be x: rename one",
     );
     assert_refused(
         "x,y,h,h\n1,2,3,4\n",
-        "file:1: two columns are called `h`: rename one",
+        "file:1: the columns `h` and `h` may both be the height: rename one",
     );
     assert_refused(
         "1,2\n3,4,5\n",
@@ -221,6 +221,27 @@ fn heights_are_in_the_column_that_is_asked_for() {
         let name = name.to_owned();
         assert_eq!(remarks, [Remark::HeightProperty { name, count: 0 }]);
     }
+}
+
+/// A column without a unit is x, y or the height, whatever columns with units stand beside it; of two with units none is.
+#[test]
+fn names_with_units_stand_beside_names_without() {
+    let both = "x_ft,x,y,y_ft,elev_m,z\n9,1,2,8,7,3\n";
+    let (points, columns) = table(both);
+    assert_eq!(points, [[1.0, 2.0]]);
+    assert_eq!(columns, "z[3.0] x_ft[9.0] y_ft[8.0] elev_m[7.0]");
+    let two = "x,y,elev_m,elev_ft\n1,2,3,9\n";
+    assert_refused(
+        two,
+        "file:1: the columns `elev_m` and `elev_ft` may both be the height: rename one",
+    );
+    let source = Source::new("file", two).height_property("elev_ft");
+    let Ok(Input::Doubles(file)) = read(InputFormat::Csv, &source, None) else {
+        panic!("doubles");
+    };
+    let names: Vec<&str> = file.columns.iter().map(|column| &column.name[..]).collect();
+    assert_eq!(names, ["z", "elev_m"]);
+    assert_eq!(file.columns[0].values, [9.0]);
 }
 
 /// Short rows of a wide table would take the square of the file's size.
