@@ -11,9 +11,10 @@ VERSIONS = range(30, 18, -1)
 SPACE = 3e9
 
 
-def free(folder):
-    """The bytes that are free where a folder is."""
-    return shutil.disk_usage(folder).free
+def space(folder):
+    """Whether enough bytes are free where a folder is, and what to say of it."""
+    free = shutil.disk_usage(folder).free
+    return free >= SPACE, f"{free / 1e9:.1f} GB of disk are free, {SPACE / 1e9:.0f} are needed"
 
 
 def _answer(*command):

@@ -1,13 +1,14 @@
-"""The plan shares the time out, seeds are unpacked, and libFuzzer's words are read."""
+"""The plan shares the time out, seeds are unpacked, the disk is looked at, and libFuzzer's words are read."""
 
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from campaigns import libfuzzer, plan, seeds
+from campaigns import libfuzzer, plan, seeds, tools
 
 
 class Plans(unittest.TestCase):
@@ -55,6 +56,17 @@ class Seeds(unittest.TestCase):
                 contents = [file.read_bytes() for file in files]
                 self.assertEqual(contents, sorted(set(contents)), "as `pack` sorts them")
                 self.assertLessEqual(max(map(len, contents)), length)
+
+
+class Space(unittest.TestCase):
+    """How much of the disk is free."""
+
+    def test_too_little_space_is_told(self):
+        for needed, is_enough in [(1e6, True), (7e18, False)]:
+            with unittest.mock.patch.object(tools, "SPACE", needed):
+                has_space, text = tools.space(".")
+            self.assertEqual(has_space, is_enough)
+            self.assertRegex(text, rf"^[\d.]+ GB of disk are free, {needed / 1e9:.0f} are needed$")
 
 
 class Words(unittest.TestCase):

@@ -1,10 +1,11 @@
 //! An input has one triangulation, and what must not change it does not.
 //!
-//! The input is triangulated again by divide and conquer; in bands; with other heuristics; scaled by a power of two, and moved, both
-//! exactly; in another order of points, edges and ends; and with sides of the result as further edges:
-//! the answer is the same. The inside alone is the inside of the whole. Mirrored or turned by 90 degrees, the rule for
-//! four vertices on a circle draws other diagonals, but all other sides are the same. Where edges cross, every one of
-//! these says so.
+//! The input is triangulated again by divide and conquer; in bands; in memory that was kept; with other heuristics;
+//! scaled by a power of two, and moved, both exactly; in another order of points, edges and ends; and with sides of the
+//! result as further edges: the answer is the same. Mirrored or turned by 90 degrees, the rule for four vertices on a
+//! circle draws other diagonals, but all other sides are the same. Where edges cross, every one of these says so. The
+//! inside alone is the inside of the whole: of the edges, of a ring through all points, and of one through some of them
+//! in any order. A fuzzer's bytes choose [`CHOSEN`] of these ways.
 //!
 //! The judge is the crate itself, which takes other ways on the other input: filters fail elsewhere, other
 //! sides are flipped, left and right change places. The oracle, which shares no code with the crate, says
@@ -24,7 +25,7 @@ use sweep_cdt_testing::oracle::{
 use sweep_cdt_testing::runs::ALGORITHMS;
 use sweep_cdt_testing::{Input, generators};
 
-/// Something that must not change the answer, done to an input with this answer.
+/// A way that must lead to the same answer: panics unless it does, from an input with this answer.
 type Way = fn(&Input, Option<&Answer>, &mut Random);
 
 const WAYS: [Way; 12] = [
@@ -42,8 +43,8 @@ const WAYS: [Way; 12] = [
     |input, _, random| judge_tangle(input, random),
 ];
 
-/// So many ways are gone for one input of a fuzzer, chosen by its bytes: it comes back with other choices before all
-/// ways would be gone.
+/// How many ways are tried with an input of a fuzzer, which tries other ways with the next one: more inputs find a fault
+/// sooner than more ways.
 const CHOSEN: usize = 3;
 
 /// The property for the choices and the input that the bytes stand for.
@@ -53,16 +54,16 @@ pub fn test(bytes: &[u8]) {
     let mut random = Random::new(choices);
     let mut ways = WAYS;
     random.shuffle(&mut ways);
-    go(&input, &ways[..CHOSEN], &mut random);
+    try_ways(&input, &ways[..CHOSEN], &mut random);
 }
 
 /// Panics unless the result for this input, all of whose coordinates are finite, is the same in all the
 /// ways that follow from `choices`.
 pub fn judge(input: &Input, choices: u64) {
-    go(input, &WAYS, &mut Random::new(choices));
+    try_ways(input, &WAYS, &mut Random::new(choices));
 }
 
-fn go(input: &Input, ways: &[Way], random: &mut Random) {
+fn try_ways(input: &Input, ways: &[Way], random: &mut Random) {
     let here = answer(input);
     for way in ways {
         way(input, here.as_ref(), random);
@@ -153,12 +154,12 @@ fn judge_kept_memory(Input { points, edges }: &Input, here: Option<&Answer>) {
     }
 }
 
-/// The inside alone is the inside of the whole, and of a ring so are polygons.
+/// The inside of a ring that runs counter-clockwise, by every rule and as a polygon.
 fn judge_ring(Input { points, .. }: &Input) {
     let ring = ring(points);
     judge_polygons(points, &ring);
     judge_rules(points, &ring);
-    // It runs counter-clockwise, and then the other way.
+    // Of the ring run the other way, positive and negative change places.
     let back: Vec<[usize; 2]> = ring.iter().map(|&[v, w]| [w, v]).collect();
     let Ok(result) = triangulate(points, &ring) else {
         return;
@@ -178,8 +179,7 @@ fn judge_ring(Input { points, .. }: &Input) {
     assert_eq!(found, expected, "which way round");
 }
 
-/// The inside alone of a ring through some of the points in any order, most of which cross themselves: the same
-/// triangles, or the same error.
+/// The inside of a ring through some of the points in any order. Most such rings cross themselves.
 fn judge_tangle(Input { points, .. }: &Input, random: &mut Random) {
     let mut corners = order(points.len(), random);
     corners.truncate(3 + random.below(6));
@@ -209,7 +209,7 @@ fn ring(points: &[[f64; 2]]) -> Vec<[usize; 2]> {
     corners.iter().zip(next).map(|(&v, &w)| [v, w]).collect()
 }
 
-/// The inside alone is the inside of the whole, by each rule.
+/// The inside alone is the inside of the whole by each rule: the same triangles, or the same error.
 fn judge_rules(points: &[[f64; 2]], edges: &[[usize; 2]]) {
     let mut session = Triangulator::new().session();
     let whole = triangulate(points, edges).map_err(|error| InteriorError::Refused { error });

@@ -15,7 +15,7 @@ use crate::file::File;
 use crate::reached;
 use sweep_cdt_testing::{Input, Random, Steps, generators};
 
-/// Of so many structures an input has one: a fuzzer comes back to an input with other choices.
+/// One in so many structures is tried with an input of a fuzzer, which tries others with the next one.
 const CHOSEN: usize = 4;
 
 /// The property for the choices and the input, or the changes of a front, that the bytes stand for.

@@ -14,7 +14,7 @@ use sweep_cdt_testing::{Input, generators};
 
 /// Up to this many points the answer is built from its definition.
 const BY_DEFINITION: usize = 6;
-/// Of so many inputs whose edges cross one has them split.
+/// One in so many inputs has its edges split where they cross.
 const SPLIT: u64 = 4;
 
 /// The property for the input that the bytes stand for.

@@ -140,8 +140,8 @@ pub(crate) struct ReadingArgs {
     faces: bool,
 
     /// The property of the features of a .geojson that is the height of their positions, or the column of a .csv, .xyz or
-    /// .txt [default: z, elev, height and such names; in a .geojson where there is no third coordinate, if it is a number,
-    /// for points and lines]
+    /// .txt [default: the first of z, elevation, elev, height and such names; of a .geojson for points and lines without a
+    /// third coordinate]
     #[arg(long, value_name = "NAME")]
     height_property: Option<String>,
 

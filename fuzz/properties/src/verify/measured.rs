@@ -44,7 +44,7 @@ pub(super) fn judge_added(case: &Case) {
     with_integers!(&case.points, |exact| judge_with(case, own, &edges, &exact));
 }
 
-/// With the places of the points as integers.
+/// [`judge_added`] with the coordinates as integers: the points up to `own` are the input's.
 fn judge_with<N: Number>(case: &Case, own: usize, edges: &[[usize; 2]], exact: &[Point<N>]) {
     let triangles = case.triangles.iter();
     let triangles: Vec<_> = triangles.map(|t| t.map(|v| exact[v].clone())).collect();

@@ -1,5 +1,5 @@
-//! Domains by every rule in a right answer, whose triangles are the rings: the triangles inside are known beforehand, and
-//! so is what the verifier must say of them in the domain that they bound.
+//! The inside by every rule, and of polygons. The rings run round triangles of a right answer, so that it is known which
+//! triangles are inside; the verifier must accept these in the domain that they bound, and no others.
 
 use sweep_cdt::Triangulation;
 use sweep_cdt::interior::{FillRule, Interior, Ring};
@@ -9,13 +9,13 @@ use sweep_cdt_testing::oracle::canonical;
 
 use super::case::Case;
 
-/// How often, and which way, edges go round the triangles in turn: counter-clockwise is positive.
+/// How often rings run round the triangles, which take these numbers in turn; clockwise is negative.
 const WINDINGS: [i32; 7] = [1, -1, 0, 2, 0, -2, 1];
 
-/// A rule, and whether what rings go round so often is inside by it.
+/// A rule, and whether it counts as inside what rings run round so often.
 type Rule<'a> = (FillRule<'a>, fn(i32) -> bool);
 
-/// The triangles of a right answer without edges, of which some are rings.
+/// Panics unless the inside of rings round triangles of this right answer is right. With edges nothing is judged.
 pub(super) fn judge(case: &Case) {
     if !case.edges.is_empty() || case.triangles.is_empty() {
         return;
@@ -48,7 +48,8 @@ fn judge_windings(case: &Case) {
     }
 }
 
-/// A polygon for each two triangles in turn, of which the second one is a hole, too; of the third there is nothing.
+/// Of three triangles in turn the first has no ring, the second is a polygon, and the third is a part of the same polygon
+/// and a hole in it at once, so that only the second one is inside.
 fn judge_polygons(case: &Case) {
     let (mut edges, mut rings, mut ring_of) = (Vec::new(), Vec::new(), Vec::new());
     for (t, &[a, b, c]) in case.triangles.iter().enumerate() {
