@@ -2,8 +2,9 @@
 //!
 //! Boxes of edges that cross meet ([`super::boxes`]). Short edges, and edges far apart, have few boxes that meet without
 //! a crossing. Long edges side by side, such as a hatch, have many. After [`PATIENCE`] such pairs for each edge the boxes
-//! are given up. Then the edges are separated ([`separate`]): most lines of a hatch cross nothing, and go into one
-//! triangulation. It tells what the rest crosses among them. Crossings within the rest are looked for by boxes again.
+//! are given up. A sweep line tells whether the edges meet at all ([`super::disjoint`]). If they do, they are separated
+//! ([`separate`]): most lines of a hatch cross nothing, and go into one triangulation. It tells what the rest crosses
+//! among them. Crossings within the rest are looked for by boxes again.
 //!
 //! Why it is right: a pair that crosses is in one of two sets. Either a triangulation meets it, or both of its edges are
 //! of the rest. Four exact signs decide each pair: the ends of each edge lie on different sides of the other one. Then
@@ -11,13 +12,14 @@
 //! the values nearest to it, which is compared with the point in fractions.
 //!
 //! Cost: O((n + k) log n) for n edges with k pairs of boxes that meet, where these are at most [`PATIENCE`] for each edge
-//! and crossing. Otherwise that of the separation. Where this takes less than an eighth of the edges away, each of the
-//! others crosses some edge, and all boxes are compared.
+//! and crossing; O(n log n) where edges meet in their ends alone. Otherwise that of the separation. Where this takes less
+//! than an eighth of the edges away, each of the others crosses some edge, and all boxes are compared.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::boxes::{Bounds, Boxes};
+use super::disjoint::are_disjoint;
 use super::error::SplitError;
 use super::exact::Exact;
 use super::vertices::Vertices;
@@ -45,7 +47,7 @@ pub(super) fn find<S: Exact>(
     };
     let mut open: Vec<usize> = (0..edges.len()).collect();
     let mut patience = PATIENCE;
-    while !search.by_boxes(&open, patience)? {
+    while !search.by_boxes(&open, patience)? && !search.are_disjoint(&open) {
         let rest = search.by_triangulation(&open)?;
         if rest.len() > open.len() - open.len() / 8 {
             patience = usize::MAX;
@@ -101,6 +103,14 @@ impl<S: Exact> Find<'_, S> {
             }
             Err(Stop::Error(error)) => Err(error),
         }
+    }
+
+    /// Whether the edges with these positions have nothing in common but ends.
+    fn are_disjoint(&self, open: &[usize]) -> bool {
+        are_disjoint(
+            open.iter()
+                .map(|&edge| self.edges[edge].map(|v| &self.points[v])),
+        )
     }
 
     /// Adds the crossings of the edges with these positions among each other, but for some of the edges returned.

@@ -103,7 +103,8 @@ pub trait FrontSearch {
     }
 
     /// A node of `front`, best the last one whose x is at most `x`. Every node on the front is a legal answer,
-    /// [`Front::left_end`] and [`Front::right_end`] too. The sweep panics if the node is not on the front.
+    /// [`Front::left_end`] and [`Front::right_end`] too. The sweep panics if the node is not on the front. Called once for
+    /// each point event; the first vertex needs no search, and edges search nothing.
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode;
 
     /// The walk from the node that [`locate`](FrontSearch::locate) named took `steps` steps, more than [`LONG_WALK`].
@@ -112,7 +113,8 @@ pub trait FrontSearch {
     /// If so, the sweep numbers all vertices from left to right by exact comparison, from 0, in O(n log n) time. It
     /// calls [`begin`](FrontSearch::begin) with these numbers as x, and `inserted` for each node on the front, from
     /// left to right. Every later `x` is an x-rank too. No two x-ranks are equal, and they are spread evenly, whatever
-    /// the coordinates. After `true`, `wants_ranks` is not called again in this run.
+    /// the coordinates. After `true`, `wants_ranks` is not called again in this run; after `false`, at the next long
+    /// walk.
     ///
     /// ```
     /// use sweep_cdt::Triangulator;
@@ -169,7 +171,8 @@ pub trait FrontSearch {
         let _ = (node, x);
     }
 
-    /// `node`, whose x is `x`, has left the front, forever.
+    /// `node` has left the front, forever. Its `x` is that of [`inserted`](FrontSearch::inserted), bit for bit, so that it
+    /// may be a key.
     fn removed(&mut self, node: FrontNode, x: f64) {
         let _ = (node, x);
     }

@@ -32,7 +32,8 @@ pub struct Work {
 }
 
 impl Work {
-    /// Notes that `entries` entries of type `T` are held.
+    /// Raises [`bytes`](Work::bytes) to the size of so many entries of type `T`, if that is more: to be called whenever
+    /// the structure has grown. Structures of your own may keep a `Work` too.
     pub fn hold<T>(&mut self, entries: usize) {
         self.bytes = self.bytes.max((entries * size_of::<T>()) as u64);
     }

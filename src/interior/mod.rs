@@ -12,8 +12,8 @@
 //! | [`FillRule::Positive`], [`Negative`](FillRule::Negative) | what they go round counter-clockwise, or clockwise |
 //! | [`FillRule::AtLeast`] | what they go round so many times |
 //! | [`interior_of_polygons`](Triangulation::interior_of_polygons) | what polygons cover, but for their holes |
-//! | [`interior_of_seeds`](crate::WithPoints::interior_of_seeds) | what no hole and no gap of edges opens |
-//! | [`hull_without_holes`](crate::WithPoints::hull_without_holes) | what no hole opens |
+//! | [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds) | the faces that edges close off, but those with the seed of a hole |
+//! | [`WithPoints::hull_without_holes`](crate::WithPoints::hull_without_holes) | the hull, but the faces with the seed of a hole |
 //!
 //! ```
 //! use sweep_cdt::interior::FillRule;

@@ -180,7 +180,9 @@ pub trait Scalar: Sized {
     /// costs time are relative to one of the points. Without differences such points take the time of exact arithmetic.
     ///
     /// The unit must be that of `approx`: the sweep may take differences along one axis and approximations along the
-    /// other. So where another type computes the difference in 2^-16 of the unit, take 16 from its power.
+    /// other. So where another type computes the difference in 2^-16 of the unit, as `i64` does for the `Fixed` above,
+    /// take 16 from its power: `self.0.difference(&other.0).map(|(x, power)| (x, power - 16))`. Where the unit is no power
+    /// of two, as for cents, let `approx` be that of the whole number: any one unit will do.
     ///
     /// ```
     /// use num_bigint::BigInt;

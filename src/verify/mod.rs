@@ -49,7 +49,8 @@
 //!
 //! *Levels.* Checks 1 to 6 prove that the triangles tile the hull or the domain; with check 7 they are a constrained
 //! triangulation; with check 8 a constrained Delaunay one. [`Level`] says what is asked for: a lower level leaves out
-//! the violations of those above. All checks are made, and the report names the highest level reached.
+//! the violations of those above. All checks are made, and the report names the highest level reached. But a triangle
+//! that fails check 1 or 2 is left out of the later checks: a wrong side of it shows only when it turns left.
 //!
 //! *How wrong.* A side that is not Delaunay and a turn that is not convex have a [`Depth`], exact in its sign and right
 //! in size, which tells rounding from a wrong triangulation. It measures what is wrong, and proves nothing right.
@@ -60,9 +61,32 @@
 //! # Results of other programs
 //! Corners are `usize`. The `simplices` of `scipy.spatial.Delaunay` are `i32`:
 //! `simplices.iter().map(|t| t.map(|v| v as usize))` converts them, and makes of -1 an index out of range. Clockwise
-//! triangles need [`Verifier::accept_clockwise`]. A program that decides by rounded numbers, as Qhull does, may leave a
-//! side wrong where four points are nearly on one circle: [`Violations::depth`] tells that from a wrong triangulation.
-//! It may also drop points that are nearly equal to others; each is a [`Violation::UnusedPoint`], which has no depth.
+//! triangles need [`Verifier::accept_clockwise`]. Where some turn left and others right, as `simplices` do, turn each
+//! to the left before:
+//!
+//! ```
+//! use std::cmp::Ordering;
+//! use sweep_cdt::scalar::filtered_orient2d;
+//! use sweep_cdt::verify::verify;
+//!
+//! let points = [[0.0, 0.0], [4.0, 0.0], [5.0, 3.0], [0.0, 3.0]];
+//! let simplices = [[0_i32, 1, 3], [1, 3, 2]];
+//! let turned = simplices.iter().map(|t| {
+//!     let [a, b, c] = t.map(|v| v as usize);
+//!     match filtered_orient2d(&points[a], &points[b], &points[c]) {
+//!         Ordering::Less => [a, c, b],
+//!         _ => [a, b, c],
+//!     }
+//! });
+//! let triangles: Vec<[usize; 3]> = turned.collect();
+//! assert!(verify(&points, &[], &triangles).is_ok());
+//! ```
+//!
+//! A program that decides by rounded numbers, as Qhull does, may leave a side wrong where four points are nearly on one
+//! circle: [`Violations::depth`] tells that from a wrong triangulation. (It is about 1e-16 to 1e-12 for what rounding
+//! leaves, and usually far more for a diagonal of the wrong four points.) Such a program may also drop points that are
+//! nearly equal to others. Each is a [`Violation::UnusedPoint`], which has no depth: without these points, and with the
+//! corners numbered anew, the level of the rest shows.
 
 mod boundary;
 mod chunks;

@@ -42,7 +42,8 @@ pub struct Report {
     pub filtered: u64,
     /// Signs that the filter left to exact arithmetic.
     pub exact: u64,
-    /// The highest level that the triangulation reaches, whatever was asked for; `None` if it tiles nothing.
+    /// The highest level that the triangulation reaches, whatever was asked for; `None` where one of the
+    /// checks 1 to 6 fails, even if one point alone is no corner.
     pub level: Option<Level>,
 }
 

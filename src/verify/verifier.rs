@@ -72,8 +72,8 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Whether the triangles may be clockwise, all of them. Of mixed ones those are wrong that are fewer; if the first
-    /// is counter-clockwise, those that are not.
+    /// Whether the triangles may be clockwise, all of them. Triangles of both directions are always wrong: if the first
+    /// one is counter-clockwise, those that are not; otherwise those of the direction that fewer have.
     #[must_use]
     pub fn accept_clockwise(self, clockwise: bool) -> Self {
         Verifier { clockwise, ..self }
