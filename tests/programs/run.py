@@ -128,7 +128,7 @@ def source_of(question, program):
     return source
 
 def verify(question, program):
-    """The certificate of the command, or why it takes no result."""
+    """The record of the command, or why it takes no result."""
     result = next(path for path in FOLDER.glob("answer.*"))
     options = ["--json", "--limit", "1", "--max-depth", MAX_DEPTH]
     options += ["--level", program.level, "--domain", program.domain]
@@ -137,7 +137,7 @@ def verify(question, program):
     run = subprocess.run(command, capture_output=True, text=True)
     return json.loads(run.stdout) if run.stdout else {"refused": run.stderr.strip()}
 
-def second_opinion(question, program, certificate):
+def second_opinion(question, program, record):
     """The level that `exact.py` finds, and the greatest depth."""
     import exact
 
@@ -152,7 +152,7 @@ def second_opinion(question, program, certificate):
         content = json.loads(result.read_text())
         triangles = content["triangles"]
         at = [tuple(p) for p in content.get("points", [])]
-    if at and certificate.get("vertices_matched", {}).get("by") != "number":
+    if at and record.get("vertices_matched", {}).get("by") != "number":
         place = {p: v for v, p in reversed(list(enumerate(points)))}
         for p in at:
             if p not in place:
@@ -166,19 +166,19 @@ def second_opinion(question, program, certificate):
 
 def judge(question, program):
     """What the command finds, as a row, and what the second judge says against it."""
-    certificate = verify(question, program)
-    if "refused" in certificate:
+    record = verify(question, program)
+    if "refused" in record:
         row = {"verdict": "broken", "reached": "none", "first": "other vertices", "depth": None}
-        if "where the input has none" not in certificate["refused"]:
-            return row, "the command says " + certificate["refused"]
+        if "where the input has none" not in record["refused"]:
+            return row, "the command says " + record["refused"]
     else:
-        kept = {"correct": "kept", "within-max-depth": "rounded", "wrong": "broken"}[certificate["verdict"]]
-        first = certificate["violations"][0]["class"] if certificate["violations"] else None
-        reached = certificate["highest_level"].replace("canonical", "delaunay")
-        row = {"verdict": kept, "reached": reached, "first": first, "depth": certificate["depths"]["greatest"]}
-        if row["verdict"] == "kept" and certificate["counts"]["triangles"] > JUDGED:
+        kept = {"correct": "kept", "within-max-depth": "rounded", "wrong": "broken"}[record["verdict"]]
+        first = record["violations"][0]["class"] if record["violations"] else None
+        reached = record["highest_level"].replace("canonical", "delaunay")
+        row = {"verdict": kept, "reached": reached, "first": first, "depth": record["depths"]["greatest"]}
+        if row["verdict"] == "kept" and record["counts"]["triangles"] > JUDGED:
             return row, None
-    level, deepest = second_opinion(question, program, certificate)
+    level, deepest = second_opinion(question, program, record)
     row["judged"] = True
     if level != row["reached"]:
         return row, f"the second judge finds {level}, the command {row['reached']}"

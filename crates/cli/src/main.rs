@@ -7,11 +7,11 @@
 //! it quietly.
 
 mod advice;
-mod certificate;
 mod contours;
 mod crossings;
 mod generate;
 mod heights;
+mod record;
 mod replay;
 mod shared;
 mod trace;

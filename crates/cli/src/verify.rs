@@ -9,11 +9,12 @@ use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_draw::ViolationsPicture;
 use sweep_cdt_formats::{
-    Coordinate, GraphFile, Input, Matching, ResultError, added_points, write_violations,
+    Coordinate, GraphFile, Input, Matching, ResultError, added_points, write_certificate,
+    write_violations,
 };
 
 use crate::advice::Advised;
-use crate::certificate::{self, Fingerprint, Subject};
+use crate::record::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
 use crate::shared::failure::{Failure, way_out};
@@ -106,7 +107,7 @@ pub(crate) struct Verify {
     #[arg(long, conflicts_with = "json")]
     explain: bool,
 
-    /// Print the certificate instead of the report
+    /// Print the record instead of the report
     #[arg(long)]
     json: bool,
 
@@ -118,9 +119,16 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "FILE")]
     geojson: Option<PathBuf>,
 
-    /// Write a certificate: the SHA-256 of the files, the counts and the verdict, as JSON
+    /// Write a record: the SHA-256 of the files, the counts and the verdict, as JSON
     #[arg(long, value_name = "FILE")]
-    certificate: Option<PathBuf>,
+    record: Option<PathBuf>,
+
+    /// Write a certificate of a correct result, for the proved checker (the folder proof of the repository)
+    ///
+    /// It holds input and triangles with hints, from which a program whose verdict is a theorem sees that they are
+    /// right. Of a wrong result none is written.
+    #[arg(long, value_name = "FILE")]
+    write_certificate: Option<PathBuf>,
 }
 
 const AFTER_HELP: &str = "\
@@ -165,7 +173,7 @@ Examples:
   sweep-cdt verify polygon.json earcut.json --domain even-odd --level constrained
   triangle -pqz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes --steiner
   triangle -pz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes
-  sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --certificate terrain.verified.json";
+  sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --record terrain.verified.json";
 
 impl Verify {
     /// Runs the subcommand.
@@ -176,11 +184,23 @@ impl Verify {
             return Err(Failure::Usage(message.to_owned()));
         }
         let svg = self.svg.clone().map(Destination::of_path).transpose()?;
-        let certificate = self.certificate.clone().map(Destination::of_path);
-        let certificate = certificate.transpose()?;
+        let record = self.record.clone().map(Destination::of_path);
+        let record = record.transpose()?;
         let geojson = self.geojson.clone().map(Destination::of_path).transpose()?;
+        let certificate = self.write_certificate.clone().map(Destination::of_path);
+        let certificate = certificate.transpose()?;
+        if certificate.is_some() && self.level < Level::Delaunay {
+            let message =
+                "--write-certificate is for constrained Delaunay triangulations: leave out --level";
+            return Err(Failure::Usage(message.to_owned()));
+        }
         let standard = Destination::standard();
-        let written = || svg.iter().chain(&certificate).chain(&geojson);
+        let written = || {
+            svg.iter()
+                .chain(&record)
+                .chain(&geojson)
+                .chain(&certificate)
+        };
         refuse_twice([&standard].into_iter().chain(written()))?;
         let mut read = self.reading.files();
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
@@ -200,6 +220,7 @@ impl Verify {
             of_result: &of_result,
             svg,
             geojson,
+            record,
             certificate,
         };
         if self.clockwise {
@@ -245,6 +266,7 @@ struct Run<'a> {
     of_result: &'a [Fingerprint],
     svg: Option<Destination>,
     geojson: Option<Destination>,
+    record: Option<Destination>,
     certificate: Option<Destination>,
 }
 
@@ -277,6 +299,10 @@ impl Job for Run<'_> {
             verifier
         };
         let domain = arguments.domain.unwrap_or(Inside::of(file));
+        if self.certificate.is_some() && !matches!(domain, Inside::Hull) {
+            let message = "--write-certificate is for triangles that tile the hull: --domain hull asks for that";
+            return Err(Failure::Usage(message.to_owned()));
+        }
         let answer = answer(domain, &given, self.own, verifier, &triangles)?;
 
         // What is wrong by no more than is allowed for.
@@ -308,9 +334,13 @@ impl Job for Run<'_> {
         };
         let advice = (!arguments.json).then(|| advised.line());
         let mut outputs = Outputs::default();
-        if let Some(certificate) = self.certificate {
+        if let Some(record) = self.record {
+            outputs.add(record, |out| record::write(&subject, &answer, out))?;
+        }
+        if let Some(certificate) = self.certificate.filter(|_| answer.is_ok()) {
             outputs.add(certificate, |out| {
-                certificate::write(&subject, &answer, out)
+                let graph = &file.graph;
+                write_certificate(&graph.points, &graph.edges, &triangles.list, |_| true, out)
             })?;
         }
         if let Some(svg) = self.svg {
@@ -329,7 +359,7 @@ impl Job for Run<'_> {
         }
         outputs.add(Destination::standard(), |out| {
             let Some(advice) = &advice else {
-                return certificate::write(&subject, &answer, out);
+                return record::write(&subject, &answer, out);
             };
             let (input, result) = (arguments.input.name(), arguments.result.result.input_name());
             let interior = |rule: Inside| format!("the interior of {input} ({rule})");

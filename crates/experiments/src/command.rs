@@ -33,10 +33,10 @@ struct Options {
     /// The folder of the results [default: target/experiments/NAME].
     #[arg(long)]
     out: Option<PathBuf>,
-    /// These kinds of data instead of the experiment's.
+    /// Kinds of data, instead of the experiment's.
     #[arg(long, value_delimiter = ',', requires = "sizes")]
     data: Vec<String>,
-    /// These sizes instead of the experiment's, with the kinds of --data.
+    /// Sizes, instead of the experiment's, with the kinds of --data.
     #[arg(long, value_delimiter = ',', requires = "data")]
     sizes: Vec<usize>,
     /// A `.poly` file besides; may be repeated.

@@ -21,6 +21,20 @@ pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
     /// See [`CoordinateError`]: the type has no such value.
     fn from_double(value: f64) -> Result<Self, CoordinateError>;
 
+    /// The value as an integer times a power of two, `(x, power)` for x * 2^power; `None` if it is none.
+    ///
+    /// ```
+    /// use num_bigint::BigInt;
+    /// use num_rational::BigRational;
+    /// use sweep_cdt_formats::Coordinate;
+    ///
+    /// assert_eq!((-0.75).binary(), Some((BigInt::from(-3), -2)));
+    /// assert_eq!(BigRational::from_text("3/4")?.binary(), Some((BigInt::from(3), -2)));
+    /// assert_eq!(BigRational::from_text("0.1")?.binary(), None);
+    /// # Ok::<(), sweep_cdt_formats::CoordinateError>(())
+    /// ```
+    fn binary(&self) -> Option<(BigInt, i64)>;
+
     /// The shortest text from which [`from_text`](Coordinate::from_text) makes the same value again.
     fn text(&self) -> String;
 
@@ -85,6 +99,10 @@ impl Coordinate for f64 {
 
     fn from_double(value: f64) -> Result<Self, CoordinateError> {
         Ok(value)
+    }
+
+    fn binary(&self) -> Option<(BigInt, i64)> {
+        BigRational::from_float(*self)?.binary()
     }
 
     fn text(&self) -> String {
@@ -167,6 +185,16 @@ impl Coordinate for BigRational {
 
     fn from_double(value: f64) -> Result<Self, CoordinateError> {
         BigRational::from_float(value).ok_or(CoordinateError::NotANumber)
+    }
+
+    fn binary(&self) -> Option<(BigInt, i64)> {
+        let halves = self.denom().trailing_zeros().unwrap_or(0);
+        if halves + 1 != self.denom().bits() {
+            return None;
+        }
+        let doubles = self.numer().trailing_zeros().unwrap_or(0);
+        let power = i64::try_from(doubles).ok()? - i64::try_from(halves).ok()?;
+        Some((self.numer() >> doubles, power))
     }
 
     fn text(&self) -> String {

@@ -61,8 +61,8 @@ pub use split::Splitting;
 pub use system::CoordinateSystem;
 pub use trace::{read_trace, write_trace};
 pub use write::{
-    CrossingsFormat, OutputFormat, not_written, write, write_crossings, write_graph,
-    write_interior, write_lines, write_node, write_violations,
+    CrossingsFormat, OutputFormat, not_written, write, write_certificate, write_crossings,
+    write_graph, write_interior, write_lines, write_node, write_violations,
 };
 
 /// The example of the README, as a test.

@@ -190,8 +190,8 @@ fn the_order_of_corners_is_found() {
         "note: --clockwise is not needed: the order is found\n"
     );
     let json = verify(&all, "a.json b.json --json");
-    let certificate: Value = serde_json::from_str(printed(&json)).expect("JSON");
-    assert_eq!(certificate["clockwise"], true);
+    let record: Value = serde_json::from_str(printed(&json)).expect("JSON");
+    assert_eq!(record["clockwise"], true);
 
     for (reversed, odd) in [(&[2][..], 2), (&[0], 0), (&[1, 2, 3], 0), (&[0, 2, 3], 1)] {
         let line = format!(

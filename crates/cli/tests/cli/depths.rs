@@ -28,9 +28,9 @@ fn rounding_has_a_verdict_and_a_status_of_its_own() {
     );
     let json = verify(&folder, "a.json b.json --max-depth 1e-11 --json");
     assert_eq!(json.status.code(), Some(3));
-    let certificate: Value = serde_json::from_str(text(&json.stdout)).expect("JSON");
-    assert_eq!(certificate["verdict"], "within-max-depth");
-    assert_eq!(certificate["max_depth"], 1e-11);
+    let record: Value = serde_json::from_str(text(&json.stdout)).expect("JSON");
+    assert_eq!(record["verdict"], "within-max-depth");
+    assert_eq!(record["max_depth"], 1e-11);
 
     // Deeper than that, or wrong in another way.
     for wrong in ["b.json", "b.json --max-depth 1e-12", "c.json --max-depth 1"] {

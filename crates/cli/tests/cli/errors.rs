@@ -301,7 +301,7 @@ fn a_missing_format_is_asked_for_by_its_option() {
                 "node, poly, json, obj, off, csv, xyz, txt, ply, vtk, vtu, vtp, msh, geojson, wkt, npy, npz, dxf"
             }
             "--output-format" => {
-                "ele, node, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf, svg, png"
+                "ele, node, json, cert, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf, svg, png"
             }
             _ => "ele, json, obj, off, ply, vtk, vtu, vtp, msh, stl, geojson, wkt, npy, npz, dxf",
         };

@@ -40,11 +40,11 @@ fn a_result_may_fill_the_interior() {
         let hint = "this is a right triangulation of the interior: `--domain holes`";
         assert_eq!(lines.next_back(), Some(hint));
         let json = verify(&folder, "a.poly a.ele --domain holes --json");
-        let certificate: Value = serde_json::from_str(printed(&json)).expect("JSON");
-        assert_eq!(certificate["domain"], "holes");
+        let record: Value = serde_json::from_str(printed(&json)).expect("JSON");
+        assert_eq!(record["domain"], "holes");
         let edges = if poly == FRAME { 8 } else { 10 };
-        assert_eq!(certificate["counts"]["edges"], edges);
-        assert_eq!(certificate["counts"]["triangles"], 8);
+        assert_eq!(record["counts"]["edges"], edges);
+        assert_eq!(record["counts"]["triangles"], 8);
     }
 }
 
@@ -209,7 +209,7 @@ fn a_result_is_judged_by_what_it_promises() {
         refuted(&report)
     );
     let json = verify(&folder, "a.json c.json --level tiling --json");
-    let certificate: Value = serde_json::from_str(printed(&json)).expect("JSON");
-    assert_eq!(certificate["level"], "tiling");
-    assert_eq!(certificate["highest_level"], "constrained");
+    let record: Value = serde_json::from_str(printed(&json)).expect("JSON");
+    assert_eq!(record["level"], "tiling");
+    assert_eq!(record["highest_level"], "constrained");
 }

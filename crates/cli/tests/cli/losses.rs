@@ -85,8 +85,8 @@ fn what_a_format_has_room_for_is_written_and_the_rest_is_said() {
     let table = table();
     let folder = folder(&[("all.json", ALL)]);
     let formats = [
-        "node", "ele", "json", "obj", "off", "ply", "vtk", "vtu", "vtp", "msh", "stl", "geojson",
-        "wkt", "npy", "npz", "dxf",
+        "node", "ele", "json", "cert", "obj", "off", "ply", "vtk", "vtu", "vtp", "msh", "stl",
+        "geojson", "wkt", "npy", "npz", "dxf",
     ];
     for format in formats {
         // Of a `.ele` the vertices stand in the `.node` beside it.
@@ -177,7 +177,7 @@ fn what_a_format_says_is_read() {
     // A mesh with lines, and nothing of which a result takes no part.
     let by_hand = ["poly", "csv", "xyz", "txt", "geojson", "wkt"];
     for (format, row) in &table {
-        let is_result_alone = ["ele", "stl", "npy"].contains(&&format[..]);
+        let is_result_alone = ["ele", "cert", "stl", "npy"].contains(&&format[..]);
         if is_result_alone {
             continue;
         }

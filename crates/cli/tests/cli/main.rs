@@ -1,7 +1,6 @@
 //! The command `sweep-cdt`, run as a user runs it: formats, settings, errors, what is left behind.
 
 mod advice;
-mod certificate;
 mod crossings;
 mod depths;
 mod errors;
@@ -14,6 +13,7 @@ mod matching;
 mod outputs;
 #[cfg(unix)]
 mod places;
+mod record;
 mod refuted;
 mod replay;
 mod reported;

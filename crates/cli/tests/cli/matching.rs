@@ -121,17 +121,17 @@ fn rounded_vertices_are_matched_by_number_and_reported() {
     points[4][0] = 1234.57;
     for (name, files) in results(&points, &TRIANGLES) {
         let folder = with_result(&files);
-        let arguments = format!("in.json {name} --certificate c.json");
+        let arguments = format!("in.json {name} --record c.json");
         let output = verify(&folder, &arguments);
         let second = printed(&output).lines().nth(1);
         let expected = "vertices matched by number, because coordinates are rounded: greatest \
                         difference 0.0021874999999909051";
         assert_eq!(second.map(|line| &line[..72]), Some(&expected[..72]));
         let json = verify(&folder, &format!("{arguments} --json"));
-        let certificate = fs::read_to_string(folder.path().join("c.json")).expect("a file");
-        assert_eq!(printed(&json), certificate);
-        let certificate: Value = serde_json::from_str(&certificate).expect("JSON");
-        let matched = &certificate["vertices_matched"];
+        let record = fs::read_to_string(folder.path().join("c.json")).expect("a file");
+        assert_eq!(printed(&json), record);
+        let record: Value = serde_json::from_str(&record).expect("JSON");
+        let matched = &record["vertices_matched"];
         assert_eq!(matched["by"], "number");
         assert_eq!(matched["because"], "rounded");
         assert_eq!(matched["greatest_difference"], 1234.57 - 1234.5678125);

@@ -96,9 +96,9 @@ fn what_was_read_is_not_overwritten() {
         ),
         ("triangulate p.poly -o a.svg --output-format svg -o", hard),
         ("trace p.poly --output-format txt -o", "./p.node"),
-        ("verify p.poly r.ele --certificate", "p.poly"),
-        ("verify p.poly r.ele --certificate", "p.node"),
-        ("verify p.poly r.ele --certificate a.json --svg", "hard.svg"),
+        ("verify p.poly r.ele --record", "p.poly"),
+        ("verify p.poly r.ele --record", "p.node"),
+        ("verify p.poly r.ele --record a.json --svg", "hard.svg"),
         ("verify p.poly r.ele --svg", "r.ele"),
         ("verify p.poly r.ele --svg", "r.node"),
     ] {
@@ -115,7 +115,7 @@ fn one_file_is_one_output() {
         ("triangulate a.json -o b.svg -o", "b.svg", "folder/../b.svg"),
         ("triangulate a.json -o old.svg -o", "old.svg", "./old.svg"),
         (
-            "verify a.json r.json --svg b.svg --certificate",
+            "verify a.json r.json --svg b.svg --record",
             "b.svg",
             "./b.svg",
         ),

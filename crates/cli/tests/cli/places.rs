@@ -107,7 +107,7 @@ fn a_read_only_file_is_refused() {
     for arguments in [
         "triangulate a.json -o new.svg -o old.svg",
         "trace a.json -o old.svg",
-        "verify a.json r.json --certificate new.json --svg old.svg",
+        "verify a.json r.json --record new.json --svg old.svg",
     ] {
         let output = sweep_cdt(&folder, arguments).output();
         assert_fails(
@@ -138,7 +138,7 @@ fn fifos_are_written_to() {
             "trace a.json --output-format txt -o f",
             "sweep-cdt trace 3\n",
         ),
-        ("verify a.json r.json --certificate f", "{\n"),
+        ("verify a.json r.json --record f", "{\n"),
     ] {
         let child = sweep_cdt(&folder, arguments).stdout(Stdio::null()).spawn();
         let mut child = child.expect("the command starts");
@@ -190,7 +190,7 @@ fn a_full_device_leaves_the_files_as_they_were() {
     for arguments in [
         "triangulate a.json -o old.svg --stats",
         "triangulate a.json -o old.svg --verify",
-        "verify a.json r.json --svg old.svg --certificate new.json",
+        "verify a.json r.json --svg old.svg --record new.json",
     ] {
         let full = File::options().write(true).open("/dev/full");
         let mut command = sweep_cdt(&folder, arguments);

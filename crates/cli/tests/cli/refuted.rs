@@ -226,7 +226,7 @@ fn unreadable_results_are_errors_with_their_line() {
         let folder = with_square(&[(name, contents)]);
         let output = verify(
             &folder,
-            &format!("a.poly {name} --svg a.svg --certificate c.json"),
+            &format!("a.poly {name} --svg a.svg --record c.json"),
         );
         assert_fails(&output, error);
         assert_eq!(names(folder.path()), ["a.poly", name]);

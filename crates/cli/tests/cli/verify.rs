@@ -155,7 +155,7 @@ fn wrong_usage_exits_with_2() {
         "- - --input-format json --result-format json",
         "a.poly -",
         "a.poly a.ele --svg a.ele",
-        "a.poly a.ele --certificate a.poly",
+        "a.poly a.ele --record a.poly",
         "a.poly a.ele --limit x",
     ] {
         let output = verify(&folder, arguments);

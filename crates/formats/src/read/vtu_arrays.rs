@@ -46,9 +46,9 @@ pub(super) struct Appended<'a> {
 
 /// Why an array is not unpacked.
 pub(super) enum Fault {
-    /// It is wrong, and how.
+    /// How the array is wrong.
     Wrong(String),
-    /// It says that it has so many bytes, which is more than there is room for.
+    /// The bytes that the array claims to have, more than there is room for.
     NoRoom(u64),
 }
 

@@ -4,7 +4,7 @@ use crate::{Coordinate, CoordinateSystem, GraphFile, OutputFormat};
 use sweep_cdt::interior::Interior;
 
 /// What of a file and its domain an output in this format does not say, each as words that follow "not written:".
-/// Heights have their own words, since formats without them have no vertices either.
+/// A `.cert` alone has vertices without heights; other formats without heights have no vertices either.
 ///
 /// ```
 /// use sweep_cdt_formats::{Column, GraphFile, OutputFormat, not_written};
@@ -27,6 +27,9 @@ pub fn not_written<S: Coordinate>(
         system,
     } = Room::of(format);
     let mut losses = Vec::new();
+    if format == OutputFormat::Cert && file.heights().is_some() {
+        losses.push("heights".to_owned());
+    }
     if !columns {
         let columns = file.other_columns();
         losses.extend(columns.map(|column| format!("the column `{}`", column.name)));
@@ -112,7 +115,7 @@ impl Room {
                 regions: true,
                 system: System::Any,
             },
-            OutputFormat::Obj | OutputFormat::Off => nothing,
+            OutputFormat::Cert | OutputFormat::Obj | OutputFormat::Off => nothing,
             #[cfg(feature = "mesh-formats")]
             OutputFormat::Ply | OutputFormat::Vtk | OutputFormat::Vtu | OutputFormat::Vtp => Room {
                 columns: true,

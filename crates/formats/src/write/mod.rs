@@ -1,5 +1,6 @@
 //! Writers: a [`GraphFile`] and its [`Triangulation`] in, or a graph alone, and text out.
 
+mod certificate;
 mod crossings;
 #[cfg(feature = "mesh-formats")]
 mod dxf;
@@ -23,6 +24,7 @@ mod vtu;
 
 use std::io::{self, Write};
 
+pub use certificate::write_certificate;
 pub use crossings::{CrossingsFormat, write_crossings};
 pub use lines::write_lines;
 pub use losses::not_written;
@@ -48,6 +50,8 @@ named! {
         Node = "node",
         /// Vertices, edges and the whole result.
         Json = "json",
+        /// A certificate for the proved checker.
+        Cert = "cert",
         /// Wavefront's vertices and faces.
         Obj = "obj",
         /// Geomview's vertices and faces.
@@ -154,6 +158,7 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Ele => rows::write_ele(file, interior, out),
         OutputFormat::Node => write_node(file, out),
         OutputFormat::Json => json::write_interior(file, interior, out),
+        OutputFormat::Cert => write_certified(file, interior, out),
         OutputFormat::Obj => Mesh::of(file, interior).with_sides(interior).write_obj(out),
         OutputFormat::Off => Mesh::of(file, interior).write_off(out),
         #[cfg(feature = "mesh-formats")]
@@ -191,6 +196,19 @@ pub fn write_interior<S: Coordinate>(
     }
 }
 
+/// Writes a certificate of a triangulation and its interior.
+fn write_certified<S: Coordinate>(
+    file: &GraphFile<S>,
+    interior: &Interior<'_>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let result = interior.triangulation();
+    let triangles: Vec<[usize; 3]> = result.triangles().collect();
+    let graph = &file.graph;
+    let is_inside = |t| interior.is_inside(t);
+    write_certificate(&graph.points, &graph.edges, &triangles, is_inside, out)
+}
+
 /// Refuses to write so many triangles where there is no memory for their lists.
 fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
     // Groups; with them the sorted list; with both the places in it, and the neighbours.
@@ -198,6 +216,7 @@ fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
         OutputFormat::Node => 0,
         OutputFormat::Ele => 12,
         OutputFormat::Json => 108,
+        OutputFormat::Cert => 116,
         _ => 36,
     };
     if has_room(triangles.saturating_mul(each)) {

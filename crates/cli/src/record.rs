@@ -1,4 +1,4 @@
-//! The certificate of a verification: the files, the counts and the verdict, as JSON.
+//! The record of a verification: the files, the counts and the verdict, as JSON.
 //!
 //! Equal files give equal bytes: it holds no time, no path and nothing of the machine.
 
@@ -53,7 +53,7 @@ pub(crate) struct Subject<'a, S> {
 }
 
 #[derive(Serialize)]
-struct Certificate<'a> {
+struct Record<'a> {
     program: &'static str,
     version: &'static str,
     verdict: &'static str,
@@ -138,7 +138,7 @@ struct Place {
     at: [Box<RawValue>; 2],
 }
 
-/// Writes the certificate.
+/// Writes the record.
 pub(crate) fn write<S: Coordinate>(
     subject: &Subject<'_, S>,
     answer: &Answer,
@@ -166,7 +166,7 @@ pub(crate) fn write<S: Coordinate>(
             triangles: offenders.triangles,
         }
     };
-    let certificate = Certificate {
+    let record = Record {
         program: env!("CARGO_BIN_NAME"),
         version: env!("CARGO_PKG_VERSION"),
         verdict: match answer {
@@ -213,7 +213,7 @@ pub(crate) fn write<S: Coordinate>(
         depths: measured(answer),
         violations: list.iter().map(item).collect(),
     };
-    serde_json::to_writer_pretty(&mut *out, &certificate)?;
+    serde_json::to_writer_pretty(&mut *out, &record)?;
     writeln!(out)
 }
 

@@ -1,12 +1,14 @@
-//! Files that a verification leaves behind: certificates and pictures.
+//! Files that a verification leaves behind: records, certificates and pictures.
 
 use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 use crate::refuted::WRONG;
 use crate::verify::{RIGHT, refuted, verify, with_square};
 use crate::{FORMATS, folder, names, printed, run};
 
-const CERTIFICATE: &str = r#"{
+const RECORD: &str = r#"{
   "program": "sweep-cdt",
   "version": "VERSION",
   "verdict": "wrong",
@@ -109,12 +111,12 @@ const CERTIFICATE: &str = r#"{
 "#;
 
 #[test]
-fn certificates_are_exact_and_always_the_same() {
+fn records_are_exact_and_always_the_same() {
     let folder = with_square(&[("b.json", WRONG[0].1), ("a.ele", RIGHT)]);
-    let arguments = "./a.poly ./b.json --certificate c.json --json";
+    let arguments = "./a.poly ./b.json --record c.json --json";
     let output = verify(&folder, arguments);
     let read = |name: &str| fs::read_to_string(folder.path().join(name)).expect("a file");
-    let expected = CERTIFICATE
+    let expected = RECORD
         .replace("VERSION", env!("CARGO_PKG_VERSION"))
         .replace(
             "INPUT",
@@ -128,11 +130,10 @@ fn certificates_are_exact_and_always_the_same() {
     assert_eq!(read("c.json"), expected);
     assert_eq!(verify(&folder, arguments).stdout, output.stdout);
 
-    printed(&verify(&folder, "a.poly a.ele --certificate c.json"));
-    let certificate: serde_json::Value =
-        serde_json::from_str(&read("c.json")).expect("a certificate");
-    assert_eq!(certificate["verdict"], "correct");
-    assert_eq!(certificate["canonical"], true);
+    printed(&verify(&folder, "a.poly a.ele --record c.json"));
+    let record: serde_json::Value = serde_json::from_str(&read("c.json")).expect("a record");
+    assert_eq!(record["verdict"], "correct");
+    assert_eq!(record["canonical"], true);
 }
 
 #[test]
@@ -159,14 +160,85 @@ fn pictures_show_the_first_violations_from_near() {
 }
 
 #[test]
-fn certificates_name_every_file_and_setting() {
+fn records_name_every_file_and_setting() {
     let folder = folder(&[]);
     let input = format!("{FORMATS}/split.poly");
     printed(&run(&folder, &format!("{input} -o r.json")));
     let output = verify(&folder, &format!("{input} r.json --json"));
-    let certificate: serde_json::Value = serde_json::from_str(printed(&output)).expect("JSON");
-    let files = certificate["input"].as_array().expect("files");
+    let record: serde_json::Value = serde_json::from_str(printed(&output)).expect("JSON");
+    let files = record["input"].as_array().expect("files");
     let files: Vec<_> = files.iter().map(|file| file["file"].as_str()).collect();
     assert_eq!(files, [Some("split.poly"), Some("split.node")]);
-    assert_eq!(certificate["clockwise"], false);
+    assert_eq!(record["clockwise"], false);
+}
+
+#[test]
+fn certificates_are_of_correct_results_alone() {
+    let folder = with_square(&[("b.json", WRONG[0].1), ("a.ele", RIGHT)]);
+    let at = |name: &str| folder.path().join(name);
+    printed(&verify(&folder, "a.poly a.ele --write-certificate a.cert"));
+    printed(&run(&folder, "a.poly -o b.cert"));
+    let certificate = fs::read_to_string(at("a.cert")).expect("a certificate");
+    assert_eq!(
+        fs::read_to_string(at("b.cert")).expect("a certificate"),
+        certificate
+    );
+    let expected = "sweep-cdt-certificate 1\nexponent 0\n";
+    assert!(certificate.starts_with(expected), "{certificate}");
+
+    refuted(&verify(&folder, "a.poly b.json --write-certificate c.cert"));
+    assert!(!at("c.cert").exists());
+    for (more, words) in [
+        ("--level tiling", "--level"),
+        ("--domain even-odd", "--domain hull"),
+    ] {
+        let output = verify(
+            &folder,
+            &format!("a.poly a.ele {more} --write-certificate c.cert"),
+        );
+        assert_eq!(output.status.code(), Some(2), "{more}");
+        assert!(
+            String::from_utf8_lossy(&output.stderr).contains(words),
+            "{more}"
+        );
+    }
+    // A third is no integer times a power of two.
+    fs::write(at("t.json"), r#"{"points": [["1/3", 0], [1, 0], [0, 1]]}"#).expect("a file");
+    let output = run(&folder, "t.json -o t.cert");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("power of two"));
+    assert!(!at("t.cert").exists());
+}
+
+/// The certificates of all hard inputs, before a judge that shares no code with this crate: `proof/check.py`.
+#[test]
+fn certificates_pass_the_second_judge() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let judge = root.join("proof/check.py");
+    if Command::new("python3").arg("--version").output().is_err() {
+        assert!(std::env::var_os("CI").is_none(), "python3 is missing");
+        println!("left out: there is no python3");
+        return;
+    }
+    let folder = folder(&[]);
+    let hard = fs::read_to_string(root.join("tests/data/hard.jsonl")).expect("a file");
+    let mut judged = 0;
+    for line in hard.lines() {
+        let case: serde_json::Value = serde_json::from_str(line).expect("JSON");
+        let graph = serde_json::json!({ "points": case["points"], "edges": case["edges"] });
+        fs::write(folder.path().join("h.json"), graph.to_string()).expect("a file");
+        // Edges of some cross, or name vertices that are not there.
+        if !run(&folder, "h.json -o h.cert").status.success() {
+            continue;
+        }
+        let verdict = Command::new("python3")
+            .arg(&judge)
+            .arg("h.cert")
+            .current_dir(&folder)
+            .output();
+        let verdict = verdict.expect("python3 runs");
+        assert!(verdict.status.success(), "{}: {verdict:?}", case["name"]);
+        judged += 1;
+    }
+    assert!(judged > 100, "{judged}");
 }

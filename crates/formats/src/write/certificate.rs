@@ -1,0 +1,372 @@
+//! Certificates: the input, the triangles and hints, from which a proved checker sees that a result is right.
+//!
+//! The format is that of `proof/certificate.md`. Nothing in it is trusted, so nothing here must be right for the checker
+//! to be: a wrong certificate is refused. Coordinates are integers times one power of two. The hints are the chain of
+//! points along each edge, the lower hull, the sides that are pieces of edges, an order of the triangles in which each
+//! stands after those below it, and, where not all are inside, how often the edges go round each triangle.
+//!
+//! ```text
+//!        .-----.            A side that leads to a later point, counterclockwise, is a *lower* side of its
+//!       / `. 3 .`\          triangle: the neighbour across it is listed before. So the triangles read so far
+//!      / 2  `-'   \         always have an upper border that goes from left to right (*later* is meant in
+//!     /___.'1  `.__\        the order (x, y)).
+//! ```
+//!
+//! Cost: O(n log n) for n points, edges and triangles, by sorts; 80 bytes a triangle, and the integers.
+
+use std::collections::HashMap;
+use std::io::{self, Write};
+
+use num_bigint::BigInt;
+use sweep_cdt::scalar::filtered_orient2d;
+
+use crate::Coordinate;
+
+/// No half-edge.
+const NONE: u32 = u32::MAX;
+
+/// Writes a certificate of a constrained Delaunay triangulation: of `points` and `edges` with these `triangles`, which
+/// cover the hull, and of which those are inside that `is_inside` says, by position. The certificate is of the hull if
+/// all are, else of the rule (even-odd or nonzero) by which these are inside.
+///
+/// ```
+/// use sweep_cdt_formats::write_certificate;
+///
+/// let points = [[0.0, 0.0], [0.5, 0.0], [0.0, 2.0]];
+/// let mut text = Vec::new();
+/// write_certificate(&points, &[[0, 1]], &[[0, 1, 2]], |_| true, &mut text)?;
+/// let text = String::from_utf8(text)?;
+/// assert!(text.starts_with("sweep-cdt-certificate 1\nexponent -1\ndomain hull\npoints 3\n0 0\n1 0\n0 4\nedges 1\n0 1\n"));
+/// assert!(text.ends_with("lower 1\n0\n1\ntriangles 1\n0 1 2 1\nend\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Errors of `out`; [`io::ErrorKind::InvalidInput`] where a coordinate is no integer times a power of two, where the
+/// triangles do not tile the hull or lack an edge, so that there is nothing to certify, and where those inside are so by
+/// another rule.
+pub fn write_certificate<S: Coordinate>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    triangles: &[[usize; 3]],
+    is_inside: impl Fn(usize) -> bool,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let (exponent, integers) = integers(points)?;
+    let mut tiling = Tiling::new(points, triangles).ok_or_else(wrong)?;
+    let chains: Option<Vec<Vec<u32>>> = edges.iter().map(|&edge| tiling.chain(edge)).collect();
+    let chains = chains.ok_or_else(wrong)?;
+    let (lower, order) = tiling.in_order().ok_or_else(wrong)?;
+    let (domain, windings) = tiling.domain(is_inside)?;
+
+    writeln!(out, "sweep-cdt-certificate 1")?;
+    writeln!(out, "exponent {exponent}")?;
+    writeln!(out, "domain {domain}")?;
+    writeln!(out, "points {}", points.len())?;
+    for [x, y] in &integers {
+        writeln!(out, "{x} {y}")?;
+    }
+    writeln!(out, "edges {}", edges.len())?;
+    for ([from, to], chain) in edges.iter().zip(&chains) {
+        write!(out, "{from}")?;
+        for point in chain {
+            write!(out, " {point}")?;
+        }
+        writeln!(out, " {to}")?;
+    }
+    writeln!(out, "lower {}", lower.len().saturating_sub(1))?;
+    for point in lower {
+        writeln!(out, "{point}")?;
+    }
+    writeln!(out, "triangles {}", order.len())?;
+    for t in order {
+        let [a, b, c] = tiling.corners[t as usize];
+        write!(out, "{a} {b} {c} {}", tiling.mark(t))?;
+        if let Some(winding) = windings.get(t as usize) {
+            write!(out, " {winding}")?;
+        }
+        writeln!(out)?;
+    }
+    writeln!(out, "end")
+}
+
+fn wrong() -> io::Error {
+    let why =
+        "the triangles do not tile the hull with all edges, so that there is nothing to certify";
+    io::Error::new(io::ErrorKind::InvalidInput, why)
+}
+
+/// The coordinates as integers times two to the power returned, as text.
+fn integers<S: Coordinate>(points: &[[S; 2]]) -> io::Result<(i64, Vec<[String; 2]>)> {
+    let parts: Option<Vec<(BigInt, i64)>> = points.iter().flatten().map(S::binary).collect();
+    let parts = parts.ok_or_else(|| {
+        let why = "a certificate has integers times a power of two, and a coordinate is none, such as 1/3 or 0.1 read \
+                   exactly: multiply all by their denominators";
+        io::Error::new(io::ErrorKind::InvalidInput, why)
+    })?;
+    let exponents = parts.iter().filter(|(integer, _)| integer.bits() > 0);
+    let least = exponents.map(|&(_, exponent)| exponent).min().unwrap_or(0);
+    let texts = parts.into_iter().map(|(integer, exponent)| {
+        if integer.bits() == 0 {
+            return "0".to_owned();
+        }
+        let integer = integer << (exponent - least).unsigned_abs();
+        match i64::try_from(&integer) {
+            Ok(small) => small.to_string(),
+            // Quicker to write and to read.
+            Err(_) => format!("{integer:#x}"),
+        }
+    });
+    let texts: Vec<String> = texts.collect();
+    let mut texts = texts.into_iter();
+    let pair = || Some([texts.next()?, texts.next()?]);
+    Ok((least, std::iter::from_fn(pair).collect()))
+}
+
+/// Triangles with their neighbours. A half-edge `3 t + k` runs from corner `k` of triangle `t` to the next one.
+struct Tiling<'a, S> {
+    points: &'a [[S; 2]],
+    /// For each point its place among the distinct points, in the order (x, y).
+    rank: Vec<u32>,
+    /// For each place the first point there.
+    point: Vec<u32>,
+    /// Counterclockwise, the earliest corner first.
+    corners: Vec<[u32; 3]>,
+    twin: Vec<u32>,
+    /// For each half-edge its side, a position in `sides`.
+    side: Vec<u32>,
+    /// The ranks of the ends of each side, the earlier one first, in ascending order.
+    sides: Vec<[u32; 2]>,
+    /// Of how many edges each side is a piece.
+    pieces: Vec<i32>,
+    /// How many edges run along each side, from its earlier end, less those that run against it.
+    along: Vec<i32>,
+    /// For vertices that an edge goes on from: the later vertices beside them, from the right to the left.
+    fans: HashMap<u32, Vec<u32>>,
+}
+
+impl<'a, S: Coordinate> Tiling<'a, S> {
+    /// `None` if a vertex does not exist or a side has other than one or two triangles, one on each side.
+    fn new(points: &'a [[S; 2]], triangles: &[[usize; 3]]) -> Option<Self> {
+        let (rank, point) = ranked(points)?;
+        let turned = |corners: &[usize; 3]| {
+            let [a, b, c] = *corners;
+            let [p, q, r] = [points.get(a)?, points.get(b)?, points.get(c)?];
+            let is_left = !filtered_orient2d(p, q, r).is_lt();
+            let mut corners = if is_left { [a, b, c] } else { [a, c, b] };
+            let first = (0..3).min_by_key(|&k| rank[corners[k]])?;
+            corners.rotate_left(first);
+            Some(corners.map(|v| u32::try_from(v).expect("points are numbered with 32 bits")))
+        };
+        let corners: Vec<[u32; 3]> = triangles.iter().map(turned).collect::<Option<_>>()?;
+        let halves = u32::try_from(3 * corners.len())
+            .ok()
+            .filter(|&halves| halves < NONE)?;
+
+        let ends = |half: u32| {
+            let [t, k] = [half as usize / 3, half as usize % 3];
+            [corners[t][k], corners[t][(k + 1) % 3]].map(|v| rank[v as usize])
+        };
+        let of_side = |half: u32| {
+            let [from, to] = ends(half);
+            [from.min(to), from.max(to)]
+        };
+        let mut sorted: Vec<u32> = (0..halves).collect();
+        sorted.sort_unstable_by_key(|&half| of_side(half));
+        let (mut twin, mut side) = (vec![NONE; halves as usize], vec![0; halves as usize]);
+        let mut sides = Vec::new();
+        for both in sorted.chunk_by(|&a, &b| of_side(a) == of_side(b)) {
+            for &half in both {
+                side[half as usize] = u32::try_from(sides.len()).ok()?;
+            }
+            sides.push(of_side(both[0]));
+            match *both {
+                [_] => {}
+                [a, b] if ends(a) != ends(b) => {
+                    twin[a as usize] = b;
+                    twin[b as usize] = a;
+                }
+                _ => return None,
+            }
+        }
+        let (pieces, along) = (vec![0; sides.len()], vec![0; sides.len()]);
+        Some(Tiling {
+            points,
+            rank,
+            point,
+            corners,
+            twin,
+            side,
+            sides,
+            pieces,
+            along,
+            fans: HashMap::new(),
+        })
+    }
+
+    /// The points inside an edge, in its direction. Its pieces are marked. `None` if it is no chain of sides.
+    fn chain(&mut self, edge: [usize; 2]) -> Option<Vec<u32>> {
+        let [from, to] = edge.map(|v| self.rank.get(v).copied());
+        let [from, to] = [from?, to?];
+        let (mut at, last) = (from.min(to), from.max(to));
+        let mut inside = Vec::new();
+        // Points on one line have no sides, and their edges are not asked for.
+        while at != last && !self.corners.is_empty() {
+            let next = match self.sides.binary_search(&[at, last]) {
+                Ok(_) => last,
+                Err(_) => self.next_on_the_way(at, last)?,
+            };
+            let side = self.sides.binary_search(&[at, next]).ok()?;
+            self.pieces[side] += 1;
+            self.along[side] += if from < to { 1 } else { -1 };
+            if next != last {
+                inside.push(self.point[next as usize]);
+            }
+            at = next;
+        }
+        if from > to {
+            inside.reverse();
+        }
+        Some(inside)
+    }
+
+    /// The vertex beside `at` that lies on the way to a later one.
+    fn next_on_the_way(&mut self, at: u32, to: u32) -> Option<u32> {
+        let (points, point) = (self.points, &self.point);
+        let place = |v: u32| &points[point[v as usize] as usize];
+        let turn = |v: u32, w: u32| filtered_orient2d(place(at), place(v), place(w));
+        let sides = &self.sides;
+        let fan = self.fans.entry(at).or_insert_with(|| {
+            let first = sides.partition_point(|side| side[0] < at);
+            let beside = sides[first..].iter().take_while(|side| side[0] == at);
+            let mut fan: Vec<u32> = beside.map(|side| side[1]).collect();
+            fan.sort_by(|&v, &w| turn(v, w).reverse());
+            fan
+        });
+        let place = fan.binary_search_by(|&v| turn(v, to).reverse()).ok()?;
+        Some(fan[place]).filter(|&next| next < to)
+    }
+
+    /// The ranks of the ends of a half-edge.
+    fn ends(&self, half: u32) -> [u32; 2] {
+        let [t, k] = [half as usize / 3, half as usize % 3];
+        let corners = self.corners[t];
+        [corners[k], corners[(k + 1) % 3]].map(|v| self.rank[v as usize])
+    }
+
+    fn is_lower(&self, half: u32) -> bool {
+        let [from, to] = self.ends(half);
+        from < to
+    }
+
+    /// The lower hull, and the triangles in an order in which each stands after those across its lower sides.
+    fn in_order(&self) -> Option<(Vec<u32>, Vec<u32>)> {
+        let halves = 0..u32::try_from(self.twin.len()).ok()?;
+        let is_border = |half: &u32| self.twin[*half as usize] == NONE && self.is_lower(*half);
+        let mut border: Vec<u32> = halves.clone().filter(is_border).collect();
+        border.sort_unstable_by_key(|&half| self.ends(half));
+        let starts = border.iter().map(|&half| self.ends(half)[0]);
+        let end = border.last().map(|&half| self.ends(half)[1]);
+        let lower = starts.chain(end).map(|v| self.point[v as usize]);
+
+        // How many triangles must be listed before each.
+        let mut waits = vec![0_u8; self.corners.len()];
+        for half in halves.filter(|&half| self.twin[half as usize] != NONE && self.is_lower(half)) {
+            waits[half as usize / 3] += 1;
+        }
+        let mut stack: Vec<u32> = Vec::new();
+        for half in border.iter().rev() {
+            if waits[*half as usize / 3] == 0 && stack.last() != Some(&(half / 3)) {
+                stack.push(half / 3);
+            }
+        }
+        let mut order = Vec::with_capacity(self.corners.len());
+        while let Some(t) = stack.pop() {
+            order.push(t);
+            // From the right to the left.
+            for half in [3 * t + 1, 3 * t + 2] {
+                let above = self.twin[half as usize];
+                if above == NONE || self.is_lower(half) {
+                    continue;
+                }
+                let waits = &mut waits[above as usize / 3];
+                *waits -= 1;
+                if *waits == 0 {
+                    stack.push(above / 3);
+                }
+            }
+        }
+        (order.len() == self.corners.len()).then(|| (lower.collect(), order))
+    }
+
+    /// The rule by which triangles are inside; and how often the edges go round each, if not all are.
+    fn domain(&self, is_inside: impl Fn(usize) -> bool) -> io::Result<(&'static str, Vec<i32>)> {
+        let all = 0..self.corners.len();
+        if all.clone().all(&is_inside) {
+            return Ok(("hull", Vec::new()));
+        }
+        let is = |windings: &Vec<i32>| all.clone().all(|t| (windings[t] != 0) == is_inside(t));
+        let parities = || self.windings(&self.pieces, |winding| winding.rem_euclid(2));
+        let windings = || self.windings(&self.along, |winding| winding);
+        let even_odd = parities().filter(is).map(|list| ("even-odd", list));
+        let by_rule = even_odd.or_else(|| windings().filter(is).map(|list| ("nonzero", list)));
+        by_rule.ok_or_else(|| {
+            let why = "a certificate is of what is inside by the rule hull, even-odd or nonzero: add --inside hull";
+            io::Error::new(io::ErrorKind::InvalidInput, why)
+        })
+    }
+
+    /// How often the edges go round each triangle, as a `kept` number, by how much that rises from the right of each side
+    /// to the left; `None` if the edges are no closed rings.
+    fn windings(&self, rise: &[i32], kept: fn(i32) -> i32) -> Option<Vec<i32>> {
+        let rise = |half: u32| {
+            let rise = rise[self.side[half as usize] as usize];
+            if self.is_lower(half) { rise } else { -rise }
+        };
+        let mut windings: Vec<Option<i32>> = vec![None; self.corners.len()];
+        // Half-edges, each with how often the edges go round what is on its left: from outside, then across sides.
+        let halves = 0..u32::try_from(self.twin.len()).ok()?;
+        let is_border = |half: &u32| self.twin[*half as usize] == NONE;
+        let border = halves.filter(is_border);
+        let mut stack: Vec<(u32, i32)> = border.map(|half| (half, kept(rise(half)))).collect();
+        while let Some((half, winding)) = stack.pop() {
+            match windings[half as usize / 3] {
+                Some(known) if known != winding => return None,
+                Some(_) => continue,
+                None => windings[half as usize / 3] = Some(winding),
+            }
+            let first = half - half % 3;
+            for half in first..first + 3 {
+                let twin = self.twin[half as usize];
+                if twin != NONE {
+                    stack.push((twin, kept(winding - rise(half))));
+                }
+            }
+        }
+        windings.into_iter().collect()
+    }
+
+    /// Which sides of a triangle are pieces of edges: the sum of 1, 2 and 4.
+    fn mark(&self, t: u32) -> u8 {
+        let pieces = |k: u32| self.pieces[self.side[(3 * t + k) as usize] as usize];
+        (0..3).map(|k| u8::from(pieces(k) > 0) << k).sum()
+    }
+}
+
+/// For each point its place among the distinct points, and for each place its first point; `None` if there are too many.
+fn ranked<S: Coordinate>(points: &[[S; 2]]) -> Option<(Vec<u32>, Vec<u32>)> {
+    let mut order: Vec<u32> = (0..u32::try_from(points.len()).ok()?).collect();
+    let compare = |&v: &u32, &w: &u32| {
+        let [[ax, ay], [bx, by]] = [v, w].map(|v| &points[v as usize]);
+        ax.compare(bx).then_with(|| ay.compare(by))
+    };
+    order.sort_by(compare);
+    let (mut rank, mut point) = (vec![0; points.len()], Vec::new());
+    for equal in order.chunk_by(|v, w| compare(v, w).is_eq()) {
+        for &v in equal {
+            rank[v as usize] = u32::try_from(point.len()).ok()?;
+        }
+        point.push(equal[0]);
+    }
+    Some((rank, point))
+}
