@@ -1,0 +1,221 @@
+(* The checker, a program over integers. certificate.md explains the format. Every loop is a tail call.
+
+   The triangles come from below: each is laid on the upper border, the front, of those before it. A triangle with one
+   lower side brings a new point to the front; one with two lower sides takes a point off it. So a side has both its
+   triangles at hand when the upper one comes, and no side is ever searched for. *)
+Require Import ZArith List Bool.
+Require Import Sort.
+Import ListNotations.
+Open Scope Z_scope.
+
+Record zpoint := ZPoint { zx : Z; zy : Z }.
+
+Definition zorient (a b c : zpoint) : Z :=
+  (zx b - zx a) * (zy c - zy a) - (zy b - zy a) * (zx c - zx a).
+
+(* Positive if p is strictly inside the circle through a, b, c, which turn left. *)
+Definition zcircle (a b c p : zpoint) : Z :=
+  let ax := zx a - zx p in let ay := zy a - zy p in
+  let bx := zx b - zx p in let by_ := zy b - zy p in
+  let cx := zx c - zx p in let cy := zy c - zy p in
+  (ax * ax + ay * ay) * (bx * cy - by_ * cx)
+  + (bx * bx + by_ * by_) * (cx * ay - cy * ax)
+  + (cx * cx + cy * cy) * (ax * by_ - ay * bx).
+
+(* A point is before another one if it is left of it, or below it where both have one x. *)
+Definition compare_points (a b : zpoint) : comparison :=
+  match Z.compare (zx a) (zx b) with Eq => Z.compare (zy a) (zy b) | c => c end.
+Definition before (a b : zpoint) : bool := match compare_points a b with Lt => true | _ => false end.
+Definition same (a b : zpoint) : bool := match compare_points a b with Eq => true | _ => false end.
+
+(* A side or a piece of an edge, from the end that is before the other one. *)
+Record zside := ZSide { left_end : zpoint; right_end : zpoint }.
+Definition compare_sides (s t : zside) : comparison :=
+  match compare_points (left_end s) (left_end t) with
+  | Eq => compare_points (right_end s) (right_end t)
+  | c => c
+  end.
+
+(* The certificate. *)
+Record zmarks := Marks { mark_ab : bool; mark_bc : bool; mark_ca : bool }.
+Record ztriangle := ZTriangle { corner_a : zpoint; corner_b : zpoint; corner_c : zpoint; marks : zmarks }.
+Record zedge := ZEdge { edge_from : zpoint; edge_through : list zpoint; edge_to : zpoint }.
+Record certificate := Certificate
+  { points : list zpoint; edges : list zedge; lower : list zpoint; triangles : list ztriangle }.
+
+(* A side of the front, the corner of the triangle below it, and whether that triangle marks it. *)
+Record item := Item { item_side : zside; below : option zpoint; marked : bool }.
+
+(* The front in two parts: what is left of the place where the last triangle came, nearest first; and the rest. *)
+Record state := State
+  { passed : list item; ahead : list item; brought : list zpoint; used : list zside }.
+
+Fixpoint go_right (a : zpoint) (passed ahead : list item) : list item * list item :=
+  match ahead with
+  | [] => (passed, [])
+  | i :: r => if same a (left_end (item_side i)) then (passed, ahead) else go_right a (i :: passed) r
+  end.
+Fixpoint go_left (a : zpoint) (passed ahead : list item) : list item * list item :=
+  match passed with
+  | [] => ([], ahead)
+  | i :: r => if same a (left_end (item_side i)) then (r, i :: ahead) else go_left a r (i :: ahead)
+  end.
+Definition go (a : zpoint) (passed ahead : list item) : list item * list item :=
+  match ahead with
+  | [] => go_left a passed ahead
+  | i :: _ => if before a (left_end (item_side i)) then go_left a passed ahead else go_right a passed ahead
+  end.
+
+(* The rule of the first corner, of four corners on one circle. *)
+Definition zfirst (a b : zpoint) : bool :=
+  match Z.compare (zx a) (zx b) with Lt => true | Gt => false | Eq => Z.leb (zy b) (zy a) end.
+Definition tie_is_right (a b c d : zpoint) : bool :=
+  let f := if zfirst a b then a else b in zfirst f c && zfirst f d.
+
+(* Triangle a, b, c may lie above the side ab of the front. *)
+Definition legal (rule mark : bool) (c : zpoint) (i : item) : bool :=
+  mark ||
+  match below i with
+  | None => true
+  | Some d =>
+    let a := left_end (item_side i) in let b := right_end (item_side i) in
+    match Z.compare (zcircle a b c d) 0 with
+    | Lt => true
+    | Eq => negb rule || tie_is_right a b c d
+    | Gt => false
+    end
+  end.
+
+Definition use (mark : bool) (i : item) (l : list zside) : list zside := if mark then item_side i :: l else l.
+
+Definition step (rule : bool) (t : ztriangle) (s : state) : option state :=
+  let a := corner_a t in let b := corner_b t in let c := corner_c t in let m := marks t in
+  if Z.ltb 0 (zorient a b c) then
+    match go a (passed s) (ahead s) with
+    | (l, i :: r) =>
+      if same a (left_end (item_side i)) && same b (right_end (item_side i)) && legal rule (mark_ab m) c i then
+        if before c b then
+          if before a c then
+            Some (State l
+              (Item (ZSide a c) (Some b) (mark_ca m) :: Item (ZSide c b) (Some a) (mark_bc m) :: r)
+              (c :: brought s) (use (mark_ab m) i (used s)))
+          else None
+        else
+          match r with
+          | j :: r' =>
+            if same b (left_end (item_side j)) && same c (right_end (item_side j)) && legal rule (mark_bc m) a j then
+              Some (State l (Item (ZSide a c) (Some b) (mark_ca m) :: r')
+                (brought s) (use (mark_ab m) i (use (mark_bc m) j (used s))))
+            else None
+          | [] => None
+          end
+      else None
+    | (_, []) => None
+    end
+  else None.
+
+Fixpoint lay (rule : bool) (ts : list ztriangle) (s : state) : option state :=
+  match ts with
+  | [] => Some s
+  | t :: r => match step rule t s with Some s' => lay rule r s' | None => None end
+  end.
+
+(* The border: sides that follow each other to the right, and never turn right (sign 1) or left (sign -1). *)
+Fixpoint chain (sign : Z) (s : zside) (l : list zside) : bool :=
+  before (left_end s) (right_end s) &&
+  match l with
+  | [] => true
+  | t :: r =>
+    same (right_end s) (left_end t) &&
+    Z.leb 0 (sign * zorient (left_end s) (right_end s) (right_end t)) && chain sign t r
+  end.
+Fixpoint last_end (s : zside) (l : list zside) : zpoint :=
+  match l with
+  | [] => right_end s
+  | t :: r => last_end t r
+  end.
+Definition border (low high : list zside) : bool :=
+  match low, high with
+  | s :: l, t :: h =>
+    chain 1 s l && chain (-1) t h && same (left_end s) (left_end t) && same (last_end s l) (last_end t h)
+  | _, _ => false
+  end.
+
+(* The sides of a list of points, the last one first. *)
+Fixpoint sides_of (a : zpoint) (l : list zpoint) (acc : list zside) : list zside :=
+  match l with
+  | [] => acc
+  | b :: r => sides_of b r (ZSide a b :: acc)
+  end.
+Definition low_sides (l : list zpoint) : list zside :=
+  match l with
+  | [] => []
+  | a :: r => rev_append (sides_of a r []) []
+  end.
+
+(* The pieces of an edge: each point that it passes lies between the one before and the end. *)
+Definition piece (a b : zpoint) : zside := if before a b then ZSide a b else ZSide b a.
+Definition inside (a v b : zpoint) : bool :=
+  Z.eqb (zorient a b v) 0 && (before a v && before v b || before b v && before v a).
+Fixpoint pieces_of (a : zpoint) (through : list zpoint) (b : zpoint) (acc : list zside) : option (list zside) :=
+  match through with
+  | [] => Some (piece a b :: acc)
+  | v :: r => if inside a v b then pieces_of v r b (piece a v :: acc) else None
+  end.
+Fixpoint pieces (es : list zedge) (acc : list zside) : option (list zside) :=
+  match es with
+  | [] => Some acc
+  | e :: r =>
+    if same (edge_from e) (edge_to e) then pieces r acc
+    else match pieces_of (edge_from e) (edge_through e) (edge_to e) acc with
+         | Some acc' => pieces r acc'
+         | None => None
+         end
+  end.
+
+Fixpoint all_on_line (a b : zpoint) (l : list zpoint) : bool :=
+  match l with
+  | [] => true
+  | p :: r => Z.eqb (zorient a b p) 0 && all_on_line a b r
+  end.
+Fixpoint on_line (a : zpoint) (l : list zpoint) : bool :=
+  match l with
+  | [] => true
+  | b :: r => if same a b then on_line a r else all_on_line a b r
+  end.
+
+Fixpoint map_items {A} (f : item -> A) (l : list item) (acc : list A) : list A :=
+  match l with
+  | [] => acc
+  | i :: r => map_items f r (f i :: acc)
+  end.
+Fixpoint marked_sides (l : list item) (acc : list zside) : list zside :=
+  match l with
+  | [] => acc
+  | i :: r => marked_sides r (use (marked i) i acc)
+  end.
+
+(* Each side of the front has a triangle below. *)
+Fixpoint all_covered (l : list item) : bool :=
+  match l with
+  | [] => true
+  | i :: r => match below i with Some _ => all_covered r | None => false end
+  end.
+
+Definition check (rule : bool) (k : certificate) : bool :=
+  match triangles k with
+  | [] => match points k with [] => true | a :: r => on_line a r end
+  | _ =>
+    let low := low_sides (lower k) in
+    let start := State [] (rev_append (fold_left (fun acc s => Item s None false :: acc) low []) [])
+                   (lower k) [] in
+    match lay rule (triangles k) start, pieces (edges k) [] with
+    | Some s, Some ps =>
+      let front := rev_append (passed s) (ahead s) in
+      all_covered front
+      && border low (rev_append (map_items item_side front []) [])
+      && same_set compare_points (points k) (brought s)
+      && same_set compare_sides ps (marked_sides front (used s))
+    | _, _ => false
+    end
+  end.

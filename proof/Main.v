@@ -1,0 +1,85 @@
+(* What the checker accepts is right. *)
+Require Import Reals ZArith List Lra Lia Bool.
+Require Import Spec Geometry Check Place Tiling Walk.
+Import ListNotations.
+Open Scope R_scope.
+
+Definition real_points (u : R) (k : certificate) : list point := map (place u) (points k).
+Definition real_edges (u : R) (k : certificate) : list edge := map (place_edge u) (edges k).
+Definition real_triangles (u : R) (k : certificate) : list triangle := map (place_triangle u) (triangles k).
+
+Lemma parallel a b x y z : a <> b -> orient a b x = 0 -> orient a b y = 0 -> orient a b z = 0 -> orient x y z = 0.
+Proof.
+  intros N A B C.
+  assert (E1 : (X b - X a) * orient x y z = (X y - X x) * (orient a b z - orient a b x)
+     - (X z - X x) * (orient a b y - orient a b x)) by (flat; ring).
+  assert (E2 : (Y b - Y a) * orient x y z = (Y y - Y x) * (orient a b z - orient a b x)
+     - (Y z - Y x) * (orient a b y - orient a b x)) by (flat; ring).
+  rewrite A, B, C in E1, E2.
+  destruct (Req_dec (X b - X a) 0) as [Z|Z].
+  - destruct (Req_dec (Y b - Y a) 0) as [W|W]; [exfalso; apply N; apply point_eq; lra|].
+    apply Rmult_eq_reg_l with (Y b - Y a); lra.
+  - apply Rmult_eq_reg_l with (X b - X a); lra.
+Qed.
+
+Section Main.
+Variable u : R.
+Hypothesis u_positive : 0 < u.
+
+Lemma all_on_line_spec a b : forall l, all_on_line a b l = true ->
+  forall p, In p l -> orient (place u a) (place u b) (place u p) = 0.
+Proof.
+  induction l as [|x l IH]; cbn; intros H p I; [destruct I|].
+  apply andb_prop in H. destruct H as [A B]. destruct I as [<-|I]; [|auto].
+  apply Z.eqb_eq in A. apply (place_orient_zero u u_positive). assumption.
+Qed.
+
+Lemma on_line_spec a : forall l, on_line a l = true ->
+  (forall p, In p l -> p = a) \/
+  exists b, b <> a /\ forall p, In p l -> orient (place u a) (place u b) (place u p) = 0.
+Proof.
+  induction l as [|x l IH]; cbn; intros H; [left; intros p []|].
+  destruct (same a x) eqn:S.
+  - apply same_eq in S. subst x. destruct (IH H) as [L|(b & N & L)].
+    + left. intros p [<-|I]; auto.
+    + right. exists b. split; [assumption|]. intros p [<-|I]; auto.
+      destruct (orient_same (place u a) (place u b)); assumption.
+  - right. exists x. split.
+    + intros ->. rewrite same_refl in S. discriminate.
+    + intros p [<-|I]; [|apply all_on_line_spec with l; assumption].
+      destruct (orient_same (place u a) (place u x)); assumption.
+Qed.
+
+Lemma one_line_spec k : match points k with [] => true | a :: r => on_line a r end = true -> on_one_line (real_points u k).
+Proof.
+  unfold real_points. destruct (points k) as [|a r]; [intros _ x y z []|]. intros H x y z Hx Hy Hz.
+  apply in_map_iff in Hx, Hy, Hz. destruct Hx as (x' & <- & Hx), Hy as (y' & <- & Hy), Hz as (z' & <- & Hz).
+  destruct (on_line_spec a r H) as [L|(b & N & L)].
+  - assert (G : forall p, In p (a :: r) -> p = a) by (intros p [<-|I]; auto).
+    rewrite (G x'), (G y'), (G z') by assumption. destruct (orient_same (place u a) (place u a)); assumption.
+  - assert (G : forall p, In p (a :: r) -> orient (place u a) (place u b) (place u p) = 0).
+    { intros p [<-|I]; auto. destruct (orient_same (place u a) (place u b)); assumption. }
+    apply parallel with (place u a) (place u b); auto.
+    intros K. apply N. apply (place_injective u u_positive) in K. auto.
+Qed.
+
+(* The level of any right triangulation. *)
+Theorem accepted_is_constrained_delaunay rule k : check rule k = true ->
+  constrained_delaunay (real_points u k) (real_edges u k) (real_triangles u k).
+Proof.
+  intros H. destruct (triangles k) eqn:T.
+  - right. split; [|unfold real_triangles; rewrite T; reflexivity].
+    apply one_line_spec. unfold check in H. rewrite T in H. assumption.
+  - left. apply (tiled_triangulation rule). apply check_tiled; [assumption..|]. rewrite T. discriminate.
+Qed.
+
+(* The level of the one triangulation with the rule of the first corner. *)
+Theorem accepted_is_canonical k : check true k = true ->
+  canonical (real_points u k) (real_edges u k) (real_triangles u k).
+Proof.
+  intros H. split; [apply accepted_is_constrained_delaunay with true; assumption|].
+  destruct (triangles k) eqn:T.
+  - unfold real_triangles. rewrite T. intros t a b c p q [].
+  - apply (tiled_first_corner true); [|reflexivity]. apply check_tiled; [assumption..|]. rewrite T. discriminate.
+Qed.
+End Main.
