@@ -74,16 +74,18 @@ Definition tie_is_right (a b c d : zpoint) : bool :=
 
 (* Triangle a, b, c may lie above the side ab of the front. *)
 Definition legal (rule mark : bool) (c : zpoint) (i : item) : bool :=
-  mark ||
   match below i with
   | None => true
   | Some d =>
-    let a := left_end (item_side i) in let b := right_end (item_side i) in
-    match Z.compare (zcircle a b c d) 0 with
-    | Lt => true
-    | Eq => negb rule || tie_is_right a b c d
-    | Gt => false
-    end
+    if mark then marked i
+    else if marked i then false
+    else
+      let a := left_end (item_side i) in let b := right_end (item_side i) in
+      match Z.compare (zcircle a b c d) 0 with
+      | Lt => true
+      | Eq => negb rule || tie_is_right a b c d
+      | Gt => false
+      end
   end.
 
 Definition use (mark : bool) (i : item) (l : list zside) : list zside := if mark then item_side i :: l else l.

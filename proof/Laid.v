@@ -150,7 +150,7 @@ Lemma legal_fine m c i d (use_side : list zside) : legal rule m c i = true -> be
   fine use_side (at_left i) (at_right i) (place u c) (place u d).
 Proof.
   unfold legal. intros L B I. rewrite B in L. destruct m; [left; exists (item_side i); auto|].
-  cbn in L. right. rewrite place_circle.
+  destruct (marked i); [discriminate|]. right. rewrite place_circle.
   assert (U : 0 < u * u * (u * u)) by (assert (0 < u * u) by nra; nra).
   set (z := zcircle _ _ _ _) in *.
   destruct (Z.compare_spec z 0) as [E|E|E]; [| |discriminate].

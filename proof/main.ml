@@ -1,0 +1,50 @@
+(* Reads a certificate (certificate.md), asks the proved checker, and says what it found.
+   Exit status: 0 correct, 1 refused, 2 and all others: no verdict. *)
+open Checker
+
+let read channel =
+  let words () = String.split_on_char ' ' (input_line channel) in
+  let fail what = failwith ("not a certificate: " ^ what) in
+  let many name = match words () with [n; count] when n = name -> int_of_string count | _ -> fail name in
+  let list count item =
+    let rec more l n = if n = 0 then List.rev l else more (item () :: l) (n - 1) in more [] (max 0 count) in
+  let header = words () in
+  if header <> ["sweep-cdt-certificate"; "1"] then fail "header";
+  ignore (many "exponent");
+  if words () <> ["domain"; "hull"] then fail "domain";
+  let count = many "points" in
+  let points = list count (fun () -> match words () with
+    | [x; y] -> { zx = Integer.of_string x; zy = Integer.of_string y } | _ -> fail "a point") in
+  let place = Array.of_list points in
+  let point word = place.(int_of_string word) in
+  let edges = list (many "edges") (fun () -> match words () with
+    | a :: (_ :: _ as rest) -> (match List.rev_map point rest with
+      | b :: through -> { edge_from = point a; edge_through = List.rev through; edge_to = b } | [] -> fail "an edge")
+    | _ -> fail "an edge") in
+  let sides = many "lower" in
+  let lower = list (if sides = 0 then 0 else sides + 1) (fun () -> match words () with
+    | [a] -> point a | _ -> fail "a point of the lower hull") in
+  let marks = Array.init 8 (fun m -> { mark_ab = m land 1 > 0; mark_bc = m land 2 > 0; mark_ca = m land 4 > 0 }) in
+  let triangles = list (many "triangles") (fun () -> match words () with
+    | [a; b; c; m] -> { corner_a = point a; corner_b = point b; corner_c = point c; marks = marks.(int_of_string m) }
+    | _ -> fail "a triangle") in
+  if words () <> ["end"] then fail "end";
+  { points; edges; lower; triangles }
+
+let say status message = print_endline message; exit status
+
+let () =
+  let judge plain path =
+    let k = try read (open_in_bin path) with
+      | Sys_error m | Failure m | Invalid_argument m -> say 2 ("unreadable: " ^ m)
+      | End_of_file -> say 2 "unreadable: the file ends too early" in
+    if check (not plain) k then
+      say 0 (if plain then "correct: a constrained Delaunay triangulation"
+             else "correct: the constrained Delaunay triangulation with the rule of the first corner")
+    else if not plain && check false k then
+      say 1 "refused: a constrained Delaunay triangulation, but without the rule of the first corner (--plain accepts it)"
+    else say 1 "refused" in
+  match Sys.argv with
+  | [| _; path |] -> judge false path
+  | [| _; "--plain"; path |] -> judge true path
+  | _ -> say 2 "usage: check [--plain] FILE"

@@ -1,0 +1,95 @@
+"""Writes the certificate (certificate.md) of a result of `sweep-cdt triangulate IN -o OUT.json`.
+
+    python3 certify.py OUT.json OUT.cert
+
+Coordinates are doubles. The marks are those of the list `constrained`, the points of each edge those of `chains`.
+"""
+
+import json
+import sys
+
+
+def before(p, q):
+    return p < q  # pairs: by x, then by y
+
+
+def integers(points):
+    """The coordinates as integers, and the exponent of two that they share."""
+    ratios = [[c.as_integer_ratio() for c in p] for p in points]
+    shift = max((d.bit_length() - 1 for p in ratios for _, d in p), default=0)
+    return [tuple(n << (shift - d.bit_length() + 1) for n, d in p) for p in ratios], -shift
+
+
+def order(points, triangles):
+    """The triangles from below, leftmost first, and the lower hull."""
+    rotated = []
+    for t in triangles:
+        k = min(range(3), key=lambda i: points[t[i]])
+        rotated.append((t[k], t[(k + 1) % 3], t[(k + 2) % 3]))
+    above = {}  # the triangle above a side from left to right, by coordinates
+    for n, (a, b, c) in enumerate(rotated):
+        for p, q in ((a, b), (b, c), (c, a)):
+            if before(points[p], points[q]):
+                above[points[p], points[q]] = n
+    covered = set()  # sides with a triangle below
+    count = [0] * len(rotated)
+    for a, b, c in rotated:
+        for p, q in ((a, b), (b, c), (c, a)):
+            side = (points[q], points[p])
+            if before(*side) and side in above:
+                covered.add(side)
+                count[above[side]] += 1
+    low = {}
+    for a, b, c in rotated:
+        for p, q in ((a, b), (b, c), (c, a)):
+            if before(points[p], points[q]) and (points[p], points[q]) not in covered:
+                low[points[p]] = (p, q)
+    chain = []
+    if low:
+        p, q = low[min(low)]
+        chain = [p, q]
+        while points[q] in low:
+            q = low[points[q]][1]
+            chain.append(q)
+    stack = []
+    for p, q in reversed(list(zip(chain, chain[1:]))):
+        n = above[points[p], points[q]]
+        if count[n] == 0 and points[rotated[n][0]] == points[p]:
+            stack.append(n)
+    listed = []
+    while stack:
+        n = stack.pop()
+        listed.append(rotated[n])
+        a, b, c = rotated[n]
+        upper = [(p, q) for p, q in ((b, c), (c, a)) if before(points[q], points[p])]
+        for p, q in upper:  # the right one is met first
+            m = above.get((points[q], points[p]))
+            if m is not None:
+                count[m] -= 1
+                if count[m] == 0:
+                    stack.append(m)
+    return listed, chain
+
+
+def certificate(data):
+    points, exponent = integers([[float(c) for c in p[:2]] for p in data["points"]])
+    marked = {frozenset((points[a], points[b])) for a, b in data["constrained"]}
+    triangles, chain = order(points, data["triangles"])
+    out = ["sweep-cdt-certificate 1", f"exponent {exponent}", "domain hull", f"points {len(points)}"]
+    out += [f"{x} {y}" for x, y in points]
+    out.append(f"edges {len(data['chains'])}")
+    out += [" ".join(map(str, c if len(c) > 1 else c * 2)) for c in data["chains"]]
+    out.append(f"lower {max(0, len(chain) - 1)}")
+    out += map(str, chain)
+    out.append(f"triangles {len(triangles)}")
+    for a, b, c in triangles:
+        mark = sum(
+            1 << i for i, (p, q) in enumerate(((a, b), (b, c), (c, a))) if frozenset((points[p], points[q])) in marked
+        )
+        out.append(f"{a} {b} {c} {mark}")
+    return "\n".join(out + ["end", ""])
+
+
+if __name__ == "__main__":
+    with open(sys.argv[1]) as source, open(sys.argv[2], "w") as target:
+        target.write(certificate(json.load(source)))
