@@ -1,6 +1,6 @@
 (* What the checker accepts is right. *)
 Require Import Reals ZArith List Lra Lia Bool.
-Require Import Spec Geometry Check Place Tiling Walk.
+Require Import Spec Geometry Check Place Tiling Walk Unique.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -83,3 +83,14 @@ Proof.
   - apply (tiled_first_corner true); [|reflexivity]. apply check_tiled; [assumption..|]. rewrite T. discriminate.
 Qed.
 End Main.
+
+(* Two accepted certificates of the same points and edges have the same triangles. Their integers may differ, and their
+   units, if the points are the same. *)
+Theorem accepted_are_the_same u v k l : 0 < u -> 0 < v -> check true k = true -> check true l = true ->
+  same_points (real_points u k) (real_points v l) -> same_edges (real_edges u k) (real_edges v l) ->
+  same_triangles (real_triangles u k) (real_triangles v l).
+Proof.
+  intros U V K L SP SE.
+  apply (canonical_unique (real_points u k) (real_edges u k) (real_points v l) (real_edges v l)); try assumption;
+    apply accepted_is_canonical; assumption.
+Qed.

@@ -69,7 +69,10 @@ Definition first_corner_rule (P : list point) (E : list edge) (T : list triangle
 Definition canonical (P : list point) (E : list edge) (T : list triangle) : Prop :=
   constrained_delaunay P E T /\ first_corner_rule P E T.
 
-(* Two lists of triangles are the same triangles, wherever each begins. *)
+(* The same points, the same edges in any direction, the same triangles wherever each begins. *)
+Definition same_points (P Q : list point) : Prop := forall p, In p P <-> In p Q.
+Definition same_edges (E F : list edge) : Prop :=
+  forall a b, In (a, b) E \/ In (b, a) E <-> In (a, b) F \/ In (b, a) F.
 Definition same_triangle (t u : triangle) : Prop := forall p, corner p t <-> corner p u.
 Definition same_triangles (T U : list triangle) : Prop :=
   (forall t, In t T -> exists u, In u U /\ same_triangle t u) /\
