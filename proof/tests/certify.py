@@ -2,7 +2,8 @@
 
     python3 certify.py OUT.json OUT.cert
 
-Coordinates are doubles. The marks are those of the list `constrained`, the points of each edge those of `chains`.
+Coordinates are doubles. The points of each edge are those of `chains`. Triangles that cannot be laid come last, so that
+the certificate of a wrong result holds all of it.
 """
 
 import json
@@ -48,7 +49,7 @@ def order(points, triangles):
     if low:
         p, q = low[min(low)]
         chain = [p, q]
-        while points[q] in low:
+        while points[q] in low and len(chain) <= len(points):
             q = low[points[q]][1]
             chain.append(q)
     stack = []
@@ -57,9 +58,9 @@ def order(points, triangles):
         if count[n] == 0 and points[rotated[n][0]] == points[p]:
             stack.append(n)
     listed = []
-    while stack:
+    while stack and len(listed) < len(rotated):
         n = stack.pop()
-        listed.append(rotated[n])
+        listed.append(n)
         a, b, c = rotated[n]
         upper = [(p, q) for p, q in ((b, c), (c, a)) if before(points[q], points[p])]
         for p, q in upper:  # the right one is met first
@@ -68,12 +69,13 @@ def order(points, triangles):
                 count[m] -= 1
                 if count[m] == 0:
                     stack.append(m)
-    return listed, chain
+    rest = set(range(len(rotated))) - set(listed)
+    return [rotated[n] for n in listed + sorted(rest)], chain
 
 
 def certificate(data):
     points, exponent = integers([[float(c) for c in p[:2]] for p in data["points"]])
-    marked = {frozenset((points[a], points[b])) for a, b in data["constrained"]}
+    marked = {frozenset((points[a], points[b])) for c in data["chains"] for a, b in zip(c, c[1:])}
     triangles, chain = order(points, data["triangles"])
     out = ["sweep-cdt-certificate 1", f"exponent {exponent}", "domain hull", f"points {len(points)}"]
     out += [f"{x} {y}" for x, y in points]

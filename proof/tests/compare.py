@@ -1,0 +1,132 @@
+"""Compares the verdicts of the proved checker, of check.py and of `sweep-cdt verify`, on right results and altered ones.
+
+    python3 compare.py SWEEP_CDT [ALTERED]
+
+SWEEP_CDT is the command; ALTERED says how many altered results are made of each right one (5). The inputs are
+those of tests/data, and generated ones that are small and degenerate. proof/run builds the checker before.
+"""
+
+import json
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+
+PROOF = pathlib.Path(__file__).resolve().parent.parent
+sys.path[:0] = [str(PROOF), str(PROOF / "tests")]
+
+import certify  # noqa: E402
+import check  # noqa: E402
+
+KINDS = "uniform integers lattice rows columns circle parabola-up comb fans asterisk segments parcels contours".split()
+
+
+def inputs(command, folder):
+    data = PROOF.parent / "tests/data"
+    for path in [data / "formats/ten.json", data / "formats/ten.poly", data / "formats/split.poly", data / "isolines_small.poly"]:
+        yield path.name, path
+    for line in (data / "hard.jsonl").read_text().splitlines():
+        case = json.loads(line)
+        if len(case["points"]) <= 3000:
+            path = folder / "hard.json"
+            path.write_text(json.dumps({"points": case["points"], "edges": case["edges"]}))
+            yield case["name"], path
+    for kind in KINDS:
+        for size in (12, 60):
+            path = folder / "kind.json"
+            subprocess.run([command, "generate", kind, str(size), "-o", path], check=True, capture_output=True)
+            yield f"{kind} {size}", path
+
+
+def alter(result, rng):
+    """A copy of the result with one thing changed, and what that is."""
+    triangles = [list(t) for t in result["triangles"]]
+    chains = [list(c) for c in result["chains"]]
+    edges = [list(e) for e in result["edges"]]
+    vertices = range(len(result["points"]))
+    k = rng.randrange(len(triangles))
+    kind = rng.choice(["flip", "flip", "flip", "drop", "twice", "corner", "swap", "edge"])
+    if kind == "flip":
+        # The third corners of the triangles at each side, by the side's direction.
+        third = {(t[i], t[(i + 1) % 3]): (n, t[(i + 2) % 3]) for n, t in enumerate(triangles) for i in range(3)}
+        inner = [(p, q) for p, q in third if (q, p) in third]
+        if inner:
+            p, q = rng.choice(sorted(inner))
+            (n, r), (m, s) = third[p, q], third[q, p]
+            triangles[n], triangles[m] = [p, s, r], [s, q, r]
+    elif kind == "drop":
+        del triangles[k]
+    elif kind == "twice":
+        triangles.append(triangles[k])
+    elif kind == "corner":
+        triangles[k][rng.randrange(3)] = rng.choice(vertices)
+    elif kind == "swap":
+        p, q = rng.sample(vertices, 2)
+        triangles = [[{p: q, q: p}.get(v, v) for v in t] for t in triangles]
+    else:
+        p, q = rng.sample(vertices, 2)
+        points, _ = certify.integers([[float(c) for c in p] for p in result["points"]])
+        a, b = sorted((points[p], points[q]))
+        on = {points[v]: v for v in vertices if a < points[v] < b and check.orient(a, b, points[v]) == 0}
+        through = [on[point] for point in sorted(on, reverse=points[p] > points[q])]
+        edges.append([p, q])
+        chains.append([p, *through, q])
+    return kind, result | {"triangles": triangles, "chains": chains, "edges": edges}
+
+
+def verdicts(command, result, folder):
+    """What each judge says of the result, at the level of any right triangulation and at the canonical one."""
+    cert, graph, answer = folder / "x.cert", folder / "x.json", folder / "y.json"
+    text = certify.certificate(result)
+    cert.write_text(text)
+    graph.write_text(json.dumps({"points": result["points"], "edges": result["edges"]}))
+    answer.write_text(json.dumps({"triangles": result["triangles"]}))
+    said = {"proved": [], "check.py": [], "verify": []}
+    for plain in (True, False):
+        program = subprocess.run(
+            [PROOF / "build/check", *["--plain"] * plain, cert], capture_output=True, text=True, check=False
+        )
+        said["proved"].append(program.returncode)
+        try:
+            check.judge(*check.read(text.splitlines()), plain)
+            said["check.py"].append(0)
+        except check.Refused:
+            said["check.py"].append(1)
+        level = "delaunay" if plain else "canonical"
+        program = subprocess.run([command, "verify", graph, answer, "--level", level], capture_output=True, check=False)
+        said["verify"].append(program.returncode)
+    return said
+
+
+def main(command, altered=5):
+    rng = random.Random(1)
+    rights = wrongs = ties = 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for title, path in inputs(command, folder):
+            output = folder / "result.json"
+            output.unlink(missing_ok=True)
+            subprocess.run([command, "triangulate", path, "--inside", "hull", "-o", output], capture_output=True, check=False)
+            if not output.exists():
+                continue  # edges that cross
+            result = json.loads(output.read_text())
+            cases = [("right", result)]
+            if result["triangles"] and len(result["points"]) < 5000:
+                cases += [alter(result, rng) for _ in range(altered)]
+            for kind, case in cases:
+                said = verdicts(command, case, folder)
+                if not said["proved"] == said["check.py"] == said["verify"] or (kind == "right" and any(said["proved"])):
+                    (PROOF / "build/differs.cert").write_text((folder / "x.cert").read_text())
+                    sys.exit(f"{title}, {kind}: {said}; see build/differs.cert")
+                if kind == "right":
+                    rights += 1
+                elif said["proved"][0]:
+                    wrongs += 1
+                else:
+                    ties += said["proved"][1]
+    print(f"{rights} right results accepted and {wrongs} altered ones refused by all three; {ties} refused as ties alone")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], *map(int, sys.argv[2:]))

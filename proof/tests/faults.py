@@ -1,0 +1,101 @@
+"""Plants faults in the checker, one at a time, and sees that each breaks the proof.
+
+    python3 faults.py [NUMBER ...]
+
+Run proof/run first. A fault is a text that occurs once in a file, and the wrong text for it. The faulty checker must
+still be a program (Check.v compiles), and some file of the proof must fail. Each fault makes the checker accept more
+than it should; faults that make it refuse more are not for a proof of soundness to find.
+"""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PROOF = pathlib.Path(__file__).resolve().parent.parent
+ORDER = "Check Place Laid Border Pieces Tiling Cover Walk Unique Main".split()
+
+STEP = "same a (left_end (item_side i)) && same b (right_end (item_side i)) && legal rule (mark_ab m) c i"
+NEXT = "same b (left_end (item_side j)) && same c (right_end (item_side j)) && legal rule (mark_bc m) a j"
+FAULTS = [
+    ("Check", "flat triangles", "if Z.ltb 0 (zorient a b c) then", "if Z.leb 0 (zorient a b c) then"),
+    ("Check", "the area has a wrong sign", "(zx b - zx a) * (zy c - zy a) - (zy b", "(zx b - zx a) * (zy c - zy a) + (zy b"),
+    ("Check", "the circle has a wrong term", "(ax * by_ - ay * bx)", "(ax * by_ - ay * cx)"),
+    ("Check", "points of one x are equal", "Eq => Z.compare (zy a) (zy b) | c => c", "Eq => Eq | c => c"),
+    ("Check", "a lower side may begin elsewhere", STEP, STEP.replace("same a (left_end (item_side i)) && ", "")),
+    ("Check", "a lower side may end elsewhere", STEP, STEP.replace("same b (right_end (item_side i)) && ", "")),
+    ("Check", "the first lower side is not tested", STEP, STEP.replace(" && legal rule (mark_ab m) c i", "")),
+    ("Check", "the second lower side may begin elsewhere", NEXT, NEXT.replace("same b (left_end (item_side j)) && ", "")),
+    ("Check", "the second lower side may end elsewhere", NEXT, NEXT.replace("same c (right_end (item_side j)) && ", "")),
+    ("Check", "the second lower side is not tested", NEXT, NEXT.replace(" && legal rule (mark_bc m) a j", "")),
+    ("Check", "the second lower side is tested with a wrong corner", NEXT, NEXT.replace("a j", "b j")),
+    ("Check", "the front may go back", "if before a c then\n", "if before a b then\n"),
+    ("Check", "the new point may be anywhere", "if before c b then\n", "if before b c then\n"),
+    ("Check", "the corner below a new side is wrong", "Item (ZSide c b) (Some a)", "Item (ZSide c b) (Some b)"),
+    ("Check", "points in circles", "| Gt => false\n", "| Gt => true\n"),
+    ("Check", "ties are free", "Eq => negb rule || tie_is_right a b c d", "Eq => true"),
+    ("Check", "a tie looks at three corners", "zfirst f c && zfirst f d", "zfirst f c"),
+    ("Check", "the lower of two corners is first", "Eq => Z.leb (zy b) (zy a)", "Eq => Z.leb (zy a) (zy b)"),
+    ("Check", "sides with a mark below are not tested", "else if marked i then false\n", "else if marked i then true\n"),
+    ("Check", "marks are lost", "if mark then item_side i :: l else l", "l"),
+    ("Check", "the border may go back", "  before (left_end s) (right_end s) &&\n", "  true &&\n"),
+    ("Check", "the border may have gaps", "    same (right_end s) (left_end t) &&\n", "    true &&\n"),
+    ("Check", "the border may have dents",
+     "Z.leb 0 (sign * zorient (left_end s) (right_end s) (right_end t)) && chain", "chain"),
+    ("Check", "the upper border turns the wrong way", "chain (-1) t h", "chain 1 t h"),
+    ("Check", "the borders begin apart", " && same (left_end s) (left_end t)", ""),
+    ("Check", "the borders end apart", " && same (last_end s l) (last_end t h)", ""),
+    ("Check", "no border", "      && border low (rev_append (map_items item_side front []) [])\n", "\n"),
+    ("Check", "sides without a triangle", "all_covered front\n      && ", ""),
+    ("Check", "points may be missing", "      && same_set compare_points (points k) (brought s)\n", "\n"),
+    ("Check", "edges may be missing", "      && same_set compare_sides ps (marked_sides front (used s))\n", "\n"),
+    ("Check", "edges may go through any points", "if inside a v b then pieces_of", "if true then pieces_of"),
+    ("Check", "points beside an edge", "Z.eqb (zorient a b v) 0 && (before a v", "(before a v"),
+    ("Check", "points beyond the end of an edge", "(before a v && before v b ||", "(before a v ||"),
+    ("Check", "no edges", "if same (edge_from e) (edge_to e) then pieces r acc", "if true then pieces r acc"),
+    ("Check", "points on no line", "if same a b then on_line a r else all_on_line a b r", "if same a b then on_line a r else true"),
+    ("Sort", "equal lists may differ in length", "| _, _ => false", "| _, _ => true"),
+    ("Sort", "merging loses an item", "| Gt => merge_l1 t2 (y :: acc)", "| Gt => merge_l1 t2 acc"),
+    ("Sort", "different items are merged", "match compare x y with Eq => distinct r acc | _ => distinct r (x :: acc) end",
+     "distinct r acc"),
+]
+
+
+def compiles(folder, module):
+    return subprocess.run(["coqc", "-q", f"{module}.v"], cwd=folder, capture_output=True, timeout=120, check=False).returncode == 0
+
+
+def broken_file(module, right, wrong):
+    """The file whose proof the fault breaks, or None."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for pattern in ("*.v", "*.vo"):
+            for file in (PROOF / "build").glob(pattern):
+                shutil.copy(file, folder)
+        text = (folder / f"{module}.v").read_text()
+        if text.count(right) != 1:
+            sys.exit(f"{right!r} occurs {text.count(right)} times in {module}.v")
+        (folder / f"{module}.v").write_text(text.replace(right, wrong))
+        if module == "Check" and not compiles(folder, "Check"):
+            sys.exit(f"with {wrong!r} the checker is no program")
+        for file in ORDER[1:] if module == "Check" else [module, *ORDER]:
+            if not compiles(folder, file):
+                return file
+    return None
+
+
+def main(numbers):
+    survivors = 0
+    for number, (module, name, right, wrong) in enumerate(FAULTS, 1):
+        if numbers and number not in numbers:
+            continue
+        file = broken_file(module, right, wrong)
+        survivors += file is None
+        print(f"{number:3} {name}: {'breaks ' + file + '.v' if file else 'NOT FOUND'}", flush=True)
+    if survivors:
+        sys.exit(f"{survivors} faults do not break the proof")
+
+
+if __name__ == "__main__":
+    main([int(n) for n in sys.argv[1:]])
