@@ -1,4 +1,4 @@
-(* Small examples, right and wrong by the definitions of Spec.v. Each wrong one breaks one clause. *)
+(* Small examples, right and wrong by the definitions of Spec.v. *)
 Require Import Reals ZArith List Lra Lia.
 Require Import Spec Check Place Main.
 Import ListNotations.
