@@ -1,36 +1,42 @@
 (* Merge sort and removal of equals, without recursion on the machine's stack.
    The proof needs one fact: nothing is lost and nothing is made. That the list is in order is not needed. *)
-Require Import List Permutation.
+Require Import List Permutation Wf_nat.
 Import ListNotations.
 
 Section Sort.
 Context {A : Type} (compare : A -> A -> comparison).
 
-Fixpoint merge (l1 : list A) : list A -> list A -> list A :=
-  fix merge_l1 (l2 acc : list A) : list A :=
-    match l1, l2 with
-    | [], _ => rev_append acc l2
-    | _, [] => rev_append acc l1
-    | x :: t1, y :: t2 =>
-      match compare x y with
-      | Gt => merge_l1 t2 (y :: acc)
-      | _ => merge t1 l2 (x :: acc)
-      end
-    end.
+(* Merging reverses: lists in order become one list in the opposite order. So the rounds take turns. *)
+Definition goes_first (up : bool) (x y : A) : bool :=
+  match compare x y with Lt => up | Eq => true | Gt => negb up end.
 
-Fixpoint merge_pairs (ls acc : list (list A)) : list (list A) :=
+Lemma shorter_left {l1 l2 t : list A} {x : A} : l1 = x :: t -> length t + length l2 < length l1 + length l2.
+Proof. intros ->. cbn. auto with arith. Qed.
+Lemma shorter_right {l1 l2 t : list A} {y : A} : l2 = y :: t -> length l1 + length t < length l1 + length l2.
+Proof. intros ->. cbn. rewrite <- plus_n_Sm. auto with arith. Qed.
+
+Fixpoint merge (up : bool) (l1 l2 acc : list A) (H : Acc lt (length l1 + length l2)) {struct H} : list A :=
+  match l1 as m1, l2 as m2 return l1 = m1 -> l2 = m2 -> list A with
+  | [], _ => fun _ _ => rev_append l2 acc
+  | _, [] => fun _ _ => rev_append l1 acc
+  | x :: t1, y :: t2 => fun e1 e2 =>
+    if goes_first up x y then merge up t1 l2 (x :: acc) (Acc_inv H (shorter_left e1))
+    else merge up l1 t2 (y :: acc) (Acc_inv H (shorter_right e2))
+  end eq_refl eq_refl.
+
+Fixpoint merge_pairs (up : bool) (ls acc : list (list A)) : list (list A) :=
   match ls with
-  | a :: b :: r => merge_pairs r (merge a b [] :: acc)
-  | [a] => a :: acc
+  | a :: b :: r => merge_pairs up r (merge up a b [] (lt_wf _) :: acc)
+  | [a] => rev_append a [] :: acc
   | [] => acc
   end.
 
-Fixpoint merge_all (rounds : nat) (ls : list (list A)) : list A :=
+Fixpoint merge_all (rounds : nat) (up : bool) (ls : list (list A)) : list A :=
   match rounds, ls with
   | _, [] => []
-  | _, [a] => a
+  | _, [a] => if up then a else rev_append a []
   | O, a :: r => fold_left (fun acc l => rev_append l acc) r a
-  | S n, _ => merge_all n (merge_pairs ls [])
+  | S n, _ => merge_all n (negb up) (merge_pairs up ls [])
   end.
 
 Fixpoint singles (l : list A) (acc : list (list A)) : list (list A) :=
@@ -40,7 +46,7 @@ Fixpoint singles (l : list A) (acc : list (list A)) : list (list A) :=
   end.
 
 (* Forty rounds are enough for 2^40 items. *)
-Definition sort (l : list A) : list A := merge_all 40 (singles l []).
+Definition sort (l : list A) : list A := merge_all 40 true (singles l []).
 
 Fixpoint distinct (l acc : list A) : list A :=
   match l with
@@ -61,45 +67,43 @@ Fixpoint equal (l m : list A) : bool :=
 
 Definition same_set (l m : list A) : bool := equal (distinct (sort l) []) (distinct (sort m) []).
 
-Lemma merge_permutes l1 : forall l2 acc, Permutation (merge l1 l2 acc) (acc ++ l1 ++ l2).
+Lemma merge_permutes up : forall n l1 l2 acc H, length l1 + length l2 <= n ->
+  Permutation (merge up l1 l2 acc H) (acc ++ l1 ++ l2).
 Proof.
-  induction l1 as [|x t1 IH1]; intros l2; induction l2 as [|y t2 IH2]; intros acc; cbn [merge];
-    rewrite ?rev_append_rev, ?app_nil_r.
-  - rewrite <- Permutation_rev; cbn; rewrite ?app_nil_r; reflexivity.
-  - rewrite <- Permutation_rev. reflexivity.
-  - rewrite <- Permutation_rev. reflexivity.
-  - assert (G : Permutation (merge (x :: t1) t2 (y :: acc)) (acc ++ (x :: t1) ++ y :: t2)).
-    { etransitivity; [apply IH2|]. cbn [app].
-      rewrite (Permutation_middle acc). apply Permutation_app_head.
-      rewrite (Permutation_middle (x :: t1) t2 y). reflexivity. }
-    assert (L : Permutation (merge t1 (y :: t2) (x :: acc)) (acc ++ (x :: t1) ++ y :: t2)).
-    { etransitivity; [apply IH1|]. cbn [app]. apply (Permutation_middle acc). }
-    destruct (compare x y); [exact L | exact L | exact G].
+  assert (R : forall l acc : list A, Permutation (rev_append l acc) (acc ++ l)).
+  { intros l acc. rewrite rev_append_rev, <- Permutation_rev. apply Permutation_app_comm. }
+  induction n as [|n IH]; intros l1 l2 acc [H] L; destruct l1 as [|x t1], l2 as [|y t2]; cbn [merge app];
+    try (rewrite R, ?app_nil_r; reflexivity); [inversion L|].
+  destruct (goes_first up x y).
+  - rewrite IH by (cbn in *; apply le_S_n; assumption). cbn [app]. apply (Permutation_middle acc).
+  - rewrite IH by (cbn in *; rewrite <- plus_n_Sm in L; apply le_S_n; assumption). cbn [app].
+    rewrite (Permutation_middle acc). apply Permutation_app_head. apply (Permutation_middle (x :: t1)).
 Qed.
 
-Lemma merge_pairs_permutes n : forall ls acc, length ls <= n ->
-  Permutation (concat (merge_pairs ls acc)) (concat acc ++ concat ls).
+Lemma merge_pairs_permutes up n : forall ls acc, length ls <= n ->
+  Permutation (concat (merge_pairs up ls acc)) (concat acc ++ concat ls).
 Proof.
   induction n as [|n IH]; intros ls acc H.
   - destruct ls; [|inversion H]. cbn. rewrite app_nil_r. reflexivity.
   - destruct ls as [|a [|b r]]; cbn [merge_pairs].
     + cbn. rewrite app_nil_r. reflexivity.
-    + cbn. rewrite app_nil_r. apply Permutation_app_comm.
+    + cbn. rewrite app_nil_r, rev_append_rev, app_nil_r, <- Permutation_rev. apply Permutation_app_comm.
     + rewrite IH by (cbn in H; apply le_S_n in H; apply le_S_n; apply le_S; assumption).
-      cbn [concat]. rewrite merge_permutes. cbn [app].
+      cbn [concat]. rewrite (merge_permutes up _ a b [] _ (le_n _)). cbn [app].
       rewrite (Permutation_app_comm (a ++ b)), <- !app_assoc. reflexivity.
 Qed.
 
-Lemma merge_all_permutes n : forall ls, Permutation (merge_all n ls) (concat ls).
+Lemma merge_all_permutes n : forall up ls, Permutation (merge_all n up ls) (concat ls).
 Proof.
-  induction n as [|n IH]; intros [|a [|b r]]; cbn [merge_all]; try (cbn; rewrite ?app_nil_r; reflexivity).
+  induction n as [|n IH]; intros up [|a [|b r]]; cbn [merge_all];
+    try (destruct up; cbn; rewrite ?app_nil_r, ?rev_append_rev, ?app_nil_r, <- ?Permutation_rev; reflexivity).
   - assert (G : forall (r : list (list A)) a, Permutation (fold_left (fun acc l => rev_append l acc) r a) (a ++ concat r)).
     { clear. induction r as [|l r IH]; intros a; cbn.
       - rewrite app_nil_r; reflexivity.
       - rewrite IH, rev_append_rev, <- Permutation_rev, app_assoc.
         apply Permutation_app_tail, Permutation_app_comm. }
     apply G.
-  - rewrite IH, (merge_pairs_permutes _ _ _ (le_n _)). reflexivity.
+  - rewrite IH, (merge_pairs_permutes up _ _ _ (le_n _)). reflexivity.
 Qed.
 
 Lemma singles_permutes l : forall acc, Permutation (concat (singles l acc)) (concat acc ++ l).
