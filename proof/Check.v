@@ -38,17 +38,22 @@ Definition compare_sides (s t : zside) : comparison :=
 
 (* The certificate. *)
 Record zmarks := Marks { mark_ab : bool; mark_bc : bool; mark_ca : bool }.
-Record ztriangle := ZTriangle { corner_a : zpoint; corner_b : zpoint; corner_c : zpoint; marks : zmarks }.
+Record ztriangle := ZTriangle
+  { corner_a : zpoint; corner_b : zpoint; corner_c : zpoint; marks : zmarks; value : Z }.
+Inductive zdomain := Hull | EvenOdd | NonZero.
 Record zedge := ZEdge { edge_from : zpoint; edge_through : list zpoint; edge_to : zpoint }.
 Record certificate := Certificate
-  { points : list zpoint; edges : list zedge; lower : list zpoint; triangles : list ztriangle }.
+  { domain : zdomain; points : list zpoint; edges : list zedge; lower : list zpoint; triangles : list ztriangle }.
 
-(* A side of the front, the corner of the triangle below it, and whether that triangle marks it. *)
-Record item := Item { item_side : zside; below : option zpoint; marked : bool }.
+(* A side of the front; of the triangle below it the third corner, its mark for the side, and its value. *)
+Record item := Item { item_side : zside; below : option zpoint; marked : bool; level : Z }.
+
+(* By how much the value rises from below a side to above it. *)
+Record zrise := Rise { rise_side : zside; rise : Z }.
 
 (* The front in two parts: what is left of the place where the last triangle came, nearest first; and the rest. *)
 Record state := State
-  { passed : list item; ahead : list item; brought : list zpoint; used : list zside }.
+  { passed : list item; ahead : list item; brought : list zpoint; used : list zside; rises : list zrise }.
 
 Fixpoint go_right (a : zpoint) (passed ahead : list item) : list item * list item :=
   match ahead with
@@ -90,8 +95,12 @@ Definition legal (rule mark : bool) (c : zpoint) (i : item) : bool :=
 
 Definition use (mark : bool) (i : item) (l : list zside) : list zside := if mark then item_side i :: l else l.
 
+Definition add_rise (v : Z) (i : item) (l : list zrise) : list zrise :=
+  if Z.eqb v (level i) then l else Rise (item_side i) (v - level i) :: l.
+
 Definition step (rule : bool) (t : ztriangle) (s : state) : option state :=
-  let a := corner_a t in let b := corner_b t in let c := corner_c t in let m := marks t in
+  let a := corner_a t in let b := corner_b t in let c := corner_c t in
+  let m := marks t in let v := value t in
   if Z.ltb 0 (zorient a b c) then
     match go a (passed s) (ahead s) with
     | (l, i :: r) =>
@@ -99,15 +108,15 @@ Definition step (rule : bool) (t : ztriangle) (s : state) : option state :=
         if before c b then
           if before a c then
             Some (State l
-              (Item (ZSide a c) (Some b) (mark_ca m) :: Item (ZSide c b) (Some a) (mark_bc m) :: r)
-              (c :: brought s) (use (mark_ab m) i (used s)))
+              (Item (ZSide a c) (Some b) (mark_ca m) v :: Item (ZSide c b) (Some a) (mark_bc m) v :: r)
+              (c :: brought s) (use (mark_ab m) i (used s)) (add_rise v i (rises s)))
           else None
         else
           match r with
           | j :: r' =>
             if same b (left_end (item_side j)) && same c (right_end (item_side j)) && legal rule (mark_bc m) a j then
-              Some (State l (Item (ZSide a c) (Some b) (mark_ca m) :: r')
-                (brought s) (use (mark_ab m) i (use (mark_bc m) j (used s))))
+              Some (State l (Item (ZSide a c) (Some b) (mark_ca m) v :: r') (brought s)
+                (use (mark_ab m) i (use (mark_bc m) j (used s))) (add_rise v i (add_rise v j (rises s))))
             else None
           | [] => None
           end
@@ -204,13 +213,60 @@ Fixpoint all_covered (l : list item) : bool :=
   | i :: r => match below i with Some _ => all_covered r | None => false end
   end.
 
+(* The value rises from a triangle to the next one by the number of edges along the side, to the right less to the left.
+   Outside it is 0. For even-odd, odd and even are all that counts. *)
+Fixpoint last_rises (l : list item) (acc : list zrise) : list zrise :=
+  match l with
+  | [] => acc
+  | i :: r => last_rises r (add_rise 0 i acc)
+  end.
+Definition fall (a b : zpoint) : zrise := if before a b then Rise (ZSide a b) (-1) else Rise (ZSide b a) 1.
+Fixpoint falls_of (a : zpoint) (through : list zpoint) (b : zpoint) (acc : list zrise) : list zrise :=
+  match through with
+  | [] => fall a b :: acc
+  | v :: r => falls_of v r b (fall a v :: acc)
+  end.
+Fixpoint falls (es : list zedge) (acc : list zrise) : list zrise :=
+  match es with
+  | [] => acc
+  | e :: r =>
+    if same (edge_from e) (edge_to e) then falls r acc
+    else falls r (falls_of (edge_from e) (edge_through e) (edge_to e) acc)
+  end.
+Fixpoint balanced (fits : Z -> bool) (s : zside) (sum : Z) (l : list zrise) : bool :=
+  match l with
+  | [] => fits sum
+  | Rise t v :: r =>
+    match compare_sides s t with
+    | Eq => balanced fits s (sum + v) r
+    | _ => fits sum && balanced fits t v r
+    end
+  end.
+Definition all_balanced (fits : Z -> bool) (l : list zrise) : bool :=
+  match sort (fun x y => compare_sides (rise_side x) (rise_side y)) l with
+  | [] => true
+  | x :: r => balanced fits (rise_side x) (rise x) r
+  end.
+Definition values_right (d : zdomain) (es : list zedge) (rs : list zrise) : bool :=
+  match d with
+  | Hull => true
+  | EvenOdd => all_balanced Z.even (falls es rs)
+  | NonZero => all_balanced (Z.eqb 0) (falls es rs)
+  end.
+Definition inside_by (d : zdomain) (t : ztriangle) : bool :=
+  match d with
+  | Hull => true
+  | EvenOdd => Z.odd (value t)
+  | NonZero => negb (Z.eqb (value t) 0)
+  end.
+
 Definition check (rule : bool) (k : certificate) : bool :=
   match triangles k with
   | [] => match points k with [] => true | a :: r => on_line a r end
   | _ =>
     let low := low_sides (lower k) in
-    let start := State [] (rev_append (fold_left (fun acc s => Item s None false :: acc) low []) [])
-                   (lower k) [] in
+    let start := State [] (rev_append (fold_left (fun acc s => Item s None false 0 :: acc) low []) [])
+                   (lower k) [] [] in
     match lay rule (triangles k) start, pieces (edges k) [] with
     | Some s, Some ps =>
       let front := rev_append (passed s) (ahead s) in
@@ -218,6 +274,7 @@ Definition check (rule : bool) (k : certificate) : bool :=
       && border low (rev_append (map_items item_side front []) [])
       && same_set compare_points (points k) (brought s)
       && same_set compare_sides ps (marked_sides front (used s))
+      && values_right (domain k) (edges k) (last_rises front (rises s))
     | _, _ => false
     end
   end.

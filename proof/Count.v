@@ -6,8 +6,7 @@ Require Import Spec Geometry.
 Import ListNotations.
 Open Scope R_scope.
 
-Definition above (a b q : point) : Z :=
-  if Rle_dec (X a) (X q) then if Rlt_dec (X q) (X b) then if Rlt_dec 0 (orient a b q) then 1 else 0 else 0 else 0.
+Notation above := below_right.
 Definition signed (a b q : point) : Z := (above a b q - above b a q)%Z.
 Definition count (q : point) (t : triangle) : Z :=
   let '(a, b, c) := t in (signed a b q + signed b c q + signed c a q)%Z.

@@ -107,13 +107,13 @@ Proof.
   destruct (Nat.eq_dec i j) as [->|N]; [congruence|]. exfalso. apply (tiled_no_overlap i j t v q N A B). auto.
 Qed.
 
-Lemma value_affine g : exists k m w, forall q, value g q = affine k m w q.
+Lemma value_affine g : exists k m w, forall q, value_at g q = affine k m w q.
 Proof. destruct g as [[k m] w]. exists k, m, w. reflexivity. Qed.
 
-Lemma frame_inside g t q : (forall p, In p P -> 0 <= value g p) -> (exists z, value g z <> 0) ->
-  In t T -> in_interior q t -> 0 < value g q.
+Lemma frame_inside g t q : (forall p, In p P -> 0 <= value_at g p) -> (exists z, value_at g z <> 0) ->
+  In t T -> in_interior q t -> 0 < value_at g q.
 Proof.
-  intros G [z Z] I Q. destruct g as [[k m] w]. cbn [value] in *.
+  intros G [z Z] I Q. destruct g as [[k m] w]. cbn [value_at] in *.
   assert (C : forall p, corner p t -> 0 <= affine k m w p)
     by (intros p C; apply G; apply (t_corners _ _ _ _ H) with t; assumption).
   apply affine_in_interior with t; try assumption.
@@ -135,11 +135,11 @@ Proof.
     assert (C : (0 < total (count (between q (middle t0) r)) T)%Z).
     { apply GC. intros g Ig. destruct (GP g Ig) as [G0 G1].
       pose proof (frame_inside g t0 (middle t0) G0 G1 I0 (middle_interior _ A0)) as GM.
-      assert (GQ : 0 <= value g q).
-      { destruct g as [[k m] w]. cbn [value] in *. unfold affine in *.
+      assert (GQ : 0 <= value_at g q).
+      { destruct g as [[k m] w]. cbn [value_at] in *. unfold affine in *.
         specialize (Q (- k) (- m) w). assert (- k * X q + - m * Y q <= w); [|lra].
         apply Q. intros p Hp. specialize (G0 p Hp). lra. }
-      destruct g as [[k m] w]. cbn [value] in *. rewrite affine_between.
+      destruct g as [[k m] w]. cbn [value_at] in *. rewrite affine_between.
       assert (0 <= (1 - r) * affine k m w q) by (apply Rmult_le_pos; lra).
       assert (0 < r * affine k m w (middle t0)) by (apply Rmult_lt_0_compat; lra). lra. }
     apply total_positive in C. destruct C as (t & I & C).

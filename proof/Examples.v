@@ -46,37 +46,56 @@ Ltac by_checker rule k theorem :=
 
 Example fan_is_right : canonical square [] fan.
 Proof.
-  by_checker true (Certificate [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zd no; ZTriangle zd zb zc no])
+  by_checker true (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zd no 0; ZTriangle zd zb zc no 0])
     accepted_is_canonical.
 Qed.
 
 Example other_is_right : constrained_delaunay square [] other.
 Proof.
-  by_checker false (Certificate [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no; ZTriangle za zc zd no])
+  by_checker false (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no 0; ZTriangle za zc zd no 0])
     (fun u p => accepted_is_constrained_delaunay u p false).
 Qed.
 
 Example other_is_canonical_with_edge : canonical square [(a, c)] other.
 Proof.
-  by_checker true (Certificate [za; zb; zc; zd] [ZEdge za [] zc] [za; zb; zc]
-      [ZTriangle za zb zc (Marks false false true); ZTriangle za zc zd (Marks true false false)])
+  by_checker true (Certificate Hull [za; zb; zc; zd] [ZEdge za [] zc] [za; zb; zc]
+      [ZTriangle za zb zc (Marks false false true) 0; ZTriangle za zc zd (Marks true false false) 0])
     accepted_is_canonical.
 Qed.
 
 Example upright_is_right : canonical kite [] upright.
 Proof.
-  by_checker true (Certificate [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [] [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0]
-      [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no; ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no])
+  by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [] [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0]
+      [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no 0; ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no 0])
     accepted_is_canonical.
 Qed.
 
 Example level_is_right_with_edge : canonical kite [(w, e)] level.
 Proof.
-  by_checker true (Certificate [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [ZEdge (ZPoint 0 0) [] (ZPoint 8 0)]
+  by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [ZEdge (ZPoint 0 0) [] (ZPoint 8 0)]
       [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0]
-      [ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 8 0) (Marks false false true);
-       ZTriangle (ZPoint 0 0) (ZPoint 8 0) (ZPoint 4 1) (Marks true false false)])
+      [ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 8 0) (Marks false false true) 0;
+       ZTriangle (ZPoint 0 0) (ZPoint 8 0) (ZPoint 4 1) (Marks true false false) 0])
     accepted_is_canonical.
+Qed.
+
+(* The ring a, b, d holds one of the two triangles of the fan. *)
+Example inside_of_a_ring : interior (nonzero [(a, b); (b, d); (d, a)]) fan [(a, b, d)].
+Proof.
+  assert (H : check true (Certificate NonZero [za; zb; zc; zd] [ZEdge za [] zb; ZEdge zb [] zd; ZEdge zd [] za] [za; zb; zc]
+    [ZTriangle za zb zd (Marks true true true) 1; ZTriangle zd zb zc (Marks true false false) 0]) = true)
+    by (vm_compute; reflexivity).
+  apply (accepted_inside_is_interior 1 Rlt_0_1) in H. cbn [domain] in H.
+  unfold real_edges, real_triangles, real_inside, Domain.inside_triangles, place_triangle, place_edge in H.
+  cbn [map filter inside_by negb Z.eqb value domain edges triangles corner_a corner_b corner_c edge_from edge_to] in H.
+  unfold za, zb, zc, zd in H. rewrite ?placed in H. exact H.
+Qed.
+
+Example round_the_ring : winding [(a, b); (b, d); (d, a)] (Point (1 / 2) (1 / 2)) = 1%Z /\
+  winding [(a, b); (b, d); (d, a)] (Point (3 / 2) (3 / 2)) = 0%Z.
+Proof.
+  unfold winding, below_right. compute_points. cbn [fold_right].
+  split; repeat (destruct (Rle_dec _ _) || destruct (Rlt_dec _ _)); cbn [X Y] in *; try lra; reflexivity.
 Qed.
 
 (* Wrong. *)

@@ -21,6 +21,7 @@ Extract Inlined Constant Z.mul => "Integer.mul".
 Extract Inlined Constant Z.eqb => "Integer.equal".
 Extract Inlined Constant Z.leb => "Integer.leq".
 Extract Inlined Constant Z.ltb => "Integer.lt".
+Extract Inlined Constant Z.even => "Integer.is_even".
 Extract Inlined Constant Z.compare =>
   "(fun x y -> let c = Integer.compare x y in if c < 0 then Lt else if c = 0 then Eq else Gt)".
 

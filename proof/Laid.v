@@ -32,16 +32,19 @@ Definition front (s : state) : list item := passed s ++ ahead s.
 
 (* The two ways in which a triangle is laid. *)
 Lemma step_cases rule t s s' : step rule t s = Some s' ->
-  let a := corner_a t in let b := corner_b t in let c := corner_c t in let m := marks t in
+  let a := corner_a t in let b := corner_b t in let c := corner_c t in
+  let m := marks t in let v := value t in
   (0 < zorient a b c)%Z /\ exists i, item_side i = ZSide a b /\ legal rule (mark_ab m) c i = true /\
   ((exists r, Permutation (front s) (i :: r) /\ before a c = true /\ before c b = true /\
       Permutation (front s')
-        (Item (ZSide a c) (Some b) (mark_ca m) :: Item (ZSide c b) (Some a) (mark_bc m) :: r) /\
-      brought s' = c :: brought s /\ used s' = use (mark_ab m) i (used s)) \/
+        (Item (ZSide a c) (Some b) (mark_ca m) v :: Item (ZSide c b) (Some a) (mark_bc m) v :: r) /\
+      brought s' = c :: brought s /\ used s' = use (mark_ab m) i (used s) /\
+      rises s' = add_rise v i (rises s)) \/
    (exists j r, Permutation (front s) (i :: j :: r) /\ item_side j = ZSide b c /\
       legal rule (mark_bc m) a j = true /\
-      Permutation (front s') (Item (ZSide a c) (Some b) (mark_ca m) :: r) /\
-      brought s' = brought s /\ used s' = use (mark_ab m) i (use (mark_bc m) j (used s)))).
+      Permutation (front s') (Item (ZSide a c) (Some b) (mark_ca m) v :: r) /\
+      brought s' = brought s /\ used s' = use (mark_ab m) i (use (mark_bc m) j (used s)) /\
+      rises s' = add_rise v i (add_rise v j (rises s)))).
 Proof.
   unfold step. intros H.
   destruct (Z.ltb_spec 0 (zorient (corner_a t) (corner_b t) (corner_c t))) as [A|]; [|discriminate].
@@ -98,10 +101,22 @@ Qed.
 Lemma fine_more used used' a b c d : incl used used' -> fine used a b c d -> fine used' a b c d.
 Proof. intros I [[s [J H]]|H]; [left; exists s; split; [apply I|]; assumption|right; assumption]. Qed.
 
+Definition risen (q : point) (x : zrise) : Z :=
+  (rise x * above (place u (left_end (rise_side x))) (place u (right_end (rise_side x))) q)%Z.
+
+Lemma add_rise_total q v i l :
+  (total (risen q) (add_rise v i l) = (v - level i) * above (at_left i) (at_right i) q + total (risen q) l)%Z.
+Proof.
+  unfold add_rise. destruct (Z.eqb_spec v (level i)) as [->|N]; [rewrite Z.sub_diag; lia|].
+  rewrite total_cons. unfold risen at 1. cbn. reflexivity.
+Qed.
+
 Record laid (done : list ztriangle) (s : state) : Prop := {
   l_positive : forall t, In t done -> positive (tri t);
   l_count : forall q, (total (fun t => count q (tri t)) done + total (fun i => above (at_left i) (at_right i) q) (front s)
     = total (fun s => above (place u (left_end s)) (place u (right_end s)) q) low)%Z;
+  l_values : forall q, (total (fun t => value t * count q (tri t)) done
+      + total (fun i => level i * above (at_left i) (at_right i) q) (front s) = total (risen q) (rises s))%Z;
   l_order : forall i, In i (front s) -> lex (at_left i) (at_right i);
   l_below : forall i, In i (front s) ->
     match below i with
@@ -192,14 +207,15 @@ Lemma laid_step done s t s' : laid done s -> step rule t s = Some s' -> laid (t 
 Proof.
   intros H E. apply step_cases in E. cbn zeta in E. destruct E as (A & i & Ei & Li & E).
   apply (place_orient_positive u u_positive) in A.
-  set (a := corner_a t) in *. set (b := corner_b t) in *. set (c := corner_c t) in *. set (m := marks t) in *.
+  set (a := corner_a t) in *. set (b := corner_b t) in *. set (c := corner_c t) in *.
+  set (m := marks t) in *. set (v := value t) in *.
   assert (Tab : turned (tri t) (place u a) (place u b) (place u c)) by (left; reflexivity).
   assert (Tbc : turned (tri t) (place u b) (place u c) (place u a)) by (apply turned_next; assumption).
   assert (Tca : turned (tri t) (place u c) (place u a) (place u b)) by (apply turned_next; assumption).
-  destruct E as [(r & P & Bac & Bcb & P' & Br & Us) | (j & r & P & Ej & Lj & P' & Br & Us)].
+  destruct E as [(r & P & Bac & Bcb & P' & Br & Us & Ri) | (j & r & P & Ej & Lj & P' & Br & Us & Ri)].
   - (* one lower side, and a new point c above it *)
     apply (before_lex u u_positive) in Bac, Bcb.
-    set (n1 := Item (ZSide a c) (Some b) (mark_ca m)) in *. set (n2 := Item (ZSide c b) (Some a) (mark_bc m)) in *.
+    set (n1 := Item (ZSide a c) (Some b) (mark_ca m) v) in *. set (n2 := Item (ZSide c b) (Some a) (mark_bc m) v) in *.
     assert (Ii : In i (front s)) by (apply (Permutation_in _ (Permutation_sym P)); left; reflexivity).
     assert (Old : forall x, In x r -> In x (front s))
       by (intros; apply (Permutation_in _ (Permutation_sym P)); right; assumption).
@@ -227,6 +243,16 @@ Proof.
       rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
       rewrite (above_right (place u b) (place u c)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia.
+    + intros q. pose proof (l_values _ _ H q) as C. rewrite (total_permutation _ _ _ P), total_cons in C.
+      rewrite (total_permutation _ _ _ P'), !total_cons, Ri, add_rise_total, <- C. rewrite Ei in *.
+      unfold n1, n2. cbn [item_side left_end right_end level] in *.
+      assert (K : count q (tri t) = (above (place u a) (place u b) q - above (place u c) (place u b) q
+        - above (place u a) (place u c) q)%Z).
+      { unfold place_triangle, count, signed. fold a b c.
+      rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
+      rewrite (above_right (place u b) (place u c)) by (unfold lex in *; lra).
+      rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia. }
+      fold v. rewrite K. ring.
     + intros x Hx. apply New in Hx. destruct Hx as [->|[->|Hx]]; [assumption | assumption |].
       apply (l_order _ _ H); auto.
     + intros x Hx. apply New in Hx. destruct Hx as [->|[->|Hx]]; cbn.
@@ -278,7 +304,7 @@ Proof.
       * rewrite Ei; cbn. auto.
       * apply Hf. auto.
   - (* two lower sides, and b goes off the front *)
-    set (n1 := Item (ZSide a c) (Some b) (mark_ca m)) in *.
+    set (n1 := Item (ZSide a c) (Some b) (mark_ca m) v) in *.
     assert (Ii : In i (front s)) by (apply (Permutation_in _ (Permutation_sym P)); left; reflexivity).
     assert (Ij : In j (front s)) by (apply (Permutation_in _ (Permutation_sym P)); right; left; reflexivity).
     assert (Old : forall x, In x r -> In x (front s))
@@ -317,6 +343,16 @@ Proof.
       rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u b)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia.
+    + intros q. pose proof (l_values _ _ H q) as C. rewrite (total_permutation _ _ _ P), !total_cons in C.
+      rewrite (total_permutation _ _ _ P'), !total_cons, Ri, !add_rise_total, <- C. rewrite Ei, Ej in *.
+      unfold n1. cbn [item_side left_end right_end level] in *.
+      assert (K : count q (tri t) = (above (place u a) (place u b) q + above (place u b) (place u c) q
+        - above (place u a) (place u c) q)%Z).
+      { unfold place_triangle, count, signed. fold a b c.
+      rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
+      rewrite (above_right (place u c) (place u b)) by (unfold lex in *; lra).
+      rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia. }
+      fold v. rewrite K. ring.
     + intros x Hx. apply New in Hx. destruct Hx as [->|Hx]; [apply lex_transitive with (place u b); assumption|].
       apply (l_order _ _ H); auto.
     + intros x Hx. apply New in Hx. destruct Hx as [->|Hx]; cbn.

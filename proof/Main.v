@@ -1,6 +1,6 @@
 (* What the checker accepts is right. *)
 Require Import Reals ZArith List Lra Lia Bool.
-Require Import Spec Geometry Check Place Tiling Walk Unique.
+Require Import Spec Geometry Check Place Tiling Walk Unique Domain.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -21,6 +21,8 @@ Proof.
     apply Rmult_eq_reg_l with (Y b - Y a); lra.
   - apply Rmult_eq_reg_l with (X b - X a); lra.
 Qed.
+
+Definition real_inside (u : R) (k : certificate) : list triangle := inside_triangles u k.
 
 Section Main.
 Variable u : R.
@@ -81,6 +83,16 @@ Proof.
   destruct (triangles k) eqn:T.
   - unfold real_triangles. rewrite T. intros t a b c p q [].
   - apply (tiled_first_corner true); [|reflexivity]. apply check_tiled; [assumption..|]. rewrite T. discriminate.
+Qed.
+(* The triangles that are inside by their values are the interior by the rule of the domain. *)
+Theorem accepted_inside_is_interior rule k : check rule k = true ->
+  match domain k with
+  | Hull => True
+  | EvenOdd => interior (even_odd (real_edges u k)) (real_triangles u k) (real_inside u k)
+  | NonZero => interior (nonzero (real_edges u k)) (real_triangles u k) (real_inside u k)
+  end.
+Proof.
+  intros H. destruct (domain k) eqn:D; [trivial| |]; apply (inside_is_interior u u_positive rule); auto.
 Qed.
 End Main.
 

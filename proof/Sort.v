@@ -113,11 +113,12 @@ Proof.
   - rewrite IH. cbn. apply Permutation_middle.
 Qed.
 
+Lemma sort_permutes l : Permutation (sort l) l.
+Proof. unfold sort. rewrite merge_all_permutes, singles_permutes. reflexivity. Qed.
+
 Lemma sort_in l x : In x (sort l) <-> In x l.
 Proof.
-  assert (P : Permutation (sort l) l).
-  { unfold sort. rewrite merge_all_permutes, singles_permutes. reflexivity. }
-  split; apply Permutation_in; [|symmetry]; assumption.
+  pose proof (sort_permutes l) as P. split; apply Permutation_in; [|symmetry]; assumption.
 Qed.
 
 Hypothesis compare_eq : forall x y, compare x y = Eq -> x = y.

@@ -1,6 +1,6 @@
 (* What a constrained Delaunay triangulation is, over the real numbers. README.md explains each line. *)
 (* Version 1 *)
-Require Import Reals List.
+Require Import Reals List ZArith.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -77,3 +77,16 @@ Definition same_triangle (t u : triangle) : Prop := forall p, corner p t <-> cor
 Definition same_triangles (T U : list triangle) : Prop :=
   (forall t, In t T -> exists u, In u U /\ same_triangle t u) /\
   (forall u, In u U -> exists t, In t T /\ same_triangle t u).
+
+(* Domains. How often the edges go round q: an edge that passes below q counts 1 if it runs to the right, and -1 if it
+   runs to the left. It passes below what has an x from its left end's, inclusive, to its right end's, exclusive. *)
+Definition below_right (a b q : point) : Z :=
+  if Rle_dec (X a) (X q) then if Rlt_dec (X q) (X b) then if Rlt_dec 0 (orient a b q) then 1 else 0 else 0 else 0.
+Definition winding (E : list edge) (q : point) : Z :=
+  fold_right (fun '(a, b) n => (below_right a b q - below_right b a q + n)%Z) 0%Z E.
+Definition even_odd (E : list edge) (q : point) : Prop := Z.Odd (winding E q).
+Definition nonzero (E : list edge) (q : point) : Prop := winding E q <> 0%Z.
+
+(* The triangles of T that are in I are those inside, and no triangle is partly inside. *)
+Definition interior (inside : point -> Prop) (T I : list triangle) : Prop :=
+  incl I T /\ forall t q, In t T -> in_interior q t -> (In t I <-> inside q).

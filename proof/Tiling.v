@@ -7,7 +7,7 @@ Open Scope R_scope.
 Definition on_edge (E : list edge) (a b : point) : Prop :=
   exists p q, In (p, q) E /\ on_segment a p q /\ on_segment b p q.
 
-Definition value (g : R * R * R) (q : point) : R := let '(k, m, w) := g in affine k m w q.
+Definition value_at (g : R * R * R) (q : point) : R := let '(k, m, w) := g in affine k m w q.
 
 Record tiled (rule : bool) (P : list point) (E : list edge) (T : list triangle) : Prop := {
   t_positive : forall t, In t T -> positive t;
@@ -15,8 +15,8 @@ Record tiled (rule : bool) (P : list point) (E : list edge) (T : list triangle) 
   t_corners : forall t p, In t T -> corner p t -> In p P;
   t_all : forall p, In p P -> exists t, In t T /\ corner p t;
   t_once : forall q, (total (count q) T <= 1)%Z;
-  t_frame : exists G, (forall g, In g G -> (forall p, In p P -> 0 <= value g p) /\ exists z, value g z <> 0) /\
-    forall q, (forall g, In g G -> 0 < value g q) -> (0 < total (count q) T)%Z;
+  t_frame : exists G, (forall g, In g G -> (forall p, In p P -> 0 <= value_at g p) /\ exists z, value_at g z <> 0) /\
+    forall q, (forall g, In g G -> 0 < value_at g q) -> (0 < total (count q) T)%Z;
   t_sides : forall t a b c, In t T -> turned t a b c ->
     (forall p, In p P -> 0 <= orient a b p) \/
     exists t' d, In t' T /\ turned t' b a d /\
@@ -60,12 +60,12 @@ Proof.
   exists x. split; [|assumption]. unfold low_sides. rewrite rev_append_rev, app_nil_r. apply -> in_rev. assumption.
 Qed.
 
-Definition first_item (s : zside) : item := Item s None false.
+Definition first_item (s : zside) : item := Item s None false 0.
 
-Lemma start_front l : rev_append (fold_left (fun acc s => Item s None false :: acc) l []) [] = map first_item l.
+Lemma start_front l : rev_append (fold_left (fun acc s => Item s None false 0 :: acc) l []) [] = map first_item l.
 Proof.
   rewrite rev_append_rev, app_nil_r.
-  assert (G : forall l acc, fold_left (fun acc s => Item s None false :: acc) l acc = rev (map first_item l) ++ acc).
+  assert (G : forall l acc, fold_left (fun acc s => Item s None false 0 :: acc) l acc = rev (map first_item l) ++ acc).
   { clear. induction l as [|s l IH]; intros acc; cbn; [reflexivity|]. rewrite IH, <- app_assoc. reflexivity. }
   rewrite G, app_nil_r. apply rev_involutive.
 Qed.
@@ -112,13 +112,14 @@ Notation left_of s := (place u (left_end s)).
 Notation right_of s := (place u (right_end s)).
 
 Lemma laid_start rule l low : low = low_sides l -> low <> [] -> (forall x, In x low -> lex (left_of x) (right_of x)) ->
-  laid u rule low l [] (State [] (map first_item low) l []).
+  laid u rule low l [] (State [] (map first_item low) l [] []).
 Proof.
   intros E N L.
   assert (I : forall i, In i (map first_item low) -> exists s, In s low /\ i = first_item s).
   { intros i H. apply in_map_iff in H. destruct H as (s & <- & H). exists s. auto. }
-  split; unfold front; cbn [passed ahead brought used app].
+  split; unfold front; cbn [passed ahead brought used rises app].
   - intros t [].
+  - intros q. cbn. clear. induction low as [|s r IH]; [reflexivity|]. cbn. unfold total in *. rewrite IH. reflexivity.
   - intros q. cbn. clear. induction low as [|s r IH]; [reflexivity|]. cbn. unfold total in *. rewrite IH. reflexivity.
   - intros i H. destruct (I i H) as (s & S & ->). apply L; assumption.
   - intros i H. destruct (I i H) as (s & S & ->). cbn; auto.
@@ -138,10 +139,10 @@ Qed.
 Definition edge_function (s : R) (a b : point) : R * R * R :=
   (s * (Y a - Y b), s * (X b - X a), s * ((Y b - Y a) * X a - (X b - X a) * Y a)).
 
-Lemma edge_value s a b q : value (edge_function s a b) q = s * orient a b q.
-Proof. unfold value, edge_function, affine, orient. ring. Qed.
+Lemma edge_value s a b q : value_at (edge_function s a b) q = s * orient a b q.
+Proof. unfold value_at, edge_function, affine, orient. ring. Qed.
 
-Lemma edge_nonzero s a b : s = 1 \/ s = -1 -> lex a b -> exists z, value (edge_function s a b) z <> 0.
+Lemma edge_nonzero s a b : s = 1 \/ s = -1 -> lex a b -> exists z, value_at (edge_function s a b) z <> 0.
 Proof.
   intros S L. exists (Point (X a - (Y b - Y a)) (Y a + (X b - X a))). rewrite edge_value.
   unfold orient; cbn [X Y].
@@ -152,25 +153,49 @@ Proof.
   destruct S as [-> | ->]; lra.
 Qed.
 
+(* What the checker has looked at when it accepts. *)
+Lemma check_inv rule k : check rule k = true -> triangles k <> [] ->
+  exists s ps, let fr := rev_append (passed s) (ahead s) in let low := low_sides (lower k) in
+    lay rule (triangles k) (State [] (map first_item low) (lower k) [] []) = Some s /\
+    pieces (edges k) [] = Some ps /\ all_covered fr = true /\ border low (map item_side fr) = true /\
+    same_set compare_points (points k) (brought s) = true /\
+    same_set compare_sides ps (marked_sides fr (used s)) = true /\
+    values_right (domain k) (edges k) (last_rises fr (rises s)) = true.
+Proof.
+  unfold check. intros H N. destruct (triangles k) as [|t0 ts] eqn:TS; [congruence|clear N]. rewrite <- TS in *.
+  rewrite start_front in H.
+  destruct (lay rule (triangles k) _) as [s|]; [|discriminate].
+  destruct (pieces (edges k) []) as [ps|]; [|discriminate].
+  repeat match goal with H : _ && _ = true |- _ => apply andb_prop in H; destruct H end.
+  match goal with B : border _ _ = true |- _ =>
+    rewrite map_items_map, app_nil_r, rev_append_rev, app_nil_r, rev_involutive in B end.
+  exists s, ps. cbn zeta. repeat (split; [assumption || reflexivity|]). assumption.
+Qed.
+
+(* The triangles as they lie at the end. *)
+Lemma lay_laid rule k s : border (low_sides (lower k)) (map item_side (rev_append (passed s) (ahead s))) = true ->
+  lay rule (triangles k) (State [] (map first_item (low_sides (lower k))) (lower k) [] []) = Some s ->
+  exists done, laid u rule (low_sides (lower k)) (lower k) done s /\ Permutation done (triangles k).
+Proof.
+  intros B L. apply border_inv in B. destruct B as (sl & l & th & h & EL & _ & CL & _).
+  pose proof (chain_lex u u_positive _ _ _ CL) as LexL. rewrite <- EL in LexL.
+  assert (ST : laid u rule (low_sides (lower k)) (lower k) [] (State [] (map first_item (low_sides (lower k))) (lower k) [] [])).
+  { apply laid_start; auto. rewrite EL; discriminate. }
+  destruct (laid_lay u u_positive rule _ (lower k) _ _ _ _ ST L) as (done & LD & PD).
+  rewrite app_nil_r in PD. exists done. auto.
+Qed.
+
 Theorem check_tiled rule k : check rule k = true -> triangles k <> [] ->
   tiled rule (map (place u) (points k)) (map (place_edge u) (edges k)) (map tri (triangles k)).
 Proof.
-  unfold check. intros H N. destruct (triangles k) as [|t0 ts] eqn:TS; [congruence|clear N]. rewrite <- TS in *.
-  rewrite start_front in H. set (low := low_sides (lower k)) in *.
-  destruct (lay rule (triangles k) _) as [s|] eqn:L; [|discriminate].
-  destruct (pieces (edges k) []) as [ps|] eqn:PS; [|discriminate].
-  apply andb_prop in H. destruct H as [H KS]. apply andb_prop in H. destruct H as [H VS].
-  apply andb_prop in H. destruct H as [AC B].
+  intros H N. destruct (check_inv rule k H N) as (s & ps & L & PS & AC & B & VS & KS & _). cbn zeta in *.
+  destruct (lay_laid rule k s B L) as (done & LD & PD).
+  set (low := low_sides (lower k)) in *.
   set (fr := rev_append (passed s) (ahead s)) in *.
   assert (FR : forall i, In i fr <-> In i (front s)).
   { intros i. unfold fr, front. rewrite rev_append_rev, !in_app_iff, <- in_rev. tauto. }
-  rewrite map_items_map, app_nil_r, rev_append_rev, app_nil_r, rev_involutive in B.
   apply border_inv in B. destruct B as (sl & l & th & h & EL & EH & CL & CH & E1 & E2).
   pose proof (chain_lex u u_positive _ _ _ CL) as LexL. rewrite <- EL in LexL.
-  assert (ST : laid u rule low (lower k) [] (State [] (map first_item low) (lower k) [])).
-  { apply laid_start; auto. rewrite EL; discriminate. }
-  destruct (laid_lay u u_positive rule low (lower k) _ _ _ _ ST L) as (done & LD & PD).
-  rewrite app_nil_r in PD.
   assert (TD : forall t, In t (triangles k) <-> In t done).
   { intros t. split; apply Permutation_in; [symmetry|]; assumption. }
   assert (TM : forall t, In t (map tri (triangles k)) <-> exists z, In z done /\ t = tri z).
@@ -216,11 +241,11 @@ Proof.
   { intros x Hx p Hp. apply PM in Hp. destruct Hp as (z & Z & ->).
     assert (LX : lex (left_of x) (right_of x)) by (apply LexH; assumption).
     replace (- orient (left_of x) (right_of x) (place u z)) with (-1 * orient (left_of x) (right_of x) (place u z)) by ring.
-    rewrite <- edge_value. unfold value, edge_function.
+    rewrite <- edge_value. unfold value_at, edge_function.
     apply (l_down _ _ _ _ _ _ LD); try assumption.
     - unfold lex in LX; lra.
     - intros i Hi.
-      pose proof (edge_value (-1) (left_of x) (right_of x)) as EV. unfold value, edge_function in EV. rewrite !EV.
+      pose proof (edge_value (-1) (left_of x) (right_of x)) as EV. unfold value_at, edge_function in EV. rewrite !EV.
       assert (Hy : In (item_side i) (th :: h)) by (apply HI; exists i; auto).
       exact (chain_supports u u_positive (-1) (or_intror eq_refl) _ _ CH x _ Hx Hy). }
   set (x0 := X (left_of sl)). set (x1 := X (place u (last_end sl l))).
@@ -249,7 +274,7 @@ Proof.
   { intros x Hx. apply (marked_sides_incl fr) in Hx. apply KM in Hx. destruct (PO x Hx) as [[]|]; assumption. }
   split.
   - intros t Ht. apply TM in Ht. destruct Ht as (z & Z & ->). apply (l_positive _ _ _ _ _ _ LD). assumption.
-  - exists (tri t0). apply in_map. rewrite TS. left; reflexivity.
+  - destruct (triangles k) as [|t0 ts]; [congruence|]. exists (tri t0). left; reflexivity.
   - intros t p Ht C. apply TM in Ht. destruct Ht as (z & Z & ->). apply PM.
     destruct (l_corners _ _ _ _ _ _ LD z Z) as (A & B & D). destruct C as [->|[->| ->]];
       [exists (corner_a z) | exists (corner_b z) | exists (corner_c z)]; auto.
@@ -265,10 +290,10 @@ Proof.
         ++ map (fun x => edge_function (-1) (left_of x) (right_of x)) (th :: h)).
     split.
     + intros g [<-|[<-|G]].
-      * split; [|exists (Point (x0 + 1) 0); unfold value, affine; cbn [X Y]; lra].
-        intros p Hp. pose proof (XP p Hp). unfold value, affine. lra.
-      * split; [|exists (Point (x1 + 1) 0); unfold value, affine; cbn [X Y]; lra].
-        intros p Hp. pose proof (XP p Hp). unfold value, affine. lra.
+      * split; [|exists (Point (x0 + 1) 0); unfold value_at, affine; cbn [X Y]; lra].
+        intros p Hp. pose proof (XP p Hp). unfold value_at, affine. lra.
+      * split; [|exists (Point (x1 + 1) 0); unfold value_at, affine; cbn [X Y]; lra].
+        intros p Hp. pose proof (XP p Hp). unfold value_at, affine. lra.
       * apply in_app_or in G. destruct G as [G|G]; apply in_map_iff in G; destruct G as (x & <- & I).
         -- split; [|apply edge_nonzero; auto; apply LexL; rewrite EL; assumption].
            intros p Hp. rewrite edge_value. pose proof (LP x I p Hp). lra.
@@ -277,14 +302,14 @@ Proof.
     + intros q G. pose proof (COUNT q) as C.
       rewrite (chain_above_all u u_positive 1 q l sl CL) in C.
       * rewrite chain_above_none in C; [lia|]. intros x I.
-        assert (V : 0 < value (edge_function (-1) (left_of x) (right_of x)) q).
+        assert (V : 0 < value_at (edge_function (-1) (left_of x) (right_of x)) q).
         { apply G. right; right. apply in_or_app. right. apply in_map_iff. exists x. auto. }
         rewrite edge_value in V. lra.
-      * intros x I. assert (V : 0 < value (edge_function 1 (left_of x) (right_of x)) q).
+      * intros x I. assert (V : 0 < value_at (edge_function 1 (left_of x) (right_of x)) q).
         { apply G. right; right. apply in_or_app. left. apply in_map_iff. exists x. auto. }
         rewrite edge_value in V. lra.
       * pose proof (G _ (or_introl eq_refl)) as G0. pose proof (G _ (or_intror (or_introl eq_refl))) as G1.
-        unfold value, affine in G0, G1. fold x0 x1. lra.
+        unfold value_at, affine in G0, G1. fold x0 x1. lra.
   - intros t a b c Ht T. apply TM in Ht. destruct Ht as (z & Z & ->).
     destruct (l_sides _ _ _ _ _ _ LD z a b c Z T) as [(i & d & I & B & -> & -> & ->)|[(x & I & -> & ->)|(t' & d & I & T' & F)]].
     + left. intros p Hp. apply HI in I || idtac. assert (J : In (item_side i) (th :: h)) by (apply HI; exists i; auto).
@@ -294,7 +319,7 @@ Proof.
       destruct F as [(x & I' & D)|F]; [left|right; assumption].
       destruct (KE x I') as (p & q & Hpq & S1 & S2). exists p, q.
       destruct D as [(<- & <-)|(<- & <-)]; auto.
-  - intros a b q Hab N S. destruct (PC a b q Hab N S) as (x & I & Q & S1 & S2). apply KM in I.
+  - intros a b q Hab Nab S. destruct (PC a b q Hab Nab S) as (x & I & Q & S1 & S2). apply KM in I.
     destruct (KU x I) as (z & c & d & Z & SD & [(-> & ->)|(-> & ->)]).
     + exists (tri z), (left_of x), (right_of x). auto 10.
     + exists (tri z), (right_of x), (left_of x). apply on_segment_swap in Q. auto 10.

@@ -8,6 +8,7 @@ not look at these hints. Exit status: 0 correct, 1 refused, 2 unreadable.
 """
 
 import sys
+from collections import Counter
 
 
 class Refused(Exception):
@@ -20,7 +21,7 @@ def demand(condition, message):
 
 
 def read(lines):
-    """The points, the edges as lists of points, and the triangles with their marks."""
+    """The domain, the points, the edges as lists of points, and the triangles with their marks and values."""
     lines = iter(lines)
 
     def words():
@@ -35,8 +36,9 @@ def read(lines):
     if words() != ["sweep-cdt-certificate", "1"]:
         raise ValueError("not a certificate of version 1")
     many("exponent", lambda n: 0)
-    if words() != ["domain", "hull"]:
-        raise ValueError("not the hull")
+    (_, domain) = words()
+    if domain not in ("hull", "even-odd", "nonzero"):
+        raise ValueError(f"domain {domain}")
     points = [(integer(x), integer(y)) for x, y in many("points")]
 
     def place(word):
@@ -50,12 +52,14 @@ def read(lines):
         raise ValueError("an edge of one point")
     for (word,) in many("lower", lambda n: n + 1 if n else 0):
         place(word)
-    triangles = [((place(a), place(b), place(c)), int(m)) for a, b, c, m in many("triangles")]
-    if any(not 0 <= m <= 7 for _, m in triangles):
-        raise ValueError("a mark is a number from 0 to 7")
+    triangles = []
+    for a, b, c, m, *value in many("triangles"):
+        if len(value) != (domain != "hull") or m not in "01234567":
+            raise ValueError("not a triangle")
+        triangles.append(((place(a), place(b), place(c)), int(m), integer(value[0]) if value else 0))
     if words() != ["end"]:
         raise ValueError("end expected")
-    return points, edges, triangles
+    return domain, points, edges, triangles
 
 
 def integer(word):
@@ -108,20 +112,31 @@ def rank(p):
     return (p[0], -p[1])
 
 
-def judge(points, edges, triangles, plain):
+def judge_values(domain, edges, values):
+    """Across each side the value changes by the edges along it."""
+    along = Counter()
+    for edge in edges:
+        along.update(zip(edge, edge[1:]))
+    for p, q in {*along, *values, *((q, p) for p, q in values)}:
+        rise = values.get((p, q), 0) - values.get((q, p), 0) - along[p, q] + along[q, p]
+        demand(rise % 2 == 0 if domain == "even-odd" else rise == 0, f"the value across side {p} {q} is wrong")
+
+
+def judge(domain, points, edges, triangles, plain):
     if not triangles:
         distinct = sorted(set(points))
         demand(all(orient(distinct[0], distinct[-1], p) == 0 for p in distinct), "there are no triangles")
         return
-    opposite, marks, area = {}, {}, 0
-    for (a, b, c), mark in triangles:
+    opposite, marks, values, area = {}, {}, {}, 0
+    for (a, b, c), mark, value in triangles:
         demand(orient(a, b, c) > 0, f"triangle {a} {b} {c} does not turn left")
         area += orient(a, b, c)
         for bit, (p, q, r) in enumerate(((a, b, c), (b, c, a), (c, a, b))):
             demand((p, q) not in opposite, f"side {p} {q} is there twice")
             opposite[p, q] = r
             marks[p, q] = mark >> bit & 1
-    demand({p for t, _ in triangles for p in t} == set(points), "the corners are not the points")
+            values[p, q] = value
+    demand({p for t, _, _ in triangles for p in t} == set(points), "the corners are not the points")
     border = {(p, q) for p, q in opposite if (q, p) not in opposite}
     sides = hull(points)
     demand(border == sides, "the border is not the hull")
@@ -130,6 +145,8 @@ def judge(points, edges, triangles, plain):
     for (p, q), mark in marks.items():
         demand(mark == (frozenset((p, q)) in constrained), f"the mark of side {p} {q} is wrong")
     demand(all(tuple(s) in opposite or tuple(s)[::-1] in opposite for s in constrained), "an edge is missing")
+    if domain != "hull":
+        judge_values(domain, edges, values)
     for (p, q), r in opposite.items():
         if p < q and (q, p) in opposite and not marks[p, q]:
             s = opposite[q, p]

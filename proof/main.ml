@@ -11,7 +11,9 @@ let read channel =
   let header = words () in
   if header <> ["sweep-cdt-certificate"; "1"] then fail "header";
   ignore (many "exponent");
-  if words () <> ["domain"; "hull"] then fail "domain";
+  let domain = match words () with
+    | ["domain"; "hull"] -> Hull | ["domain"; "even-odd"] -> EvenOdd | ["domain"; "nonzero"] -> NonZero
+    | _ -> fail "domain" in
   let count = many "points" in
   let points = list count (fun () -> match words () with
     | [x; y] -> { zx = Integer.of_string x; zy = Integer.of_string y } | _ -> fail "a point") in
@@ -25,11 +27,14 @@ let read channel =
   let lower = list (if sides = 0 then 0 else sides + 1) (fun () -> match words () with
     | [a] -> point a | _ -> fail "a point of the lower hull") in
   let marks = Array.init 8 (fun m -> { mark_ab = m land 1 > 0; mark_bc = m land 2 > 0; mark_ca = m land 4 > 0 }) in
-  let triangles = list (many "triangles") (fun () -> match words () with
-    | [a; b; c; m] -> { corner_a = point a; corner_b = point b; corner_c = point c; marks = marks.(int_of_string m) }
+  let triangle a b c m value =
+    { corner_a = point a; corner_b = point b; corner_c = point c; marks = marks.(int_of_string m); value } in
+  let triangles = list (many "triangles") (fun () -> match domain, words () with
+    | Hull, [a; b; c; m] -> triangle a b c m Integer.zero
+    | (EvenOdd | NonZero), [a; b; c; m; value] -> triangle a b c m (Integer.of_string value)
     | _ -> fail "a triangle") in
   if words () <> ["end"] then fail "end";
-  { points; edges; lower; triangles }
+  { domain; points; edges; lower; triangles }
 
 let say status message = print_endline message; exit status
 
@@ -39,9 +44,11 @@ let () =
     let k = try read (open_in_bin path) with
       | Sys_error m | Failure m | Invalid_argument m -> say 2 ("unreadable: " ^ m)
       | End_of_file -> say 2 "unreadable: the file ends too early" in
+    let inside = match k.domain with
+      | Hull -> "" | EvenOdd -> ", and its interior by even-odd" | NonZero -> ", and its interior by nonzero" in
     if check (not plain) k then
-      say 0 (if plain then "correct: a constrained Delaunay triangulation"
-             else "correct: the constrained Delaunay triangulation with the rule of the first corner")
+      say 0 (if plain then "correct: a constrained Delaunay triangulation" ^ inside
+             else "correct: the constrained Delaunay triangulation with the rule of the first corner" ^ inside)
     else if not plain && check false k then
       say 1 "refused: a constrained Delaunay triangulation, but without the rule of the first corner (--plain accepts it)"
     else say 1 "refused" in

@@ -1,11 +1,12 @@
 """Writes the certificate (certificate.md) of a result of `sweep-cdt triangulate IN -o OUT.json`.
 
-    python3 certify.py OUT.json OUT.cert
+    python3 certify.py OUT.json OUT.cert [even-odd | nonzero]
 
 Coordinates are doubles. The points of each edge are those of `chains`. Triangles that cannot be laid come last, so that
 the certificate of a wrong result holds all of it.
 """
 
+import collections
 import json
 import sys
 
@@ -73,25 +74,57 @@ def order(points, triangles):
     return [rotated[n] for n in listed + sorted(rest)], chain
 
 
-def certificate(data):
+def values(points, edges, triangles):
+    """How often the edges go round each triangle, spread from the border across sides; 0 where nothing spreads to."""
+    along = collections.Counter()
+    for edge in edges:
+        along.update((points[a], points[b]) for a, b in zip(edge, edge[1:]))
+    left = {}
+    for n, t in enumerate(triangles):
+        for p, q in zip(t, t[1:] + t[:1]):
+            left[points[p], points[q]] = n
+    found = {}
+    queue = collections.deque((n, along[p, q] - along[q, p]) for (p, q), n in left.items() if (q, p) not in left)
+    while queue:
+        n, value = queue.popleft()
+        if n in found:
+            continue
+        found[n] = value
+        for p, q in zip(triangles[n], triangles[n][1:] + triangles[n][:1]):
+            p, q = points[p], points[q]
+            if (q, p) in left:
+                queue.append((left[q, p], value + along[q, p] - along[p, q]))
+    return [found.get(n, 0) for n in range(len(triangles))]
+
+
+def edges_of(data, points):
+    """The points of each edge, from its first end. (`chains` may run the other way.)"""
+    pairs = zip(data["edges"], data["chains"])
+    chains = [c if points[c[0]] == points[a] else c[::-1] for (a, _), c in pairs]
+    return [c if len(c) > 1 else c * 2 for c in chains]
+
+
+def certificate(data, domain="hull"):
     points, exponent = integers([[float(c) for c in p[:2]] for p in data["points"]])
-    marked = {frozenset((points[a], points[b])) for c in data["chains"] for a, b in zip(c, c[1:])}
+    edges = edges_of(data, points)
+    marked = {frozenset((points[a], points[b])) for c in edges for a, b in zip(c, c[1:])}
     triangles, chain = order(points, data["triangles"])
-    out = ["sweep-cdt-certificate 1", f"exponent {exponent}", "domain hull", f"points {len(points)}"]
+    out = ["sweep-cdt-certificate 1", f"exponent {exponent}", f"domain {domain}", f"points {len(points)}"]
     out += [f"{x} {y}" for x, y in points]
-    out.append(f"edges {len(data['chains'])}")
-    out += [" ".join(map(str, c if len(c) > 1 else c * 2)) for c in data["chains"]]
+    out.append(f"edges {len(edges)}")
+    out += [" ".join(map(str, edge)) for edge in edges]
     out.append(f"lower {max(0, len(chain) - 1)}")
     out += map(str, chain)
     out.append(f"triangles {len(triangles)}")
-    for a, b, c in triangles:
+    rounds = values(points, edges, triangles)
+    for (a, b, c), value in zip(triangles, rounds):
         mark = sum(
             1 << i for i, (p, q) in enumerate(((a, b), (b, c), (c, a))) if frozenset((points[p], points[q])) in marked
         )
-        out.append(f"{a} {b} {c} {mark}")
+        out.append(f"{a} {b} {c} {mark}" + {"hull": "", "even-odd": f" {value % 2}", "nonzero": f" {value}"}[domain])
     return "\n".join(out + ["end", ""])
 
 
 if __name__ == "__main__":
     with open(sys.argv[1]) as source, open(sys.argv[2], "w") as target:
-        target.write(certificate(json.load(source)))
+        target.write(certificate(json.load(source), *sys.argv[3:]))

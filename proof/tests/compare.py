@@ -99,9 +99,40 @@ def verdicts(command, result, folder):
     return said
 
 
+def domains(command, title, path, result, folder):
+    """How many rules have an interior, which must be that of the command; with a wrong value nothing is correct."""
+    cert, output = folder / "x.cert", folder / "inside.json"
+    found = 0
+    for rule in ("even-odd", "nonzero"):
+        text = certify.certificate(result, rule)
+        said = []
+        triangles = [line.split(" ") for line in text.splitlines() if line.count(" ") == 4]
+        wrong = text.replace(" ".join(triangles[0]) + "\n", " ".join(triangles[0][:4] + [str(1 + int(triangles[0][4]))]) + "\n")
+        for case in (text, wrong):
+            cert.write_text(case)
+            program = subprocess.run([PROOF / "build/check", cert], capture_output=True, check=False).returncode
+            try:
+                check.judge(*check.read(case.splitlines()), False)
+                judge = 0
+            except check.Refused:
+                judge = 1
+            said.append((program, judge))
+        output.unlink(missing_ok=True)
+        subprocess.run([command, "triangulate", path, "--inside", rule, "-o", output], capture_output=True, check=False)
+        expected = (0, 0) if output.exists() else (1, 1)  # edges that are no closed rings have no interior
+        inside = sorted(sorted(map(int, t[:3])) for t in triangles if int(t[4]) != 0)
+        if said != [expected, (1, 1)]:
+            sys.exit(f"{title}, {rule}: {said}")
+        if output.exists():
+            found += 1
+            if inside != sorted(sorted(t) for t in json.loads(output.read_text())["triangles"]):
+                sys.exit(f"{title}, {rule}: another interior")
+    return found
+
+
 def main(command, altered=5):
     rng = random.Random(1)
-    rights = wrongs = ties = 0
+    rights = wrongs = ties = interiors = 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         for title, path in inputs(command, folder):
@@ -113,6 +144,7 @@ def main(command, altered=5):
             result = json.loads(output.read_text())
             cases = [("right", result)]
             if result["triangles"] and len(result["points"]) < 5000:
+                interiors += domains(command, title, path, result, folder)
                 cases += [alter(result, rng) for _ in range(altered)]
             for kind, case in cases:
                 said = verdicts(command, case, folder)
@@ -126,6 +158,7 @@ def main(command, altered=5):
                 else:
                     ties += said["proved"][1]
     print(f"{rights} right results accepted and {wrongs} altered ones refused by all three; {ties} refused as ties alone")
+    print(f"{interiors} interiors are those of sweep-cdt, and none is accepted with a wrong value")
 
 
 if __name__ == "__main__":
