@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 PROOF = pathlib.Path(__file__).resolve().parent.parent
-ORDER = "Check Place Laid Border Pieces Tiling Cover Walk Unique Main".split()
+ORDER = "Check Place Laid Border Pieces Tiling Cover Walk Unique Domain Main".split()
 
 STEP = "same a (left_end (item_side i)) && same b (right_end (item_side i)) && legal rule (mark_ab m) c i"
 NEXT = "same b (left_end (item_side j)) && same c (right_end (item_side j)) && legal rule (mark_bc m) a j"
@@ -55,8 +55,16 @@ FAULTS = [
     ("Check", "points beyond the end of an edge", "(before a v && before v b ||", "(before a v ||"),
     ("Check", "no edges", "if same (edge_from e) (edge_to e) then pieces r acc", "if true then pieces r acc"),
     ("Check", "points on no line", "if same a b then on_line a r else all_on_line a b r", "if same a b then on_line a r else true"),
+    ("Check", "values rise unseen", "if Z.eqb v (level i) then l else", "if true then l else"),
+    ("Check", "the value of the triangle below is lost", "Item (ZSide a c) (Some b) (mark_ca m) v :: r')",
+     "Item (ZSide a c) (Some b) (mark_ca m) 0 :: r')"),
+    ("Check", "edges to the left count as edges to the right", "else Rise (ZSide b a) 1", "else Rise (ZSide b a) (-1)"),
+    ("Check", "the last side alone must balance", "| _ => fits sum && balanced fits t v r", "| _ => balanced fits t v r"),
+    ("Check", "nonzero is taken for even-odd", "all_balanced (Z.eqb 0) (falls es rs)", "all_balanced Z.even (falls es rs)"),
+    ("Check", "values are not compared", "| EvenOdd => all_balanced Z.even (falls es rs)", "| EvenOdd => true"),
+    ("Check", "values outside are free", "last_rises r (add_rise 0 i acc)", "last_rises r acc"),
     ("Sort", "equal lists may differ in length", "| _, _ => false", "| _, _ => true"),
-    ("Sort", "merging loses an item", "| Gt => merge_l1 t2 (y :: acc)", "| Gt => merge_l1 t2 acc"),
+    ("Sort", "merging loses an item", "merge up l1 t2 (y :: acc)", "merge up l1 t2 acc"),
     ("Sort", "different items are merged", "match compare x y with Eq => distinct r acc | _ => distinct r (x :: acc) end",
      "distinct r acc"),
 ]
