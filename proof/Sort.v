@@ -1,5 +1,6 @@
 (* Merge sort and removal of equals, without recursion on the machine's stack.
-   The proof needs one fact: nothing is lost and nothing is made. That the list is in order is not needed. *)
+   The proof needs one fact: nothing is lost and nothing is made. Order is not needed for the proof, only for finding
+   equals. *)
 Require Import List Permutation Wf_nat.
 Import ListNotations.
 

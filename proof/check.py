@@ -2,9 +2,9 @@
 
     python3 check.py [--plain] FILE
 
-The proved checker lays the triangles on a front and counts. This one looks sides up in a table, compares the border
-with a hull that it makes itself, and compares areas. So it needs no order of the triangles and no lower hull, and does
-not look at these hints. Exit status: 0 correct, 1 refused, 2 unreadable.
+The proved checker lays the triangles on a front and counts. Here sides are looked up in a table, the border is
+compared with a hull made anew, and areas are compared. So no order of the triangles and no lower hull is needed, and
+these hints are not looked at. Exit status: 0 correct, 1 refused, 2 unreadable.
 """
 
 import sys
@@ -57,8 +57,8 @@ def read(lines):
         if len(value) != (domain != "hull") or m not in "01234567":
             raise ValueError("not a triangle")
         triangles.append(((place(a), place(b), place(c)), int(m), integer(value[0]) if value else 0))
-    if words() != ["end"]:
-        raise ValueError("end expected")
+    if words() != ["end"] or next(lines, None) is not None:
+        raise ValueError("the end expected")
     return domain, points, edges, triangles
 
 

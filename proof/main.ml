@@ -33,13 +33,13 @@ let read channel =
     | Hull, [a; b; c; m] -> triangle a b c m Integer.zero
     | (EvenOdd | NonZero), [a; b; c; m; value] -> triangle a b c m (Integer.of_string value)
     | _ -> fail "a triangle") in
-  if words () <> ["end"] then fail "end";
+  if words () <> ["end"] || (try ignore (input_char channel); true with End_of_file -> false) then fail "end";
   { domain; points; edges; lower; triangles }
 
 let say status message = print_endline message; exit status
 
 let () =
-  Gc.set { (Gc.get ()) with minor_heap_size = 0x100000; space_overhead = 500 };
+  Gc.set { (Gc.get ()) with minor_heap_size = 0x100000; space_overhead = 300 };
   let judge plain path =
     let k = try read (open_in_bin path) with
       | Sys_error m | Failure m | Invalid_argument m -> say 2 ("unreadable: " ^ m)
