@@ -39,7 +39,7 @@ let read channel =
 let say status message = print_endline message; exit status
 
 let () =
-  Gc.set { (Gc.get ()) with minor_heap_size = 0x100000; space_overhead = 300 };
+  Gc.set { (Gc.get ()) with minor_heap_size = 0x100000; space_overhead = 200 };
   let judge plain path =
     let k = try read (open_in_bin path) with
       | Sys_error m | Failure m | Invalid_argument m -> say 2 ("unreadable: " ^ m)
