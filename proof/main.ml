@@ -7,7 +7,8 @@ let read channel =
   let fail what = failwith ("not a certificate: " ^ what) in
   let many name = match words () with [n; count] when n = name -> int_of_string count | _ -> fail name in
   let list count item =
-    let rec more l n = if n = 0 then List.rev l else more (item () :: l) (n - 1) in more [] (max 0 count) in
+    let rec more l n = if n = 0 then List.rev l else more (item () :: l) (n - 1) in
+    if count < 0 then fail "a count below 0" else more [] count in
   let header = words () in
   if header <> ["sweep-cdt-certificate"; "1"] then fail "header";
   ignore (many "exponent");
@@ -44,13 +45,15 @@ let () =
     let k = try read (open_in_bin path) with
       | Sys_error m | Failure m | Invalid_argument m -> say 2 ("unreadable: " ^ m)
       | End_of_file -> say 2 "unreadable: the file ends too early" in
+    let what = Printf.sprintf "%d triangles: the constrained Delaunay triangulation of %d points and %d edges"
+      (List.length k.triangles) (List.length k.points) (List.length k.edges) in
+    let tie = if plain then ", whatever becomes of ties" else ", by the rule of the first corner" in
     let inside = match k.domain with
-      | Hull -> "" | EvenOdd -> ", and its interior by even-odd" | NonZero -> ", and its interior by nonzero" in
-    if check (not plain) k then
-      say 0 (if plain then "correct: a constrained Delaunay triangulation" ^ inside
-             else "correct: the constrained Delaunay triangulation with the rule of the first corner" ^ inside)
+      | Hull -> "" | EvenOdd -> "; their values are the interior by even-odd"
+      | NonZero -> "; their values are the winding numbers" in
+    if check (not plain) k then say 0 ("correct: " ^ what ^ tie ^ inside)
     else if not plain && check false k then
-      say 1 "refused: a constrained Delaunay triangulation, but without the rule of the first corner (--plain accepts it)"
+      say 1 "refused: a constrained Delaunay triangulation, but not by the rule of the first corner (--plain accepts it)"
     else say 1 "refused" in
   match Sys.argv with
   | [| _; path |] -> judge false path

@@ -46,6 +46,7 @@ def alter(result, rng):
     edges = [list(e) for e in result["edges"]]
     vertices = range(len(result["points"]))
     k = rng.randrange(len(triangles))
+    points, _ = certify.integers([[float(c) for c in p[:2]] for p in result["points"]])
     kind = rng.choice(["flip", "flip", "flip", "drop", "twice", "corner", "swap", "edge"])
     if kind == "flip":
         # The third corners of the triangles at each side, by the side's direction.
@@ -66,12 +67,13 @@ def alter(result, rng):
         triangles = [[{p: q, q: p}.get(v, v) for v in t] for t in triangles]
     else:
         p, q = rng.sample(vertices, 2)
-        points, _ = certify.integers([[float(c) for c in p] for p in result["points"]])
         a, b = sorted((points[p], points[q]))
         on = {points[v]: v for v in vertices if a < points[v] < b and check.orient(a, b, points[v]) == 0}
         through = [on[point] for point in sorted(on, reverse=points[p] > points[q])]
         edges.append([p, q])
         chains.append([p, *through, q])
+    if all(check.orient(*(points[v] for v in t)) < 0 for t in triangles):
+        triangles = [t[::-1] for t in triangles]  # `verify` takes triangles that are all clockwise as they are
     return kind, result | {"triangles": triangles, "chains": chains, "edges": edges}
 
 
