@@ -14,7 +14,8 @@ Proof.
   intros S U V W A B. unfold rightward in *.
   assert (U' : 0 <= ux) by lra. assert (W' : 0 <= wx) by lra.
   destruct V as [V|[V V']].
-  - assert (E : vx * (s * (ux * wy - uy * wx)) = ux * (s * (vx * wy - vy * wx)) + wx * (s * (ux * vy - uy * vx))) by ring.
+  - assert (E : vx * (s * (ux * wy - uy * wx)) = ux * (s * (vx * wy - vy * wx))
+      + wx * (s * (ux * vy - uy * vx))) by ring.
     assert (0 <= ux * (s * (vx * wy - vy * wx))) by (apply Rmult_le_pos; assumption).
     assert (0 <= wx * (s * (ux * vy - uy * vx))) by (apply Rmult_le_pos; assumption).
     apply Rmult_le_reg_l with vx; lra.
@@ -86,7 +87,8 @@ Proof. unfold orient; ring. Qed.
 
 Lemma chain_ahead sign x : forall l s, chain sign s l = true -> (forall y, In y (s :: l) -> turn (IZR sign) x y) ->
   0 <= IZR sign * orient (left_of x) (right_of x) (left_of s) -> forall y, In y (s :: l) ->
-  0 <= IZR sign * orient (left_of x) (right_of x) (left_of y) /\ 0 <= IZR sign * orient (left_of x) (right_of x) (right_of y).
+  0 <= IZR sign * orient (left_of x) (right_of x) (left_of y) /\
+    0 <= IZR sign * orient (left_of x) (right_of x) (right_of y).
 Proof.
   induction l as [|t r IH]; intros s H T O y I;
     pose proof (T s (or_introl eq_refl)) as Ts; unfold turn in Ts;
@@ -100,7 +102,8 @@ Qed.
 
 Lemma chain_supports sign : sign = 1%Z \/ sign = (-1)%Z -> forall l s, chain sign s l = true ->
   forall x y, In x (s :: l) -> In y (s :: l) ->
-  0 <= IZR sign * orient (left_of x) (right_of x) (left_of y) /\ 0 <= IZR sign * orient (left_of x) (right_of x) (right_of y).
+  0 <= IZR sign * orient (left_of x) (right_of x) (left_of y) /\
+    0 <= IZR sign * orient (left_of x) (right_of x) (right_of y).
 Proof.
   intros S. induction l as [|t r IH]; intros s H x y Ix Iy.
   - destruct Ix as [<-|[]], Iy as [<-|[]].

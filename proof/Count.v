@@ -53,7 +53,8 @@ Proof.
   destruct (Rle_dec (X a) (X q)), (Rle_dec (X b) (X q)), (Rle_dec (X c) (X q)).
   - repeat (destruct (Rlt_dec (X q) _); try lra). split; [lia|split; [lia|]].
     intros (? & ? & ?). exfalso.
-    assert (z * h <= 0) by (unfold h; nra). assert (x * f <= 0) by (unfold f; nra). assert (y * g <= 0) by (unfold g; nra).
+    assert (z * h <= 0) by (unfold h; nra). assert (x * f <= 0) by (unfold f; nra).
+    assert (y * g <= 0) by (unfold g; nra).
     assert (f = 0) by nra. assert (g = 0) by nra. assert (h = 0) by nra.
     assert (orient a b c = (g - f) * (Y c - Y a) - (Y b - Y a) * (h - f)) by (unfold orient, f, g, h; ring).
     assert (orient a b c = 0) by (replace f with 0 in *; replace g with 0 in *; replace h with 0 in *; lra). lra.

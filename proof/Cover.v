@@ -46,7 +46,8 @@ Qed.
 Lemma in_triangle_dec q t : {in_triangle q t} + {~ in_triangle q t}.
 Proof.
   destruct t as [[a b] c]; cbn.
-  destruct (Rle_dec 0 (orient a b q)), (Rle_dec 0 (orient b c q)), (Rle_dec 0 (orient c a q)); try (left; tauto); right; tauto.
+  destruct (Rle_dec 0 (orient a b q)), (Rle_dec 0 (orient b c q)), (Rle_dec 0 (orient c a q)); try (left; tauto);
+    right; tauto.
 Qed.
 
 Lemma outside_soon q z t : ~ in_triangle q t ->
@@ -121,7 +122,8 @@ Proof.
   destruct (Rlt_dec 0 (affine k m w a)); [exists a; cbn; auto|].
   destruct (Rlt_dec 0 (affine k m w b)); [exists b; cbn; auto|].
   destruct (Rlt_dec 0 (affine k m w c)); [exists c; cbn; auto|].
-  exfalso. apply Z. pose proof (C a ltac:(cbn; auto)). pose proof (C b ltac:(cbn; auto)). pose proof (C c ltac:(cbn; auto)).
+  exfalso. apply Z. pose proof (C a ltac:(cbn; auto)). pose proof (C b ltac:(cbn; auto)).
+  pose proof (C c ltac:(cbn; auto)).
   apply affine_zero with a b c; lra.
 Qed.
 
@@ -212,7 +214,8 @@ Proof.
   destruct (Req_dec (orient c a p) 0) as [W0|W0].
   { apply (turned_corner _ _ _ _ _ Tt). left. apply at_corner with b c; assumption. }
   destruct (Req_dec (orient b c p) 0) as [V0|V0].
-  { apply (turned_corner _ _ _ _ _ Tt). right; left. apply at_corner with c a; try assumption. rewrite orient_turn; assumption. }
+  { apply (turned_corner _ _ _ _ _ Tt). right; left. apply at_corner with c a; try assumption.
+    rewrite orient_turn; assumption. }
   exfalso. assert (V' : 0 < orient b c p) by lra. assert (W' : 0 < orient c a p) by lra.
   destruct (t_all _ _ _ _ H p Hp) as (t' & I' & C').
   pose proof (t_positive _ _ _ _ H t' I') as A'.

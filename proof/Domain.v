@@ -16,21 +16,24 @@ Proof.
   assert (O1 : orient a v q = s * orient a b q) by (rewrite E; flat; ring).
   assert (O2 : orient v b q = (1 - s) * orient a b q) by (rewrite E; flat; ring).
   unfold lex in A, B. unfold below_right. rewrite O1, O2.
-  destruct (Rle_dec (X a) (X q)), (Rlt_dec (X q) (X b)), (Rle_dec (X v) (X q)), (Rlt_dec (X q) (X v)); try lra; try reflexivity.
+  destruct (Rle_dec (X a) (X q)), (Rlt_dec (X q) (X b)), (Rle_dec (X v) (X q)), (Rlt_dec (X q) (X v)); try lra;
+    try reflexivity.
   - assert (S' : 0 < 1 - s) by nra.
     destruct (Rlt_dec 0 (orient a b q)), (Rlt_dec 0 ((1 - s) * orient a b q)); try reflexivity; exfalso; nra.
   - assert (S' : 0 < s) by nra.
     destruct (Rlt_dec 0 (orient a b q)), (Rlt_dec 0 (s * orient a b q)); try reflexivity; exfalso; nra.
 Qed.
 
-Lemma total_only {A} (f g : A -> Z) l z : (forall x, In x l -> (0 <= f x)%Z) -> (total f l <= 1)%Z -> In z l -> f z = 1%Z ->
+Lemma total_only {A} (f g : A -> Z) l z : (forall x, In x l -> (0 <= f x)%Z) -> (total f l <= 1)%Z -> In z l ->
+  f z = 1%Z ->
   total (fun x => (g x * f x)%Z) l = g z.
 Proof.
   intros P L I F. apply in_split in I. destruct I as (l1 & l2 & ->). rewrite total_app, total_cons in *.
   assert (P1 : forall x, In x l1 -> (0 <= f x)%Z) by (intros; apply P; apply in_or_app; auto).
   assert (P2 : forall x, In x l2 -> (0 <= f x)%Z) by (intros; apply P; apply in_or_app; cbn; auto).
   pose proof (total_nonneg f l1 P1). pose proof (total_nonneg f l2 P2).
-  assert (Z : forall l, (forall x, In x l -> (0 <= f x)%Z) -> total f l = 0%Z -> total (fun x => (g x * f x)%Z) l = 0%Z).
+  assert (Z : forall l, (forall x, In x l -> (0 <= f x)%Z) -> total f l = 0%Z ->
+    total (fun x => (g x * f x)%Z) l = 0%Z).
   { clear. induction l as [|x l IH]; intros P T; [reflexivity|]. rewrite total_cons in *.
     pose proof (P x (or_introl eq_refl)).
     pose proof (total_nonneg f l (fun y Hy => P y (or_intror Hy))).
@@ -109,7 +112,8 @@ Proof.
   - rewrite total_cons. unfold risen at 1. cbn [rise rise_side].
     assert (G : forall b, fits sum && balanced fits t v l = true -> b = true ->
       good (sum * above (left_of s) (right_of s) q + (v * above (left_of t) (right_of t) q + total (risen u q) l))%Z).
-    { intros _ K _. apply andb_prop in K. destruct K as [K1 K2]. apply Plus; [apply Times; assumption|]. apply IH; assumption. }
+    { intros _ K _. apply andb_prop in K. destruct K as [K1 K2]. apply Plus; [apply Times; assumption|].
+      apply IH; assumption. }
     destruct (compare_sides s t) eqn:C; [|apply (G true); auto|apply (G true); auto].
     apply compare_sides_eq in C. subst t. specialize (IH s (sum + v)%Z H).
     replace (sum * above (left_of s) (right_of s) q + (v * above (left_of s) (right_of s) q + total (risen u q) l))%Z
@@ -183,7 +187,8 @@ Proof.
     destruct D as [[Dk ->]|[Dk ->]]; rewrite Dk in *; cbn [inside_by].
     - unfold even_odd. rewrite Z.odd_spec. destruct V as [z V].
       split; intros [w W]; [exists (w - z)%Z|exists (w + z)%Z]; lia.
-    - unfold nonzero. rewrite V. destruct (Z.eqb_spec (winding (map (place_edge u) (edges k)) q) 0); cbn; split; auto; congruence. }
+    - unfold nonzero. rewrite V. destruct (Z.eqb_spec (winding (map (place_edge u) (edges k)) q) 0); cbn; split;
+        auto; congruence. }
   split.
   - intros t I. unfold inside_triangles in I. apply in_map_iff in I. destruct I as (z & <- & Z).
     apply filter_In in Z. apply in_map. tauto.

@@ -52,7 +52,8 @@ Qed.
 
 Example other_is_right : constrained_delaunay square [] other.
 Proof.
-  by_checker false (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no 0; ZTriangle za zc zd no 0])
+  by_checker false (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no 0;
+    ZTriangle za zc zd no 0])
     (fun u p => accepted_is_constrained_delaunay u p false).
 Qed.
 
@@ -65,14 +66,17 @@ Qed.
 
 Example upright_is_right : canonical kite [] upright.
 Proof.
-  by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [] [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0]
-      [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no 0; ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no 0])
+  by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [] [ZPoint 0 0;
+    ZPoint 4 (-1); ZPoint 8 0]
+      [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no 0;
+        ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no 0])
     accepted_is_canonical.
 Qed.
 
 Example level_is_right_with_edge : canonical kite [(w, e)] level.
 Proof.
-  by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [ZEdge (ZPoint 0 0) [] (ZPoint 8 0)]
+  by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0;
+    ZPoint 4 1] [ZEdge (ZPoint 0 0) [] (ZPoint 8 0)]
       [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0]
       [ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 8 0) (Marks false false true) 0;
        ZTriangle (ZPoint 0 0) (ZPoint 8 0) (ZPoint 4 1) (Marks true false false) 0])
@@ -82,7 +86,8 @@ Qed.
 (* The ring a, b, d holds one of the two triangles of the fan. *)
 Example inside_of_a_ring : interior (nonzero [(a, b); (b, d); (d, a)]) fan [(a, b, d)].
 Proof.
-  assert (H : check true (Certificate NonZero [za; zb; zc; zd] [ZEdge za [] zb; ZEdge zb [] zd; ZEdge zd [] za] [za; zb; zc]
+  assert (H : check true (Certificate NonZero [za; zb; zc; zd] [ZEdge za [] zb; ZEdge zb [] zd; ZEdge zd [] za] [za;
+    zb; zc]
     [ZTriangle za zb zd (Marks true true true) 1; ZTriangle zd zb zc (Marks true false false) 0]) = true)
     by (vm_compute; reflexivity).
   apply (accepted_inside_is_interior 1 Rlt_0_1) in H. cbn [domain] in H.
@@ -129,7 +134,8 @@ Qed.
 
 Example twice : ~ constrained_delaunay square [] [(a, b, d); (d, b, c); (a, b, d)].
 Proof.
-  refute H. apply (no_overlap _ _ _ H 0 2 (a, b, d) (a, b, d) (Point (1 / 2) (1 / 2)) ltac:(discriminate) eq_refl eq_refl).
+  refute H. apply (no_overlap _ _ _ H 0 2 (a, b, d) (a, b, d) (Point (1 / 2) (1 / 2)) ltac:(discriminate) eq_refl
+    eq_refl).
   compute_points. lra.
 Qed.
 
@@ -143,7 +149,8 @@ Example a_dent : ~ constrained_delaunay [a; b; c; d; m] [] [(a, b, m); (b, c, m)
 Proof.
   refute H.
   destruct (proj1 (covers_hull _ _ _ H (Point (1 / 4) 1))) as (t & It & Q).
-  - intros u v x L. pose proof (L a ltac:(cbn; auto)). pose proof (L d ltac:(cbn; auto)). pose proof (L m ltac:(cbn; auto 6)).
+  - intros u v x L. pose proof (L a ltac:(cbn; auto)). pose proof (L d ltac:(cbn; auto)).
+    pose proof (L m ltac:(cbn; auto 6)).
     compute_points. lra.
   - destruct It as [<-|[<-|[<-|[]]]]; compute_points; lra.
 Qed.

@@ -113,7 +113,8 @@ Qed.
 
 Record laid (done : list ztriangle) (s : state) : Prop := {
   l_positive : forall t, In t done -> positive (tri t);
-  l_count : forall q, (total (fun t => count q (tri t)) done + total (fun i => above (at_left i) (at_right i) q) (front s)
+  l_count : forall q, (total (fun t => count q (tri t)) done + total (fun i => above (at_left i) (at_right i) q)
+    (front s)
     = total (fun s => above (place u (left_end s)) (place u (right_end s)) q) low)%Z;
   l_values : forall q, (total (fun t => value t * count q (tri t)) done
       + total (fun i => level i * above (at_left i) (at_right i) q) (front s) = total (risen q) (rises s))%Z;

@@ -52,7 +52,8 @@ Proof.
       destruct (orient_same (place u a) (place u x)); assumption.
 Qed.
 
-Lemma one_line_spec k : match points k with [] => true | a :: r => on_line a r end = true -> on_one_line (real_points u k).
+Lemma one_line_spec k : match points k with [] => true | a :: r => on_line a r end = true ->
+  on_one_line (real_points u k).
 Proof.
   unfold real_points. destruct (points k) as [|a r]; [intros _ x y z []|]. intros H x y z Hx Hy Hz.
   apply in_map_iff in Hx, Hy, Hz. destruct Hx as (x' & <- & Hx), Hy as (y' & <- & Hy), Hz as (z' & <- & Hz).

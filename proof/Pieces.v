@@ -91,7 +91,8 @@ Proof.
     + intros q Q. exists (piece a b). split; [left; reflexivity|]. apply piece_covers; assumption.
   - destruct (inside a v b) eqn:V; [|discriminate]. apply inside_on_segment in V.
     destruct (IH _ _ _ H) as (I & O & C).
-    assert (F : forall x, on_segment (place u x) (place u a) (place u v) -> on_segment (place u x) (place u a) (place u b)).
+    assert (F : forall x, on_segment (place u x) (place u a) (place u v) ->
+      on_segment (place u x) (place u a) (place u b)).
     { intros x S. apply on_segment_swap. apply on_segment_within with (place u v); apply on_segment_swap; assumption. }
     split; [|split].
     + intros x Hx. apply I. right; assumption.

@@ -27,7 +27,8 @@ Proof.
 Qed.
 
 Lemma same_eq a b : same a b = true -> a = b.
-Proof. unfold same. destruct (compare_points a b) eqn:E; try discriminate. intros; apply compare_points_eq; assumption. Qed.
+Proof. unfold same. destruct (compare_points a b) eqn:E; try discriminate.
+intros; apply compare_points_eq; assumption. Qed.
 
 Lemma same_refl a : same a a = true.
 Proof. unfold same, compare_points. rewrite !Z.compare_refl. reflexivity. Qed.

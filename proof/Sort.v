@@ -98,7 +98,8 @@ Lemma merge_all_permutes n : forall up ls, Permutation (merge_all n up ls) (conc
 Proof.
   induction n as [|n IH]; intros up [|a [|b r]]; cbn [merge_all];
     try (destruct up; cbn; rewrite ?app_nil_r, ?rev_append_rev, ?app_nil_r, <- ?Permutation_rev; reflexivity).
-  - assert (G : forall (r : list (list A)) a, Permutation (fold_left (fun acc l => rev_append l acc) r a) (a ++ concat r)).
+  - assert (G : forall (r : list (list A)) a, Permutation (fold_left (fun acc l => rev_append l acc) r a) (a ++
+      concat r)).
     { clear. induction r as [|l r IH]; intros a; cbn.
       - rewrite app_nil_r; reflexivity.
       - rewrite IH, rev_append_rev, <- Permutation_rev, app_assoc.

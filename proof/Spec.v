@@ -79,7 +79,7 @@ Definition same_triangles (T U : list triangle) : Prop :=
   (forall u, In u U -> exists t, In t T /\ same_triangle t u).
 
 (* Domains. How often the edges go round q: an edge that passes below q counts 1 if it runs to the right, and -1 if it
-   runs to the left. An edge passes below what has an x from its left end's, inclusive, to its right end's, exclusive. *)
+   runs to the left. An edge has the x of its left end, and not that of its right end. *)
 Definition below_right (a b q : point) : Z :=
   if Rle_dec (X a) (X q) then if Rlt_dec (X q) (X b) then if Rlt_dec 0 (orient a b q) then 1 else 0 else 0 else 0.
 Definition winding (E : list edge) (q : point) : Z :=

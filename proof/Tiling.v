@@ -53,7 +53,8 @@ Proof.
   destruct (sides_of_ends _ _ _ _ H) as [[]|]; assumption.
 Qed.
 
-Lemma low_sides_all l p : low_sides l <> [] -> In p l -> exists x, In x (low_sides l) /\ (p = left_end x \/ p = right_end x).
+Lemma low_sides_all l p : low_sides l <> [] -> In p l -> exists x, In x (low_sides l) /\
+  (p = left_end x \/ p = right_end x).
 Proof.
   destruct l as [|a r]; [easy|]. intros N I. destruct r as [|b r]; [exfalso; apply N; reflexivity|].
   destruct (proj2 (sides_of_all (b :: r) a []) ltac:(discriminate) p I) as [x [A B]].
@@ -148,7 +149,8 @@ Proof.
   unfold orient; cbn [X Y].
   assert (0 < (X b - X a) * (X b - X a) + (Y b - Y a) * (Y b - Y a)).
   { pose proof (Rle_0_sqr (X b - X a)). pose proof (Rle_0_sqr (Y b - Y a)). unfold Rsqr in *.
-    destruct L as [L|[_ L]]; [assert (0 < (X b - X a) * (X b - X a)) by nra | assert (0 < (Y b - Y a) * (Y b - Y a)) by nra];
+    destruct L as [L|[_ L]]; [assert (0 < (X b - X a) * (X b - X a))
+      by nra | assert (0 < (Y b - Y a) * (Y b - Y a)) by nra];
     lra. }
   destruct S as [-> | ->]; lra.
 Qed.
@@ -179,7 +181,8 @@ Lemma lay_laid rule k s : border (low_sides (lower k)) (map item_side (rev_appen
 Proof.
   intros B L. apply border_inv in B. destruct B as (sl & l & th & h & EL & _ & CL & _).
   pose proof (chain_lex u u_positive _ _ _ CL) as LexL. rewrite <- EL in LexL.
-  assert (ST : laid u rule (low_sides (lower k)) (lower k) [] (State [] (map first_item (low_sides (lower k))) (lower k) [] [])).
+  assert (ST : laid u rule (low_sides (lower k)) (lower k) [] (State [] (map first_item (low_sides (lower k))) (lower
+    k) [] [])).
   { apply laid_start; auto. rewrite EL; discriminate. }
   destruct (laid_lay u u_positive rule _ (lower k) _ _ _ _ ST L) as (done & LD & PD).
   rewrite app_nil_r in PD. exists done. auto.
@@ -225,7 +228,8 @@ Proof.
       rewrite (total_permutation _ _ _ PF). clear.
       induction fr as [|t r IH]; [reflexivity|]. cbn [map]. rewrite !total_cons, IH. reflexivity. }
   (* what bounds the hull *)
-  assert (LP : forall x, In x (sl :: l) -> forall p, In p (map (place u) (points k)) -> 0 <= orient (left_of x) (right_of x) p).
+  assert (LP : forall x, In x (sl :: l) -> forall p, In p (map (place u) (points k)) ->
+    0 <= orient (left_of x) (right_of x) p).
   { intros x Hx p Hp. apply PM in Hp. destruct Hp as (z & Z & ->).
     rewrite orient_affine.
     assert (LX : lex (left_of x) (right_of x)) by (apply LexL; rewrite EL; assumption).
@@ -237,10 +241,12 @@ Proof.
       destruct (chain_supports u u_positive 1 (or_introl eq_refl) _ _ CL x y Hx Hy) as [A C].
       destruct D as [-> | ->]; lra. }
   pose proof (chain_lex u u_positive _ _ _ CH) as LexH.
-  assert (HP : forall x, In x (th :: h) -> forall p, In p (map (place u) (points k)) -> 0 <= - orient (left_of x) (right_of x) p).
+  assert (HP : forall x, In x (th :: h) -> forall p, In p (map (place u) (points k)) ->
+    0 <= - orient (left_of x) (right_of x) p).
   { intros x Hx p Hp. apply PM in Hp. destruct Hp as (z & Z & ->).
     assert (LX : lex (left_of x) (right_of x)) by (apply LexH; assumption).
-    replace (- orient (left_of x) (right_of x) (place u z)) with (-1 * orient (left_of x) (right_of x) (place u z)) by ring.
+    replace (- orient (left_of x) (right_of x) (place u z)) with (-1 * orient (left_of x) (right_of x) (place u z))
+      by ring.
     rewrite <- edge_value. unfold value_at, edge_function.
     apply (l_down _ _ _ _ _ _ LD); try assumption.
     - unfold lex in LX; lra.
@@ -253,12 +259,14 @@ Proof.
   { intros p Hp. apply PM in Hp. destruct Hp as (z & Z & ->). split.
     - assert (0 <= affine 1 0 (- x0) (place u z)); [|unfold affine in *; lra].
       apply (l_up _ _ _ _ _ _ LD); try assumption; [lra|].
-      intros p Hp. destruct (low_sides_all (lower k) p) as (y & Hy & D); [fold low; rewrite EL; discriminate|assumption|].
+      intros p Hp. destruct (low_sides_all (lower k) p) as (y & Hy & D); [fold low; rewrite EL;
+        discriminate|assumption|].
       fold low in Hy. rewrite EL in Hy. pose proof (chain_range u u_positive _ _ _ CL y Hy) as R. fold x0 in R.
       unfold affine. destruct D as [-> | ->]; lra.
     - assert (0 <= affine (-1) 0 x1 (place u z)); [|unfold affine in *; lra].
       apply (l_up _ _ _ _ _ _ LD); try assumption; [lra|].
-      intros p Hp. destruct (low_sides_all (lower k) p) as (y & Hy & D); [fold low; rewrite EL; discriminate|assumption|].
+      intros p Hp. destruct (low_sides_all (lower k) p) as (y & Hy & D); [fold low; rewrite EL;
+        discriminate|assumption|].
       fold low in Hy. rewrite EL in Hy. pose proof (chain_range u u_positive _ _ _ CL y Hy) as R. fold x1 in R.
       unfold affine. destruct D as [-> | ->]; lra. }
   assert (KU : forall x, In x (marked_sides fr (used s)) -> exists z a b, In z done /\ side a b (tri z) /\
@@ -311,7 +319,8 @@ Proof.
       * pose proof (G _ (or_introl eq_refl)) as G0. pose proof (G _ (or_intror (or_introl eq_refl))) as G1.
         unfold value_at, affine in G0, G1. fold x0 x1. lra.
   - intros t a b c Ht T. apply TM in Ht. destruct Ht as (z & Z & ->).
-    destruct (l_sides _ _ _ _ _ _ LD z a b c Z T) as [(i & d & I & B & -> & -> & ->)|[(x & I & -> & ->)|(t' & d & I & T' & F)]].
+    destruct (l_sides _ _ _ _ _ _ LD z a b c Z T) as [(i & d & I & B & -> & -> & ->)|[(x & I & ->
+      & ->)|(t' & d & I & T' & F)]].
     + left. intros p Hp. apply HI in I || idtac. assert (J : In (item_side i) (th :: h)) by (apply HI; exists i; auto).
       pose proof (HP _ J p Hp). rewrite orient_swap. lra.
     + left. intros p Hp. apply LP; [rewrite <- EL|]; assumption.

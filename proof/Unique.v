@@ -1,10 +1,10 @@
 (* Two lists of triangles that are right for the same points and edges, by the rule of the first corner, are the same.
 
-   Where a triangle t of one list and a triangle v of the other overlap, take a point q of both interiors. The difference
-   of the powers in the two circles is affine. Were it negative at q, it would be negative at a corner of t; that corner
-   would be strictly inside the circle of v, and it is seen from q, because inside t no edge is in the way. So the
-   difference is 0 wherever both are, and the circles are one. Then the rule says that no corner of one triangle lies
-   beyond the side of the other that does not meet the first corner; this leaves no room for a difference. *)
+   Where a triangle t of one list and a triangle v of the other overlap, take a point q of both interiors. The
+   difference of the powers in the two circles is affine. Were it negative at q, it would be negative at a corner of t.
+   That corner would be strictly inside the circle of v, and it is seen from q, because inside t no edge is in the way.
+   So the difference is 0 wherever both are, and the circles are one. Then the rule says that no corner of one triangle
+   lies strictly between the sides of the other that meet at the first corner; this leaves no room for a difference. *)
 Require Import Reals ZArith List Lra Lia Psatz.
 Require Import Spec Geometry Place Walk Cover Pieces.
 Import ListNotations.
@@ -37,12 +37,16 @@ Proof.
   exists (orient e f q / D), (orient q p e / - D). split; [assumption|]. split; [assumption|].
   unfold between. apply point_eq; cbn.
   - apply Rmult_eq_reg_l with D; [|assumption].
-    replace (D * (X q + orient e f q / D * (X p - X q))) with (D * X q + orient e f q * (X p - X q)) by (field; assumption).
-    replace (D * (X e + orient q p e / - D * (X f - X e))) with (D * X e - orient q p e * (X f - X e)) by (field; assumption).
+    replace (D * (X q + orient e f q / D * (X p - X q))) with (D * X q + orient e f q * (X p - X q)) by (field;
+      assumption).
+    replace (D * (X e + orient q p e / - D * (X f - X e))) with (D * X e - orient q p e * (X f - X e)) by (field;
+      assumption).
     unfold D; flat; ring.
   - apply Rmult_eq_reg_l with D; [|assumption].
-    replace (D * (Y q + orient e f q / D * (Y p - Y q))) with (D * Y q + orient e f q * (Y p - Y q)) by (field; assumption).
-    replace (D * (Y e + orient q p e / - D * (Y f - Y e))) with (D * Y e - orient q p e * (Y f - Y e)) by (field; assumption).
+    replace (D * (Y q + orient e f q / D * (Y p - Y q))) with (D * Y q + orient e f q * (Y p - Y q)) by (field;
+      assumption).
+    replace (D * (Y e + orient q p e / - D * (Y f - Y e))) with (D * Y e - orient q p e * (Y f - Y e)) by (field;
+      assumption).
     unfold D; flat; ring.
 Qed.
 
@@ -94,7 +98,8 @@ Lemma power_not_less T U t v q o a w b : right T -> right U -> In t T -> In v U 
   centre o t -> corner a t -> centre w v -> corner b v -> in_interior q t -> in_interior q v ->
   power o a q <= power w b q.
 Proof.
-  intros HT HU I J O Ca W Cb Q1 Q2. pose proof (right_positive T t HT I) as A. pose proof (right_positive U v HU J) as B.
+  intros HT HU I J O Ca W Cb Q1 Q2. pose proof (right_positive T t HT I) as A.
+  pose proof (right_positive U v HU J) as B.
   destruct (turned_exists t a Ca) as (a1 & a2 & Tt). destruct (turned_exists v b Cb) as (b1 & b2 & Tv).
   assert (G : 0 <= power w b q - power o a q); [|lra].
   rewrite power_difference. apply affine_in_triangle with t; [assumption|apply interior_closed; assumption|].
@@ -114,7 +119,8 @@ Lemma one_circle T U t v q o a w b : right T -> right U -> In t T -> In v U ->
   centre o t -> corner a t -> centre w v -> corner b v -> in_interior q t -> in_interior q v ->
   forall p, power o a p = power w b p.
 Proof.
-  intros HT HU I J O Ca W Cb Q1 Q2 p. pose proof (right_positive T t HT I) as A. pose proof (right_positive U v HU J) as B.
+  intros HT HU I J O Ca W Cb Q1 Q2 p. pose proof (right_positive T t HT I) as A.
+  pose proof (right_positive U v HU J) as B.
   assert (Z : forall y, in_interior y t -> in_interior y v -> power o a y - power w b y = 0).
   { intros y Y1 Y2. pose proof (power_not_less T U t v y o a w b HT HU I J O Ca W Cb Y1 Y2).
     pose proof (power_not_less U T v t y w b o a HU HT J I W Cb O Ca Y2 Y1). lra. }
@@ -316,7 +322,8 @@ Proof.
   subst e f. intros p. rewrite (turned_corner _ _ _ _ _ Tt), (turned_corner _ _ _ _ _ Tv). tauto.
 Qed.
 
-Lemma overlapping_exists T U t : right T -> right U -> In t T -> exists v q, In v U /\ in_interior q t /\ in_interior q v.
+Lemma overlapping_exists T U t : right T -> right U -> In t T ->
+  exists v q, In v U /\ in_interior q t /\ in_interior q v.
 Proof.
   intros HT HU I. pose proof (right_positive T t HT I) as A. pose proof (middle_interior t A) as M.
   destruct (proj1 (covers_hull _ _ _ (proj1 HU) (middle t))) as (v & J & Q).
@@ -385,7 +392,8 @@ Theorem canonical_unique P E Q F T U : same_points P Q -> same_edges E F ->
   canonical P E T -> canonical Q F U -> same_triangles T U.
 Proof.
   intros SP SE [HT KT] [HU KU].
-  assert (G : forall P Q E T (U : list triangle), same_points P Q -> triangulation P E T -> on_one_line Q /\ U = [] -> T = []).
+  assert (G : forall P Q E T (U : list triangle), same_points P Q -> triangulation P E T ->
+    on_one_line Q /\ U = [] -> T = []).
   { clear. intros P Q E T U S H [L ->]. destruct T as [|[[a b] c] T]; [reflexivity|exfalso].
     pose proof (turns_left _ _ _ H a b c (or_introl eq_refl)) as A.
     assert (I : forall p, corner p (a, b, c) -> In p Q)

@@ -1,7 +1,7 @@
-(* No point in the circle of a triangle is seen from its inside. Walk from q towards p. The walk leaves a triangle through
-   the inside of a side, never through a corner: that corner would be strictly inside the circle and on it. Behind a side
-   that is locally Delaunay, p is in the circle of the next triangle. So the walk ends only at an edge.
-   The same walk serves the rule of the first corner. There p may be on the circle if p comes before all corners. *)
+(* No point in the circle of a triangle is seen from its inside. Walk from q towards p. The walk leaves a triangle
+   through the inside of a side, never through a corner: that corner would be strictly inside the circle and on it.
+   Behind a side that is locally Delaunay, p is in the circle of the next triangle. So the walk ends only at an edge.
+   One walk also serves the rule of the first corner. There p may be on the circle if p comes before all corners. *)
 Require Import Reals ZArith List Lra Lia Psatz.
 Require Import Spec Geometry Count Check Place Laid Tiling Cover.
 Import ListNotations.
@@ -194,7 +194,8 @@ Proof.
   - left. exact (proj1 (next_circle t v a b c d p I J Tt Tv N L) C).
   - destruct (next_circle t v a b c d p I J Tt Tv N L) as (_ & K1 & K2).
     destruct (Rlt_dec (circle a b c d) 0) as [S|S]; [left; auto|].
-    assert (Z : circle a b c d = 0) by lra. destruct (K2 C Z) as [K _]. right. split; [assumption|]. split; [assumption|].
+    assert (Z : circle a b c d = 0) by lra. destruct (K2 C Z) as [K _]. right. split; [assumption|].
+    split; [assumption|].
     assert (Fa : first p a) by (apply F; apply (turned_corner _ _ _ _ _ Tt); auto).
     assert (Fb : first p b) by (apply F; apply (turned_corner _ _ _ _ _ Tt); auto).
     pose proof (turned_positive _ _ _ _ Tv (t_positive _ _ _ _ H v J)) as B.
@@ -227,7 +228,8 @@ Proof.
   exists (s + h - h * s). split; [split; nra|assumption].
 Qed.
 
-Lemma walk : forall (n : nat) (L : list triangle) t m p, (length L <= n)%nat -> In t T -> In p P -> in_interior m t -> inside_or_first p t ->
+Lemma walk : forall (n : nat) (L : list triangle) t m p, (length L <= n)%nat -> In t T -> In p P ->
+  in_interior m t -> inside_or_first p t ->
   (forall v r, In v T -> 0 <= r <= 1 -> in_interior (between m p r) v -> In v L) -> blocked E m p.
 Proof.
   induction n as [|n IH]; intros L t m p Len I Hp M C All.

@@ -1,4 +1,4 @@
-"""Judges a certificate (certificate.md) in Python's integers, without a proof and by another way than the proved checker.
+"""Judges a certificate (certificate.md) in Python's integers, without a proof, and by another way than the proved one.
 
     python3 check.py [--plain] FILE
 

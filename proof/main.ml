@@ -53,7 +53,7 @@ let () =
       | NonZero -> "; their values are the winding numbers" in
     if check (not plain) k then say 0 ("correct: " ^ what ^ tie ^ inside)
     else if not plain && check false k then
-      say 1 "refused: a constrained Delaunay triangulation, but not by the rule of the first corner (--plain accepts it)"
+      say 1 "refused: a constrained Delaunay triangulation, but not by the rule of the first corner; --plain accepts it"
     else say 1 "refused" in
   match Sys.argv with
   | [| _; path |] -> judge false path

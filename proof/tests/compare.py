@@ -1,4 +1,4 @@
-"""Compares the verdicts of the proved checker, of check.py and of `sweep-cdt verify`, on right results and altered ones.
+"""Compares the verdicts of the proved checker, of check.py and of `sweep-cdt verify`, on right and altered results.
 
     python3 compare.py SWEEP_CDT [ALTERED]
 
@@ -24,8 +24,8 @@ KINDS = "uniform integers lattice rows columns circle parabola-up comb fans aste
 
 def inputs(command, folder):
     data = PROOF.parent / "tests/data"
-    for path in [data / "formats/ten.json", data / "formats/ten.poly", data / "formats/split.poly", data / "isolines_small.poly"]:
-        yield path.name, path
+    for name in ("formats/ten.json", "formats/ten.poly", "formats/split.poly", "isolines_small.poly"):
+        yield name, data / name
     for line in (data / "hard.jsonl").read_text().splitlines():
         case = json.loads(line)
         if len(case["points"]) <= 3000:
@@ -109,7 +109,9 @@ def domains(command, title, path, result, folder):
         text = certify.certificate(result, rule)
         said = []
         triangles = [line.split(" ") for line in text.splitlines() if line.count(" ") == 4]
-        wrong = text.replace(" ".join(triangles[0]) + "\n", " ".join(triangles[0][:4] + [str(1 + int(triangles[0][4]))]) + "\n")
+        first = " ".join(triangles[0])
+        *rest, value = triangles[0]
+        wrong = text.replace(first + "\n", " ".join([*rest, str(1 + int(value))]) + "\n")
         for case in (text, wrong):
             cert.write_text(case)
             program = subprocess.run([PROOF / "build/check", cert], capture_output=True, check=False).returncode
@@ -140,7 +142,8 @@ def main(command, altered=5):
         for title, path in inputs(command, folder):
             output = folder / "result.json"
             output.unlink(missing_ok=True)
-            subprocess.run([command, "triangulate", path, "--inside", "hull", "-o", output], capture_output=True, check=False)
+            call = [command, "triangulate", path, "--inside", "hull", "-o", output]
+            subprocess.run(call, capture_output=True, check=False)
             if not output.exists():
                 continue  # edges that cross
             result = json.loads(output.read_text())
@@ -150,7 +153,8 @@ def main(command, altered=5):
                 cases += [alter(result, rng) for _ in range(altered)]
             for kind, case in cases:
                 said = verdicts(command, case, folder)
-                if not said["proved"] == said["check.py"] == said["verify"] or (kind == "right" and any(said["proved"])):
+                same = said["proved"] == said["check.py"] == said["verify"]
+                if not same or (kind == "right" and any(said["proved"])):
                     (PROOF / "build/differs.cert").write_text((folder / "x.cert").read_text())
                     sys.exit(f"{title}, {kind}: {said}; see build/differs.cert")
                 if kind == "right":
@@ -159,7 +163,7 @@ def main(command, altered=5):
                     wrongs += 1
                 else:
                     ties += said["proved"][1]
-    print(f"{rights} right results accepted and {wrongs} altered ones refused by all three; {ties} refused as ties alone")
+    print(f"{rights} right results accepted and {wrongs} altered ones refused by all; {ties} refused as ties alone")
     print(f"{interiors} interiors are those of sweep-cdt, and none is accepted with a wrong value")
 
 

@@ -20,14 +20,17 @@ STEP = "same a (left_end (item_side i)) && same b (right_end (item_side i)) && l
 NEXT = "same b (left_end (item_side j)) && same c (right_end (item_side j)) && legal rule (mark_bc m) a j"
 FAULTS = [
     ("Check", "flat triangles", "if Z.ltb 0 (zorient a b c) then", "if Z.leb 0 (zorient a b c) then"),
-    ("Check", "the area has a wrong sign", "(zx b - zx a) * (zy c - zy a) - (zy b", "(zx b - zx a) * (zy c - zy a) + (zy b"),
+    ("Check", "the area has a wrong sign",
+     "(zx b - zx a) * (zy c - zy a) - (zy b", "(zx b - zx a) * (zy c - zy a) + (zy b"),
     ("Check", "the circle has a wrong term", "(ax * by_ - ay * bx)", "(ax * by_ - ay * cx)"),
     ("Check", "points of one x are equal", "Eq => Z.compare (zy a) (zy b) | c => c", "Eq => Eq | c => c"),
     ("Check", "a lower side may begin elsewhere", STEP, STEP.replace("same a (left_end (item_side i)) && ", "")),
     ("Check", "a lower side may end elsewhere", STEP, STEP.replace("same b (right_end (item_side i)) && ", "")),
     ("Check", "the first lower side is not tested", STEP, STEP.replace(" && legal rule (mark_ab m) c i", "")),
-    ("Check", "the second lower side may begin elsewhere", NEXT, NEXT.replace("same b (left_end (item_side j)) && ", "")),
-    ("Check", "the second lower side may end elsewhere", NEXT, NEXT.replace("same c (right_end (item_side j)) && ", "")),
+    ("Check", "the second lower side may begin elsewhere",
+     NEXT, NEXT.replace("same b (left_end (item_side j)) && ", "")),
+    ("Check", "the second lower side may end elsewhere",
+     NEXT, NEXT.replace("same c (right_end (item_side j)) && ", "")),
     ("Check", "the second lower side is not tested", NEXT, NEXT.replace(" && legal rule (mark_bc m) a j", "")),
     ("Check", "the second lower side is tested with a wrong corner", NEXT, NEXT.replace("a j", "b j")),
     ("Check", "the front may go back", "if before a c then\n", "if before a b then\n"),
@@ -37,7 +40,8 @@ FAULTS = [
     ("Check", "ties are free", "Eq => negb rule || tie_is_right a b c d", "Eq => true"),
     ("Check", "a tie looks at three corners", "zfirst f c && zfirst f d", "zfirst f c"),
     ("Check", "the lower of two corners is first", "Eq => Z.leb (zy b) (zy a)", "Eq => Z.leb (zy a) (zy b)"),
-    ("Check", "sides with a mark below are not tested", "else if marked i then false\n", "else if marked i then true\n"),
+    ("Check", "sides with a mark below are not tested",
+     "else if marked i then false\n", "else if marked i then true\n"),
     ("Check", "marks are lost", "if mark then item_side i :: l else l", "l"),
     ("Check", "the border may go back", "  before (left_end s) (right_end s) &&\n", "  true &&\n"),
     ("Check", "the border may have gaps", "    same (right_end s) (left_end t) &&\n", "    true &&\n"),
@@ -54,24 +58,29 @@ FAULTS = [
     ("Check", "points beside an edge", "Z.eqb (zorient a b v) 0 && (before a v", "(before a v"),
     ("Check", "points beyond the end of an edge", "(before a v && before v b ||", "(before a v ||"),
     ("Check", "no edges", "if same (edge_from e) (edge_to e) then pieces r acc", "if true then pieces r acc"),
-    ("Check", "points on no line", "if same a b then on_line a r else all_on_line a b r", "if same a b then on_line a r else true"),
+    ("Check", "points on no line",
+     "if same a b then on_line a r else all_on_line a b r", "if same a b then on_line a r else true"),
     ("Check", "values rise unseen", "if Z.eqb v (level i) then l else", "if true then l else"),
     ("Check", "the value of the triangle below is lost", "Item (ZSide a c) (Some b) (mark_ca m) v :: r')",
      "Item (ZSide a c) (Some b) (mark_ca m) 0 :: r')"),
     ("Check", "edges to the left count as edges to the right", "else Rise (ZSide b a) 1", "else Rise (ZSide b a) (-1)"),
-    ("Check", "the last side alone must balance", "| _ => fits sum && balanced fits t v r", "| _ => balanced fits t v r"),
-    ("Check", "nonzero is taken for even-odd", "all_balanced (Z.eqb 0) (falls es rs)", "all_balanced Z.even (falls es rs)"),
+    ("Check", "the last side alone must balance",
+     "| _ => fits sum && balanced fits t v r", "| _ => balanced fits t v r"),
+    ("Check", "nonzero is taken for even-odd",
+     "all_balanced (Z.eqb 0) (falls es rs)", "all_balanced Z.even (falls es rs)"),
     ("Check", "values are not compared", "| EvenOdd => all_balanced Z.even (falls es rs)", "| EvenOdd => true"),
     ("Check", "values outside are free", "last_rises r (add_rise 0 i acc)", "last_rises r acc"),
     ("Sort", "equal lists may differ in length", "| _, _ => false", "| _, _ => true"),
     ("Sort", "merging loses an item", "merge up l1 t2 (y :: acc)", "merge up l1 t2 acc"),
-    ("Sort", "different items are merged", "match compare x y with Eq => distinct r acc | _ => distinct r (x :: acc) end",
+    ("Sort", "different items are merged",
+     "match compare x y with Eq => distinct r acc | _ => distinct r (x :: acc) end",
      "distinct r acc"),
 ]
 
 
 def compiles(folder, module):
-    return subprocess.run(["coqc", "-q", f"{module}.v"], cwd=folder, capture_output=True, timeout=120, check=False).returncode == 0
+    coqc = subprocess.run(["coqc", "-q", f"{module}.v"], cwd=folder, capture_output=True, timeout=300, check=False)
+    return coqc.returncode == 0
 
 
 def broken_file(module, right, wrong):
