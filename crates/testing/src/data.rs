@@ -127,17 +127,27 @@ pub fn path(inside: &str) -> PathBuf {
     root.join(inside)
 }
 
+/// The files of a folder; sorted.
+///
+/// # Panics
+/// If there is no such folder.
+pub fn all_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut paths: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    paths.sort();
+    paths
+}
+
 /// The files of a folder whose names end in this extension; sorted.
 ///
 /// # Panics
 /// If there is none.
 pub fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("a folder");
-    let mut paths: Vec<PathBuf> = entries
-        .map(|entry| entry.expect("an entry").path())
-        .filter(|path| path.extension().is_some_and(|found| found == extension))
-        .collect();
-    paths.sort();
+    let has_extension = |path: &PathBuf| path.extension().is_some_and(|found| found == extension);
+    let mut paths = all_files(folder);
+    paths.retain(has_extension);
     let folder = folder.display();
     assert!(!paths.is_empty(), "{folder} holds no .{extension} file");
     paths

@@ -8,7 +8,8 @@
 //! * [`data`] reads the test data; [`binary`] writes inputs for other programs.
 //! * [`oracle`] computes what the result must be, in exact integers and without any code of the crate.
 //! * [`conformance`](mod@conformance) tests a scalar of your own.
-//! * [`judge`] decides with the oracle and the verifier whether another program is right.
+//! * [`judge`] decides with the oracle and the verifier whether another program is right; [`suite`] has inputs with their
+//!   one right answer.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
 //! * [`boundary`] finds the closed chains around a set of triangles.
@@ -32,7 +33,9 @@ pub mod page;
 #[cfg(feature = "peers")]
 pub mod peers;
 pub mod runs;
+pub mod suite;
 
+pub use arbitrary;
 pub use clouds::segments;
 pub use data::Input;
 pub use fronts::Steps;

@@ -1,6 +1,6 @@
 //! Other programs on the same input: where one differs from the exact oracle, it is wrong.
 //!
-//! The oracle's [`check`] passes our result first, or the property fails. Then the sides that no choice
+//! The oracle passes our result first ([`Right::of`]), or the property fails. Then the sides that no choice
 //! among cocircular triangles can change must be those of the other program too. Otherwise, or if it panics
 //! or refuses the input, a fault of that program is counted. The verifier of the crate must come to the same
 //! verdict: this also tests the verifier on the results of others.
@@ -20,26 +20,36 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
 use crate::reached;
-use sweep_cdt_testing::judge::{self, least, right_answer};
-use sweep_cdt_testing::peers::PROGRAMS;
+use sweep_cdt_testing::judge::{
+    Asked, Claims, Fault, Numbers, Outcome, Question, Right, Wrong, ask, least,
+};
+use sweep_cdt_testing::peers::{PROGRAMS, Program};
 use sweep_cdt_testing::{Input, generators};
 
 /// The property for the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
     let input = generators::input(bytes);
     reached::sample(&input);
-    let Some(answer) = right_answer(&input) else {
+    let Ok(right) = Right::of(&Question::new(&input.points, &input.edges)) else {
         return;
     };
+    let points = &input.points;
+    let has_length = |edge: &&[usize; 2]| points[edge[0]] != points[edge[1]];
+    let edges: Vec<[usize; 2]> = input.edges.iter().filter(has_length).copied().collect();
+    let question = Question::new(points, &edges);
     for (name, program, takes_edges) in PROGRAMS {
         if is_question(&input, takes_edges) {
-            let fault = judge::fault(&input, &answer, program);
-            count(&input, name, fault, &|input| {
-                let answer = right_answer(input).filter(|_| is_question(input, takes_edges))?;
-                judge::fault(input, &answer, program)
-            });
+            let outcome = asked(program, &question);
+            let fault = right.fault(&question, &outcome);
+            count(name, (program, takes_edges), &question, outcome, fault);
         }
     }
+}
+
+fn asked(program: Program, question: &Question) -> Outcome {
+    ask(question, &mut |question: &Question| {
+        program(&question.points, &question.edges)
+    })
 }
 
 /// Whether a program may be expected to accept this.
@@ -47,15 +57,20 @@ pub fn test(bytes: &[u8]) {
 /// `spade` takes magnitudes from 2^-142 to 2^201; `delaunator` and `cdt` name no limits, but compute
 /// squares of squares in doubles, and `delaunator` drops points within 2^-51 of each other.
 fn is_question(input: &Input, takes_edges: bool) -> bool {
-    const SPADE: [f64; 2] = [1e-42, 1e60];
-    const OTHERS: [f64; 2] = [1e-9, 1e15];
-    let [least, most] = if takes_edges { SPADE } else { OTHERS };
+    let [least, most] = sizes(takes_edges);
     let has_size = |x: &f64| *x == 0.0 || (least..=most).contains(&x.abs());
     let are_close = |p: &[f64; 2], q: &[f64; 2]| (0..2).all(|i| (p[i] - q[i]).abs() <= least);
     let mut points = input.points.iter().enumerate();
     (takes_edges || input.edges.is_empty())
         && input.points.as_flattened().iter().all(has_size)
         && (takes_edges || !points.any(|(i, p)| input.points[..i].iter().any(|q| are_close(p, q))))
+}
+
+/// The sizes of the coordinates of a question.
+fn sizes(takes_edges: bool) -> [f64; 2] {
+    const SPADE: [f64; 2] = [1e-42, 1e60];
+    const OTHERS: [f64; 2] = [1e-9, 1e15];
+    if takes_edges { SPADE } else { OTHERS }
 }
 
 /// So many inputs of a kind are written.
@@ -66,13 +81,13 @@ const WRITE: u64 = 4096;
 /// How often each program had each fault, or none.
 static COUNTS: Mutex<BTreeMap<(&str, &str), u64>> = Mutex::new(BTreeMap::new());
 
-/// Counts an answer, and shows its fault if `SWEEP_CDT_PEER_FAULTS` asks for it; `again` finds the fault
-/// of smaller inputs.
+/// Counts an answer, and shows its fault if `SWEEP_CDT_PEER_FAULTS` asks for it.
 fn count(
-    input: &Input,
-    program: &'static str,
-    fault: Option<&'static str>,
-    again: &dyn Fn(&Input) -> Option<&'static str>,
+    name: &'static str,
+    (program, takes_edges): (Program, bool),
+    question: &Question,
+    outcome: Outcome,
+    fault: Option<Fault>,
 ) {
     static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
     let folder =
@@ -81,14 +96,22 @@ fn count(
         return;
     };
     let count = counts
-        .entry((program, fault.unwrap_or("right")))
+        .entry((name, fault.as_ref().map_or("right", |fault| fault.name)))
         .or_default();
     *count += 1;
     // A report that cannot be written must not stop a campaign.
     if let Some(fault) = fault
         && *count <= SHOWN
     {
-        let _ = show(folder, program, fault, &least(input, fault, again));
+        let name_of_fault = fault.name;
+        let question = question.clone();
+        let wrong = Wrong {
+            question,
+            outcome,
+            fault,
+        };
+        let least = small(program, takes_edges, wrong);
+        let _ = show(folder, name, name_of_fault, &least);
     }
     if counts.values().sum::<u64>() % WRITE == 1 {
         let rows = counts.iter();
@@ -97,6 +120,26 @@ fn count(
             .collect();
         let _ = fs::write(folder.join(format!("{}.tsv", std::process::id())), text);
     }
+}
+
+/// A small input with the same fault.
+fn small(program: Program, takes_edges: bool, wrong: Wrong) -> Input {
+    let asked_for = if takes_edges {
+        Asked::Edges
+    } else {
+        Asked::Points
+    };
+    let [least_size, most] = sizes(takes_edges);
+    let claims = Claims::of(asked_for).with_numbers(Numbers::doubles(least_size, most));
+    let Question { points, edges, .. } = least(&claims, wrong, &mut |question| {
+        let Question { points, edges, .. } = question.clone();
+        match is_question(&Input { points, edges }, takes_edges) {
+            true => asked(program, question),
+            false => Outcome::Failed(Fault::new("not asked", "")),
+        }
+    })
+    .question;
+    Input { points, edges }
 }
 
 /// Adds a row to the file of this kind.

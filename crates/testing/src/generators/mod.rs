@@ -5,17 +5,21 @@
 //! edges, so a small change of the bytes is a small change of the input. Where the bytes run out, the list
 //! that they were read for ends. Every sequence of bytes is an input.
 //!
+//! [`polygons()`] makes polygons with holes out of bytes.
+//!
 //! An input has at most [`POINTS`] points, so that every exact check of it ends soon. [`medium`] makes larger ones.
 
 mod bytes;
 mod edges;
 mod points;
+mod polygons;
 
 use arbitrary::{Result, Unstructured};
 
 pub use bytes::{BYTES, EDGES, FAR_POINTS, POINTS};
 pub use edges::{Pattern, drop_crossings};
 pub use points::Shape;
+pub use polygons::{Polygons, Rings, polygons};
 
 use sweep_cdt_generate::Random;
 

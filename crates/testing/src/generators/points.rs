@@ -65,6 +65,28 @@ impl Shape {
         Shape::Magnitudes,
         Shape::Raw,
     ];
+
+    /// The name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Shape::General => "general",
+            Shape::Lattice => "lattice",
+            Shape::Columns => "columns",
+            Shape::Rows => "rows",
+            Shape::Circle => "circle",
+            Shape::OnSegments => "on-segments",
+            Shape::Line => "line",
+            Shape::Parabola => "parabola",
+            Shape::Comb => "comb",
+            Shape::Alternating => "alternating",
+            Shape::Cluster => "cluster",
+            Shape::Star => "star",
+            Shape::Polygons => "polygons",
+            Shape::Nudged => "nudged",
+            Shape::Magnitudes => "magnitudes",
+            Shape::Raw => "raw",
+        }
+    }
 }
 
 type Edges = Vec<[usize; 2]>;

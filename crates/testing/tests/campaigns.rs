@@ -1,0 +1,300 @@
+//! Campaigns against programs with planted faults: each is found, and made small.
+
+use sweep_cdt::interior::{FillRule, Ring};
+use sweep_cdt::triangulate;
+use sweep_cdt_testing::judge::{
+    Asked, Claims, Numbers, Operation, Outcome, Question, Reply, Special, Summary, campaign,
+};
+use sweep_cdt_testing::oracle::Domain;
+
+/// A program that is right.
+fn right(question: &Question) -> Outcome {
+    match question.operations.len() {
+        0 => inside(question).into(),
+        all => Outcome::After((1..=all).map(|steps| after(question, steps)).collect()),
+    }
+}
+
+fn after(question: &Question, steps: usize) -> Vec<[usize; 3]> {
+    let present = question.present(steps);
+    let triangles = inside(&question.after(steps)).expect("points alone");
+    triangles.iter().map(|t| t.map(|v| present[v])).collect()
+}
+
+fn inside(question: &Question) -> Reply {
+    let edges = question.all_edges();
+    let result = triangulate(&question.points, &edges).map_err(|error| error.to_string())?;
+    let interior = match question.domain {
+        Domain::Hull => result.interior(FillRule::Hull),
+        Domain::EvenOdd => result.interior(FillRule::EvenOdd),
+        Domain::NonZero => result.interior(FillRule::NonZero(&edges)),
+        Domain::Polygons => {
+            let mut rings = Vec::new();
+            let mut ring_of = vec![None; question.edges.len()];
+            for (polygon, holes) in (0..).zip(&question.polygons) {
+                for (at, ring) in holes.iter().enumerate() {
+                    ring_of.extend(ring.iter().map(|_| Some(rings.len())));
+                    rings.push(Ring {
+                        polygon,
+                        is_hole: at > 0,
+                    });
+                }
+            }
+            result.interior_of_polygons(&rings, &ring_of)
+        }
+    };
+    let interior = interior.map_err(|error| error.to_string())?;
+    Ok(interior.triangles().collect())
+}
+
+/// All kinds of claims, with everything that is unusual and can be answered.
+fn claims() -> Vec<Claims> {
+    use Special::{EdgesWithoutLength, FlatRings, OverlappingRings, RingsEitherWay};
+    let unusual = [
+        EdgesWithoutLength,
+        FlatRings,
+        OverlappingRings,
+        RingsEitherWay,
+    ];
+    let mut all = Vec::new();
+    for (asked, _) in Asked::ALL {
+        for numbers in [
+            "doubles",
+            "integers:20",
+            "integers:3",
+            "single:1e-6..1e6",
+            "doubles:1e-42..1e60",
+        ] {
+            let numbers = numbers.parse().expect("numbers");
+            let claims = Claims::of(asked).with_numbers(numbers);
+            all.push(
+                claims
+                    .clone()
+                    .answering(&unusual)
+                    .refusing(&[Special::CrossingEdges]),
+            );
+            if asked == Asked::Polygons {
+                for domain in [Domain::Hull, Domain::EvenOdd, Domain::NonZero] {
+                    all.push(Claims {
+                        domain,
+                        ..claims.clone().answering(&unusual)
+                    });
+                }
+            }
+            all.push(claims);
+        }
+    }
+    all
+}
+
+#[test]
+fn a_right_program_is_found_right() {
+    for claims in claims() {
+        let summary = campaign(&claims, 100, 1, right);
+        assert!(summary.faults.is_empty(), "{claims}\n{summary}");
+        println!("{claims}\n{summary}");
+    }
+}
+
+/// A fault planted in a right answer.
+type Plant = fn(&Question, Vec<[usize; 3]>) -> Vec<[usize; 3]>;
+
+/// The side that two triangles share is replaced by the other diagonal, where both halves then turn left.
+fn flip(question: &Question, mut triangles: Vec<[usize; 3]>) -> Vec<[usize; 3]> {
+    let turn = |a: usize, b: usize, c: usize| {
+        let [p, q, r] = [a, b, c].map(|v| question.points[v]);
+        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]) > 0.0
+    };
+    for t in 0..triangles.len() {
+        for k in 0..3 {
+            let [a, b, c] = [0, 1, 2].map(|i| triangles[t][(i + k) % 3]);
+            for u in 0..t {
+                let across =
+                    (0..3).find(|&j| [triangles[u][j], triangles[u][(j + 1) % 3]] == [b, a]);
+                let Some(j) = across else { continue };
+                let d = triangles[u][(j + 2) % 3];
+                if turn(c, a, d) && turn(d, b, c) {
+                    (triangles[t], triangles[u]) = ([c, a, d], [d, b, c]);
+                    return triangles;
+                }
+            }
+        }
+    }
+    triangles
+}
+
+/// A name, what it does to an answer, and how many points a small question with it has at most.
+const PLANTS: [(&str, Plant, usize); 6] = [
+    (
+        "dropped",
+        |_, mut t| {
+            t.pop();
+            t
+        },
+        4,
+    ),
+    ("flipped", flip, 4),
+    (
+        "repeated",
+        |_, mut t| {
+            t.extend(t.last().copied());
+            t
+        },
+        3,
+    ),
+    (
+        "reversed",
+        |_, mut t| {
+            if t.len() > 2 {
+                t[0].reverse();
+            }
+            t
+        },
+        5,
+    ),
+    (
+        "moved",
+        |q, mut t| {
+            if t.len() > 1 {
+                t[0][0] = (t[0][0] + 1) % q.points.len();
+            }
+            t
+        },
+        4,
+    ),
+    (
+        "no point",
+        |_, mut t| {
+            if t.len() > 3 {
+                t[1][2] = 1000;
+            }
+            t
+        },
+        6,
+    ),
+];
+
+fn spoiled(claims: &Claims, plant: Plant) -> Summary {
+    campaign(claims, 60, 2, |question| match right(question) {
+        Outcome::Triangles(triangles) => Outcome::Triangles(plant(question, triangles)),
+        Outcome::After(mut states) => {
+            let last = states.pop().unwrap_or_default();
+            states.push(plant(question, last));
+            Outcome::After(states)
+        }
+        other => other,
+    })
+}
+
+#[test]
+fn planted_faults_are_found_and_made_small() {
+    for (asked, _) in Asked::ALL {
+        let claims = Claims::of(asked).with_numbers(Numbers::integers(20));
+        for (name, plant, most) in PLANTS {
+            if name == "flipped" && claims.level < sweep_cdt::verify::Level::Delaunay {
+                continue;
+            }
+            let summary = spoiled(&claims, plant);
+            let points =
+                |finding: &sweep_cdt_testing::judge::Finding| finding.least.question.points.len();
+            let least = summary.findings.iter().map(points).min();
+            assert!(
+                least.is_some_and(|least| least <= most),
+                "{claims}: {name}\n{summary}"
+            );
+            println!("{claims}: {name}\n{summary}");
+        }
+    }
+}
+
+/// Edges that the program does not look at are missed, and so are the holes of polygons.
+#[test]
+fn what_a_program_ignores_is_found() {
+    let blind = |question: &Question| {
+        let edges = Vec::new();
+        inside(&Question {
+            edges,
+            ..question.clone()
+        })
+    };
+    let claims = Claims::of(Asked::Edges).with_numbers(Numbers::integers(10));
+    let summary = campaign(&claims, 200, 1, blind);
+    let found = summary
+        .findings
+        .iter()
+        .find(|finding| finding.least.fault.name == "missing-edge");
+    let question = &found.expect("a missing edge").least.question;
+    assert_eq!(
+        (question.points.len(), question.edges.len()),
+        (4, 1),
+        "{summary}"
+    );
+    let fills = |question: &Question| {
+        let polygons = question
+            .polygons
+            .iter()
+            .map(|rings| rings[..1].to_vec())
+            .collect();
+        inside(&Question {
+            polygons,
+            ..question.clone()
+        })
+    };
+    let claims = Claims::of(Asked::Polygons).with_numbers(Numbers::integers(10));
+    let summary = campaign(&claims, 200, 1, fills);
+    let sizes = summary
+        .findings
+        .iter()
+        .map(|f| f.least.question.points.len());
+    assert!(sizes.min().is_some_and(|least| least <= 6), "{summary}");
+}
+
+/// What a program may refuse is no finding, and anything else that it refuses is one.
+#[test]
+fn refusals_count_where_they_are_not_declared() {
+    let proud = |question: &Question| match question.specials().contains(&Special::EqualPoints) {
+        true => Err("equal points".to_owned()),
+        false => inside(question),
+    };
+    let claims = Claims::of(Asked::Edges).with_numbers(Numbers::integers(4));
+    let summary = campaign(&claims, 200, 1, proud);
+    let least = &summary.findings[0].least;
+    assert_eq!(
+        (least.fault.name, least.question.points.len()),
+        ("refused", 4),
+        "{summary}"
+    );
+    let summary = campaign(&claims.refusing(&[Special::EqualPoints]), 200, 1, proud);
+    assert!(summary.faults.is_empty(), "{summary}");
+    assert!(
+        summary.kinds.values().map(|row| row.refused).sum::<u64>() > 50,
+        "{summary}"
+    );
+}
+
+/// A program that forgets a removal is found by a sequence that removes one point.
+#[test]
+fn a_removal_that_is_forgotten_is_found() {
+    let forgetful = |question: &Question| {
+        let mut question = question.clone();
+        question
+            .operations
+            .retain(|step| matches!(step, Operation::Insert(_)));
+        let mut there = std::collections::BTreeSet::new();
+        question.operations.retain(|step| match step {
+            Operation::Insert(v) | Operation::Remove(v) => there.insert(*v),
+        });
+        Outcome::Triangles(after(&question, question.operations.len()))
+    };
+    let claims = Claims::of(Asked::Operations).with_numbers(Numbers::integers(10));
+    let summary = campaign(&claims, 200, 1, forgetful);
+    let least = &summary.findings[0].least.question;
+    assert!(least.operations.len() <= 5, "{summary}");
+    assert!(
+        matches!(
+            least.operations[least.operations.len() - 1],
+            Operation::Remove(_)
+        ),
+        "{summary}"
+    );
+}
