@@ -1,0 +1,96 @@
+//! Inputs of random numbers: points of a shape with edges of a pattern, and polygons.
+
+use sweep_cdt_testing::arbitrary::Unstructured;
+use sweep_cdt_testing::generators::{Pattern, Rings, Shape, polygons, read_shape};
+use sweep_cdt_testing::judge::Question;
+use sweep_cdt_testing::{Input, Random};
+
+/// A made input has at most so many points: the oracle tries everything.
+pub(super) const MOST: usize = 14;
+
+pub(super) fn no_edges(_: &mut Random) -> Pattern {
+    Pattern::None
+}
+
+pub(super) fn pairs(_: &mut Random) -> Pattern {
+    Pattern::Pairs
+}
+
+pub(super) fn some_pattern(random: &mut Random) -> Pattern {
+    random.pick(&Pattern::ALL)
+}
+
+/// Points of a shape and edges of a pattern that do not cross; `head` are the bytes that the shape begins with.
+pub(super) fn plain(
+    random: &mut Random,
+    shape: Shape,
+    pattern: fn(&mut Random) -> Pattern,
+    head: &[u8],
+) -> Question {
+    shaped(random, shape, pattern, head, false)
+}
+
+pub(super) fn shaped(
+    random: &mut Random,
+    shape: Shape,
+    pattern: fn(&mut Random) -> Pattern,
+    head: &[u8],
+    may_cross: bool,
+) -> Question {
+    let pattern = pattern(random);
+    let place = Pattern::ALL
+        .iter()
+        .position(|&other| other == pattern)
+        .unwrap_or(0);
+    let n = 4 + random.below(9);
+    // Bits 3 and 4: whether edges that cross are left out. No disguise.
+    let style = place | if may_cross { 0 } else { 1 << 3 };
+    let mut bytes = vec![small(style), small(n)];
+    bytes.extend(head);
+    // As many bytes as the points take, and some for edges.
+    let edges = if pattern == Pattern::None {
+        0
+    } else {
+        3 + random.below(14)
+    };
+    bytes.extend(random.bytes(n * bytes_of_a_point(shape) + edges));
+    // Reading is total but for a type that has no values.
+    let Input { points, edges } =
+        read_shape(shape, &mut Unstructured::new(&bytes)).unwrap_or_default();
+    Question::new(&points, &edges)
+}
+
+fn bytes_of_a_point(shape: Shape) -> usize {
+    match shape {
+        Shape::Raw => 16,
+        Shape::General => 4,
+        Shape::Nudged | Shape::OnSegments | Shape::Magnitudes => 2,
+        _ => 1,
+    }
+}
+
+fn small(number: usize) -> u8 {
+    u8::try_from(number).unwrap_or(u8::MAX)
+}
+
+/// A small lattice with edges, multiplied by a power of two.
+pub(super) fn scaled(random: &mut Random, by: f64) -> Question {
+    let mut question = plain(random, Shape::Lattice, some_pattern, &[6]);
+    question
+        .points
+        .as_flattened_mut()
+        .iter_mut()
+        .for_each(|x| *x *= by);
+    question
+}
+
+/// Polygons of a shape, a few vertices each.
+pub(super) fn ringed(random: &mut Random, shape: Rings, may_touch: bool) -> Question {
+    let bytes = random.bytes(80);
+    let made = polygons(shape, may_touch, MOST, &mut Unstructured::new(&bytes));
+    let (points, polygons) = made.unwrap_or_default();
+    Question {
+        polygons,
+        ..Question::new(&points, &[])
+    }
+}
