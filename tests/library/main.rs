@@ -4,6 +4,7 @@
 //!   goes through `runs` (every scalar with every front and setting of the heuristics) and is compared with
 //!   the oracle of `sweep_cdt_testing`, which is itself tested in `random`. `limits`: the largest numbers,
 //!   what is refused, and scalars that are not exact, which end in a panic that says so.
+//! * `conformance`: the suite of conformance in `tests/conformance`, against the answers that it names.
 //! * `trace`: the steps of the paper's figures, which are snapshots; the
 //!   steps are the same for every scalar and front, and a replay returns the result.
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
@@ -23,6 +24,7 @@
 
 mod bands;
 mod cases;
+mod conformance;
 #[path = "../domain/mod.rs"]
 mod domain;
 mod fronts;
