@@ -15,15 +15,16 @@ pub(crate) struct ClaimArgs {
     /// that are inserted and removed)
     #[arg(long, value_name = "WHAT", default_value = "points")]
     asked: Asked,
-    /// What its triangles fill: hull, polygons, even-odd or nonzero [default: polygons for polygons and lines, else hull]
+    /// What its triangles fill: hull, polygons, even-odd or nonzero [default: polygons for polygons and lines, else
+    /// hull]
     #[arg(long, value_name = "DOMAIN")]
     domain: Option<Domain>,
-    /// What its triangles promise: tiling, constrained, delaunay or canonical [default: constrained for polygons and lines,
-    /// else delaunay]
+    /// What its triangles promise: tiling, constrained, delaunay or canonical [default: constrained for polygons and
+    /// lines, else delaunay]
     #[arg(long, value_name = "LEVEL", value_parser = level)]
     level: Option<Level>,
-    /// The coordinates that it takes: integers:BITS, doubles, doubles:LEAST..MOST, single or single:LEAST..MOST; zero is
-    /// among them
+    /// The coordinates that it takes: integers:BITS, doubles, doubles:LEAST..MOST, single or single:LEAST..MOST; zero
+    /// is among them
     #[arg(long, value_name = "NUMBERS", default_value = "doubles")]
     numbers: Numbers,
     /// How many points it is asked at most
@@ -33,8 +34,8 @@ pub(crate) struct ClaimArgs {
     /// edges-without-length, crossing-edges, touching-rings, flat-rings, overlapping-rings, rings-either-way
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     refuses: Vec<Special>,
-    /// What it is never asked; of the same list. Edges without length, crossing edges, flat and overlapping rings, and rings
-    /// that run either way are asked only where --refuses or --answers names them
+    /// What it is never asked; of the same list. Edges without length, crossing edges, flat and overlapping rings, and
+    /// rings that run either way are asked only where --refuses or --answers names them
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     never: Vec<Special>,
     /// What it is asked besides, and must answer; of the same list

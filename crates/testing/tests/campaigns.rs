@@ -1,9 +1,9 @@
 //! Campaigns against programs with planted faults: each is found, and made small.
 
-use sweep_cdt::interior::{FillRule, Ring};
 use sweep_cdt::triangulate;
 use sweep_cdt_testing::judge::{
-    Asked, Claims, Numbers, Operation, Outcome, Question, Reply, Special, Summary, campaign,
+    Asked, Claims, Fault, Numbers, Operation, Outcome, Question, Reply, Special, Summary, Wrong,
+    campaign, least,
 };
 use sweep_cdt_testing::oracle::Domain;
 
@@ -24,25 +24,7 @@ fn after(question: &Question, steps: usize) -> Vec<[usize; 3]> {
 fn inside(question: &Question) -> Reply {
     let edges = question.all_edges();
     let result = triangulate(&question.points, &edges).map_err(|error| error.to_string())?;
-    let interior = match question.domain {
-        Domain::Hull => result.interior(FillRule::Hull),
-        Domain::EvenOdd => result.interior(FillRule::EvenOdd),
-        Domain::NonZero => result.interior(FillRule::NonZero(&edges)),
-        Domain::Polygons => {
-            let mut rings = Vec::new();
-            let mut ring_of = vec![None; question.edges.len()];
-            for (polygon, holes) in (0..).zip(&question.polygons) {
-                for (at, ring) in holes.iter().enumerate() {
-                    ring_of.extend(ring.iter().map(|_| Some(rings.len())));
-                    rings.push(Ring {
-                        polygon,
-                        is_hole: at > 0,
-                    });
-                }
-            }
-            result.interior_of_polygons(&rings, &ring_of)
-        }
-    };
+    let interior = question.interior(&edges, &result);
     let interior = interior.map_err(|error| error.to_string())?;
     Ok(interior.triangles().collect())
 }
@@ -92,6 +74,9 @@ fn a_right_program_is_found_right() {
     for claims in claims() {
         let summary = campaign(&claims, 100, 1, right);
         assert!(summary.faults.is_empty(), "{claims}\n{summary}");
+        // What must not be asked is left out of points and edges, not the whole question.
+        let is_plain = [Asked::Points, Asked::Edges].contains(&claims.asked);
+        assert!(!is_plain || summary.left_out == 0, "{claims}\n{summary}");
         println!("{claims}\n{summary}");
     }
 }
@@ -290,11 +275,53 @@ fn a_removal_that_is_forgotten_is_found() {
     let summary = campaign(&claims, 200, 1, forgetful);
     let least = &summary.findings[0].least.question;
     assert!(least.operations.len() <= 5, "{summary}");
+    let mut steps = least.operations.iter();
     assert!(
-        matches!(
-            least.operations[least.operations.len() - 1],
-            Operation::Remove(_)
-        ),
+        steps.any(|step| matches!(step, Operation::Remove(_))),
         "{summary}"
     );
+}
+
+/// Each hang takes as long as a program is given, so few of them make a question small.
+#[test]
+fn hangs_are_made_small_with_few_answers() {
+    let mut hangs = 0;
+    let sleepy = |question: &Question| match question.points.len() {
+        0..5 => right(question),
+        _ => {
+            hangs += 1;
+            Outcome::Failed(Fault::new("hang", "no answer"))
+        }
+    };
+    let claims = Claims::of(Asked::Points).with_numbers(Numbers::integers(10));
+    let points: Vec<[f64; 2]> = (0..40_u8)
+        .map(|x| [f64::from(x), f64::from(x % 7)])
+        .collect();
+    let question = Question::new(&points, &[]);
+    let outcome = Outcome::Failed(Fault::new("hang", "no answer"));
+    let fault = Fault::new("hang", "no answer");
+    let mut sleepy = sleepy;
+    let least = least(
+        &claims,
+        Wrong {
+            question,
+            outcome,
+            fault,
+        },
+        &mut sleepy,
+    );
+    assert_eq!(least.question.points.len(), 5);
+    assert!(hangs <= 20, "{hangs}");
+}
+
+/// A program that keeps a structure is never asked nothing, for which it would have no states.
+#[test]
+fn sequences_are_never_empty() {
+    let claims = Claims::of(Asked::Operations);
+    let mut shortest = usize::MAX;
+    campaign(&claims, 300, 1, |question| {
+        shortest = shortest.min(question.operations.len());
+        right(question)
+    });
+    assert_eq!(shortest, 1);
 }

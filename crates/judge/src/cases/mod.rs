@@ -1,7 +1,7 @@
 //! `cases`: makes the suite of conformance. The same program makes the same bytes.
 //!
-//! A kind has a function that makes an input of random numbers, and says what must be special about it and what must not.
-//! Of the inputs that are so, each once, the first ones are taken. The answers are the oracle's, by definition.
+//! A kind has a function that makes an input of random numbers, and says what must be special about it and what must
+//! not. Of the inputs that are so, each once, the first ones are taken. The answers are the oracle's, by definition.
 
 mod found;
 mod inputs;

@@ -91,7 +91,7 @@ fn planted_faults_are_found_and_made_small() {
                 "pinched-boundary",
                 "unused-point",
             ][..],
-            5,
+            7,
         ),
         ("flip", &["not-delaunay"], 4),
         ("crash", &["crash"], 5),
@@ -151,15 +151,18 @@ fn planted_faults_are_found_and_made_small() {
     }
 }
 
+/// Killed, counted, and started again for the next question.
 #[test]
-fn an_adapter_that_hangs_is_killed_and_started_again() {
+fn an_adapter_that_hangs_is_started_again() {
     let Some(python) = python() else { return };
     let folder = tempfile::tempdir().expect("a folder");
-    let more = ["--executions", "4", "--keep", "1", "--timeout", "2"];
+    let more = ["--executions", "4", "--keep", "0", "--timeout", "5"];
     let (status, said, names) = campaign(folder.path(), python, "hang", &more);
-    assert_eq!(status, Some(1), "{said}");
-    assert!(names.iter().all(|name| name.starts_with("hang")), "{said}");
-    assert!(said.contains("no answer within 2s"), "{said}");
+    assert_eq!((status, names.len()), (Some(1), 0), "{said}");
+    assert!(
+        said.contains("\nhang: ") && !said.contains("\ncrash"),
+        "{said}"
+    );
 }
 
 #[test]

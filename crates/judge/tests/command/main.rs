@@ -1,6 +1,7 @@
 //! What a user of `sweep-cdt-judge` sees: adapters in Python with planted faults, and the suite of conformance.
 
 mod adapters;
+mod document;
 mod schema;
 mod suite;
 

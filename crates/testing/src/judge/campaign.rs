@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use super::ask;
-use super::claims::Claims;
+use super::claims::{Asked, Claims};
 use super::made::question;
 use super::outcome::Outcome;
 use super::question::Question;
@@ -71,14 +71,14 @@ impl Campaign {
         // Few points as a rule: most faults need no more, and small questions are judged soon.
         let is_small = !random.one_in(4);
         let more = if is_small {
-            random.below(40)
+            10 + random.below(40)
         } else {
             40 + random.below(200)
         };
-        let mut bytes = random.bytes(8 + more);
-        if is_small {
+        let mut bytes = random.bytes(12 + more);
+        if is_small && [Asked::Points, Asked::Edges].contains(&self.claims.asked) {
             // The number of points of a shape.
-            bytes[3] %= 13;
+            bytes[11] = 3 + bytes[11] % 10;
         }
         question(&self.claims, &bytes)
     }

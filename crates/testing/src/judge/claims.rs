@@ -83,7 +83,7 @@ impl Asked {
                 edges.is_empty() && operations.is_empty() && on_rings() == points.len()
             }
             Asked::Lines => operations.is_empty(),
-            Asked::Operations => is_plain,
+            Asked::Operations => is_plain && !operations.is_empty(),
         }
     }
 }
@@ -99,8 +99,8 @@ impl FromStr for Asked {
 }
 
 impl Claims {
-    /// A program that is asked this: any finite doubles; of polygons a constrained triangulation of what they cover, else
-    /// a Delaunay triangulation of the hull. What is unusual is never asked.
+    /// A program that is asked this: any finite doubles; of polygons a constrained triangulation of what they cover,
+    /// else a Delaunay triangulation of the hull. What is unusual is never asked.
     pub fn of(asked: Asked) -> Claims {
         let (domain, level) = match asked {
             Asked::Polygons | Asked::Lines => (Domain::Polygons, Level::Constrained),
@@ -170,28 +170,15 @@ impl Claims {
                 .as_flattened()
                 .iter()
                 .all(|&x| self.numbers.has(x))
-            && self.states(question).iter().all(|question| {
-                let specials = question.specials();
+            && {
+                let specials = specials(question);
                 !self.never.iter().any(|special| specials.contains(special))
-            })
-    }
-
-    /// The question, or those about the points that are there after each operation.
-    fn states(&self, question: &Question) -> Vec<Question> {
-        match question.operations.len() {
-            0 => vec![question.clone()],
-            // An empty plane on the way is nothing special.
-            all => (1..=all)
-                .map(|k| question.after(k))
-                .filter(|q| !q.points.is_empty())
-                .collect(),
-        }
+            }
     }
 
     /// Whether the program may refuse a question.
     pub fn may_refuse(&self, question: &Question) -> bool {
-        let states = self.states(question);
-        let specials: BTreeSet<Special> = states.iter().flat_map(Question::specials).collect();
+        let specials = specials(question);
         self.refuses
             .iter()
             .any(|special| specials.contains(special))
@@ -207,6 +194,19 @@ impl Claims {
             _ => right::fault(question, outcome),
         }
     }
+}
+
+/// What is special about a question, or about the points that are there after some operation. That they are few on the
+/// way is nothing special.
+fn specials(question: &Question) -> BTreeSet<Special> {
+    let all = question.operations.len();
+    let on_the_way = (1..all).flat_map(|steps| question.after(steps).specials());
+    let on_the_way = on_the_way.filter(|special| *special != Special::Flat);
+    let at_the_end = match all {
+        0 => question.specials(),
+        _ => question.after(all).specials(),
+    };
+    on_the_way.chain(at_the_end).collect()
 }
 
 /// In the words of the command.
@@ -320,8 +320,8 @@ impl Numbers {
         x == 0.0 || has_digits && (self.least..=self.most).contains(&size)
     }
 
-    /// Moves points into the set: by a power of two, which changes nothing else, and then each coordinate to one nearby.
-    /// `stretch` is how far the largest coordinate is to be from the limit, in bits; `None` leaves what fits.
+    /// Moves points into the set: by a power of two, which changes nothing else, and then each coordinate to one
+    /// nearby. `stretch` is how far the largest coordinate is to be from the limit, in bits; `None` leaves what fits.
     pub fn fit(&self, points: &mut [[f64; 2]], stretch: Option<u8>) {
         let sizes = || {
             points
@@ -393,10 +393,11 @@ fn exponent(x: f64) -> i32 {
     i32::try_from(x.0.to_bits() >> 52).expect("twelve bits") - 1023 + x.1
 }
 
-/// A number times a power of two, rounded once at most.
+/// A number times a power of two, but for the rounding of subnormals.
 fn times_power(x: f64, power: i32) -> f64 {
-    let half = power / 2;
-    x * 2f64.powi(half) * 2f64.powi(power - half)
+    // From the smallest double to the largest one is more than one factor can be.
+    let third = power / 3;
+    x * 2f64.powi(third) * 2f64.powi(third) * 2f64.powi(power - 2 * third)
 }
 
 /// `integers:BITS`, `doubles`, `single`, `doubles:LEAST..MOST`, or `single:LEAST..MOST`.
@@ -455,6 +456,7 @@ fn numbers_are_fitted_into_their_set() {
         "single:1e-20..1e30",
         "doubles:1e-9..1e15",
         "doubles:5e-324..1e0",
+        "doubles:5e-324..1.7976931348623157e308",
     ];
     for name in names {
         let numbers: Numbers = name.parse().expect("a set");

@@ -1,7 +1,7 @@
 //! Questions and answers as lines of JSON: `docs/judging.md` has the form.
 //!
-//! Each coordinate is written as the shortest decimal that reads back as the same double, with a point or an exponent, so
-//! that no reader takes one for an integer of its own.
+//! Each coordinate is written as the shortest decimal that reads back as the same double, with a point or an exponent,
+//! so that no reader takes one for an integer of its own.
 
 use serde_json::{Value, json};
 use sweep_cdt::verify::Level;

@@ -1,9 +1,10 @@
 //! Questions out of bytes, within the claims of a program.
 //!
 //! The first byte says how coordinates are moved into the numbers that the program takes: left where they are, or
-//! stretched to the limit of these numbers, and some of them to the next number. The others are those of
-//! [`generators`](crate::generators). What a program is never asked is left out where that can be: points
-//! equal to others, edges that cross. Every sequence of bytes is a question, or one that may not be asked.
+//! stretched to the limit of these numbers, and some of them to the next number. Eight bytes are the seed of what is
+//! left to chance. The others are those of [`generators`](crate::generators). What a program is never asked is left out
+//! where that can be: points equal to others, edges that cross. Every sequence of bytes is a question, or one that may
+//! not be asked.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -28,7 +29,7 @@ pub fn question(claims: &Claims, bytes: &[u8]) -> (&'static str, Option<Question
 }
 
 fn read(claims: &Claims, bytes: &mut Unstructured<'_>) -> Result<(&'static str, Question)> {
-    let style: u8 = bytes.arbitrary()?;
+    let (style, seed): (u8, u64) = bytes.arbitrary()?;
     let mut question = Question {
         domain: claims.domain,
         level: claims.level,
@@ -43,21 +44,17 @@ fn read(claims: &Claims, bytes: &mut Unstructured<'_>) -> Result<(&'static str, 
     let stretch = [None, None, Some(0), Some(style >> 5)][usize::from(style & 3)];
     claims.numbers.fit(&mut question.points, stretch);
     if style & 0b1_1100 == 0b1_1100 {
-        nudge(claims, &mut question, style);
+        nudge(claims, &mut question, &mut Random::new(seed));
     }
     if claims.asked == Asked::Lines {
-        add_lines(
-            &mut question,
-            &mut Random::new(u64::from_le_bytes([style; 8])),
-        );
+        add_lines(&mut question, &mut Random::new(seed));
     }
     leave_out(claims, &mut question);
     Ok((kind, question))
 }
 
 /// Some coordinates become the next number up or down.
-fn nudge(claims: &Claims, question: &mut Question, seed: u8) {
-    let mut random = Random::new(seed.into());
+fn nudge(claims: &Claims, question: &mut Question, random: &mut Random) {
     for x in question.points.as_flattened_mut() {
         if random.one_in(6) {
             *x = claims.numbers.next(*x, random.one_in(2));
@@ -93,8 +90,8 @@ fn with_points(
     Ok(shape.name())
 }
 
-/// Inserts the points in their order, those removed before once more, and removes one now and then. Equal points are kept
-/// apart when the question is complete ([`leave_out`]).
+/// Inserts the points in their order, those removed before once more, and removes one now and then. Equal points are
+/// kept apart when the question is complete ([`leave_out`]).
 fn operate(question: &mut Question, steps: &[u8]) {
     let n = question.points.len();
     let (mut present, mut absent) = (Vec::new(), (0..n).rev().collect::<Vec<usize>>());
@@ -225,39 +222,27 @@ fn leave_out(claims: &Claims, question: &mut Question) {
         .retain(|_| !is_left_out.contains(&number.next().unwrap_or(0)));
 }
 
-/// Leaves out all points that are equal to others.
+/// Leaves out all points that are equal to others, and what is done to them.
 fn merge(question: &mut Question) {
     let mut first: HashMap<[u64; 2], usize> = HashMap::new();
-    let mut names = Vec::new();
-    let mut points = Vec::new();
-    for point in &question.points {
+    // For each point the new number of the first equal one, and whether it is that one.
+    let mut names: Vec<(usize, bool)> = Vec::new();
+    for point in std::mem::take(&mut question.points) {
         // A zero may have lost its sign.
-        let name = *first
-            .entry(point.map(|x| (x + 0.0).to_bits()))
-            .or_insert(points.len());
-        if name == points.len() {
-            points.push(*point);
-        }
-        names.push(name);
+        let key = point.map(|x| (x + 0.0).to_bits());
+        let name = *first.entry(key).or_insert(question.points.len());
+        let is_first = name == question.points.len();
+        question.points.extend(is_first.then_some(point));
+        names.push((name, is_first));
     }
-    question.points = points;
     for edge in &mut question.edges {
-        *edge = edge.map(|v| names[v]);
-    }
-    // What is done to a point that is left out is left out.
-    let mut kept = BTreeSet::new();
-    let mut numbers = names.iter().enumerate();
-    let mut seen = BTreeSet::new();
-    for (v, name) in numbers.by_ref() {
-        if seen.insert(*name) {
-            kept.insert(v);
-        }
+        *edge = edge.map(|v| names[v].0);
     }
     question.operations.retain_mut(|operation| match operation {
         Operation::Insert(v) | Operation::Remove(v) => {
-            let is_kept = kept.contains(v);
-            *v = names[*v];
-            is_kept
+            let (name, is_first) = names[*v];
+            *v = name;
+            is_first
         }
     });
 }

@@ -5,11 +5,11 @@
 //! |---|---|
 //! | [`Claims`] | what a program says that it takes, answers and may refuse |
 //! | [`Question`] | what it is asked: points, edges, polygons with holes, or points that come and go |
-//! | [`question`] | a question out of bytes, within the claims |
+//! | [`question()`] | a question out of bytes, within the claims |
 //! | [`Outcome`] | what comes of it: triangles, a refusal, a panic |
 //! | [`Claims::fault`] | what is wrong with that, judged by the verifier and by the oracle, which must agree |
 //! | [`least`] | a small question with the same fault |
-//! | [`campaign`] | many questions, and what came of them |
+//! | [`campaign()`] | many questions, and what came of them |
 //! | [`json`] | questions and answers as lines |
 //!
 //! ```

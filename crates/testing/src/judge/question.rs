@@ -16,7 +16,8 @@ pub struct Question {
     pub points: Vec<[f64; 2]>,
     /// Edges besides those of rings, as positions in `points`.
     pub edges: Vec<[usize; 2]>,
-    /// Polygons, each a list of rings: the outline first, then its holes. A ring lists positions in `points`, each once.
+    /// Polygons, each a list of rings: the outline first, then its holes. A ring lists positions in `points`, each
+    /// once.
     pub polygons: Vec<Vec<Vec<usize>>>,
     /// What happens to the points, one after the other; without any, all of them are there.
     pub operations: Vec<Operation>,
@@ -128,7 +129,8 @@ pub enum Special {
     TouchingRings,
     /// A ring has no area, as one of a single point.
     FlatRings,
-    /// A place is covered by two polygons or by two holes of one, a hole leaves its outline, or a ring goes through itself.
+    /// A place is covered by two polygons or by two holes of one, a hole leaves its outline, or a ring goes through
+    /// itself.
     OverlappingRings,
     /// An outline runs clockwise, or a hole counter-clockwise.
     RingsEitherWay,

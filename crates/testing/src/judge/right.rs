@@ -1,7 +1,7 @@
 //! The right answer to a question, and what is wrong with a program's answer.
 //!
-//! Right answers come from this crate, and the oracle passes each of them. An answer of a program is judged twice, by the
-//! verifier and by the oracle's [`Region`], which must agree.
+//! Right answers come from this crate, and the oracle passes each of them. An answer of a program is judged twice, by
+//! the verifier and by the oracle's [`Region`], which must agree.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -212,12 +212,20 @@ pub(super) fn fault(question: &Question, outcome: &Outcome) -> Option<Fault> {
 /// What is wrong with the triangles after so many operations.
 fn fault_after(question: &Question, steps: usize, triangles: &[[usize; 3]]) -> Option<Fault> {
     let present = question.present(steps);
-    // What is not there has a number that no point has.
-    let named = |v: &usize| present.binary_search(v).unwrap_or(usize::MAX);
-    let renamed = triangles.iter().map(|t| t.each_ref().map(named)).collect();
-    let Fault { name, what } = of_points(&question.after(steps), &Outcome::Triangles(renamed))?;
-    let what =
-        format!("after {steps} operations, of the points {present:?} numbered from 0: {what}");
+    let place = |v: &usize| present.binary_search(v).map_err(|_| *v);
+    let corners = triangles.as_flattened().iter().map(place);
+    let corners: Vec<usize> = match corners.collect() {
+        Ok(corners) => corners,
+        Err(v) => {
+            let what = format!("after {steps} operations point {v} is not there, and is a corner");
+            return Some(Fault::new("triangle-out-of-range", what));
+        }
+    };
+    let triangles = Outcome::Triangles(corners.as_chunks().0.to_vec());
+    let Fault { name, what } = of_points(&question.after(steps), &triangles)?;
+    let what = format!(
+        "after {steps} operations, with the points {present:?} as vertices 0, 1, ...: {what}"
+    );
     Some(Fault::new(name, what))
 }
 

@@ -1,7 +1,8 @@
 //! A small question with the same fault: what is in it is left out, then its coordinates become shorter.
 //!
-//! Each step asks the program again, and keeps what has a fault of the same name and may still be asked. A budget bounds
-//! the steps; a hang costs as much of it as many other answers, since each takes as long as the program is given.
+//! Each step asks the program again, and keeps what has a fault of the same name and may still be asked. A budget
+//! bounds the steps; a hang costs as much of it as many other answers, since each takes as long as the program is
+//! given.
 
 use std::ops::Range;
 
@@ -132,18 +133,14 @@ impl Search<'_> {
                 .iter_mut()
                 .for_each(|p| *p = [p[0] - low[0], p[1] - low[1]]);
         });
-        for power in [-1, 1] {
-            let scale = 2f64.powi(power);
-            let half = move |points: &mut [[f64; 2]]| {
-                points
-                    .as_flattened_mut()
-                    .iter_mut()
-                    .for_each(|x| *x *= scale);
-            };
-            for _ in 0..64 {
-                if !self.with_points(&half) {
-                    break;
-                }
+        for scale in [0.5, 2.0] {
+            for axes in [[scale, scale], [scale, 1.0], [1.0, scale]] {
+                let scaled = move |points: &mut [[f64; 2]]| {
+                    points
+                        .iter_mut()
+                        .for_each(|p| *p = [p[0] * axes[0], p[1] * axes[1]]);
+                };
+                while self.with_points(&scaled) {}
             }
         }
         self.with_points(&|points| {
@@ -174,10 +171,12 @@ impl Search<'_> {
                 break;
             }
         }
-        for _ in 0..8 {
-            let x = self.best.question.points[v][axis];
-            if !self.with_points(&set((x / 2.0).trunc())) {
-                break;
+        for shorter in [|x: f64| (x / 2.0).trunc(), |x: f64| x - x.signum()] {
+            for _ in 0..16 {
+                let x = self.best.question.points[v][axis];
+                if !self.with_points(&set(shorter(x))) {
+                    break;
+                }
             }
         }
     }
