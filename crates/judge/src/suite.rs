@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
-use sweep_cdt_testing::judge::{Outcome, Row, json};
+use sweep_cdt_testing::judge::{Fault, Outcome, Row, json};
 use sweep_cdt_testing::suite;
 
 use crate::Ending;
@@ -70,12 +70,18 @@ impl Suite {
         println!("claims: {claims}\n");
         print_table(&kinds);
         let shown = if self.explain { wrong.len() } else { SHOWN };
-        for (case, question, outcome, fault) in wrong.iter().take(shown) {
-            println!("{}: {}: {}", case.name, fault.name, fault.what);
+        for (case, question, outcome, Fault { name, what }) in wrong.iter().take(shown) {
             if self.explain {
                 let (question, answer) =
                     (json::question_line(question), json::answer_line(outcome));
-                println!("  {question}\n  {answer}");
+                println!("{}: {name}: {what}\n  {question}\n  {answer}", case.name);
+            } else {
+                // What a program said before it crashed has many lines.
+                println!(
+                    "{}: {name}: {}",
+                    case.name,
+                    what.lines().next().unwrap_or_default()
+                );
             }
         }
         if wrong.len() > shown {
