@@ -434,7 +434,13 @@ pub(super) fn made(kind: &Kind) -> Vec<Question> {
         .bytes()
         .fold(7, |hash: u64, byte| hash.wrapping_mul(31) + u64::from(byte));
     for seed in (start..).take(200 * kind.count) {
-        let question = (kind.make)(&mut Random::new(seed));
+        let mut question = (kind.make)(&mut Random::new(seed));
+        if !kind.must.contains(&EdgesWithoutLength) {
+            // Many programs do not take these: they are a kind of their own.
+            let points = &question.points;
+            let has_length = |&[a, b]: &[usize; 2]| !points[a].iter().eq(&points[b]);
+            question.edges.retain(has_length);
+        }
         if questions.len() == kind.count {
             break;
         }
