@@ -1,0 +1,57 @@
+"""Exact constrained Delaunay triangulation, and an exact verifier of triangulations of any program.
+
+`triangulate` makes the constrained Delaunay triangulation of points and edges by the sweep-line algorithm of Domiter and
+Žalik (2008), exactly for every input. `verify` proves the result of any library right, or says what is wrong with it.
+`crossings` and `split` find and split edges that cross. `trace` and `measure` show how the sweep works.
+"""
+
+from ._crossings import Crossings, Split, crossings, split
+from ._errors import (
+    CrossingEdgesError,
+    EdgeOutOfRangeError,
+    Error,
+    InternalError,
+    KindError,
+    MatchError,
+    NonFiniteError,
+    OpenRingError,
+    OutOfMemoryError,
+    SeedError,
+    ShapeError,
+    TooLargeError,
+)
+from ._measure import fronts, measure
+from ._native import __version__
+from ._report import Report
+from ._trace import Trace, trace
+from ._triangulation import Triangulation, triangulate
+from ._verify import assert_valid, verify
+
+__all__ = [
+    "CrossingEdgesError",
+    "Crossings",
+    "EdgeOutOfRangeError",
+    "Error",
+    "InternalError",
+    "KindError",
+    "MatchError",
+    "NonFiniteError",
+    "OpenRingError",
+    "OutOfMemoryError",
+    "Report",
+    "SeedError",
+    "ShapeError",
+    "Split",
+    "TooLargeError",
+    "Trace",
+    "Triangulation",
+    "__version__",
+    "assert_valid",
+    "crossings",
+    "fronts",
+    "measure",
+    "split",
+    "trace",
+    "triangulate",
+    "verify",
+]

@@ -1,0 +1,114 @@
+"""A triangulation for other libraries: methods of `Triangulation`. Only what is inside is passed on."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._errors import Error
+from ._input import as_doubles
+
+if TYPE_CHECKING:
+    from ._triangulation import Triangulation
+
+
+def to_matplotlib(self: Triangulation) -> Any:
+    """The triangles inside as a `matplotlib.tri.Triangulation`: for `tripcolor`, `tricontour` and interpolators."""
+    import matplotlib.tri
+
+    if not len(self.triangles):
+        raise Error("there are no triangles inside, which matplotlib needs")
+    x, y = as_doubles(self._input.points).T
+    return matplotlib.tri.Triangulation(x, y, self.triangles)
+
+
+def plot(self: Triangulation, ax: Any = None, **kwargs: Any) -> Any:
+    """Draws the triangles inside, and the edges more heavily.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes, optional
+        Where to draw. The default is the current axes.
+    **kwargs
+        For the lines of the triangles.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    import matplotlib.pyplot
+    from matplotlib.collections import LineCollection
+
+    ax = matplotlib.pyplot.gca() if ax is None else ax
+    points = as_doubles(self._input.points)
+    style = {"color": "0.6", "linewidth": 0.5, "zorder": 1, **kwargs}
+    if len(self.triangles):
+        ax.triplot(points[:, 0], points[:, 1], self.triangles, **style)
+    ax.add_collection(LineCollection(points[self.constrained_sides], colors="C0", linewidths=1.5, zorder=2))
+    ax.autoscale_view()
+    ax.set_aspect("equal")
+    return ax
+
+
+def _places(self: Triangulation, z: Any) -> np.ndarray:
+    points = as_doubles(self._input.points)
+    heights = np.zeros(len(points)) if z is None else np.asarray(z, dtype=float)
+    return np.column_stack([points, heights])
+
+
+def to_meshio(self: Triangulation, z: Any = None) -> Any:
+    """The triangles inside and the constrained sides as a `meshio.Mesh`.
+
+    Parameters
+    ----------
+    z : array_like of shape (n,), optional
+        The height of each point; 0 by default.
+    """
+    import meshio
+
+    cells = [("triangle", self.triangles)]
+    if len(self.constrained_sides):
+        cells.append(("line", self.constrained_sides))
+    return meshio.Mesh(_places(self, z), cells)
+
+
+def to_pyvista(self: Triangulation, z: Any = None) -> Any:
+    """The triangles inside and the constrained sides as a `pyvista.PolyData`, in doubles.
+
+    Parameters
+    ----------
+    z : array_like of shape (n,), optional
+        The height of each point; 0 by default.
+    """
+    import pyvista
+
+    def cells(rows: np.ndarray) -> np.ndarray:
+        return np.column_stack([np.full(len(rows), rows.shape[1]), rows]).ravel()
+
+    mesh = pyvista.PolyData(_places(self, z), faces=cells(self.triangles))
+    if len(self.constrained_sides):
+        mesh.lines = cells(self.constrained_sides)
+    return mesh
+
+
+def to_shapely(self: Triangulation) -> Any:
+    """The triangles inside as a `shapely.GeometryCollection` of polygons, as `shapely.delaunay_triangles` has them."""
+    import shapely
+
+    points = as_doubles(self._input.points)
+    closed = self.triangles[:, [0, 1, 2, 0]]
+    return shapely.GeometryCollection(list(shapely.polygons(points[closed])))
+
+
+def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
+    """The dictionary that `triangle.triangulate` returns: vertices, triangles inside, their neighbors, and segments."""
+    kept = np.flatnonzero(self.inside)
+    number = np.full(len(self.inside) + 1, -1, dtype=np.int32)
+    number[kept] = np.arange(len(kept))
+    return {
+        "vertices": as_doubles(self._input.points),
+        "triangles": self.triangles,
+        "neighbors": number[self.neighbors[kept]],
+        "segments": self.constrained_sides,
+    }

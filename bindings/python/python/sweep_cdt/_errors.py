@@ -1,0 +1,97 @@
+"""The exceptions: what cannot be triangulated, and which points and edges are to blame.
+
+All but `InternalError` are kinds of `Error`, which is a `ValueError`. Each has the offenders as attributes, by their
+positions in the arrays that were passed.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+class Error(ValueError):
+    """What was passed cannot be used. The attributes of each kind name the offenders."""
+
+    def __init__(self, message: str = "", **offenders: Any) -> None:
+        super().__init__(message)
+        self.__dict__.update(offenders)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _rebuilt, (type(self), self.args, self.__dict__)
+
+
+def _rebuilt(kind: type[Error], args: tuple[Any, ...], offenders: dict[str, Any]) -> Error:
+    return kind(*args, **offenders)
+
+
+class ShapeError(Error):
+    """An array has another shape than is asked for: `shape`, or `position` of the row that is too long or short."""
+
+    shape: tuple[int, ...]
+    position: int
+
+
+class KindError(Error, TypeError):
+    """An array holds, or an argument is, what is no number, or no number of this kind: `position`, if it is in an array."""
+
+    position: tuple[int, ...]
+
+
+class NonFiniteError(Error):
+    """A coordinate is NaN or infinite: `vertex` and `axis`."""
+
+    vertex: int
+    axis: int
+
+
+class EdgeOutOfRangeError(Error, IndexError):
+    """An end of an edge is no point: `edge` and `vertex`."""
+
+    edge: int
+    vertex: int
+
+
+class CrossingEdgesError(Error):
+    """Two edges cross at a point that is none of the points: `edges`, a pair. `split_crossings=True` splits them."""
+
+    edges: tuple[int, int]
+
+
+class OpenRingError(Error):
+    """The edges are no closed rings, so that they bound nothing: they do not go on at `vertex`."""
+
+    vertex: int
+
+
+class SeedError(Error):
+    """The seed of a `hole` or `region` does not tell in which face it lies."""
+
+    hole: int
+    region: int
+
+
+class MatchError(Error):
+    """A vertex of a result is none of the input: `vertex`, its place `at`, and the `nearest` one of the input."""
+
+    vertex: int
+    at: tuple[float, float]
+    nearest: int
+
+
+class TooLargeError(Error):
+    """There are more points, edges or crossings than the `limit`."""
+
+    limit: int
+
+
+class OutOfMemoryError(Error, MemoryError):
+    """There is less memory than the triangulation takes: some `bytes`."""
+
+    bytes: int
+
+
+class InternalError(RuntimeError):
+    """A bug of sweep-cdt. Please report it, with the input."""
+
+    def __init__(self, message: str = "") -> None:
+        super().__init__(message)

@@ -1,0 +1,443 @@
+"""`triangulate`, and its result."""
+
+from __future__ import annotations
+
+import functools
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _convert, _native
+from ._errors import Error, NonFiniteError, ShapeError
+from ._graph import as_input
+from ._input import Input, as_doubles, as_fractions, as_points, named
+
+if TYPE_CHECKING:
+    from ._crossings import Split
+
+# With more triangles a notebook shows pixels in place of lines.
+MOST_LINES = 3000
+# With more it shows a line of text.
+MOST_PIXELS = 2_000_000
+
+
+def triangulate(
+    points: Any,
+    edges: Any = None,
+    *,
+    polygons: Any = None,
+    holes: Any = None,
+    inside: str | None = None,
+    split_crossings: bool = False,
+    threads: int | None = None,
+) -> Triangulation:
+    """The constrained Delaunay triangulation of points and edges.
+
+    The triangles cover the convex hull of the points. Every edge is a side of triangles, or a chain of sides. No point
+    inside the circumcircle of a triangle is visible from that triangle, where edges block the view. Every decision is
+    exact: there is no tolerance, and every input ends in a right triangulation or in an `Error`.
+
+    Parameters
+    ----------
+    points : array_like of shape (n, 2), or an object that has points
+        Doubles, single precision, whole numbers of any size, `Fraction` or `Decimal`: all exact. Or geometries of
+        shapely (one, or a list of them), a GeoDataFrame or GeoSeries, or a dictionary of `triangle`: these bring their
+        edges, polygons and holes. An array of doubles of which the rows follow each other in memory is not copied;
+        no other thread may write to it during the call.
+    edges : array_like of int of shape (m, 2), optional
+        Pairs of positions in `points`. They may come in any order, repeat, overlap, pass through points, and have no
+        length.
+    polygons : list, optional
+        Polygons with holes: each a list of rings, the outline first. A ring is a list of positions in `points`, or of
+        coordinates, which are added to the points. Or polygons of shapely. Their sides are edges, after `edges`.
+    holes : array_like of shape (k, 2), optional
+        For each hole a point in it, as of `triangle`.
+    inside : str, optional
+        Which triangles are inside: ``hull`` (all), ``polygons`` (what the polygons cover), ``holes`` (what is reached
+        without crossing an edge neither from outside nor from a hole), ``hull-without-holes``, ``even-odd``,
+        ``nonzero``, ``positive``, ``negative``, or ``at-least-2`` and so on, by the winding number of edges that run
+        around. The default is ``holes`` if there are holes, ``polygons`` if there are polygons, otherwise ``hull``.
+    split_crossings : bool, optional
+        Whether edges that cross are split where they do. Otherwise they are an error.
+    threads : int, optional
+        How many threads work, 0 for as many as there are cores. The default is one. The triangles are the same, but
+        several threads number them otherwise, and take up to half more memory. Few points are left to one thread.
+
+    Returns
+    -------
+    Triangulation
+
+    Raises
+    ------
+    Error
+        One of its kinds, with the offenders as attributes: `CrossingEdgesError`, `NonFiniteError`,
+        `EdgeOutOfRangeError`, `ShapeError`, `KindError`, `OpenRingError`, `SeedError`, `TooLargeError`,
+        `OutOfMemoryError`.
+
+    Examples
+    --------
+    >>> import sweep_cdt
+    >>> result = sweep_cdt.triangulate([[0, 0], [4, 0], [4, 4], [0, 4], [1, 1]], [[0, 2]])
+    >>> result
+    <Triangulation of 5 points and 1 edge: 4 triangles>
+    >>> result.canonical().tolist()
+    [[0, 1, 4], [0, 4, 3], [1, 2, 4], [2, 3, 4]]
+    >>> result.edge_chain(0).tolist()
+    [2, 4, 0]
+
+    Edges that cross are an error, which names them:
+
+    >>> try:
+    ...     sweep_cdt.triangulate([[0, 0], [1, 0], [1, 1], [0, 1]], [[0, 2], [1, 3]])
+    ... except sweep_cdt.CrossingEdgesError as error:
+    ...     error.edges
+    (0, 1)
+
+    A square with a square hole:
+
+    >>> outline, hole = [[0, 0], [9, 0], [9, 9], [0, 9]], [[3, 3], [6, 3], [6, 6], [3, 6]]
+    >>> result = sweep_cdt.triangulate([], polygons=[[outline, hole]])
+    >>> len(result.triangles), result.area
+    (8, 72.0)
+    """
+    given = as_input(points, edges, polygons, holes)
+    return made(given, inside, split_crossings, threads, None)
+
+
+def made(
+    given: Input,
+    inside: str | None,
+    split_crossings: bool,
+    threads: int | None,
+    settings: tuple[str, str, str] | None,
+) -> Triangulation:
+    """The triangulation of an input."""
+    rule = given.default_rule() if inside is None else inside
+    if rule == "polygons" and not given.rings:
+        raise Error("there are no polygons: the rule even-odd takes edges that are closed rings")
+    split = None
+    if split_crossings:
+        from ._crossings import split_input
+
+        split = split_input(given)
+        given = split.as_input()
+    count = 1 if threads is None else threads
+    if count < 0:
+        raise Error(f"threads is {threads}, not a number from 0 on")
+    try:
+        core = _native.triangulate(given, rule, count, settings)
+    except NonFiniteError as error:
+        raise named(error, given.points) from None
+    return Triangulation(core, given, rule, count, settings, split)
+
+
+class Triangulation:
+    """A constrained Delaunay triangulation; `triangulate` makes it.
+
+    It does not change. Arrays are made when they are first asked for, and are read-only.
+
+    The triangles are numbered in the order in which the sweep left them. As a set they depend on the points and edges
+    alone. Of equal points only the first occurs in triangles.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n, 2)
+        The points; doubles, or `Fraction` objects where these were given.
+    edges : ndarray of int of shape (m, 2)
+        The edges, those of polygons included.
+    simplices : ndarray of int32 of shape (t, 3)
+        The corners of each triangle of the hull, counter-clockwise, as of SciPy.
+    triangles : ndarray of int32 of shape (u, 3)
+        Those of `simplices` that are inside.
+    neighbors : ndarray of int32 of shape (t, 3)
+        The triangle opposite each corner, -1 where there is none, as of SciPy.
+    convex_hull : ndarray of int32 of shape (h, 2)
+        The sides of the hull, counter-clockwise, as of SciPy.
+    constrained : ndarray of bool of shape (t, 3)
+        Whether the side opposite each corner is an edge or a piece of one.
+    constrained_sides : ndarray of int32 of shape (c, 2)
+        Those sides, each once.
+    duplicates : ndarray of int32 of shape (d, 2)
+        The points that equal one before them, and this one.
+    inside : ndarray of bool of shape (t,)
+        Whether each triangle is inside.
+    depth : ndarray of int32 of shape (t,)
+        How many polygons cover each triangle; by the rules of winding how often the edges go round it.
+    region : ndarray of int32 of shape (t,), or None
+        The polygon or feature (the first of several) or the region of each triangle, -1 where there is none.
+    area : float or Fraction
+        The area of what is inside.
+    rule : str
+        The rule for what is inside.
+    split : Split or None
+        How edges were split, if `split_crossings` was asked for. Then `points` and `edges` are those of the pieces.
+    stats : dict
+        How many points, edges and triangles there are; of `measure` also times and counters.
+    """
+
+    def __init__(
+        self,
+        core: _native.Core,
+        given: Input,
+        rule: str,
+        threads: int,
+        settings: tuple[str, str, str] | None,
+        split: Split | None,
+    ) -> None:
+        self._core = core
+        self._input = given
+        self.rule = rule
+        self._threads = threads
+        self._settings = settings
+        self.split = split
+
+    def __repr__(self) -> str:
+        points, edges, inside = len(self._input.points), len(self._input.edges), ""
+        if self.rule != "hull":
+            inside = f", {int(self.inside.sum())} of them inside ({self.rule})"
+        of_edges = f" and {_count(edges, 'edge')}" if edges else ""
+        return f"<Triangulation of {_count(points, 'point')}{of_edges}: {_count(len(self._core), 'triangle')}{inside}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The result depends on the input alone, so that it need not be stored.
+        return _again, (self._input, self.rule, self._threads, self._settings, self.split)
+
+    @functools.cached_property
+    def points(self) -> np.ndarray:
+        if self._input.is_exact:
+            return _fixed(as_fractions(self._input.points))
+        return _fixed(self._input.points.view())
+
+    @property
+    def edges(self) -> np.ndarray:
+        return _fixed(self._input.edges.view(np.intp))
+
+    @functools.cached_property
+    def simplices(self) -> np.ndarray:
+        return _fixed(self._core.simplices())
+
+    @functools.cached_property
+    def triangles(self) -> np.ndarray:
+        return self.simplices if self.rule == "hull" else _fixed(self.simplices[self.inside])
+
+    @functools.cached_property
+    def neighbors(self) -> np.ndarray:
+        return _fixed(self._core.neighbors())
+
+    @functools.cached_property
+    def convex_hull(self) -> np.ndarray:
+        hull = self._core.hull()
+        return _fixed(np.stack([hull, np.roll(hull, -1)], axis=1))
+
+    @functools.cached_property
+    def constrained(self) -> np.ndarray:
+        return _fixed(self._core.constrained())
+
+    @functools.cached_property
+    def constrained_sides(self) -> np.ndarray:
+        return _fixed(self._core.constrained_sides())
+
+    @functools.cached_property
+    def duplicates(self) -> np.ndarray:
+        return _fixed(self._core.duplicates())
+
+    @functools.cached_property
+    def inside(self) -> np.ndarray:
+        return _fixed(self._core.inside())
+
+    @functools.cached_property
+    def depth(self) -> np.ndarray:
+        return _fixed(self._core.depth())
+
+    @functools.cached_property
+    def region(self) -> np.ndarray | None:
+        region = self._core.region()
+        if region is None:
+            return None
+        if self.rule == "polygons" and self._input.features is not None:
+            # A number of -1 takes the last one.
+            region = np.asarray([*self._input.features, -1], dtype=np.int32)[region]
+        return _fixed(region)
+
+    @functools.cached_property
+    def area(self) -> Any:
+        if self._input.is_exact:
+            points, total = self.points, 0
+            for chain in self.boundary():
+                x, y = points[chain].T
+                total += (x * (np.roll(y, -1)) - y * np.roll(x, -1)).sum()
+            return total / 2
+        a, b, c = (self._input.points[self.triangles[:, i]] for i in range(3))
+        (ux, uy), (vx, vy) = (b - a).T, (c - a).T
+        return float((ux * vy - uy * vx).sum() / 2)
+
+    @functools.cached_property
+    def stats(self) -> dict[str, Any]:
+        if self._core.stats is not None:
+            return json.loads(self._core.stats)
+        return {
+            "points": len(self._input.points),
+            "duplicates": len(self.duplicates),
+            "edges": len(self._input.edges),
+            "triangles": len(self._core),
+            "hull": len(self.convex_hull),
+        }
+
+    def canonical(self) -> np.ndarray:
+        """The triangles inside in the order that the command writes: each with its lowest corner first, sorted.
+
+        Returns
+        -------
+        ndarray of int32 of shape (u, 3)
+        """
+        return self._core.canonical(self.rule != "hull")
+
+    def edge_chain(self, edge: int) -> np.ndarray:
+        """The vertices along an edge: both ends, and what lies between them.
+
+        Parameters
+        ----------
+        edge : int
+            The position of the edge: of those given, then of the sides of polygons. With `split_crossings` the edges
+            are those before they were split.
+
+        Returns
+        -------
+        ndarray of int32
+            From the upper end (of two of one height the right one) to the lower; of split edges from the first end to the
+            second. A single vertex, if the ends are equal.
+        """
+        count = len(self.edges) if self.split is None else self.split.count
+        if not -count <= edge < count:
+            raise IndexError(f"there is no edge {edge}: there are {count}")
+        edge %= count
+        if self.split is None:
+            return self._core.chain(edge)
+        first, last = self.split.range(edge)
+        return self._core.joined(first, last, self._input.edges)
+
+    def boundary(self) -> list[np.ndarray]:
+        """The closed chains of vertices around what is inside: outlines counter-clockwise, holes clockwise.
+
+        Returns
+        -------
+        list of ndarray of int32
+            Chains do not repeat their first vertex.
+        """
+        return self._core.boundary(self._input, self.rule)
+
+    def find_simplex(self, xi: Any, bruteforce: bool = False, tol: float | None = None) -> np.ndarray:
+        """The triangles that hold points, exactly.
+
+        Parameters
+        ----------
+        xi : array_like of shape (..., 2)
+            The points. Of a point on a side or at a corner one of its triangles is found.
+        bruteforce, tol : optional
+            Not used: SciPy has them.
+
+        Returns
+        -------
+        ndarray of int32 of shape (...)
+            Positions in `simplices`; -1 outside of the hull, and for points that are not finite.
+        """
+        del bruteforce, tol
+        array = np.asarray(xi)
+        if array.ndim == 0 or array.shape[-1] != 2:
+            raise ShapeError(f"xi has the shape {array.shape}, not (..., 2)", shape=array.shape)
+        shape = array.shape[:-1]
+        # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
+        queries = Input(as_points(array.reshape(-1, 2), "xi"))
+        if queries.is_exact != self._input.is_exact:
+            return self._find_exactly(queries.points).reshape(shape)
+        return self._core.locate(self._input, queries.points).reshape(shape)
+
+    def _find_exactly(self, queries: Any) -> np.ndarray:
+        """The triangles of points of another kind."""
+        if isinstance(queries, np.ndarray):
+            found = np.full(len(queries), -1, dtype=np.int32)
+            finite = np.isfinite(queries).all(axis=1)
+            exact = as_points(queries[finite].astype(object), "xi")
+            found[finite] = self._core.locate(self._input, exact)
+            return found
+        points = as_points(self._input.points.astype(object))
+        return self._core.locate(Input(points), queries)
+
+    def interpolate(self, values: Any, xi: Any) -> np.ndarray:
+        """Values at the points, interpolated linearly in each triangle that is inside.
+
+        Parameters
+        ----------
+        values : array_like of shape (n,) or (n, k)
+            A value for each point: heights, for instance.
+        xi : array_like of shape (..., 2)
+            Where to interpolate.
+
+        Returns
+        -------
+        ndarray of shape (...) or (..., k)
+            NaN where no triangle is inside.
+
+        Examples
+        --------
+        >>> import sweep_cdt
+        >>> hill = sweep_cdt.triangulate([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]])
+        >>> hill.interpolate([0, 0, 0, 0, 8], [[2, 1], [2, 2], [9, 9]]).tolist()
+        [4.0, 8.0, nan]
+        """
+        values = np.asarray(values, dtype=float)
+        points = as_doubles(self._input.points)
+        if values.shape[:1] != (len(points),):
+            raise ShapeError(f"values has the shape {values.shape}, not ({len(points)}, ...)", shape=values.shape)
+        xi = np.asarray(xi, dtype=float)
+        found = self.find_simplex(xi)
+        held = (found >= 0) & self.inside[found] if len(self._core) else found >= 0
+        result = np.full(xi.shape[:-1] + values.shape[1:], np.nan)
+        corners = self.simplices[found[held]]
+        a, b, c = (points[corners[:, i]] for i in range(3))
+        (ux, uy), (vx, vy), (wx, wy) = (b - a).T, (c - a).T, (xi[held] - a).T
+        area = ux * vy - uy * vx
+        of_b, of_c = (wx * vy - wy * vx) / area, (ux * wy - uy * wx) / area
+        weights = np.stack([1 - of_b - of_c, of_b, of_c], axis=1)
+        result[held] = np.einsum("ti,ti...->t...", weights, values[corners])
+        return result
+
+    # To other libraries.
+    to_matplotlib = _convert.to_matplotlib
+    to_meshio = _convert.to_meshio
+    to_pyvista = _convert.to_pyvista
+    to_shapely = _convert.to_shapely
+    to_triangle = _convert.to_triangle
+    plot = _convert.plot
+
+    def to_svg(self) -> str:
+        """A picture as SVG: triangles grey, edges blue, the border of what is inside orange."""
+        return bytes(_native.picture(self._core, self._input, self.rule, False)).decode()
+
+    def to_png(self) -> bytes:
+        """The same picture as PNG."""
+        return bytes(_native.picture(self._core, self._input, self.rule, True))
+
+    def _repr_svg_(self) -> str | None:
+        return self.to_svg() if len(self._core) <= MOST_LINES else None
+
+    def _repr_png_(self) -> bytes | None:
+        return self.to_png() if MOST_LINES < len(self._core) <= MOST_PIXELS else None
+
+
+def _again(
+    given: Input, rule: str, threads: int, settings: tuple[str, str, str] | None, split: Split | None
+) -> Triangulation:
+    result = made(given, rule, False, threads, settings)
+    result.split = split
+    return result
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"
+
+
+def _fixed(array: np.ndarray) -> np.ndarray:
+    array.flags.writeable = False
+    return array

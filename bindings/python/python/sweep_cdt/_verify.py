@@ -1,0 +1,255 @@
+"""`verify`: is it a constrained Delaunay triangulation?"""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from . import _native
+from ._errors import Error, KindError
+from ._foreign import Result, as_result
+from ._graph import as_input
+from ._input import Input, as_doubles, as_edges, as_indices
+from ._matching import Matched, find, match
+from ._report import Report
+
+
+@dataclasses.dataclass
+class Question:
+    """What is verified, and what is asked of it."""
+
+    given: Input
+    triangles: np.ndarray
+    rule: str
+    level: str
+    max_depth: float | None
+    # How many points are the input's own, if others may be added.
+    added_from: int | None
+    limit: int
+    attributes: list[float] | None
+    threads: int
+    matched: Matched
+
+    def answer(self, **changes: Any) -> dict[str, Any]:
+        """The verifier's answer, with some things changed."""
+        asked = dataclasses.replace(self, **changes)
+        attributes = None
+        if asked.attributes is not None and asked.given.attributes:
+            attributes = (asked.attributes, asked.given.attributes)
+        return _native.verify(
+            asked.given,
+            asked.triangles,
+            {
+                "rule": asked.rule,
+                "level": asked.level,
+                "added_from": asked.added_from,
+                "all_depths": asked.max_depth is not None,
+                "limit": asked.limit,
+                "attributes": attributes,
+                "threads": asked.threads,
+            },
+        )
+
+
+def verify(
+    result_or_points: Any,
+    simplices: Any = None,
+    edges: Any = None,
+    *,
+    polygons: Any = None,
+    holes: Any = None,
+    domain: str | None = None,
+    level: str = "delaunay",
+    max_depth: float | None = None,
+    tolerance: float | None = None,
+    by_number: bool = False,
+    steiner: bool = False,
+    limit: int = 1000,
+    threads: int | None = None,
+) -> Report:
+    """Proves by exact arithmetic that triangles are a constrained Delaunay triangulation, or says what is wrong.
+
+    In a right one the triangles tile the convex hull of the points (or what is inside, by `domain`), every point there
+    is a corner, every edge there is a side or a chain of sides, and every other side is locally Delaunay.
+
+    Parameters
+    ----------
+    result_or_points
+        A result alone: of this package, a `scipy.spatial.Delaunay`, a `matplotlib.tri.Triangulation`, what
+        `triangle.triangulate` returns, a `meshio.Mesh`, a `pyvista.PolyData`, or triangles of shapely. It is judged by
+        its own points, and by its own edges where it has some. Or the points that the result was made of, or an
+        object that says more, all as of `triangulate`.
+    simplices : array_like of int of shape (t, 3) or (3 t,), or a result, optional
+        The corners of the triangles, from 0; or any of the results above, whose vertices are then matched with the
+        points: exactly and in any order, or rounded to single precision or to the digits that they have.
+    edges, polygons, holes : optional
+        As of `triangulate`.
+    domain : str, optional
+        What the triangles must tile, as `inside` of `triangulate`. The default is that of the result, if it is of this
+        package; ``holes`` of a dictionary of `triangle` with segments; and that of `triangulate` otherwise.
+    level : {'tiling', 'constrained', 'delaunay', 'canonical'}, optional
+        What the triangles must reach. Each level includes those before it.
+    max_depth : float, optional
+        How deep violations may be that count as rounding: 1e-12 accepts what doubles do.
+    tolerance : float, optional
+        By how much a coordinate of the result may differ from the input's.
+    by_number : bool, optional
+        Whether vertices are matched by number, whatever their coordinates.
+    steiner : bool, optional
+        Whether the result may have vertices that the input lacks.
+    limit : int, optional
+        How many violations are listed; all are counted.
+    threads : int, optional
+        How many threads work, 0 for as many as there are cores. The default is one.
+
+    Returns
+    -------
+    Report
+        True if the triangles are right, and false if not; it says what is wrong and what to do.
+
+    Raises
+    ------
+    Error
+        If what is given cannot be read; `MatchError`, if a vertex of the result is none of the input;
+        `CrossingEdgesError` and others, if the input has no triangulation, with other domains than ``hull``.
+
+    Examples
+    --------
+    >>> import sweep_cdt
+    >>> points = [[0, 0], [4, 0], [5, 3], [0, 3]]
+    >>> report = sweep_cdt.verify(points, [[0, 1, 2], [0, 2, 3]])
+    >>> bool(report), report.violations["name"].tolist()
+    (False, ['not-delaunay'])
+    >>> print(report.advice)
+    this is a constrained triangulation, but not Delaunay: level="constrained" accepts it
+    >>> bool(sweep_cdt.verify(points, [[0, 1, 3], [1, 2, 3]]))
+    True
+    """
+    if simplices is None:
+        result = as_result(result_or_points)
+        if result is None:
+            raise KindError("this is no triangulation that is known: pass its triangles as the second argument")
+        given, matched = _own(result, edges, polygons, holes)
+    else:
+        given = as_input(result_or_points, edges, polygons, holes)
+        result = as_result(simplices)
+        if result is None:
+            result = Result(as_indices(simplices, 3, "simplices"))
+        matched = None
+    added_from = None
+    if matched is None:
+        given, result, matched, added_from = _matched(given, result, tolerance, by_number, steiner)
+    rule = domain
+    if rule is None:
+        rule = result.rule if simplices is None and result.rule is not None else given.default_rule()
+    if rule == "polygons" and not given.rings:
+        raise Error("there are no polygons: the domain even-odd takes edges that are closed rings")
+    if max_depth is not None and not 0 <= max_depth < np.inf:
+        raise Error(f"max_depth is {max_depth}, not a finite number from 0 on")
+    question = Question(
+        given,
+        result.triangles,
+        rule,
+        level,
+        max_depth,
+        added_from,
+        limit,
+        result.attributes,
+        1 if threads is None else threads,
+        matched,
+    )
+    return Report(question, question.answer())
+
+
+def _own(result: Result, edges: Any, polygons: Any, holes: Any) -> tuple[Input, Matched]:
+    """The input that a result tells."""
+    if result.own is not None:
+        given = result.own
+        if edges is not None or polygons is not None or holes is not None:
+            given = as_input(given.points, given.edges if edges is None else edges, polygons, holes)
+        return given, Matched("own", None, None)
+    if result.points is None:
+        raise KindError("the result has no points: pass the points first, and then the result")
+    # The corners of triangles that are given by coordinates.
+    places = find(result.points, result.points)
+    distinct, number = np.unique(places, return_inverse=True)
+    given = as_input(result.points[distinct], edges, polygons, holes)
+    result.triangles = number.reshape(-1, 3).astype(np.uintp)
+    return given, Matched("own", None, None)
+
+
+def _matched(
+    given: Input, result: Result, tolerance: float | None, by_number: bool, steiner: bool
+) -> tuple[Input, Result, Matched, int | None]:
+    """The input, the result by its points, how they were matched, and where added points begin."""
+    if result.points is None:
+        return given, result, Matched("unplaced", None, None), len(given.points) if steiner else None
+    if given.is_exact and not isinstance(result.points, np.ndarray):
+        same = given.points.parts() == result.points.parts()
+        return given, result, Matched("equal" if same else "asked", None, None), None
+    own = as_doubles(given.points)
+    points = as_doubles(result.points) if not isinstance(result.points, np.ndarray) else result.points
+    if steiner:
+        return _with_added(given, result, points, own)
+    matched = match(points, own, result.is_soup, tolerance, by_number)
+    if matched.places is not None:
+        result.triangles = _renumbered(result.triangles, matched.places, len(own))
+    return given, result, matched, None
+
+
+def _with_added(
+    given: Input, result: Result, points: np.ndarray, own: np.ndarray
+) -> tuple[Input, Result, Matched, int]:
+    places = find(points, own)
+    added = np.flatnonzero(places < 0)
+    places[added] = len(own) + np.arange(len(added))
+    result.triangles = _renumbered(result.triangles, places, len(own) + len(added))
+    if given.is_exact:
+        raise KindError("added vertices are not looked for among exact points")
+    both = Input(
+        np.concatenate([own, points[added]]),
+        given.edges,
+        given.rings,
+        given.ring_of,
+        given.holes,
+        given.regions,
+        given.attributes,
+        given.features,
+    )
+    return both, result, Matched("equal", places, 0.0), len(own)
+
+
+def _renumbered(triangles: np.ndarray, places: np.ndarray, count: int) -> np.ndarray:
+    """Corners by their places; those that are no vertices stay out of range."""
+    known = triangles < len(places)
+    corners = np.where(known, triangles, 0)
+    if not len(places):
+        return np.full_like(triangles, count)
+    return np.ascontiguousarray(np.where(known, places[corners].astype(np.uintp), np.uintp(count)))
+
+
+def assert_valid(
+    result_or_points: Any, simplices: Any = None, edges: Any = None, **options: Any
+) -> Report:
+    """Fails a test if `verify` says no; takes the same arguments.
+
+    Raises
+    ------
+    AssertionError
+        The report in words, and as the attribute ``report``.
+
+    Examples
+    --------
+    >>> import sweep_cdt
+    >>> points = [[0, 0], [4, 0], [4, 3], [0, 3]]
+    >>> report = sweep_cdt.assert_valid(points, [[0, 1, 3], [1, 2, 3]])
+    """
+    __tracebackhide__ = True
+    report = verify(result_or_points, simplices, edges, **options)
+    if not report:
+        error = AssertionError(str(report))
+        error.report = report  # type: ignore[attr-defined]
+        raise error
+    return report

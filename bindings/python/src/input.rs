@@ -1,0 +1,183 @@
+//! What Python passes: arrays of doubles as they lie in memory, or exact numbers; and edges, rings and seeds.
+//!
+//! Why no copy is made: Python passes arrays that are contiguous and of the right type, which are borrowed for the call.
+//! NumPy's rule for all its functions holds here too: no other thread may write to an array during the call.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use numpy::{Element, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::exceptions::PyZeroDivisionError;
+use pyo3::prelude::*;
+use sweep_cdt::Pslg;
+use sweep_cdt::interior::Ring;
+use sweep_cdt::scalar::Scalar;
+
+use crate::errors::refused;
+
+/// Points whose coordinates are fractions.
+#[pyclass(frozen, module = "sweep_cdt._native")]
+#[derive(Debug)]
+pub(crate) struct ExactPoints {
+    pub(crate) points: Vec<[BigRational; 2]>,
+}
+
+#[pymethods]
+impl ExactPoints {
+    /// Takes numerators and denominators of all coordinates, x and y of each point in turn.
+    #[new]
+    fn new(numerators: Vec<BigInt>, denominators: Vec<BigInt>) -> PyResult<ExactPoints> {
+        if denominators
+            .iter()
+            .any(|n| n.sign() == num_bigint::Sign::NoSign)
+        {
+            return Err(PyZeroDivisionError::new_err("a denominator is zero"));
+        }
+        let fractions = numerators.into_iter().zip(denominators);
+        let all: Vec<BigRational> = fractions.map(|(n, d)| BigRational::new(n, d)).collect();
+        let pairs = all.as_chunks::<2>().0;
+        Ok(ExactPoints {
+            points: pairs.to_vec(),
+        })
+    }
+
+    fn __len__(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The numerators and the denominators.
+    fn parts(&self) -> (Vec<BigInt>, Vec<BigInt>) {
+        let all = self.points.as_flattened().iter();
+        all.map(|x| (x.numer().clone(), x.denom().clone())).unzip()
+    }
+}
+
+/// Points as Python passes them.
+#[derive(FromPyObject)]
+pub(crate) enum Points<'py> {
+    Doubles(PyReadonlyArray2<'py, f64>),
+    Exact(Bound<'py, ExactPoints>),
+}
+
+/// Borrowed points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum View<'a> {
+    Doubles(&'a [[f64; 2]]),
+    Exact(&'a [[BigRational; 2]]),
+}
+
+impl Points<'_> {
+    /// Borrows the points.
+    pub(crate) fn view(&self) -> PyResult<View<'_>> {
+        Ok(match self {
+            Points::Doubles(array) => View::Doubles(rows(array)?),
+            Points::Exact(points) => View::Exact(&points.get().points),
+        })
+    }
+}
+
+/// An input as Python passes it: an object with these attributes.
+#[derive(FromPyObject)]
+pub(crate) struct Input<'py> {
+    points: Points<'py>,
+    edges: PyReadonlyArray2<'py, usize>,
+    /// The polygon of each ring, and whether the ring is a hole in it.
+    rings: Vec<(u32, bool)>,
+    /// For each edge its ring, -1 where it has none.
+    ring_of: PyReadonlyArray1<'py, i64>,
+    holes: Points<'py>,
+    regions: Points<'py>,
+}
+
+/// A borrowed input.
+#[derive(Debug)]
+pub(crate) struct Graph<'a, S> {
+    pub(crate) points: &'a [[S; 2]],
+    pub(crate) edges: &'a [[usize; 2]],
+    pub(crate) rings: Vec<Ring>,
+    pub(crate) ring_of: Vec<Option<usize>>,
+    pub(crate) holes: &'a [[S; 2]],
+    pub(crate) regions: &'a [[S; 2]],
+}
+
+/// A borrowed input in one of the two arithmetics.
+#[derive(Debug)]
+pub(crate) enum AnyGraph<'a> {
+    Doubles(Graph<'a, f64>),
+    Exact(Graph<'a, BigRational>),
+}
+
+/// Does the same with a graph of either arithmetic.
+macro_rules! with_graph {
+    ($graph:expr, |$name:ident| $body:expr) => {
+        match $graph {
+            $crate::input::AnyGraph::Doubles($name) => $body,
+            $crate::input::AnyGraph::Exact($name) => $body,
+        }
+    };
+}
+pub(crate) use with_graph;
+
+/// The rows of an array of `N` columns.
+pub(crate) fn rows<'a, T: Element, const N: usize>(
+    array: &'a PyReadonlyArray2<'_, T>,
+) -> PyResult<&'a [[T; N]]> {
+    if array.shape()[1] != N {
+        let columns = array.shape()[1];
+        return Err(refused(format!("an array has {columns} columns, not {N}")));
+    }
+    let slice = array.as_slice();
+    let slice = slice.map_err(|_| refused("an array is not contiguous".to_owned()))?;
+    Ok(slice.as_chunks().0)
+}
+
+impl Input<'_> {
+    /// Borrows the arrays.
+    pub(crate) fn graph(&self) -> PyResult<AnyGraph<'_>> {
+        let edges = rows(&self.edges)?;
+        let rings = self.rings.iter();
+        let rings = rings.map(|&(polygon, is_hole)| Ring { polygon, is_hole });
+        let rings: Vec<Ring> = rings.collect();
+        let ring_of = self.ring_of.as_array();
+        let ring_of = ring_of.iter().map(|&ring| usize::try_from(ring).ok());
+        let ring_of: Vec<Option<usize>> = ring_of.collect();
+        match (
+            self.points.view()?,
+            self.holes.view()?,
+            self.regions.view()?,
+        ) {
+            (View::Doubles(points), View::Doubles(holes), View::Doubles(regions)) => {
+                Ok(AnyGraph::Doubles(Graph {
+                    points,
+                    edges,
+                    rings,
+                    ring_of,
+                    holes,
+                    regions,
+                }))
+            }
+            (View::Exact(points), View::Exact(holes), View::Exact(regions)) => {
+                Ok(AnyGraph::Exact(Graph {
+                    points,
+                    edges,
+                    rings,
+                    ring_of,
+                    holes,
+                    regions,
+                }))
+            }
+            _ => Err(refused("points and seeds differ in type".to_owned())),
+        }
+    }
+}
+
+impl<S: Scalar> Graph<'_, S> {
+    /// A copy in doubles, for pictures.
+    pub(crate) fn for_pictures(&self) -> Pslg<f64> {
+        let doubles = |point: &[S; 2]| point.each_ref().map(S::approx);
+        Pslg {
+            points: self.points.iter().map(doubles).collect(),
+            edges: self.edges.to_vec(),
+            ..Pslg::default()
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! The module `sweep_cdt._native`: the crate for the package `sweep_cdt`, which wraps it in Python.
+//!
+//! Python converts what it is given to arrays of doubles or to exact points, and what comes back to other libraries'
+//! objects. Here is what must be fast or exact.
+//!
+//! No class has a state that changes, so that the module needs no lock of the interpreter.
+
+#![deny(unsafe_code)]
+
+mod calls;
+mod crossings;
+mod errors;
+mod input;
+mod measure;
+mod picture;
+mod rule;
+mod trace;
+mod triangulation;
+mod verify;
+
+use pyo3::prelude::*;
+
+#[pymodule(gil_used = false)]
+mod _native {
+    /// The version of the package.
+    #[pymodule_export]
+    #[allow(non_upper_case_globals, reason = "Python's name")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    use crate::crossings::{Crossings, crossings, split};
+    #[pymodule_export]
+    use crate::input::ExactPoints;
+    #[pymodule_export]
+    use crate::measure::fronts;
+    #[pymodule_export]
+    use crate::picture::picture;
+    #[pymodule_export]
+    use crate::trace::{Steps, trace};
+    #[pymodule_export]
+    use crate::triangulation::{Core, triangulate};
+    #[pymodule_export]
+    use crate::verify::verify;
+}

@@ -1,0 +1,340 @@
+//! The triangulation, and its parts as arrays, which NumPy takes over without a copy.
+
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+use sweep_cdt::crossings::joined;
+use sweep_cdt::interior::Interior;
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{Location, Triangulation, Triangulator};
+
+use crate::calls::{Watch, call};
+use crate::errors::{Fault, refused};
+use crate::input::{AnyGraph, Input, Points, View, rows, with_graph};
+use crate::measure::{self, Settings};
+use crate::rule::Rule;
+
+/// A triangulation, and which of its triangles are inside.
+#[pyclass(frozen, module = "sweep_cdt._native")]
+#[derive(Debug)]
+pub(crate) struct Core {
+    pub(crate) result: Triangulation,
+    /// `None`, if all triangles are inside.
+    inside: Option<Inside>,
+    /// Statistics as JSON, if they were asked for.
+    #[pyo3(get)]
+    stats: Option<String>,
+}
+
+/// What a rule says of each triangle.
+#[derive(Debug)]
+struct Inside {
+    is_inside: Vec<bool>,
+    depths: Vec<i32>,
+    /// -1, where there is none.
+    regions: Vec<i32>,
+}
+
+/// A number of a vertex or triangle as NumPy gets it. All fit: there are at most 134 million points.
+#[inline]
+fn small(index: usize) -> i32 {
+    i32::try_from(index).unwrap_or(i32::MAX)
+}
+
+impl Inside {
+    fn of(interior: &Interior<'_>) -> Inside {
+        let all = 0..interior.triangulation().len();
+        let regions = match interior.has_regions() {
+            true => all
+                .clone()
+                .map(|t| interior.region(t).map_or(-1, small))
+                .collect(),
+            false => Vec::new(),
+        };
+        Inside {
+            is_inside: all.clone().map(|t| interior.is_inside(t)).collect(),
+            depths: all.map(|t| interior.depth(t)).collect(),
+            regions,
+        }
+    }
+}
+
+/// Triangulates. `settings` are the front, the heuristics and the algorithm, if the run is to be counted.
+#[pyfunction]
+#[pyo3(signature = (input, rule, threads, settings=None))]
+pub(crate) fn triangulate(
+    py: Python<'_>,
+    input: Input<'_>,
+    rule: &str,
+    threads: usize,
+    settings: Option<(String, String, String)>,
+) -> PyResult<Core> {
+    let rule = Rule::named(rule)?;
+    let settings = settings.map(Settings::named).transpose()?;
+    let graph = input.graph()?;
+    with_graph!(&graph, |graph| {
+        let size = graph.points.len() + graph.edges.len();
+        call(py, size, threads, |watch| {
+            let (result, stats) = match &settings {
+                Some(settings) => {
+                    let (result, stats) = measure::run(graph, settings, watch)?;
+                    (result, Some(stats))
+                }
+                None => (plain(graph.points, graph.edges, threads, watch)?, None),
+            };
+            let inside = match rule {
+                Rule::Hull => None,
+                rule => Some(Inside::of(&rule.interior(graph, &result)?)),
+            };
+            Ok(Core {
+                result,
+                inside,
+                stats,
+            })
+        })
+    })
+}
+
+fn plain<S: Scalar + Sync>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    threads: usize,
+    watch: &Watch,
+) -> Result<Triangulation, Fault> {
+    if threads != 1 {
+        return Ok(Triangulator::new().triangulate_parallel(points, edges)?);
+    }
+    let progress = |_, _| watch.look();
+    let triangulator = Triangulator::new().progress(&progress);
+    Ok(triangulator.triangulate(points, edges)?)
+}
+
+/// An array of `N` columns.
+pub(crate) fn table<'py, T: numpy::Element, const N: usize>(
+    py: Python<'py>,
+    rows: Vec<[T; N]>,
+) -> PyResult<Bound<'py, PyArray2<T>>> {
+    let count = rows.len();
+    rows.into_flattened().into_pyarray(py).reshape([count, N])
+}
+
+#[pymethods]
+impl Core {
+    fn __len__(&self) -> usize {
+        self.result.len()
+    }
+
+    /// The corners of each triangle, counter-clockwise.
+    fn simplices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let list = || self.result.triangles().map(|t| t.map(small)).collect();
+        let list = py.detach(list);
+        table(py, list)
+    }
+
+    /// The corners in canonical order; of the triangles inside alone, if `inside`.
+    fn canonical<'py>(&self, py: Python<'py>, inside: bool) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let list = py.detach(|| {
+            let keep = self.inside.as_ref().filter(|_| inside);
+            let mut list = match keep {
+                None => self.result.canonical_triangles(),
+                Some(keep) => {
+                    let all = self.result.triangles().zip(&keep.is_inside);
+                    let kept = all.filter(|&(_, &is_inside)| is_inside);
+                    kept.map(|(corners, _)| lowest_first(corners)).collect()
+                }
+            };
+            if keep.is_some() {
+                list.sort_unstable();
+            }
+            list.into_iter().map(|t| t.map(small)).collect()
+        });
+        table(py, list)
+    }
+
+    /// The triangle opposite each corner, -1 where there is none.
+    fn neighbors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let of = |t| self.result.neighbors(t).map(|t| t.map_or(-1, small));
+        let list = py.detach(|| (0..self.result.len()).map(of).collect());
+        table(py, list)
+    }
+
+    /// Whether the side opposite each corner is an edge or a piece of one.
+    fn constrained<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<bool>>> {
+        let of = |t| [0, 1, 2].map(|side| self.result.is_constrained(t, side));
+        let list = py.detach(|| (0..self.result.len()).map(of).collect());
+        table(py, list)
+    }
+
+    /// The sides that are edges or pieces of them.
+    fn constrained_sides<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let list = || {
+            let sides = self.result.constrained_sides();
+            sides.map(|side| side.map(small)).collect()
+        };
+        let list = py.detach(list);
+        table(py, list)
+    }
+
+    /// The vertices of the hull, counter-clockwise.
+    fn hull<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
+        let hull: Vec<i32> = self.result.hull().map(small).collect();
+        hull.into_pyarray(py)
+    }
+
+    /// The points that equal one of a lower index, and that one.
+    fn duplicates<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let list = self.result.duplicates().map(|pair| pair.map(small));
+        table(py, list.collect())
+    }
+
+    /// The vertices along edge `edge`, which Python knows to be there.
+    fn chain<'py>(&self, py: Python<'py>, edge: usize) -> Bound<'py, PyArray1<i32>> {
+        let chain: Vec<i32> = self.result.edge_chain(edge).map(small).collect();
+        chain.into_pyarray(py)
+    }
+
+    /// The vertices along the pieces `first..last` of an edge; `edges` are all pieces.
+    fn joined<'py>(
+        &self,
+        py: Python<'py>,
+        first: usize,
+        last: usize,
+        edges: PyReadonlyArray2<'_, usize>,
+    ) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let edges = rows(&edges)?;
+        if first >= last || last > edges.len() {
+            return Err(PyIndexError::new_err("there are no such pieces"));
+        }
+        let chain = joined(first..last, edges, &self.result).into_iter();
+        Ok(chain.map(small).collect::<Vec<i32>>().into_pyarray(py))
+    }
+
+    /// Whether each triangle is inside.
+    fn inside<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
+        let inside = self.inside.as_ref();
+        let whole = || vec![true; self.result.len()];
+        inside
+            .map_or_else(whole, |inside| inside.is_inside.clone())
+            .into_pyarray(py)
+    }
+
+    /// How deep each triangle lies.
+    fn depth<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
+        let inside = self.inside.as_ref();
+        let whole = || vec![1; self.result.len()];
+        inside
+            .map_or_else(whole, |inside| inside.depths.clone())
+            .into_pyarray(py)
+    }
+
+    /// The region or polygon of each triangle, -1 where there is none; `None` without regions.
+    fn region<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<i32>>> {
+        let regions = &self.inside.as_ref()?.regions;
+        (regions.len() == self.result.len()).then(|| regions.clone().into_pyarray(py))
+    }
+
+    /// The closed chains around what is inside.
+    fn boundary<'py>(
+        &self,
+        py: Python<'py>,
+        input: Input<'_>,
+        rule: &str,
+    ) -> PyResult<Vec<Bound<'py, PyArray1<i32>>>> {
+        let rule = Rule::named(rule)?;
+        let graph = input.graph()?;
+        let chains = with_graph!(&graph, |graph| call(py, self.result.len(), 1, |_| {
+            Ok(rule.interior(graph, &self.result)?.boundary())
+        })?);
+        let array = |chain: Vec<usize>| {
+            let chain: Vec<i32> = chain.into_iter().map(small).collect();
+            chain.into_pyarray(py)
+        };
+        Ok(chains.into_iter().map(array).collect())
+    }
+
+    /// For each query a triangle that holds it, -1 outside of the hull.
+    fn locate<'py>(
+        &self,
+        py: Python<'py>,
+        input: Input<'_>,
+        queries: Points<'_>,
+    ) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let graph = input.graph()?;
+        let queries = queries.view()?;
+        let found = match (&graph, queries) {
+            (AnyGraph::Doubles(graph), View::Doubles(queries)) => {
+                self.located(py, graph.points, queries)?
+            }
+            (AnyGraph::Exact(graph), View::Exact(queries)) => {
+                self.located(py, graph.points, queries)?
+            }
+            _ => return Err(refused("points and queries differ in type".to_owned())),
+        };
+        Ok(found.into_pyarray(py))
+    }
+}
+
+/// A triangle with its lowest corner first.
+fn lowest_first(mut corners: [usize; 3]) -> [usize; 3] {
+    let least = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
+    corners.rotate_left(least);
+    corners
+}
+
+impl Core {
+    fn located<S: Scalar + Sync>(
+        &self,
+        py: Python<'_>,
+        points: &[[S; 2]],
+        queries: &[[S; 2]],
+    ) -> PyResult<Vec<i32>> {
+        let result = &self.result;
+        call(py, queries.len(), 1, |watch| {
+            let view = result.with_points(points);
+            let near = nearby(result, points);
+            let mut last: Option<(usize, &[S; 2])> = None;
+            let mut stars = None;
+            let found = queries.iter().enumerate().map(|(number, query)| {
+                if number % 1024 == 0 {
+                    watch.look();
+                }
+                let location = match last {
+                    Some((start, at)) if apart(at, query) <= near => view.locate_from(query, start),
+                    _ => view.locate(query),
+                };
+                let triangle = match location {
+                    Location::Triangle(triangle) | Location::Side { triangle, .. } => {
+                        Some(triangle)
+                    }
+                    Location::Vertex(v) => {
+                        let stars = stars.get_or_insert_with(|| result.vertex_stars());
+                        stars.star(v).next().map(|corner| corner.triangle)
+                    }
+                    Location::Outside => None,
+                };
+                last = triangle.map(|triangle| (triangle, query)).or(last);
+                triangle.map_or(-1, small)
+            });
+            Ok(found.collect())
+        })
+    }
+}
+
+/// The distance up to which a walk from the last query is shorter than a search, in steps of a triangle each.
+fn nearby<S: Scalar>(result: &Triangulation, points: &[[S; 2]]) -> f64 {
+    let span = |axis: usize| {
+        let hull = result.hull().map(|v| points[v][axis].approx());
+        let (low, high) = hull.fold((f64::MAX, f64::MIN), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+        high - low
+    };
+    let triangles = result.len().max(1) as f64;
+    (span(0) * span(1) / triangles).sqrt() * triangles.cbrt()
+}
+
+/// The distance of two points, along x and y added.
+fn apart<S: Scalar>(p: &[S; 2], q: &[S; 2]) -> f64 {
+    let along = |axis: usize| (p[axis].approx() - q[axis].approx()).abs();
+    along(0) + along(1)
+}

@@ -1,0 +1,32 @@
+"""The examples in the documentation: in the README, and of each module."""
+
+import doctest
+import importlib
+import os
+import pathlib
+import pkgutil
+
+import pytest
+
+import sweep_cdt
+
+os.environ.setdefault("MPLBACKEND", "Agg")
+README = pathlib.Path(__file__).resolve().parents[1] / "README.md"
+MODULES = [f"sweep_cdt.{module.name}" for module in pkgutil.iter_modules(sweep_cdt.__path__)]
+
+
+def test_readme():
+    for needed in ("scipy", "shapely", "matplotlib"):
+        pytest.importorskip(needed)
+    failed, tried = doctest.testfile(str(README), module_relative=False)
+    assert failed == 0 and tried > 20
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_module(name):
+    assert doctest.testmod(importlib.import_module(name)).failed == 0
+
+
+def test_every_public_name_has_words():
+    for name in sweep_cdt.__all__:
+        assert name == "__version__" or getattr(sweep_cdt, name).__doc__, name
