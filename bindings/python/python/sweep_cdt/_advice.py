@@ -99,6 +99,8 @@ def _best(asked: Question, triangles: np.ndarray) -> _Fit | None:
     """The arguments that accept these triangles, with the fewest violations."""
     from ._triangulation import made
 
+    # Edges that cross leave no domain at all.
+    made(asked.own(), "hull", False, None, None)
     rules = ["hull"]
     if asked.given.rings:
         rules.append("polygons")

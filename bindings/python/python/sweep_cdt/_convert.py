@@ -102,13 +102,41 @@ def to_shapely(self: Triangulation) -> Any:
 
 
 def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
-    """The dictionary that `triangle.triangulate` returns: vertices, triangles inside, their neighbors, and segments."""
+    """The dictionary that `triangle.triangulate` returns: of the triangles inside.
+
+    It has the vertices, triangles, neighbors and segments, and a point in each hole. The segments are the constrained
+    sides; where all of the hull is inside, those of the hull too, as of triangle's option ``c``.
+    """
     kept = np.flatnonzero(self.inside)
     number = np.full(len(self.inside) + 1, -1, dtype=np.int32)
     number[kept] = np.arange(len(kept))
-    return {
-        "vertices": as_doubles(self._input.points),
+    segments = self.constrained_sides
+    if self.rule == "hull":
+        segments = np.unique(np.sort(np.concatenate([segments, self.convex_hull]), axis=1), axis=0)
+    points = as_doubles(self._input.points)
+    result = {
+        "vertices": points,
         "triangles": self.triangles,
         "neighbors": number[self.neighbors[kept]],
-        "segments": self.constrained_sides,
+        "segments": segments,
     }
+    if len(seeds := _seeds_of_holes(self, points)):
+        result["holes"] = seeds
+    return result
+
+
+def _seeds_of_holes(self: Triangulation, points: np.ndarray) -> np.ndarray:
+    """For each face outside the middle of its largest triangle."""
+    (ax, ay), (bx, by), (cx, cy) = (points[self.simplices[:, i]].T for i in range(3))
+    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    crosses = (self.neighbors >= 0) & ~self.constrained
+    waiting, seeds = set(np.flatnonzero(~self.inside).tolist()), []
+    while waiting:
+        face = [waiting.pop()]
+        for t in face:
+            beyond = waiting.intersection(self.neighbors[t, crosses[t]].tolist())
+            waiting -= beyond
+            face.extend(beyond)
+        largest = face[int(np.argmax(area[face]))]
+        seeds.append(points[self.simplices[largest]].mean(axis=0))
+    return np.array(seeds).reshape(-1, 2)

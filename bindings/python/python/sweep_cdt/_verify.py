@@ -32,6 +32,11 @@ class Question:
     threads: int
     matched: Matched
 
+    def own(self) -> Input:
+        """The input without the points that were added."""
+        given = self.given
+        return given if self.added_from is None else Input(given.points[: self.added_from], given.edges)
+
     def answer(self, **changes: Any) -> dict[str, Any]:
         """The verifier's answer, with some things changed."""
         asked = dataclasses.replace(self, **changes)
