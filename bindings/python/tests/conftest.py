@@ -5,6 +5,8 @@ import pathlib
 import shutil
 import sys
 
+os.environ.setdefault("MPLBACKEND", "Agg")
+
 import hypothesis
 import pytest
 
@@ -12,10 +14,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 # The judge in big integers, which knows nothing of the crate.
 sys.path.insert(0, str(ROOT / "tests/programs"))
 
-# pytest --hypothesis-profile=long runs a hundred thousand examples of each property.
-hypothesis.settings.register_profile("long", max_examples=100_000, deadline=None)
-hypothesis.settings.register_profile("short", max_examples=200, deadline=None, derandomize=True)
-hypothesis.settings.load_profile("short")
+# SWEEP_CDT_EXAMPLES says how many examples of each property are run; more than by default are drawn anew each time.
+EXAMPLES = os.environ.get("SWEEP_CDT_EXAMPLES")
+hypothesis.settings.register_profile(
+    "own", max_examples=int(EXAMPLES or 200), deadline=None, derandomize=EXAMPLES is None
+)
+hypothesis.settings.load_profile("own")
 
 
 @pytest.fixture(scope="session")

@@ -77,11 +77,22 @@ def _of_dictionary(given: dict[str, Any]) -> Result:
     triangles = as_indices(given["triangles"], 3, "triangles")
     attributes = None
     if (of_triangles := given.get("triangle_attributes")) is not None:
-        attributes = np.asarray(of_triangles, dtype=float).reshape(len(triangles), -1)[:, 0].tolist()
+        attributes = _attributes(of_triangles, len(triangles))
     if "vertices" not in given:
         return Result(triangles, attributes=attributes)
     own = as_input(given)
     return Result(triangles, own.points, own=own, rule="holes" if len(own.edges) else "hull", attributes=attributes)
+
+
+def _attributes(given: Any, count: int) -> list[float]:
+    """The first attribute of each triangle."""
+    try:
+        rows = np.asarray(given, dtype=float)
+    except (ValueError, TypeError):
+        raise KindError("triangle_attributes is no array of numbers") from None
+    if rows.ndim not in (1, 2) or len(rows) != count or rows.size < count:
+        raise ShapeError(f"triangle_attributes has the shape {rows.shape}, not ({count}, 1)", shape=rows.shape)
+    return rows.reshape(count, -1)[:, 0].tolist() if count else []
 
 
 def _cells(cells: Any, size: int, name: str) -> np.ndarray | None:

@@ -22,8 +22,7 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
             raise KindError("a dictionary has no 'vertices'")
         edges = given.get("segments") if edges is None else edges
         holes = given.get("holes") if holes is None else holes
-        if len(rows := np.asarray(given.get("regions", []), dtype=float)):
-            regions, attributes = rows[:, :2], rows[:, 2].tolist()
+        regions, attributes = _regions(given.get("regions"))
         given = given["vertices"]
     elif (geometries := as_geometries(given)) is not None:
         found = of_geometries(geometries)
@@ -36,6 +35,19 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
     if polygons is None:
         return Input(points, edges, (), None, holes, regions, attributes)
     return _with_polygons(points, edges, polygons, holes)
+
+
+def _regions(given: Any) -> tuple[Any, Sequence[float]]:
+    """The seeds of regions and their attributes, as `triangle` has them: x, y, attribute, greatest area."""
+    if given is None or not len(_listed(given, "regions")):
+        return None, ()
+    try:
+        rows = np.asarray(given, dtype=float)
+    except (ValueError, TypeError):
+        raise KindError("regions is no array of numbers") from None
+    if rows.ndim != 2 or rows.shape[1] < 3:
+        raise ShapeError(f"regions has the shape {rows.shape}, not (k, 4)", shape=rows.shape)
+    return rows[:, :2], rows[:, 2].tolist()
 
 
 def as_geometries(given: Any) -> np.ndarray | None:
@@ -144,6 +156,8 @@ def _rings(polygons: Any) -> list[Any]:
     """The rings of each polygon."""
     geometries = as_geometries(polygons)
     if geometries is None:
+        for polygon, rings in enumerate(_listed(polygons, "polygons")):
+            _listed(rings, f"polygons[{polygon}]")
         return list(polygons)
     import shapely
 
@@ -154,9 +168,19 @@ def _rings(polygons: Any) -> list[Any]:
     return [[np.asarray(ring.coords)[:, :2] for ring in polygon] for polygon in rings]
 
 
+def _listed(given: Any, name: str) -> Any:
+    """What is given, which must be a list of something."""
+    if isinstance(given, (str, bytes, dict)) or not hasattr(given, "__len__") or not hasattr(given, "__getitem__"):
+        raise KindError(f"{name} is no list but of the type {type(given).__name__}")
+    return given
+
+
 def _ring(ring: Any, name: str) -> tuple[np.ndarray, np.ndarray | None]:
     """A ring as positions, or as coordinates without the first one again at the end."""
-    array = np.asarray(ring)
+    try:
+        array = np.asarray(ring)
+    except (ValueError, TypeError, OverflowError):
+        raise ShapeError(f"{name} is neither positions of points nor coordinates") from None
     if array.ndim == 1 and (array.dtype.kind in "iu" or array.size == 0):
         return array.astype(np.int64), None
     if array.ndim != 2 or array.shape[1] != 2:
