@@ -46,9 +46,10 @@ def test_triangle():
     given = {"vertices": OUTLINE + HOLE, "segments": edges, "holes": [[4, 4]]}
     for options in ("p", "pc"):
         theirs = triangle.triangulate(given, options)
-        assert sweep_cdt.verify(theirs), options
-        assert bool(sweep_cdt.verify(given, theirs)) == (options == "p")
-    assert sweep_cdt.verify(given, triangle.triangulate(given, "pc"), domain="hull-without-holes")
+        assert sweep_cdt.verify(theirs) and sweep_cdt.verify(given, theirs), options
+        plain = {"vertices": OUTLINE + HOLE, "segments": edges}
+        assert sweep_cdt.verify(plain, triangle.triangulate(plain, options)), options
+    assert not sweep_cdt.verify(given, triangle.triangulate(given, "pc"), domain="holes")
     assert sweep_cdt.verify(given, triangle.triangulate(given, "pqa0.5"), steiner=True)
     assert sweep_cdt.verify(triangle.triangulate({"vertices": POINTS}))
     ours = sweep_cdt.triangulate(given)

@@ -413,11 +413,11 @@ class Triangulation:
 
     def to_svg(self) -> str:
         """A picture as SVG: triangles grey, edges blue, the border of what is inside orange."""
-        return bytes(_native.picture(self._core, self._input, self.rule, False)).decode()
+        return _native.picture(self._core, self._input, self.rule, False).decode()
 
     def to_png(self) -> bytes:
         """The same picture as PNG."""
-        return bytes(_native.picture(self._core, self._input, self.rule, True))
+        return _native.picture(self._core, self._input, self.rule, True)
 
     def _repr_svg_(self) -> str | None:
         return self.to_svg() if len(self._core) <= MOST_LINES else None

@@ -14,6 +14,7 @@ from ._graph import as_input
 from ._input import Input, as_doubles, as_edges, as_indices
 from ._matching import Matched, find, match
 from ._report import Report
+from ._triangulation import made
 
 
 @dataclasses.dataclass
@@ -92,8 +93,9 @@ def verify(
     edges, polygons, holes : optional
         As of `triangulate`.
     domain : str, optional
-        What the triangles must tile, as `inside` of `triangulate`. The default is that of the result, if it is of this
-        package; ``holes`` of a dictionary of `triangle` with segments; and that of `triangulate` otherwise.
+        What the triangles must tile, as `inside` of `triangulate`. The default is that of a result of this package that
+        is given alone; of a dictionary of `triangle` with segments ``holes``, or ``hull-without-holes`` where the hull
+        is closed by segments (its option ``c``); and otherwise that of `triangulate`.
     level : {'tiling', 'constrained', 'delaunay', 'canonical'}, optional
         What the triangles must reach. Each level includes those before it.
     max_depth : float, optional
@@ -148,7 +150,7 @@ def verify(
         given, result, matched, added_from = _matched(given, result, tolerance, by_number, steiner)
     rule = domain
     if rule is None:
-        rule = result.rule if simplices is None and result.rule is not None else given.default_rule()
+        rule = _rule_of_result(result, given, simplices is None) or given.default_rule()
     if rule == "polygons" and not given.rings:
         raise Error("there are no polygons: the domain even-odd takes edges that are closed rings")
     if max_depth is not None and not 0 <= max_depth < np.inf:
@@ -166,6 +168,27 @@ def verify(
         matched,
     )
     return Report(question, question.answer())
+
+
+def _rule_of_result(result: Result, given: Input, is_alone: bool) -> str | None:
+    """The rule that a result tells, if it tells one."""
+    if is_alone:
+        return result.rule
+    if result.rule != "holes" or result.own is None or result.own.rings or not len(given.edges):
+        return None
+    # A dictionary of `triangle`: with its option `c` the sides of the hull are segments, too.
+    try:
+        hull = made(result.own, "hull", False, None, None).convex_hull
+    except Error:
+        return "holes"
+    segments = np.sort(result.own.edges.view(np.intp), axis=1)
+    is_closed = np.isin(_numbers(np.sort(hull, axis=1)), _numbers(segments)).all()
+    return "hull-without-holes" if is_closed else "holes"
+
+
+def _numbers(pairs: np.ndarray) -> np.ndarray:
+    """A number for each pair of positions."""
+    return pairs[:, 0].astype(np.int64) * 2**32 + pairs[:, 1]
 
 
 def _own(result: Result, edges: Any, polygons: Any, holes: Any) -> tuple[Input, Matched]:
