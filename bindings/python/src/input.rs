@@ -82,8 +82,8 @@ pub(crate) struct Input<'py> {
     edges: PyReadonlyArray2<'py, usize>,
     /// The polygon of each ring, and whether the ring is a hole in it.
     rings: Vec<(u32, bool)>,
-    /// For each edge its ring, -1 where it has none.
-    ring_of: PyReadonlyArray1<'py, i64>,
+    /// For each edge its ring, -1 where it has none; nothing, if there are no rings.
+    ring_of: Option<PyReadonlyArray1<'py, i64>>,
     holes: Points<'py>,
     regions: Points<'py>,
 }
@@ -137,9 +137,16 @@ impl Input<'_> {
         let rings = self.rings.iter();
         let rings = rings.map(|&(polygon, is_hole)| Ring { polygon, is_hole });
         let rings: Vec<Ring> = rings.collect();
-        let ring_of = self.ring_of.as_array();
-        let ring_of = ring_of.iter().map(|&ring| usize::try_from(ring).ok());
-        let ring_of: Vec<Option<usize>> = ring_of.collect();
+        let ring_of = match &self.ring_of {
+            Some(array) => {
+                let rings = array.as_array();
+                rings
+                    .iter()
+                    .map(|&ring| usize::try_from(ring).ok())
+                    .collect()
+            }
+            None => Vec::new(),
+        };
         match (
             self.points.view()?,
             self.holes.view()?,

@@ -175,7 +175,7 @@ class Split:
             self._points,
             self._edges,
             given.rings,
-            given.ring_of[self.pieces_of],
+            None if given.ring_of is None else given.ring_of[self.pieces_of],
             given.holes,
             given.regions,
             given.attributes,

@@ -195,8 +195,8 @@ class Input:
         self.edges = edges
         # The polygon of each ring, and whether the ring is a hole in it.
         self.rings = list(rings)
-        # For each edge its ring, or -1.
-        self.ring_of = np.full(len(edges), -1, dtype=np.int64) if ring_of is None else ring_of
+        # For each edge its ring, or -1; nothing, if there are no rings.
+        self.ring_of = ring_of if self.rings else None
         self.holes = _seeds(holes, "holes")
         self.regions = _seeds(regions, "regions")
         # The attribute of each region.
