@@ -48,10 +48,9 @@ def as_result(given: Any) -> Result | None:
     if all(hasattr(given, name) for name in ("points", "cells_dict")):
         cells = given.cells_dict
         # pyvista names kinds of cells by VTK's numbers: 3 are lines, 5 triangles.
-        triangles, lines = (
-            next((cells[kind] for kind in kinds if kind in cells), None) for kinds in ((5, "triangle"), (3, "line"))
-        )
-        return _of_arrays(_flat(given.points), triangles, lines)
+        kinds = ((5, "triangle"), (3, "line"))
+        faces, lines = (next((cells[kind] for kind in names if kind in cells), None) for names in kinds)
+        return _of_arrays(_flat(given.points), faces, lines)
     if all(hasattr(given, name) for name in ("points", "faces", "lines")):
         return _of_arrays(_flat(given.points), _cells(given.faces, 3, "faces"), _cells(given.lines, 2, "lines"))
     if (geometries := as_geometries(given)) is not None:
@@ -64,7 +63,7 @@ def _of_arrays(points: Any, triangles: Any, lines: Any = None) -> Result:
     return Result(as_indices(triangles, 3, "triangles"), own.points, own=own)
 
 
-def _flat(points: np.ndarray) -> np.ndarray:
+def _flat(points: Any) -> np.ndarray:
     """Points of a mesh without their heights."""
     points = np.asarray(points)
     if points.ndim != 2 or points.shape[1] not in (2, 3):

@@ -130,7 +130,8 @@ def _with_polygons(points: Any, edges: np.ndarray, polygons: Any, holes: Any) ->
         added = [points]
     else:
         added = None
-    count, sides, ring_of, rings = len(points), [edges], [np.full(len(edges), -1, dtype=np.int64)], []
+    count, sides, ring_of = len(points), [edges], [np.full(len(edges), -1, dtype=np.int64)]
+    rings: list[tuple[int, bool]] = []
     for polygon, given in enumerate(_rings(polygons)):
         for position, ring in enumerate(given):
             name = f"polygons[{polygon}][{position}]"

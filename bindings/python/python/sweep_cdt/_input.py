@@ -48,7 +48,7 @@ def as_points(given: Any, name: str = "points") -> Any:
     if array.dtype.kind == "f":
         # NumPy rounds whole numbers beside doubles.
         objects = np.asarray(rows, dtype=object)
-        if any(isinstance(x, numbers.Integral) and abs(x) > WHOLE for x in objects.flat):
+        if any(isinstance(x, numbers.Integral) and abs(int(x)) > WHOLE for x in objects.flat):
             return _exact(objects, name)
     return _of_array(array, name)
 

@@ -31,7 +31,6 @@ class Matched:
         """The line of a report."""
         by = "number" if self.why in ("unplaced", "rounded", "near", "asked") else "coordinates"
         why = {
-            "own": "the points are those of the result",
             "unplaced": "the result has no coordinates",
             "rounded": "coordinates are rounded",
             "printed": "coordinates are rounded",
@@ -41,7 +40,7 @@ class Matched:
             "asked": "as was asked for",
         }.get(self.why)
         if self.why == "own":
-            return why
+            return "the points are those of the result"
         difference = "" if not self.difference else f", greatest difference {self.difference:g}"
         return f"vertices matched by {by}{'' if why is None else ': ' + why}{difference}"
 
@@ -173,9 +172,9 @@ def printed_range(value: float) -> tuple[float, float]:
     number = decimal.Decimal(repr(float(value)))
     if not number.is_finite():
         return value, value
-    _, digits, exponent = number.normalize().as_tuple()
-    exponent -= max(0, LEAST_DIGITS - len(digits))
-    half = decimal.Decimal((0, (5,), int(exponent) - 1))
+    _, digits, power = number.normalize().as_tuple()
+    exponent = int(power) - max(0, LEAST_DIGITS - len(digits))
+    half = decimal.Decimal((0, (5,), exponent - 1))
     context = decimal.Context(prec=60)
     low, high = context.subtract(number, half), context.add(number, half)
     return float(low), float(high)

@@ -190,9 +190,8 @@ class Report:
         )
         titles = [self.verdict, *(f"{r['name']}{_by(r['depth'])}" for r in worst)]
         for ax, title in zip(axes[0], titles):
-            closed = points[triangles[:, [0, 1, 2, 0]]] if len(triangles) else np.empty((0, 4, 2))
-            ax.add_collection(LineCollection(closed, colors="0.7", linewidths=0.5))
-            ax.add_collection(LineCollection(points[edges], colors="C0", linewidths=1))
+            ax.add_collection(LineCollection(list(points[triangles[:, [0, 1, 2, 0]]]), colors="0.7", linewidths=0.5))
+            ax.add_collection(LineCollection(list(points[edges]), colors="C0", linewidths=1))
             ax.autoscale_view()
             ax.set_aspect("equal", adjustable="datalim")
             ax.set_title(title, fontsize="small")

@@ -11,7 +11,7 @@ from . import _native
 from ._errors import Error, KindError
 from ._foreign import Result, as_result
 from ._graph import as_input
-from ._input import Input, as_doubles, as_edges, as_indices
+from ._input import Input, as_doubles, as_indices
 from ._matching import Matched, find, match
 from ._report import Report
 from ._triangulation import made
