@@ -117,12 +117,22 @@ def test_verdicts(files, question, triangles, is_own, flips, domain, level, max_
     assert {**report.counts} == theirs["counts"]
 
 
+def changed(triangles, points, change):
+    """Right triangles, changed in one way."""
+    if change == "turned":
+        return [triangles[0][::-1], *triangles[1:]]
+    if change == "from 1":
+        return [[v + 1 for v in t] for t in triangles]
+    if change == "another point":
+        points.append((2, 1))
+    return triangles[1:] if change == "left out" else triangles
+
+
 @shared
-@given(question=inputs(SMALL), triangles=st.lists(st.tuples(*[st.integers(0, 5)] * 3), max_size=5))
-def test_the_last_line(files, question, triangles):
+@given(question=inputs(SMALL), change=st.sampled_from(["turned", "from 1", "another point", "left out", "none"]))
+def test_the_last_line(files, question, change):
     points, edges = question
-    if own := ours(points, edges):
-        triangles = own[:-1] + triangles[:1]
+    triangles = changed(own, points, change) if (own := ours(points, edges)) else [[0, 1, 2]]
     files.write("in.json", points=points, edges=edges)
     files.write("result.json", triangles=triangles)
     theirs = files.run("verify", "in.json", "result.json").stdout.strip().splitlines()

@@ -93,6 +93,10 @@ def test_neighbors_are_opposite_as_of_scipy():
         return sides
 
     assert described(ours.simplices, ours.neighbors) == described(theirs.simplices, theirs.neighbors)
+    begins, ends = points[ours.convex_hull[:, 0]], points[ours.convex_hull[:, 1]]
+    # Counter-clockwise: the area on the left is that of the hull.
+    area = (begins[:, 0] * ends[:, 1] - begins[:, 1] * ends[:, 0]).sum() / 2
+    assert abs(area - ours.area) < 1e-12
     hull = lambda sides: {frozenset(side) for side in sides.tolist()}
     assert hull(ours.convex_hull) == hull(theirs.convex_hull)
     queries = np.random.default_rng(2).random((500, 2)) * 1.2 - 0.1
@@ -162,9 +166,9 @@ def test_polygons_by_positions_and_by_coordinates():
     ring = [0, 1, 2, 3]
     by_position = sweep_cdt.triangulate(SQUARE + hole, polygons=[[ring, [4, 5, 6]]])
     closed = sweep_cdt.triangulate(SQUARE + hole, polygons=[[[*ring, 0], [4, 5, 6, 4]]])
-    mixed = sweep_cdt.triangulate(SQUARE, polygons=[[ring, hole]])
+    mixed = sweep_cdt.triangulate(SQUARE, polygons=[[ring, [*hole, hole[0]]]])
     for result in (by_position, closed, mixed):
-        assert result.area == 15.5 and result.rule == "polygons"
+        assert result.area == 15.5 and result.rule == "polygons" and len(result.edges) == 7
         assert [len(chain) for chain in result.boundary()] == [4, 3]
         assert (result.region[result.inside] == 0).all()
     assert sweep_cdt.triangulate(SQUARE, polygons=[[ring]], inside="hull").inside.all()

@@ -148,6 +148,13 @@ def test_single_precision(shuffle):
         assert report and ("single" if shuffle else "rounded") in report.matched
 
 
+def test_points_that_single_precision_does_not_tell_apart():
+    points = np.array([[0, 0], [1 + 1e-12, 0], [0, 1], [1 + 2e-12, 0]])
+    result = {"vertices": np.array([[1, 0], [0, 1], [0, 0]], dtype=np.float32), "triangles": [[0, 1, 2]]}
+    with pytest.raises(sweep_cdt.MatchError, match="vertex 0 of the result"):
+        sweep_cdt.verify(points, result)
+
+
 @pytest.mark.parametrize("shuffle", [False, True])
 @pytest.mark.parametrize("digits", [6, 9])
 def test_printed_digits(shuffle, digits):
