@@ -1,6 +1,6 @@
 //! The triangulation, and its parts as arrays, which NumPy takes over without a copy.
 
-use numpy::{Element, IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use sweep_cdt::crossings::joined;
@@ -109,30 +109,8 @@ fn plain<S: Scalar + Sync>(
     Ok(triangulator.triangulate(points, edges)?)
 }
 
-/// An array of `count` rows in memory of NumPy's, which comes in large pages. Pages of its own that a list takes cost
-/// more time than what is written to them.
-fn filled<'py, T: Element + Send, const N: usize>(
-    py: Python<'py>,
-    count: usize,
-    rows: impl Iterator<Item = [T; N]> + Send,
-) -> PyResult<Bound<'py, PyArray2<T>>> {
-    let empty = py.import("numpy")?.getattr("empty")?;
-    let array = empty.call1(((count, N), T::get_dtype(py)))?;
-    let array = array.cast_into::<PyArray2<T>>()?;
-    let mut view = array.readwrite();
-    let slice = view.as_slice_mut();
-    let slice = slice.map_err(|_| refused("an array is not contiguous".to_owned()))?;
-    py.detach(|| {
-        for (to, row) in slice.as_chunks_mut().0.iter_mut().zip(rows) {
-            *to = row;
-        }
-    });
-    drop(view);
-    Ok(array)
-}
-
-/// A list as an array of `N` columns, without a copy.
-pub(crate) fn table<'py, T: Element, const N: usize>(
+/// An array of `N` columns.
+pub(crate) fn table<'py, T: numpy::Element, const N: usize>(
     py: Python<'py>,
     rows: Vec<[T; N]>,
 ) -> PyResult<Bound<'py, PyArray2<T>>> {
@@ -148,8 +126,9 @@ impl Core {
 
     /// The corners of each triangle, counter-clockwise.
     fn simplices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
-        let rows = self.result.triangles().map(|t| t.map(small));
-        filled(py, self.result.len(), rows)
+        let list = || self.result.triangles().map(|t| t.map(small)).collect();
+        let list = py.detach(list);
+        table(py, list)
     }
 
     /// The corners in canonical order; of the triangles inside alone, if `inside`.
@@ -175,13 +154,15 @@ impl Core {
     /// The triangle opposite each corner, -1 where there is none.
     fn neighbors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
         let of = |t| self.result.neighbors(t).map(|t| t.map_or(-1, small));
-        filled(py, self.result.len(), (0..self.result.len()).map(of))
+        let list = py.detach(|| (0..self.result.len()).map(of).collect());
+        table(py, list)
     }
 
     /// Whether the side opposite each corner is an edge or a piece of one.
     fn constrained<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<bool>>> {
         let of = |t| [0, 1, 2].map(|side| self.result.is_constrained(t, side));
-        filled(py, self.result.len(), (0..self.result.len()).map(of))
+        let list = py.detach(|| (0..self.result.len()).map(of).collect());
+        table(py, list)
     }
 
     /// The sides that are edges or pieces of them.

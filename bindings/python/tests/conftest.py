@@ -17,7 +17,7 @@ sys.path.insert(0, str(ROOT / "tests/programs"))
 # SWEEP_CDT_EXAMPLES says how many examples of each property are run; more than by default are drawn anew each time.
 EXAMPLES = os.environ.get("SWEEP_CDT_EXAMPLES")
 hypothesis.settings.register_profile(
-    "own", max_examples=int(EXAMPLES or 200), deadline=None, derandomize=EXAMPLES is None
+    "own", max_examples=int(EXAMPLES or 100), deadline=None, derandomize=EXAMPLES is None
 )
 hypothesis.settings.load_profile("own")
 
