@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """The package beside other libraries for Python, and beside its own call in Rust: from NumPy's arrays to NumPy's arrays.
 
-    python bindings/python/benches/peers.py [--rounds 7] [--only WORD]
+    python bindings/python/benches/peers.py [--rounds 7] [--only WORD] [--programs NAME...]
 
 runs each program on each data set in processes of its own, in turn with the others. A process times one call, its first
 on that data, after a small one: by the time of the processor, so that other work on the machine disturbs less. (All
-programs work on one thread.) Medians count; after ± stands the largest distance from the median. Bytes are the peak
+programs work on one thread.) Medians count, of a program's time and of its share of sweep_cdt's time in the same round;
+after ± stands the largest distance from the median. Bytes are the peak
 beyond the input, a point. The answer of each program is verified once. The call in Rust is that of `rust_call.rs`,
 which is built here with the profile of the wheel. Libraries that are not installed are left out.
 """
@@ -134,6 +135,9 @@ PROGRAMS = {
     "condeltri": (cdt("condeltri"), ("uniform", "segments", "polygon")),
 }
 
+# The call in Rust fills the hull.
+RUST = ("uniform", "segments")
+
 
 def peak():
     """The most bytes that this process has held in memory."""
@@ -203,6 +207,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--only", default="")
+    parser.add_argument("--programs", nargs="*", help="these alone, beside sweep_cdt")
     parser.add_argument("--cell", nargs=3)
     arguments = parser.parse_args()
     if arguments.cell:
@@ -210,11 +215,13 @@ def main():
         return cell(name, kind, pathlib.Path(folder))
     program = rust()
     names = ["Rust", *(name for name in PROGRAMS if importlib.util.find_spec(name))]
+    if arguments.programs is not None:
+        names = [name for name in names if name in ("sweep_cdt", *arguments.programs)]
     for data, make in DATA.items():
         if arguments.only not in data:
             continue
         kind = data.split()[0]
-        asked = [name for name in names if name == "Rust" and kind != "polygon" or kind in PROGRAMS.get(name, ((), ()))[1]]
+        asked = [name for name in names if kind in (RUST if name == "Rust" else PROGRAMS[name][1])]
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             points, edges = make()
@@ -230,14 +237,14 @@ def main():
                         verdicts[name] = verdict(points, edges, kind, np.load(folder / "triangles.npy"))
         print(f"\n{data}: {len(points)} points, {len(edges)} edges")
         print("| program | ns a point | times sweep_cdt | bytes a point | of these the array |\n|---|---:|---:|---:|---:|")
-        ours = statistics.median(row[0] for row in found["sweep_cdt"])
         for name in asked:
             seconds, memory, array = (statistics.median(column) for column in zip(*found[name]))
             spread = max(abs(row[0] / seconds - 1) for row in found[name])
             said = f", {verdicts[name]}" if verdicts.get(name) else ""
             each = 1e9 * seconds / len(points)
+            times = statistics.median(row[0] / ours[0] for row, ours in zip(found[name], found["sweep_cdt"]))
             print(
-                f"| {name} | {each:.0f} ±{100 * spread:.0f} %{said} | {seconds / ours:.2f} "
+                f"| {name} | {each:.0f} ±{100 * spread:.0f} %{said} | {times:.2f} "
                 f"| {memory / len(points):.0f} | {array / len(points):.0f} |",
                 flush=True,
             )

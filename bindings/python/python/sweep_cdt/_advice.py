@@ -86,7 +86,7 @@ def advice(asked: Question, report: Report) -> str:
     try:
         fit = _best(asked, asked.triangles)
     except Error as error:
-        return f"the input has no triangulation with its edges: {error} (sweep_cdt.crossings lists edges that cross)"
+        return f"the input has no triangulation with its edges: {error}"
     if fit is not None and fit.how != "lower":
         return fit.words()
     change = _counted_from_one(asked) or _turned_over(asked) or _left_out(asked)

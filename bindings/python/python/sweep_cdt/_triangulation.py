@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _convert, _native
-from ._errors import Error, NonFiniteError, ShapeError
+from ._errors import CrossingEdgesError, Error, NonFiniteError, ShapeError
 from ._graph import as_input
 from ._input import Input, as_doubles, as_fractions, as_points, named
 
@@ -129,6 +129,8 @@ def made(
         core = _native.triangulate(given, rule, count, settings)
     except NonFiniteError as error:
         raise named(error, given.points) from None
+    except CrossingEdgesError as error:
+        raise CrossingEdgesError(f"{error} (split_crossings=True splits them)", edges=error.edges) from None
     return Triangulation(core, given, rule, count, settings, split)
 
 
