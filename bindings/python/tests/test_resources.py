@@ -7,6 +7,7 @@ import pathlib
 import signal
 import sys
 import threading
+import time
 
 import numpy as np
 import pytest
@@ -73,7 +74,7 @@ def test_one_result_is_read_by_four_threads():
 
 
 def test_the_lock_is_released():
-    points = np.random.default_rng(3).random((1_000_000, 2))
+    points = np.random.default_rng(3).random((2_000_000, 2))
     began, ended = threading.Event(), threading.Event()
 
     def profile(frame, event, function):
@@ -85,45 +86,49 @@ def test_the_lock_is_released():
         sweep_cdt.triangulate(points)
         sys.setprofile(None)
 
+    interval = sys.getswitchinterval()
     worker = threading.Thread(target=work)
-    worker.start()
-    began.wait()
-    steps = 0
-    while not ended.is_set():
-        steps += 1
-    worker.join()
-    # With the lock held this thread would not get on before the end.
-    assert steps > 1000
+    try:
+        # Nobody has to give the lock away: who has it keeps it, unless it is released.
+        sys.setswitchinterval(1000)
+        worker.start()
+        began.wait()
+        goes_on = not ended.is_set()
+        worker.join()
+    finally:
+        sys.setswitchinterval(interval)
+    assert goes_on and ended.is_set()
 
 
 @pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="this system has no timers that send signals")
 @pytest.mark.parametrize("name", ["triangulate", "verify", "trace"])
 def test_a_signal_ends_a_long_call(name):
-    points = np.random.default_rng(3).random((1_500_000, 2))
-    triangles = sweep_cdt.triangulate(points).simplices if name == "verify" else None
-    events = []
+    points = np.random.default_rng(3).random((600_000, 2))
+    arguments = [points]
+    if name == "verify":
+        arguments.append(sweep_cdt.triangulate(points).simplices)
+    call = getattr(sweep_cdt, name)
 
-    def profile(frame, event, function):
-        if function is getattr(_native, name):
-            if event == "c_call":
-                signal.setitimer(signal.ITIMER_REAL, 0.1)
-            else:
-                events.append(event)
+    def processor(call):
+        before = time.process_time()
+        call()
+        return time.process_time() - before
+
+    def interrupted():
+        with pytest.raises(KeyboardInterrupt):
+            # Of the time that the processor works for this process.
+            signal.setitimer(signal.ITIMER_PROF, 0.2 * whole)
+            call(*arguments)
 
     def stop(number, frame):
         raise KeyboardInterrupt
 
-    before = signal.signal(signal.SIGALRM, stop)
-    sys.setprofile(profile)
+    whole = processor(lambda: call(*arguments))
+    before = signal.signal(signal.SIGPROF, stop)
     try:
-        with pytest.raises(KeyboardInterrupt):
-            if name == "verify":
-                sweep_cdt.verify(points, triangles)
-            else:
-                getattr(sweep_cdt, name)(points)
+        part = processor(interrupted)
     finally:
-        sys.setprofile(None)
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
-    # The call itself ended so: it did not come to its end first.
-    assert events == ["c_exception"]
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+    # The work did not go on to its end.
+    assert part < 0.8 * whole
