@@ -323,5 +323,5 @@ fn sequences_are_never_empty() {
         shortest = shortest.min(question.operations.len());
         right(question)
     });
-    assert_eq!(shortest, 1);
+    assert!((1..10).contains(&shortest), "{shortest} operations");
 }
