@@ -134,6 +134,17 @@ def domains(command, title, path, result, folder):
     return found
 
 
+def certified(command, title, path, folder):
+    """The certificate that the command writes of its own result must be accepted by both."""
+    cert = folder / "own.cert"
+    subprocess.run([command, "triangulate", path, "--inside", "hull", "-o", cert], capture_output=True, check=True)
+    program = subprocess.run([PROOF / "build/check", cert], capture_output=True, check=False).returncode
+    with cert.open() as lines:
+        check.judge(*check.read(lines), False)
+    if program:
+        sys.exit(f"{title}: the command's own certificate is refused")
+
+
 def main(command, altered=5):
     rng = random.Random(1)
     rights = wrongs = ties = interiors = 0
@@ -147,6 +158,7 @@ def main(command, altered=5):
             if not output.exists():
                 continue  # edges that cross
             result = json.loads(output.read_text())
+            certified(command, title, path, folder)
             cases = [("right", result)]
             if result["triangles"] and len(result["points"]) < 5000:
                 interiors += domains(command, title, path, result, folder)

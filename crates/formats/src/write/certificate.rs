@@ -1,7 +1,7 @@
 //! Certificates: the input, the triangles and hints, from which a proved checker sees that a result is right.
 //!
-//! The format is that of `proof/certificate.md`. Nothing in it is trusted, so nothing here must be right for the checker
-//! to be: a wrong certificate is refused. Coordinates are integers times one power of two. The hints are the chain of
+//! The format is that of `proof/certificate.md`. Nothing but the input is taken on trust, so nothing here must be right
+//! for the checker to be: a wrong hint is refused. Coordinates are integers times one power of two. The hints are the chain of
 //! points along each edge, the lower hull, the sides that are pieces of edges, an order of the triangles in which each
 //! stands after those below it, and, where not all are inside, how often the edges go round each triangle.
 //!
