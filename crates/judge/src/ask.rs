@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use sweep_cdt_testing::judge::json;
 
-use crate::Ending;
 use crate::claims::{ClaimArgs, ProgramArgs};
 
 /// Asks the question of a file, as findings have it, and says what is wrong with the answer
@@ -20,7 +19,7 @@ pub(crate) struct Ask {
 }
 
 impl Ask {
-    pub(crate) fn run(self) -> Ending {
+    pub(crate) fn run(self) -> Result<bool, String> {
         let name = self.question.display();
         let text =
             fs::read_to_string(&self.question).map_err(|error| format!("{name}: {error}"))?;

@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 
 use sweep_cdt_testing::judge;
 
-use crate::Ending;
 use crate::claims::{ClaimArgs, ProgramArgs};
 use crate::findings;
 
@@ -37,7 +36,7 @@ pub(crate) struct Campaign {
 const PAUSE: Duration = Duration::from_secs(2);
 
 impl Campaign {
-    pub(crate) fn run(self) -> Ending {
+    pub(crate) fn run(self) -> Result<bool, String> {
         let claims = self.claims.claims();
         let mut program = self.program.start()?;
         program.greet(&claims)?;

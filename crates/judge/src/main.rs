@@ -34,10 +34,8 @@ enum Command {
     Cases(cases::Cases),
 }
 
-/// What a command ends with: whether nothing was found, or why it could not be run.
-type Ending = Result<bool, String>;
-
 fn main() -> ExitCode {
+    // Whether nothing was found, or why the command could not be run.
     let ending = match Cli::parse().command {
         Command::Campaign(command) => command.run(),
         Command::Ask(command) => command.run(),

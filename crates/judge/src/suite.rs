@@ -7,7 +7,6 @@ use std::path::PathBuf;
 use sweep_cdt_testing::judge::{Fault, Outcome, Row, json};
 use sweep_cdt_testing::suite;
 
-use crate::Ending;
 use crate::claims::{ClaimArgs, ProgramArgs};
 
 /// Asks the inputs of the suite of conformance that the program claims to answer, and prints a table by kind
@@ -35,7 +34,7 @@ const SHOWN: usize = 20;
 const CASES: &str = include_str!("../../../tests/conformance/cases.jsonl");
 
 impl Suite {
-    pub(crate) fn run(self) -> Ending {
+    pub(crate) fn run(self) -> Result<bool, String> {
         let cases = match &self.cases {
             None => suite::read(CASES)?,
             Some(file) => {

@@ -12,7 +12,6 @@ use std::path::PathBuf;
 
 use sweep_cdt_testing::suite::{Case, header};
 
-use crate::Ending;
 use found::found;
 use kinds::{KINDS, made};
 
@@ -32,7 +31,7 @@ pub(crate) struct Cases {
 }
 
 impl Cases {
-    pub(crate) fn run(self) -> Ending {
+    pub(crate) fn run(self) -> Result<bool, String> {
         let mut lines = Vec::new();
         for kind in KINDS {
             for (at, question) in made(kind).into_iter().enumerate() {

@@ -10,7 +10,7 @@ use super::outcome::Outcome;
 use super::question::Question;
 use super::right::Right;
 use super::shrink::{Wrong, least};
-use crate::Random;
+use sweep_cdt_generate::Random;
 
 /// What is asked, and how much of what is found is kept.
 #[derive(Clone, Debug)]

@@ -14,7 +14,8 @@ use super::claims::{Asked, Claims};
 use super::question::{Operation, Question, Special};
 use crate::generators::{Rings, Shape, polygons, read_shape};
 use crate::oracle::Graph;
-use crate::{Random, with_integers};
+use crate::with_integers;
+use sweep_cdt_generate::Random;
 
 /// The kind of a question, and the question that the bytes stand for, unless it may not be asked.
 pub fn question(claims: &Claims, bytes: &[u8]) -> (&'static str, Option<Question>) {
