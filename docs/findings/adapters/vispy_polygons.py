@@ -17,4 +17,4 @@ def triangulate(question):
             yield t if turn(*(at[v] for v in t)) >= 0 else t[::-1]
 
 
-serve("vispy", triangulate)
+serve("vispy", triangulate, AssertionError)
