@@ -147,6 +147,9 @@ fn results_and_steps_of_files() {
     for name in ["ten.poly", "ten.json", "thirds.poly", "split.poly"] {
         cases.extend(cases_of_file(&formats, name, &settings(), ""));
     }
+    // A third is no integer times a power of two, so there is no certificate of it.
+    let of_thirds = |case: &Case| case.arguments.starts_with("triangulate thirds");
+    cases.retain(|case| !(of_thirds(case) && case.arguments.ends_with("cert")));
     assert_same(&cases);
 }
 
