@@ -15,6 +15,13 @@ export async function serve(name, triangulate) {
   }
 }
 
+// Triangles of a program that promises no sense of rotation, turned counter-clockwise (exact for integers of 20 bits).
+export const turned = (points, triangles) =>
+  triangles.map(([a, b, c]) => {
+    const [[ax, ay], [bx, by], [cx, cy]] = [points[a], points[b], points[c]];
+    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0 ? [a, c, b] : [a, b, c];
+  });
+
 // A flat list of corners, in threes.
 export const threes = (corners) =>
   Array.from({ length: Math.floor(corners.length / 3) }, (_, t) => Array.from(corners.slice(3 * t, 3 * t + 3)));

@@ -20,6 +20,13 @@ def rings(question):
     return [[[question["points"][v] for v in ring] for ring in polygon] for polygon in question["polygons"]]
 
 
+def turned(question, triangles):
+    """Triangles of a program that promises no sense of rotation, turned counter-clockwise."""
+    at = question["points"]
+    turn = lambda a, b, c: (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    return [t if turn(*(at[v] for v in t)) > 0 else t[::-1] for t in triangles]
+
+
 def by_place(question, triangles):
     """The numbers of corners that are given as coordinates."""
     number = {tuple(p): v for v, p in enumerate(question["points"])}

@@ -1,7 +1,15 @@
-"""PythonCDT: points with edges. `pip install pythoncdt`"""
+"""PythonCDT and ConDelTri, bindings of CDT with one interface: points with edges. `pip install pythoncdt condeltri`
+
+The argument is the package: `pythoncdt` or `condeltri`.
+"""
+import importlib
+import sys
+
 import numpy
-import pythoncdt as cdt
 from lines import serve
+
+package = sys.argv[1]
+cdt = importlib.import_module(package)
 
 
 def triangulate(question):
@@ -13,4 +21,4 @@ def triangulate(question):
     return result.triangles_array()["vertices"]
 
 
-serve("pythoncdt", triangulate, (RuntimeError, ValueError))
+serve(package, triangulate, (RuntimeError, ValueError))
