@@ -133,47 +133,47 @@ pub(crate) fn rows<'a, T: Element, const N: usize>(
 impl Input<'_> {
     /// Borrows the arrays.
     pub(crate) fn graph(&self) -> PyResult<AnyGraph<'_>> {
-        let edges = rows(&self.edges)?;
-        let rings = self.rings.iter();
-        let rings = rings.map(|&(polygon, is_hole)| Ring { polygon, is_hole });
-        let rings: Vec<Ring> = rings.collect();
-        let ring_of = match &self.ring_of {
-            Some(array) => {
-                let rings = array.as_array();
-                rings
-                    .iter()
-                    .map(|&ring| usize::try_from(ring).ok())
-                    .collect()
-            }
-            None => Vec::new(),
-        };
-        match (
+        let views = (
             self.points.view()?,
             self.holes.view()?,
             self.regions.view()?,
-        ) {
+        );
+        match views {
             (View::Doubles(points), View::Doubles(holes), View::Doubles(regions)) => {
-                Ok(AnyGraph::Doubles(Graph {
-                    points,
-                    edges,
-                    rings,
-                    ring_of,
-                    holes,
-                    regions,
-                }))
+                Ok(AnyGraph::Doubles(self.with(points, holes, regions)?))
             }
             (View::Exact(points), View::Exact(holes), View::Exact(regions)) => {
-                Ok(AnyGraph::Exact(Graph {
-                    points,
-                    edges,
-                    rings,
-                    ring_of,
-                    holes,
-                    regions,
-                }))
+                Ok(AnyGraph::Exact(self.with(points, holes, regions)?))
             }
             _ => Err(refused("points and seeds differ in type".to_owned())),
         }
+    }
+
+    /// The graph with these coordinates.
+    fn with<'a, S>(
+        &'a self,
+        points: &'a [[S; 2]],
+        holes: &'a [[S; 2]],
+        regions: &'a [[S; 2]],
+    ) -> PyResult<Graph<'a, S>> {
+        let rings = self.rings.iter();
+        let ring = |&(polygon, is_hole)| Ring { polygon, is_hole };
+        let ring_of = match &self.ring_of {
+            Some(array) => {
+                let rings = array.as_array();
+                let found = rings.iter().map(|&ring| usize::try_from(ring).ok());
+                found.collect()
+            }
+            None => Vec::new(),
+        };
+        Ok(Graph {
+            points,
+            edges: rows(&self.edges)?,
+            rings: rings.map(ring).collect(),
+            ring_of,
+            holes,
+            regions,
+        })
     }
 }
 

@@ -17,7 +17,7 @@ use crate::picture::text;
 #[pyclass(frozen, module = "sweep_cdt._native")]
 #[derive(Debug)]
 pub(crate) struct Steps {
-    events: Vec<Event>,
+    trace: Trace,
 }
 
 /// Triangulates, and keeps every step.
@@ -37,7 +37,8 @@ pub(crate) fn trace(py: Python<'_>, input: Input<'_>, rules: &str) -> PyResult<S
             };
             let triangulator = Triangulator::new().heuristics(rules);
             triangulator.observe(graph.points, graph.edges, observer)?;
-            Ok(Steps { events })
+            let trace = Trace { skipped: 0, events };
+            Ok(Steps { trace })
         })
     })
 }
@@ -45,35 +46,29 @@ pub(crate) fn trace(py: Python<'_>, input: Input<'_>, rules: &str) -> PyResult<S
 #[pymethods]
 impl Steps {
     fn __len__(&self) -> usize {
-        self.events.len()
+        self.trace.events.len()
     }
 
     /// A step as JSON.
     fn step(&self, number: usize) -> PyResult<String> {
-        let event = self.events.get(number);
-        let event = event.ok_or_else(|| PyIndexError::new_err("there is no such step"))?;
-        serde_json::to_string(event).map_err(|error| PyValueError::new_err(error.to_string()))
+        let event = serde_json::to_string(self.event(number)?);
+        event.map_err(|error| PyValueError::new_err(error.to_string()))
     }
 
     /// A step in words.
     fn words(&self, number: usize) -> PyResult<String> {
-        let event = self.events.get(number);
-        let event = event.ok_or_else(|| PyIndexError::new_err("there is no such step"))?;
-        Ok(event.to_string())
+        Ok(self.event(number)?.to_string())
     }
 
     /// All steps as text.
     fn text(&self, py: Python<'_>) -> String {
-        py.detach(|| {
-            let events = self.events.clone();
-            Trace { skipped: 0, events }.to_string()
-        })
+        py.detach(|| self.trace.to_string())
     }
 
     /// A page for a browser; `around` is the step to show first, counted from 1.
     fn page(&self, py: Python<'_>, input: Input<'_>, around: Option<usize>) -> PyResult<String> {
         self.drawn(py, &input, |graph, out| {
-            let page = StepsPage::new(graph, &self.events);
+            let page = StepsPage::new(graph, &self.trace.events);
             match around {
                 Some(step) => page.around(step).write(out),
                 None => page.write(out),
@@ -91,13 +86,18 @@ impl Steps {
         most: usize,
     ) -> PyResult<String> {
         self.drawn(py, &input, |graph, out| {
-            let sheet = StepsSheet::new(graph, &self.events);
+            let sheet = StepsSheet::new(graph, &self.trace.events);
             sheet.steps(first..=last).most(most).write(out)
         })
     }
 }
 
 impl Steps {
+    fn event(&self, number: usize) -> PyResult<&Event> {
+        let event = self.trace.events.get(number);
+        event.ok_or_else(|| PyIndexError::new_err("there is no such step"))
+    }
+
     fn drawn(
         &self,
         py: Python<'_>,

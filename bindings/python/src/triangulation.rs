@@ -10,7 +10,7 @@ use sweep_cdt::{Location, Triangulation, Triangulator};
 
 use crate::calls::{Watch, call};
 use crate::errors::{Fault, refused};
-use crate::input::{AnyGraph, Input, Points, View, rows, with_graph};
+use crate::input::{Input, Points, View, rows, with_graph};
 use crate::measure::{self, Settings};
 use crate::rule::Rule;
 
@@ -252,22 +252,16 @@ impl Core {
         Ok(chains.into_iter().map(array).collect())
     }
 
-    /// For each query a triangle that holds it, -1 outside of the hull.
+    /// For each query a triangle that holds it, -1 outside of the hull; `points` are those of the input.
     fn locate<'py>(
         &self,
         py: Python<'py>,
-        input: Input<'_>,
+        points: Points<'_>,
         queries: Points<'_>,
     ) -> PyResult<Bound<'py, PyArray1<i32>>> {
-        let graph = input.graph()?;
-        let queries = queries.view()?;
-        let found = match (&graph, queries) {
-            (AnyGraph::Doubles(graph), View::Doubles(queries)) => {
-                self.located(py, graph.points, queries)?
-            }
-            (AnyGraph::Exact(graph), View::Exact(queries)) => {
-                self.located(py, graph.points, queries)?
-            }
+        let found = match (points.view()?, queries.view()?) {
+            (View::Doubles(points), View::Doubles(queries)) => self.located(py, points, queries)?,
+            (View::Exact(points), View::Exact(queries)) => self.located(py, points, queries)?,
             _ => return Err(refused("points and queries differ in type".to_owned())),
         };
         Ok(found.into_pyarray(py))

@@ -72,7 +72,7 @@ pub(crate) fn verify<'py>(
             }
         })
     })?;
-    describe(py, &answer)
+    describe(py, answer)
 }
 
 fn level(name: &str) -> PyResult<Level> {
@@ -175,10 +175,10 @@ fn inside<S: Measure + Sync + Clone>(
 }
 
 /// The answer as a dictionary.
-fn describe<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'py, PyDict>> {
-    let none = (Vec::new(), 0, Depths::default());
-    let (report, (list, found, depths)) = match answer {
-        Ok(report) => (report, none),
+fn describe(py: Python<'_>, answer: Answer) -> PyResult<Bound<'_, PyDict>> {
+    let is_right = answer.is_ok();
+    let (report, list, found, depths) = match answer {
+        Ok(report) => (report, Vec::new(), 0, Depths::default()),
         Err(violations) => {
             let Violations {
                 list,
@@ -187,7 +187,7 @@ fn describe<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'py, PyDict
                 report,
                 ..
             } = violations;
-            (&**report, (list.clone(), *found, depths.clone()))
+            (*report, list, found, depths)
         }
     };
     let counts = PyDict::new(py);
@@ -218,8 +218,8 @@ fn describe<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'py, PyDict
         )
     });
     let result = PyDict::new(py);
-    result.set_item("is_right", answer.is_ok())?;
-    result.set_item("is_canonical", answer.is_ok() && report.is_canonical())?;
+    result.set_item("is_right", is_right)?;
+    result.set_item("is_canonical", is_right && report.is_canonical())?;
     result.set_item("is_clockwise", report.clockwise)?;
     result.set_item("reached", report.level.map(Level::name))?;
     result.set_item("counts", counts)?;

@@ -350,10 +350,10 @@ class Triangulation:
             raise ShapeError(f"xi has the shape {array.shape}, not (..., 2)", shape=array.shape)
         shape = array.shape[:-1]
         # Doubles on a grid are looked up as doubles, others are converted to the kind of the points.
-        queries = Input(as_points(array.reshape(-1, 2), "xi"))
-        if queries.is_exact != self._input.is_exact:
-            return self._find_exactly(queries.points).reshape(shape)
-        return self._core.locate(self._input, queries.points).reshape(shape)
+        queries = as_points(array.reshape(-1, 2), "xi")
+        if isinstance(queries, np.ndarray) == self._input.is_exact:
+            return self._find_exactly(queries).reshape(shape)
+        return self._core.locate(self._input.points, queries).reshape(shape)
 
     def _find_exactly(self, queries: Any) -> np.ndarray:
         """The triangles of points of another kind."""
@@ -361,10 +361,9 @@ class Triangulation:
             found = np.full(len(queries), -1, dtype=np.int32)
             finite = np.isfinite(queries).all(axis=1)
             exact = as_points(queries[finite].astype(object), "xi")
-            found[finite] = self._core.locate(self._input, exact)
+            found[finite] = self._core.locate(self._input.points, exact)
             return found
-        points = as_points(self._input.points.astype(object))
-        return self._core.locate(Input(points), queries)
+        return self._core.locate(as_points(self._input.points.astype(object)), queries)
 
     def interpolate(self, values: Any, xi: Any) -> np.ndarray:
         """Values at the points, interpolated linearly in each triangle that is inside.
