@@ -49,6 +49,24 @@ def test_kinds_of_numbers(kind):
     assert (sweep_cdt.triangulate(points[::-1]).canonical() != expected).any()
 
 
+def unaligned(array):
+    """The array, one byte off where the processor reads numbers best."""
+    array = np.asarray(array)
+    return np.frombuffer(b"." + array.tobytes(), array.dtype, offset=1).reshape(array.shape)
+
+
+@pytest.mark.parametrize("kind", [">f8", "<f8", ">f4", ">i8", "<i8", ">u8", ">i4"])
+def test_bytes_in_any_order_and_at_any_place(kind):
+    swapped = np.array(SQUARE, dtype=kind)
+    whole = kind.replace("f", "i")
+    edges, triangles = np.array([[0, 2]], dtype=whole), np.array([[0, 1, 2], [0, 2, 3]], dtype=whole)
+    for place in (np.asarray, unaligned):
+        result = sweep_cdt.triangulate(place(swapped), place(edges))
+        assert result.canonical().tolist() == triangles.tolist() and result.points.tolist() == SQUARE
+        assert sweep_cdt.verify(place(swapped), place(triangles), place(edges))
+        assert (result.find_simplex(place(swapped)) >= 0).all()
+
+
 def test_exact_numbers_decide_where_doubles_cannot():
     third = Fraction(1, 3)
     # (1/3, 1/3) lies on the diagonal; the double nearest to a third does not, in both coordinates at once.

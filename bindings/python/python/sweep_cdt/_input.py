@@ -26,7 +26,7 @@ NO_EDGES = np.empty((0, 2), dtype=np.uintp)
 def as_points(given: Any, name: str = "points") -> Any:
     """Points as an array of doubles of shape (n, 2), or as exact points.
 
-    An array of doubles that lies in memory row by row is not copied.
+    An array of the doubles of this machine, aligned and row by row in memory, is not copied.
     """
     if isinstance(given, _native.ExactPoints):
         return given
@@ -62,14 +62,19 @@ def _of_array(array: np.ndarray, name: str) -> Any:
         raise ShapeError(f"{name} has the shape {array.shape}, not (n, 2){hint}", shape=array.shape)
     kind = array.dtype.kind
     if kind == "f" and array.dtype.itemsize <= 8:
-        return np.ascontiguousarray(array, dtype=np.float64)
+        return _rows(array, np.float64)
     if kind in "iu":
         if array.dtype.itemsize < 8 or array.size == 0 or _fits(array):
-            return np.ascontiguousarray(array, dtype=np.float64)
+            return _rows(array, np.float64)
         return _exact(array, name)
     if kind in "fO":
         return _exact(array, name)
     raise KindError(f"{name} has the type {array.dtype}, which is no type of coordinates")
+
+
+def _rows(array: np.ndarray, dtype: Any) -> np.ndarray:
+    """The array as Rust reads it: row by row, aligned, and with its bytes in the order of the machine."""
+    return np.require(np.asarray(array), dtype, ["C", "A"])
 
 
 def _fits(array: np.ndarray) -> bool:
@@ -137,10 +142,8 @@ def as_indices(given: Any, columns: int, name: str) -> np.ndarray:
         raise ShapeError(f"{name} has the shape {array.shape}, not (m, {columns})", shape=array.shape)
     if array.dtype.kind not in "iu":
         raise KindError(f"{name} has the type {array.dtype}, not one of whole numbers")
-    if array.dtype.itemsize < np.dtype(np.intp).itemsize or not array.flags.c_contiguous:
-        array = np.ascontiguousarray(array, dtype=np.int64 if array.dtype.kind == "i" else np.uintp)
     # A negative number becomes a very large one, which is no position either.
-    return array.view(np.uintp)
+    return _rows(array, np.intp if array.dtype.kind == "i" else np.uintp).view(np.uintp)
 
 
 def as_edges(given: Any, name: str = "edges") -> np.ndarray:
