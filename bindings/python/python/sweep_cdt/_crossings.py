@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 
 from . import _native
-from ._errors import NonFiniteError
 from ._graph import as_input
-from ._input import Input, as_fractions, named
+from ._input import Input, as_fractions, called
 
 
 def crossings(points: Any, edges: Any = None) -> Crossings:
@@ -35,11 +34,7 @@ def crossings(points: Any, edges: Any = None) -> Crossings:
     >>> found.exact(0)
     (Fraction(3, 2), Fraction(1, 2))
     """
-    given = as_input(points, edges)
-    try:
-        return Crossings(_native.crossings(given))
-    except NonFiniteError as error:
-        raise named(error, given.points) from None
+    return Crossings(called(_native.crossings, as_input(points, edges)))
 
 
 class Crossings:
@@ -105,10 +100,7 @@ def split(points: Any, edges: Any = None) -> Split:
 
 def split_input(given: Input) -> Split:
     """Splits the edges of an input."""
-    try:
-        return Split(given, *_native.split(given))
-    except NonFiniteError as error:
-        raise named(error, given.points) from None
+    return Split(given, *called(_native.split, given))
 
 
 class Split:

@@ -9,13 +9,15 @@ from __future__ import annotations
 import decimal
 import fractions
 import numbers
-from collections.abc import Iterable, Sequence
-from typing import Any
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 
 from . import _native
 from ._errors import EdgeOutOfRangeError, KindError, NonFiniteError, ShapeError
+
+T = TypeVar("T")
 
 # Whole numbers up to this size are doubles.
 WHOLE = 2**53
@@ -246,9 +248,12 @@ def _seeds(given: Any, name: str) -> Any:
     return np.empty((0, 2)) if given is None else as_points(given, name)
 
 
-def named(error: NonFiniteError, points: Any) -> NonFiniteError:
-    """The error with the coordinate that is to blame."""
-    row = points[error.vertex]
-    axis = int(np.argmin(np.isfinite(row)))
-    message = f"points[{error.vertex}, {axis}] is {row[axis]}, which is not finite"
-    return NonFiniteError(message, vertex=error.vertex, axis=axis)
+def called(function: Callable[..., T], given: Input, *arguments: Any) -> T:
+    """Calls a function in Rust with an input. The error for a point that is not finite tells which coordinate it is."""
+    try:
+        return function(given, *arguments)
+    except NonFiniteError as error:
+        row = given.points[error.vertex]
+        axis = int(np.argmin(np.isfinite(row)))
+        message = f"points[{error.vertex}, {axis}] is {row[axis]}, which is not finite"
+        raise NonFiniteError(message, vertex=error.vertex, axis=axis) from None

@@ -8,9 +8,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any, overload
 
 from . import _native
-from ._errors import NonFiniteError
 from ._graph import as_input
-from ._input import Input, named
+from ._input import Input, called
 
 
 def trace(points: Any, edges: Any = None, *, heuristics: str = "fast") -> Trace:
@@ -39,10 +38,7 @@ def trace(points: Any, edges: Any = None, *, heuristics: str = "fast") -> Trace:
     triangle 0 P-1 P-2 (first)
     """
     given = as_input(points, edges)
-    try:
-        return Trace(_native.trace(given, heuristics), given)
-    except NonFiniteError as error:
-        raise named(error, given.points) from None
+    return Trace(called(_native.trace, given, heuristics), given)
 
 
 class Trace(Sequence[dict[str, Any]]):

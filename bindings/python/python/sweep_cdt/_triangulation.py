@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _convert, _native
-from ._errors import CrossingEdgesError, Error, NonFiniteError, ShapeError
+from ._errors import CrossingEdgesError, Error, ShapeError
 from ._graph import as_input
-from ._input import Input, as_doubles, as_fractions, as_points, named
+from ._input import Input, as_doubles, as_fractions, as_points, called
 
 if TYPE_CHECKING:
     from ._crossings import Split
@@ -126,9 +126,7 @@ def made(
     if count < 0:
         raise Error(f"threads is {threads}, not a number from 0 on")
     try:
-        core = _native.triangulate(given, rule, count, settings)
-    except NonFiniteError as error:
-        raise named(error, given.points) from None
+        core = called(_native.triangulate, given, rule, count, settings)
     except CrossingEdgesError as error:
         raise CrossingEdgesError(f"{error} (split_crossings=True splits them)", edges=error.edges) from None
     return Triangulation(core, given, rule, count, settings, split)
