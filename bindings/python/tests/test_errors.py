@@ -60,6 +60,18 @@ def test_edges(edges, kind, message, offenders):
     assert {name: getattr(caught.value, name) for name in offenders} == offenders
 
 
+def test_the_verifier_names_the_coordinate_too():
+    with pytest.raises(sweep_cdt.NonFiniteError, match=r"points\[2, 1\] is nan") as caught:
+        sweep_cdt.verify([*POINTS[:2], [1, np.nan], [0, 1]], [[0, 1, 3]], domain="even-odd")
+    assert caught.value.vertex == 2 and caught.value.axis == 1
+
+
+@pytest.mark.parametrize("options", [{"threads": -1}, {"threads": 1.5}, {"limit": -1}, {"limit": None}, {"tolerance": -1}])
+def test_numbers_of_the_verifier(options):
+    with pytest.raises(sweep_cdt.Error, match=f"{next(iter(options))} is .*, not a .* number from 0 on"):
+        sweep_cdt.verify(POINTS, [[0, 1, 2], [0, 2, 3]], **options)
+
+
 def test_interiors():
     with pytest.raises(sweep_cdt.OpenRingError) as caught:
         sweep_cdt.triangulate(POINTS, [[0, 2]], inside="even-odd")

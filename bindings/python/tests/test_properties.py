@@ -123,7 +123,7 @@ JUNK = st.recursive(
 
 
 def ends_well(call):
-    """Whether a call gives a result, or a documented exception."""
+    """Fails if a call gives neither a result nor a documented exception."""
     try:
         call()
     except sweep_cdt.Error as error:

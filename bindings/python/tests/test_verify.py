@@ -72,6 +72,22 @@ def test_exact_points():
     assert not sweep_cdt.verify(moved, result.simplices, [[0, 2]])
 
 
+def test_exact_vertices_are_matched_exactly():
+    third = Fraction(1, 3)
+    points = [[0, 0], [third, 0], [0, third]]
+    result = sweep_cdt.triangulate([points[2], points[0], points[1]])
+    report = sweep_cdt.verify(points, result)
+    assert report and report.matched == "vertices matched by coordinates"
+    # Rounded to doubles, the vertices are the same.
+    tiny = Fraction(1, 10**40)
+    moved = sweep_cdt.triangulate([points[0], points[1], [tiny, third]])
+    with pytest.raises(sweep_cdt.MatchError, match="vertex 2 of the result") as caught:
+        sweep_cdt.verify(points, moved)
+    assert caught.value.vertex == 2 and caught.value.at == (tiny, third)
+    assert sweep_cdt.verify(points, moved, by_number=True).matched == "vertices matched by number: as was asked for"
+    assert sweep_cdt.verify(points, moved, tolerance=1e-9)
+
+
 def test_corners_that_are_counted_from_1():
     report = sweep_cdt.verify(SQUARE, np.array(RIGHT) + 1)
     assert not report and "subtract 1 from each" in report.advice

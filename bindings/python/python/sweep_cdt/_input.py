@@ -9,13 +9,14 @@ from __future__ import annotations
 import decimal
 import fractions
 import numbers
+import sys
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
 
 from . import _native
-from ._errors import EdgeOutOfRangeError, KindError, NonFiniteError, ShapeError
+from ._errors import EdgeOutOfRangeError, Error, KindError, NonFiniteError, ShapeError
 
 T = TypeVar("T")
 
@@ -157,6 +158,13 @@ def as_edges(given: Any, name: str = "edges") -> np.ndarray:
         message = f"edge {edge} ends at vertex {vertex}, which does not exist"
         raise EdgeOutOfRangeError(message, edge=edge, vertex=vertex)
     return edges
+
+
+def as_count(given: Any, name: str) -> int:
+    """A number of threads or of violations."""
+    if not isinstance(given, numbers.Integral) or given < 0:
+        raise Error(f"{name} is {given}, not a whole number from 0 on")
+    return min(int(given), sys.maxsize)
 
 
 def as_fractions(points: Any) -> np.ndarray:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from ._errors import MatchError
+from ._input import as_fractions
 
 # Fewer digits than these are not taken for rounding.
 LEAST_DIGITS = 6
@@ -86,6 +87,21 @@ def match(points: Any, own: np.ndarray, is_soup: bool, tolerance: float | None, 
         if places is not None:
             return Matched(why, places, _greatest(points, own[places]))
     raise _refusal(points, own, found, has_numbers and near.far)
+
+
+def match_exactly(points: Any, own: Any, by_number: bool) -> Matched:
+    """Matches vertices with points where both are fractions, which nobody has rounded."""
+    if by_number:
+        return Matched("asked", None, None)
+    vertices, among = ([tuple(row) for row in as_fractions(given)] for given in (points, own))
+    if vertices == among:
+        return Matched("equal", None, None)
+    lowest = {place: position for position, place in reversed([*enumerate(among)])}
+    for vertex, (x, y) in enumerate(vertices):
+        if (x, y) not in lowest:
+            message = f"vertex {vertex} of the result, at ({x}, {y}), is none of the input"
+            raise MatchError(f"{message} (by_number=True ignores coordinates)", vertex=vertex, at=(x, y))
+    return Matched("equal", np.array([lowest[place] for place in vertices], dtype=np.intp), None)
 
 
 def _greatest(points: np.ndarray, own: np.ndarray) -> float:

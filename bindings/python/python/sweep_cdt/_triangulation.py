@@ -11,7 +11,7 @@ import numpy as np
 from . import _convert, _native
 from ._errors import CrossingEdgesError, Error, ShapeError
 from ._graph import as_input
-from ._input import Input, as_doubles, as_fractions, as_points, called
+from ._input import Input, as_count, as_doubles, as_fractions, as_points, called
 
 if TYPE_CHECKING:
     from ._crossings import Split
@@ -122,9 +122,7 @@ def made(
 
         split = split_input(given)
         given = split.as_input()
-    count = 1 if threads is None else threads
-    if count < 0:
-        raise Error(f"threads is {threads}, not a number from 0 on")
+    count = as_count(1 if threads is None else threads, "threads")
     try:
         core = called(_native.triangulate, given, rule, count, settings)
     except CrossingEdgesError as error:

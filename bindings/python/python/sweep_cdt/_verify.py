@@ -11,8 +11,8 @@ from . import _native
 from ._errors import Error, KindError
 from ._foreign import Result, as_result
 from ._graph import as_input
-from ._input import Input, as_doubles, as_indices
-from ._matching import Matched, find, match
+from ._input import Input, as_count, as_doubles, as_indices, called
+from ._matching import Matched, find, match, match_exactly
 from ._report import Report
 from ._triangulation import made
 
@@ -44,7 +44,8 @@ class Question:
         attributes = None
         if asked.attributes is not None and asked.given.attributes:
             attributes = (asked.attributes, asked.given.attributes)
-        return _native.verify(
+        return called(
+            _native.verify,
             asked.given,
             asked.triangles,
             {
@@ -134,6 +135,9 @@ def verify(
     >>> bool(sweep_cdt.verify(points, [[0, 1, 3], [1, 2, 3]]))
     True
     """
+    for name, value in (("max_depth", max_depth), ("tolerance", tolerance)):
+        if value is not None and not 0 <= value < np.inf:
+            raise Error(f"{name} is {value}, not a finite number from 0 on")
     if simplices is None:
         result = as_result(result_or_points)
         if result is None:
@@ -153,8 +157,6 @@ def verify(
         rule = _rule_of_result(result, given, simplices is None) or given.default_rule()
     if rule == "polygons" and not given.rings:
         raise Error("there are no polygons: the domain even-odd takes edges that are closed rings")
-    if max_depth is not None and not 0 <= max_depth < np.inf:
-        raise Error(f"max_depth is {max_depth}, not a finite number from 0 on")
     question = Question(
         given,
         result.triangles,
@@ -162,9 +164,9 @@ def verify(
         level,
         max_depth,
         added_from,
-        limit,
+        as_count(limit, "limit"),
         result.attributes,
-        1 if threads is None else threads,
+        as_count(1 if threads is None else threads, "threads"),
         matched,
     )
     return Report(question, question.answer())
@@ -214,16 +216,15 @@ def _matched(
     """The input, the result by its points, how they were matched, and where added points begin."""
     if result.points is None:
         return given, result, Matched("unplaced", None, None), len(given.points) if steiner else None
-    if given.is_exact and not isinstance(result.points, np.ndarray):
-        same = given.points.parts() == result.points.parts()
-        return given, result, Matched("equal" if same else "asked", None, None), None
-    own = as_doubles(given.points)
-    points = as_doubles(result.points) if not isinstance(result.points, np.ndarray) else result.points
-    if steiner:
-        return _with_added(given, result, points, own)
-    matched = match(points, own, result.is_soup, tolerance, by_number)
+    if given.is_exact and not isinstance(result.points, np.ndarray) and tolerance is None:
+        matched = match_exactly(result.points, given.points, by_number)
+    else:
+        own, points = as_doubles(given.points), as_doubles(result.points)
+        if steiner:
+            return _with_added(given, result, points, own)
+        matched = match(points, own, result.is_soup, tolerance, by_number)
     if matched.places is not None:
-        result.triangles = _renumbered(result.triangles, matched.places, len(own))
+        result.triangles = _renumbered(result.triangles, matched.places, len(given.points))
     return given, result, matched, None
 
 
