@@ -104,8 +104,8 @@ def to_shapely(self: Triangulation) -> Any:
 def to_triangle(self: Triangulation) -> dict[str, np.ndarray]:
     """The dictionary that `triangle.triangulate` returns: of the triangles inside.
 
-    It has the vertices, triangles, neighbors and segments, and a point in each hole. The segments are the constrained
-    sides; where all of the hull is inside, those of the hull too, as of triangle's option ``c``.
+    The dictionary has the vertices, triangles, neighbors and segments, and a point in each hole. The segments are the
+    constrained sides; where all of the hull is inside, those of the hull too, as of triangle's option ``c``.
     """
     kept = np.flatnonzero(self.inside)
     number = np.full(len(self.inside) + 1, -1, dtype=np.int32)

@@ -1,8 +1,9 @@
 """Which vertex of a result is which point of the input: by the rules of the command, in docs/verifying.md.
 
-Vertices are the input's exactly, in any order; or rounded to single precision, or to the decimals that they have, by
-number if there are as many, or else each the only point of the input that is rounded to it. Everything else is refused:
-the nearest point is never taken for the right one.
+Vertices are the input's exactly, in any order; or rounded to single precision, or to the significant digits that they
+have, by number if there are as many, or else each the only point of the input that is rounded to it. Everything else is
+refused: the nearest point is never taken for the right one. Fixed decimals, which the command knows by the text of a
+file, are refused too where small numbers have fewer than six of these digits: doubles tell no text.
 """
 
 from __future__ import annotations

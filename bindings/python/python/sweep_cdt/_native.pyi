@@ -1,4 +1,4 @@
-"""The module in Rust, which the modules in Python wrap. Its arguments are what these make of what users pass."""
+"""The module in Rust, which the modules in Python wrap. The modules in Python make its arguments of what users pass."""
 
 from typing import Any
 

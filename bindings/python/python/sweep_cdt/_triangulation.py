@@ -43,19 +43,19 @@ def triangulate(
     points : array_like of shape (n, 2), or an object that has points
         Doubles, single precision, whole numbers of any size, `Fraction` or `Decimal`: all exact. Or geometries of
         shapely (one, or a list of them), a GeoDataFrame or GeoSeries, or a dictionary of `triangle`: these bring their
-        edges, polygons and holes. An array of doubles of which the rows follow each other in memory is not copied;
-        no other thread may write to it during the call.
+        edges, polygons and holes. An array of doubles of which the rows follow each other in memory is not copied:
+        no other thread may write to it during the call, and whoever writes to it later changes the result's points.
     edges : array_like of int of shape (m, 2), optional
-        Pairs of positions in `points`. They may come in any order, repeat, overlap, pass through points, and have no
+        Pairs of positions in `points`. Edges may come in any order, repeat, overlap, pass through points, and have no
         length.
     polygons : list, optional
         Polygons with holes: each a list of rings, the outline first. A ring is a list of positions in `points`, or of
-        coordinates, which are added to the points. Or polygons of shapely. Their sides are edges, after `edges`.
+        coordinates, which are added to the points. Or polygons of shapely. The sides are edges, after `edges`.
     holes : array_like of shape (k, 2), optional
         For each hole a point in it, as of `triangle`.
     inside : str, optional
         Which triangles are inside: ``hull`` (all), ``polygons`` (what the polygons cover), ``holes`` (what is reached
-        without crossing an edge neither from outside nor from a hole), ``hull-without-holes``, ``even-odd``,
+        neither from outside nor from a hole without crossing an edge), ``hull-without-holes``, ``even-odd``,
         ``nonzero``, ``positive``, ``negative``, or ``at-least-2`` and so on, by the winding number of edges that run
         around. The default is ``holes`` if there are holes, ``polygons`` if there are polygons, otherwise ``hull``.
     split_crossings : bool, optional
@@ -133,7 +133,7 @@ def made(
 class Triangulation:
     """A constrained Delaunay triangulation; `triangulate` makes it.
 
-    It does not change. Arrays are made when they are first asked for, and are read-only.
+    Arrays are made when they are first asked for, and are read-only.
 
     The triangles are numbered in the order in which the sweep left them. As a set they depend on the points and edges
     alone. Of equal points only the first occurs in triangles.
@@ -413,7 +413,7 @@ class Triangulation:
         return _native.picture(self._core, self._input, self.rule, False).decode()
 
     def to_png(self) -> bytes:
-        """The same picture as PNG."""
+        """The picture of `to_svg` as PNG."""
         return _native.picture(self._core, self._input, self.rule, True)
 
     def _repr_svg_(self) -> str | None:
