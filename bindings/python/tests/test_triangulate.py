@@ -192,6 +192,12 @@ def test_polygons_by_positions_and_by_coordinates():
     assert sweep_cdt.triangulate(SQUARE, polygons=[[ring]], inside="hull").inside.all()
 
 
+def test_a_dictionary_keeps_its_regions_beside_polygons():
+    given = {"vertices": SQUARE, "segments": [[0, 2]], "regions": [[3, 1, 7, 0]]}
+    result = sweep_cdt.triangulate(given, polygons=[[[0, 1, 2, 3]]], inside="holes")
+    assert sorted(result.region.tolist()) == [-1, 0]
+
+
 def test_rules_for_what_is_inside():
     inner = [[1, 1], [3, 1], [3, 3], [1, 3]]
     edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]]

@@ -17,6 +17,8 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
         return given
     regions: Any = None
     attributes: Sequence[float] = ()
+    rings: Sequence[tuple[int, bool]] = ()
+    ring_of: np.ndarray | None = None
     if isinstance(given, dict):
         if "vertices" not in given:
             raise KindError("a dictionary has no 'vertices'")
@@ -32,9 +34,9 @@ def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = N
         raise Error("edges and polygons go with points; put all shapes in one list of geometries")
     points = as_points(given)
     edges = as_edges(edges)
-    if polygons is None:
-        return Input(points, edges, (), None, holes, regions, attributes)
-    return _with_polygons(points, edges, polygons, holes)
+    if polygons is not None:
+        points, edges, rings, ring_of = _with_polygons(points, edges, polygons)
+    return Input(points, edges, rings, ring_of, holes, regions, attributes)
 
 
 def _regions(given: Any) -> tuple[Any, Sequence[float]]:
@@ -124,8 +126,13 @@ def _distinct(places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.ascontiguousarray(places[first[order]]), rank[inverse.ravel()]
 
 
-def _with_polygons(points: Any, edges: np.ndarray, polygons: Any, holes: Any) -> Input:
-    """The input with polygons: lists of rings, the outline first, of positions or of coordinates; or shapely's."""
+def _with_polygons(
+    points: Any, edges: np.ndarray, polygons: Any
+) -> tuple[Any, np.ndarray, list[tuple[int, bool]], np.ndarray]:
+    """Points and edges with those of polygons, then the rings, and the ring of each edge.
+
+    Polygons are lists of rings, the outline first, of positions or of coordinates; or shapely's.
+    """
     if isinstance(points, np.ndarray):
         added = [points]
     else:
@@ -150,7 +157,7 @@ def _with_polygons(points: Any, edges: np.ndarray, polygons: Any, holes: Any) ->
             ring_of.append(np.full(len(vertices), len(rings), dtype=np.int64))
             rings.append((polygon, position > 0))
     points = points if added is None else np.concatenate(added)
-    return Input(points, np.concatenate(sides), rings, np.concatenate(ring_of), holes)
+    return points, np.concatenate(sides), rings, np.concatenate(ring_of)
 
 
 def _rings(polygons: Any) -> list[Any]:
