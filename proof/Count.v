@@ -38,6 +38,12 @@ Proof.
   - assert (y * g <= 0) by nra. assert (z * h <= 0) by nra. assert (0 <= x * f) by lra. nra.
 Qed.
 
+(* Where a side counts is a matter of comparisons: all cases, each by arithmetic. *)
+Ltac by_cases :=
+  repeat match goal with |- context [Rlt_dec (X ?q) ?x] => destruct (Rlt_dec (X q) x); try lra end;
+  repeat match goal with |- context [Rlt_dec 0 ?e] => destruct (Rlt_dec 0 e) end; try lra;
+  (split; [lia|split; [try lia|try (intros; lra || lia)]]); intros _; repeat split; lra.
+
 Lemma count_triangle q t : positive t ->
   (0 <= count q t <= 1)%Z /\ (count q t = 1%Z -> in_triangle q t) /\ (in_interior q t -> count q t = 1%Z).
 Proof.
@@ -60,34 +66,22 @@ Proof.
     assert (orient a b c = 0) by (replace f with 0 in *; replace g with 0 in *; replace h with 0 in *; lra). lra.
   - pose proof (mix_high h f g z x y ltac:(unfold h; lra) ltac:(unfold f; lra) ltac:(unfold g; lra)
       ltac:(lra) ltac:(lra)) as [P Q].
-    repeat (destruct (Rlt_dec (X q) _); try lra);
-    repeat match goal with |- context [Rlt_dec 0 ?e] => destruct (Rlt_dec 0 e) end; try lra;
-    (split; [lia|split; [try lia|try (intros; lra || lia)]]); intros _; repeat split; lra.
+    by_cases.
   - pose proof (mix_high g h f y z x ltac:(unfold g; lra) ltac:(unfold h; lra) ltac:(unfold f; lra)
       ltac:(lra) ltac:(lra)) as [P Q].
-    repeat (destruct (Rlt_dec (X q) _); try lra);
-    repeat match goal with |- context [Rlt_dec 0 ?e] => destruct (Rlt_dec 0 e) end; try lra;
-    (split; [lia|split; [try lia|try (intros; lra || lia)]]); intros _; repeat split; lra.
+    by_cases.
   - pose proof (mix_low f g h x y z ltac:(unfold f; lra) ltac:(unfold g; lra) ltac:(unfold h; lra)
       ltac:(lra) ltac:(lra)) as [P Q].
-    repeat (destruct (Rlt_dec (X q) _); try lra);
-    repeat match goal with |- context [Rlt_dec 0 ?e] => destruct (Rlt_dec 0 e) end; try lra;
-    (split; [lia|split; [try lia|try (intros; lra || lia)]]); intros _; repeat split; lra.
+    by_cases.
   - pose proof (mix_high f g h x y z ltac:(unfold f; lra) ltac:(unfold g; lra) ltac:(unfold h; lra)
       ltac:(lra) ltac:(lra)) as [P Q].
-    repeat (destruct (Rlt_dec (X q) _); try lra);
-    repeat match goal with |- context [Rlt_dec 0 ?e] => destruct (Rlt_dec 0 e) end; try lra;
-    (split; [lia|split; [try lia|try (intros; lra || lia)]]); intros _; repeat split; lra.
+    by_cases.
   - pose proof (mix_low g h f y z x ltac:(unfold g; lra) ltac:(unfold h; lra) ltac:(unfold f; lra)
       ltac:(lra) ltac:(lra)) as [P Q].
-    repeat (destruct (Rlt_dec (X q) _); try lra);
-    repeat match goal with |- context [Rlt_dec 0 ?e] => destruct (Rlt_dec 0 e) end; try lra;
-    (split; [lia|split; [try lia|try (intros; lra || lia)]]); intros _; repeat split; lra.
+    by_cases.
   - pose proof (mix_low h f g z x y ltac:(unfold h; lra) ltac:(unfold f; lra) ltac:(unfold g; lra)
       ltac:(lra) ltac:(lra)) as [P Q].
-    repeat (destruct (Rlt_dec (X q) _); try lra);
-    repeat match goal with |- context [Rlt_dec 0 ?e] => destruct (Rlt_dec 0 e) end; try lra;
-    (split; [lia|split; [try lia|try (intros; lra || lia)]]); intros _; repeat split; lra.
+    by_cases.
   - repeat (destruct (Rlt_dec (X q) _); try lra); (split; [lia|split; [lia|]]);
     intros (? & ? & ?); exfalso.
     assert (0 < z * h) by (unfold h; nra). assert (0 < x * f) by (unfold f; nra). assert (0 < y * g) by (unfold g; nra).

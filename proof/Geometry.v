@@ -222,31 +222,24 @@ Proof.
   rewrite <- power_difference; unfold power; lra.
 Qed.
 
+(* One centre serves for all: in and on the circle are signs of the power. *)
+Ltac by_power o a b c :=
+  intros A T C; pose proof (turned_positive _ _ _ _ T A) as A';
+  rewrite (turned_centre _ _ _ _ _ T) in C; split;
+  [ intros [o' [C' H]]; specialize (H a (proj2 (turned_corner _ _ _ _ _ T) (or_introl eq_refl)));
+    rewrite (turned_centre _ _ _ _ _ T) in C';
+    rewrite (centre_unique o o' a b c) by tauto; unfold power; lra
+  | intros H; exists o; split; [apply (turned_centre _ _ _ _ _ T); assumption|]; intros x Hx;
+    rewrite (turned_corner _ _ _ _ _ T) in Hx;
+    unfold power in H; destruct Hx as [|[|]]; subst; lra ].
+
 Lemma in_circle_power t a b c o p : positive t -> turned t a b c -> centre o t ->
   (in_circle p t <-> power o a p < 0).
-Proof.
-  intros A T C. pose proof (turned_positive _ _ _ _ T A) as A'.
-  split.
-  - intros [o' [C' H]]. specialize (H a (proj2 (turned_corner _ _ _ _ _ T) (or_introl eq_refl))).
-    rewrite (turned_centre _ _ _ _ _ T) in C. rewrite (turned_centre _ _ _ _ _ T) in C'.
-    rewrite (centre_unique o o' a b c) by tauto. unfold power; lra.
-  - intros H. exists o. split; [assumption|]. intros x Hx.
-    rewrite (turned_centre _ _ _ _ _ T) in C. rewrite (turned_corner _ _ _ _ _ T) in Hx.
-    unfold power in H. destruct Hx as [|[|]]; subst; lra.
-Qed.
+Proof. by_power o a b c. Qed.
 
 Lemma on_circle_power t a b c o p : positive t -> turned t a b c -> centre o t ->
   (on_circle p t <-> power o a p = 0).
-Proof.
-  intros A T C. pose proof (turned_positive _ _ _ _ T A) as A'.
-  split.
-  - intros [o' [C' H]]. specialize (H a (proj2 (turned_corner _ _ _ _ _ T) (or_introl eq_refl))).
-    rewrite (turned_centre _ _ _ _ _ T) in C. rewrite (turned_centre _ _ _ _ _ T) in C'.
-    rewrite (centre_unique o o' a b c) by tauto. unfold power; lra.
-  - intros H. exists o. split; [assumption|]. intros x Hx.
-    rewrite (turned_centre _ _ _ _ _ T) in C. rewrite (turned_corner _ _ _ _ _ T) in Hx.
-    unfold power in H. destruct Hx as [|[|]]; subst; lra.
-Qed.
+Proof. by_power o a b c. Qed.
 
 Lemma turned_centre_exists t : positive t -> exists o, centre o t.
 Proof. destruct t as [[a b] c]; cbn; intros; apply centre_exists; assumption. Qed.
