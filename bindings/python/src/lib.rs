@@ -18,7 +18,12 @@ mod trace;
 mod triangulation;
 mod verify;
 
+use mimalloc::MiMalloc;
 use pyo3::prelude::*;
+
+/// Keeps for a moment what a call has freed: the arrays that come after it take memory that is already mapped.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
 
 #[pymodule(gil_used = false)]
 mod _native {

@@ -13,8 +13,6 @@ from ._input import Input, as_edges, as_points
 
 def as_input(given: Any, edges: Any = None, polygons: Any = None, holes: Any = None) -> Input:
     """The input that is given as points, or as an object that says more than that."""
-    if isinstance(given, Input):
-        return given
     regions: Any = None
     attributes: Sequence[float] = ()
     rings: Sequence[tuple[int, bool]] = ()

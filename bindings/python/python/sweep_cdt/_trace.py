@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any, overload
 
 from . import _native
@@ -63,9 +63,6 @@ class Trace(Sequence[dict[str, Any]]):
         if isinstance(at, slice):
             return [self[number] for number in range(len(self))[at]]
         return json.loads(self._steps.step(range(len(self))[at]))
-
-    def __iter__(self) -> Iterator[dict[str, Any]]:
-        return (self[number] for number in range(len(self)))
 
     def __repr__(self) -> str:
         return f"<Trace of {len(self)} steps>"
