@@ -4,10 +4,10 @@ use num_rational::BigRational;
 use sweep_cdt::interior::{FillRule, InteriorError};
 use sweep_cdt::verify::Verifier;
 use sweep_cdt::{Session, Triangulator, triangulate};
-use sweep_cdt_testing::oracle::{canonical, check};
+use sweep_cdt_testing::oracle::{canonical, check, windings};
 use sweep_cdt_testing::{Input, Random, families, runs};
 
-use super::oracle::{Point, Rings, cast, rings};
+use super::oracle::{Point, Rings, rings};
 
 /// Tried of each kind, unless `SWEEP_CDT_DOMAINS` says otherwise.
 const CASES: u64 = 2000;
@@ -43,7 +43,7 @@ impl Judge {
             let expected = match &whole {
                 Err(error) => Err(InteriorError::Refused { error: *error }),
                 Ok(result) => result.interior(rule).map(|_| {
-                    let is_inside = |t: &[usize; 3]| match (rule, cast(points, edges, *t)) {
+                    let is_inside = |t: &[usize; 3]| match (rule, windings(points, edges, *t)) {
                         (FillRule::EvenOdd, (crossed, _)) => crossed % 2 == 1,
                         (FillRule::Hull, _) => true,
                         (_, (_, winding)) => winding != 0,

@@ -1,35 +1,10 @@
-//! Random rings, and what must be inside of them, by the definitions: a ray from the middle of each triangle, in
-//! whole numbers, without any code of the crate.
+//! Random rings, and what must be around their triangles, by the definitions: in whole numbers, without any code of the
+//! crate.
 
 use sweep_cdt_testing::Random;
 
 /// A point with whole coordinates.
 pub(crate) type Point = [i64; 2];
-
-/// How often a ray to the right of a triangle's centroid crosses the edges, and how often the edges go round it
-/// counter-clockwise.
-pub(crate) fn cast(points: &[Point], edges: &[[usize; 2]], triangle: [usize; 3]) -> (u32, i32) {
-    // Three times as large, the centroid has whole coordinates.
-    let sum = |axis: usize| triangle.iter().map(|&v| points[v][axis]).sum::<i64>();
-    let [x, y] = [sum(0), sum(1)];
-    let (mut crossed, mut winding) = (0, 0);
-    for edge in edges {
-        let [[ax, ay], [bx, by]] = edge.map(|v| points[v].map(|coordinate| 3 * coordinate));
-        // An end on the height of the ray counts as above it.
-        let direction = match (ay < y, by < y) {
-            (true, false) => 1,
-            (false, true) => -1,
-            _ => continue,
-        };
-        // The edge crosses the ray if the centroid is left of it as it goes up.
-        let turn = (bx - ax) * (y - ay) - (by - ay) * (x - ax);
-        if turn * i64::from(direction) > 0 {
-            crossed += 1;
-            winding += direction;
-        }
-    }
-    (crossed, winding)
-}
 
 /// How many edges run along the segment between two points, by geometry.
 fn edges_along(points: &[Point], edges: &[[usize; 2]], [p, q]: [Point; 2]) -> usize {

@@ -3,8 +3,9 @@
 use sweep_cdt::interior::{InteriorError, Ring};
 use sweep_cdt::triangulate;
 use sweep_cdt_testing::Random;
+use sweep_cdt_testing::oracle::windings;
 
-use super::oracle::{Point, cast, lattice, ring};
+use super::oracle::{Point, lattice, ring};
 
 /// Random polygons, whose rings touch, overlap, cross at vertices and repeat, and lines.
 struct Map {
@@ -58,7 +59,7 @@ fn covering(map: &Map, triangle: [usize; 3]) -> Vec<u32> {
             .filter(|(_, of)| **of == Some(ring))
             .map(|(edge, _)| *edge)
             .collect();
-        cast(&map.points, &edges, triangle).0 % 2 == 1
+        windings(&map.points, &edges, triangle).0 % 2 == 1
     };
     let has = |polygon: u32, is_hole: bool| {
         let rings = map.rings.iter().enumerate();

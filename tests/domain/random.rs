@@ -7,8 +7,9 @@ use sweep_cdt::interior::{FillRule, Interior};
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_testing::Random;
+use sweep_cdt_testing::oracle::windings;
 
-use super::oracle::{Rings, cast, faces, layers, rings};
+use super::oracle::{Rings, faces, layers, rings};
 
 /// Tried of them, unless `SWEEP_CDT_DOMAINS` says otherwise.
 const CASES: u64 = 2000;
@@ -60,7 +61,7 @@ fn every_triangle_is_where_rays_say() {
         let triangles: Vec<[usize; 3]> = result.triangles().collect();
         let expected = layers(&points, &edges, &triangles);
         for (t, &triangle) in triangles.iter().enumerate() {
-            let (crossed, winding) = cast(&points, &edges, triangle);
+            let (crossed, winding) = windings(&points, &edges, triangle);
             assert_eq!(even_odd.is_inside(t), crossed % 2 == 1, "{t}, {}", what());
             assert_eq!(even_odd.depth(t), expected[t], "{t}, {}", what());
             assert_eq!(nonzero.is_inside(t), winding != 0, "{t}, {}", what());
@@ -128,7 +129,7 @@ fn the_verifier_knows_each_domain() {
         let result = triangulate(&points, &edges).expect("edges cross at vertices only");
         let triangles: Vec<[usize; 3]> = result.triangles().collect();
         let is_even_odd = random.one_in(2);
-        let is_inside = |t: &usize| match cast(&points, &edges, triangles[*t]) {
+        let is_inside = |t: &usize| match windings(&points, &edges, triangles[*t]) {
             (crossed, _) if is_even_odd => crossed % 2 == 1,
             (_, winding) => winding != 0,
         };

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use sweep_cdt::verify::Level;
 use sweep_cdt_testing::judge::{Asked, Claims, Numbers, Special};
+use sweep_cdt_testing::names::level;
 use sweep_cdt_testing::oracle::Domain;
 
 use crate::process::Program;
@@ -41,11 +42,6 @@ pub(crate) struct ClaimArgs {
     /// What it is asked besides, and must answer; of the same list
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     answers: Vec<Special>,
-}
-
-fn level(name: &str) -> Result<Level, String> {
-    let found = Level::ALL.into_iter().find(|level| level.name() == name);
-    found.ok_or_else(|| format!("`{name}` is none of tiling, constrained, delaunay, canonical"))
 }
 
 impl ClaimArgs {

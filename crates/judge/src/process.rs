@@ -92,7 +92,7 @@ impl Program {
             .as_ref()
             .is_some_and(|running| running.has_answered);
         let outcome = match self.answer(&line) {
-            // It answers one question each time that it is started.
+            // A program that answers one question each time that it is started.
             Answer::End {
                 is_success: true, ..
             } if had_answered => {

@@ -1,10 +1,8 @@
 //! `suite`: a program, asked the inputs of the suite of conformance that it claims to answer.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::PathBuf;
 
-use sweep_cdt_testing::judge::{Fault, Outcome, Row, json};
+use sweep_cdt_testing::judge::{Fault, Row, json};
 use sweep_cdt_testing::suite;
 
 use crate::claims::{ClaimArgs, ProgramArgs};
@@ -14,9 +12,6 @@ use crate::claims::{ClaimArgs, ProgramArgs};
 pub(crate) struct Suite {
     #[command(flatten)]
     claims: ClaimArgs,
-    /// Another file of cases than the one of this version
-    #[arg(long, value_name = "FILE")]
-    cases: Option<PathBuf>,
     /// Asks the cases alone that have this in their names
     #[arg(long, value_name = "WORD", default_value = "")]
     only: String,
@@ -35,14 +30,7 @@ const CASES: &str = include_str!("../../../tests/conformance/cases.jsonl");
 
 impl Suite {
     pub(crate) fn run(self) -> Result<bool, String> {
-        let cases = match &self.cases {
-            None => suite::read(CASES)?,
-            Some(file) => {
-                let name = file.display();
-                let text = fs::read_to_string(file).map_err(|error| format!("{name}: {error}"))?;
-                suite::read(&text).map_err(|error| format!("{name}: {error}"))?
-            }
-        };
+        let cases = suite::read(CASES)?;
         let claims = self.claims.claims();
         let mut program = self.program.start()?;
         program.greet(&claims)?;
@@ -55,14 +43,9 @@ impl Suite {
                 continue;
             };
             let outcome = program.ask(&question);
-            match case.fault(&claims, &question, &outcome) {
-                Some(fault) => {
-                    row.wrong += 1;
-                    wrong.push((case, question, outcome, fault));
-                }
-                None if matches!(outcome, Outcome::Refused(_)) => row.refused += 1,
-                None => row.right += 1,
-            }
+            let fault = case.fault(&claims, &question, &outcome);
+            row.count(&outcome, fault.is_some());
+            wrong.extend(fault.map(|fault| (case, question, outcome, fault)));
         }
         println!("suite: version {}, {} cases", suite::VERSION, cases.len());
         println!("program: {}, {}", program.command(), program.version());
@@ -94,30 +77,27 @@ impl Suite {
 }
 
 fn print_table(kinds: &BTreeMap<&str, (Row, u64)>) {
-    let line = |kind: &str,
-                Row {
-                    right,
-                    refused,
-                    wrong,
-                }: Row,
-                skipped: u64| {
-        let asked = right + refused + wrong;
-        println!("{kind:<24} {asked:>7} {right:>7} {refused:>7} {wrong:>7} {skipped:>9}");
-    };
     println!(
         "{:<24} {:>7} {:>7} {:>7} {:>7} {:>9}",
         "kind", "asked", "right", "refused", "wrong", "not asked"
     );
-    let (mut all, mut not_asked) = (Row::default(), 0);
-    for (kind, (row, skipped)) in kinds {
+    let line = |kind: &str, row: &Row, not_asked: u64| {
+        let Row {
+            right,
+            refused,
+            wrong,
+        } = row;
+        let asked = row.asked();
+        println!("{kind:<24} {asked:>7} {right:>7} {refused:>7} {wrong:>7} {not_asked:>9}");
+    };
+    let (mut all, mut none) = (Row::default(), 0);
+    for (kind, (row, not_asked)) in kinds {
         // Of kinds that are none for the program the sum says enough.
-        if row.right + row.refused + row.wrong > 0 {
-            line(kind, *row, *skipped);
+        if row.asked() > 0 {
+            line(kind, row, *not_asked);
         }
-        all.right += row.right;
-        all.refused += row.refused;
-        all.wrong += row.wrong;
-        not_asked += skipped;
+        all += *row;
+        none += not_asked;
     }
-    line("all", all, not_asked);
+    line("all", &all, none);
 }

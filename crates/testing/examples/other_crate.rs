@@ -17,7 +17,7 @@ fn delaunator(question: &Question) -> Reply {
 }
 
 fn main() {
-    // It computes fourth powers in doubles.
+    // delaunator computes fourth powers in doubles.
     let claims = Claims::of(Asked::Points).with_numbers(Numbers::integers(20));
     println!("{}", campaign(&claims, 20_000, 1, delaunator));
 }

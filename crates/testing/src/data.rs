@@ -188,6 +188,8 @@ pub fn poly_of(name: String, bytes: Vec<u8>) -> Input {
 pub struct Hard {
     /// The input's name.
     pub name: String,
+    /// Where the input is from, with its licence in brackets.
+    pub source: String,
     /// The right outcome: `nonfinite`, `invalid_index` or `crossing` if it is an error.
     pub expect: String,
     /// Whether there is no triangle.
@@ -237,6 +239,7 @@ impl Hard {
         let has_flag = |name| json["flags"].get(name).is_some();
         Hard {
             name: name.to_owned(),
+            source: json["source"].as_str().unwrap_or_default().to_owned(),
             expect: json["expect"].as_str().expect("expect").to_owned(),
             is_flat: has_flag("all_collinear") || has_flag("fewer_than_3_distinct_points"),
             input: Input {

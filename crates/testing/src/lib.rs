@@ -14,7 +14,7 @@
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
 //! * [`boundary`] finds the closed chains around a set of triangles.
 //! * [`page`] reads a page of steps as its script does.
-//! * [`minimize`] makes a failing input small.
+//! * [`minimize`] makes a failing input small; [`names`] reads words of the command.
 //! * `peers` (with the feature of this name) calls other crates that triangulate.
 //!
 //! docs/testing.md describes the tests that are made of this.
@@ -28,6 +28,7 @@ pub mod fronts;
 pub mod generators;
 pub mod judge;
 pub mod minimize;
+pub mod names;
 pub mod oracle;
 pub mod page;
 #[cfg(feature = "peers")]

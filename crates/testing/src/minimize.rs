@@ -16,14 +16,9 @@ pub fn minimize(test: &dyn Fn(&Input), input: &Input) -> Input {
     let mut many = least.points.len().max(least.edges.len());
     while many > 0 {
         let before = least.points.len() + least.edges.len();
-        least = drop_runs(
-            test,
-            least,
-            many,
-            |input| input.points.len(),
-            without_points,
-        );
-        least = drop_runs(test, least, many, |input| input.edges.len(), without_edges);
+        let fails = &mut |input: &Input| fails(test, input);
+        drop_runs(&mut least, many, |i| i.points.len(), without_points, fails);
+        drop_runs(&mut least, many, |i| i.edges.len(), without_edges, fails);
         if many > 1 || least.points.len() + least.edges.len() == before {
             many /= 2;
         }
@@ -31,45 +26,39 @@ pub fn minimize(test: &dyn Fn(&Input), input: &Input) -> Input {
     least
 }
 
-/// Drops runs of things of a given length, one after the other, where `test` panics without them too.
-fn drop_runs(
-    test: &dyn Fn(&Input),
-    mut least: Input,
+/// Drops runs of things of a given length, one after the other, as long as what is left `fails` too.
+pub(crate) fn drop_runs<T: Clone>(
+    least: &mut T,
     many: usize,
-    count: fn(&Input) -> usize,
-    without: fn(&Input, Range<usize>) -> Input,
-) -> Input {
+    count: fn(&T) -> usize,
+    without: fn(&mut T, Range<usize>),
+    fails: &mut dyn FnMut(&T) -> bool,
+) {
     let mut at = 0;
-    while at < count(&least) {
-        let smaller = without(&least, at..(at + many).min(count(&least)));
-        if fails(test, &smaller) {
-            least = smaller;
+    while at < count(least) {
+        let mut smaller = least.clone();
+        without(&mut smaller, at..(at + many).min(count(least)));
+        if fails(&smaller) {
+            *least = smaller;
         } else {
             at += many;
         }
     }
-    least
 }
 
-fn without_edges(input: &Input, range: Range<usize>) -> Input {
-    let mut smaller = input.clone();
-    smaller.edges.drain(range);
-    smaller
+fn without_edges(input: &mut Input, range: Range<usize>) {
+    input.edges.drain(range);
 }
 
-/// The input without some points and the edges that end there.
-fn without_points(input: &Input, range: Range<usize>) -> Input {
-    let mut points = input.points.clone();
-    points.drain(range.clone());
-    let is_kept = |edge: &&[usize; 2]| !edge.iter().any(|v| range.contains(v));
-    let rename = |v: usize| if v < range.start { v } else { v - range.len() };
-    let edges = input
-        .edges
-        .iter()
-        .filter(is_kept)
-        .map(|edge| edge.map(rename))
-        .collect();
-    Input { points, edges }
+/// Drops some points and the edges that end there.
+fn without_points(input: &mut Input, range: Range<usize>) {
+    input.points.drain(range.clone());
+    let is_out = |v: &usize| range.contains(v);
+    let renamed = |v: usize| if v < range.start { v } else { v - range.len() };
+    input.edges.retain(|edge| !edge.iter().any(is_out));
+    for edge in &mut input.edges {
+        *edge = edge.map(renamed);
+    }
 }
 
 /// Runs `test`; if it panics, says on which seed and on which small input it does, and panics.

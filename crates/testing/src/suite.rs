@@ -25,17 +25,13 @@ pub struct Case {
     pub name: String,
     /// What is special about it, in a word.
     pub kind: String,
-    /// The points.
-    pub points: Vec<[f64; 2]>,
-    /// The edges besides those of rings.
-    pub edges: Vec<[usize; 2]>,
-    /// Polygons, each a list of rings.
-    pub polygons: Vec<Vec<Vec<usize>>>,
+    /// The question about the hull.
+    pub question: Question,
     /// The answer.
     pub answer: Answer,
     /// Where the input is from.
     pub source: String,
-    /// Its licence.
+    /// The licence of the input.
     pub licence: String,
 }
 
@@ -60,45 +56,27 @@ impl Case {
     ///
     /// # Panics
     /// If this crate has another answer.
-    pub fn new(name: String, question: &Question, source: String, licence: String) -> Case {
-        let Question {
-            points,
-            edges,
-            polygons,
-            ..
-        } = question.clone();
-        let kind = name.split('/').next().unwrap_or_default().to_owned();
-        let answer = Answer::of(question);
+    pub fn new(name: String, question: Question, source: String, licence: String) -> Case {
         Case {
+            kind: name.split('/').next().unwrap_or_default().to_owned(),
             name,
-            kind,
-            points,
-            edges,
-            polygons,
-            answer,
+            answer: Answer::of(&question),
+            question,
             source,
             licence,
         }
     }
 
-    /// The question about the hull.
-    pub fn question(&self) -> Question {
-        Question {
-            polygons: self.polygons.clone(),
-            ..Question::new(&self.points, &self.edges)
-        }
-    }
-
     /// The question to a program with these claims; nothing, if the case is none for it.
     pub fn question_within(&self, claims: &Claims) -> Option<Question> {
-        let mut question = self.question();
+        let mut question = self.question.clone();
         match claims.asked {
             // For a program that knows no polygons the sides of rings are edges.
             Asked::Edges => {
                 question.edges = question.all_edges();
                 question.polygons.clear();
             }
-            Asked::Polygons | Asked::Lines if self.polygons.is_empty() => return None,
+            Asked::Polygons | Asked::Lines if question.polygons.is_empty() => return None,
             _ => {}
         }
         question.domain = claims.domain;
@@ -122,17 +100,12 @@ impl Case {
             (Answer::Crossings(_), Outcome::Refused(_)) => None,
             (Answer::Crossings(_), Outcome::Failed(fault)) => Some(fault.clone()),
             (Answer::Crossings(pairs), _) => {
-                let [e, f] = pairs[0];
-                Some(Fault::new(
-                    "answered",
-                    Hopeless::Crossing([e, f]).to_string(),
-                ))
+                let what = Hopeless::Crossing(pairs[0]).to_string();
+                Some(Fault::new("answered", what))
             }
             (
                 Answer::Triangles {
-                    triangles,
-                    hull,
-                    domains,
+                    triangles, domains, ..
                 },
                 _,
             ) => {
@@ -143,20 +116,15 @@ impl Case {
                 let (inside, outside): (Vec<usize>, Vec<usize>) =
                     (0..triangles.len()).partition(is_inside);
                 let list = |places: Vec<usize>| places.into_iter().map(|t| triangles[t]).collect();
-                let (inside, outside, hull) = (list(inside), list(outside), hull.clone());
-                Right {
-                    inside,
-                    outside,
-                    hull,
-                }
-                .fault(question, outcome)
+                let (inside, outside) = (list(inside), list(outside));
+                Right { inside, outside }.fault(question, outcome)
             }
         }
     }
 
     /// The case as a line.
     pub fn line(&self) -> String {
-        let question = lines::members(&self.question());
+        let question = lines::members(&self.question);
         let mut members = vec![("name", json!(self.name)), ("kind", json!(self.kind))];
         members.extend(question.into_iter().take(3));
         match &self.answer {
@@ -178,10 +146,7 @@ impl Case {
             ("source", json!(self.source)),
             ("licence", json!(self.licence)),
         ]);
-        let members = members
-            .into_iter()
-            .map(|(name, value)| format!("\"{name}\":{value}"));
-        format!("{{{}}}", members.collect::<Vec<_>>().join(","))
+        lines::object(&members)
     }
 
     /// Reads the case of a line.
@@ -190,12 +155,7 @@ impl Case {
     /// What is wrong with the line.
     pub fn read(line: &str) -> Result<Case, String> {
         let value: Value = serde_json::from_str(line).map_err(|error| error.to_string())?;
-        let Question {
-            points,
-            edges,
-            polygons,
-            ..
-        } = lines::read_question(&value)?;
+        let question = lines::read_question(&value)?;
         let wrong = |error: serde_json::Error| error.to_string();
         let member = |name: &str| value[name].clone();
         let text = |name: &str| {
@@ -228,9 +188,7 @@ impl Case {
         Ok(Case {
             name,
             kind,
-            points,
-            edges,
-            polygons,
+            question,
             answer,
             source,
             licence,

@@ -1,9 +1,9 @@
 //! Other programs on the same input: where one differs from the exact oracle, it is wrong.
 //!
-//! The oracle passes our result first ([`Right::of`]), or the property fails. Then the sides that no choice
-//! among cocircular triangles can change must be those of the other program too. Otherwise, or if it panics
-//! or refuses the input, a fault of that program is counted. The verifier of the crate must come to the same
-//! verdict: this also tests the verifier on the results of others.
+//! The oracle passes our result first ([`Right::of`]), or the property fails. Then it judges the triangles of
+//! the other program by definition: they must fill the hull, have all edges and be Delaunay. Otherwise, or if
+//! that program panics or refuses the input, a fault is counted. The verifier of the crate must come to the same
+//! verdict, and so is tested on the results of others.
 //!
 //! Programs get only inputs that they may be expected to accept: numbers of moderate size, no points too
 //! close to each other, edges that have a length and do not cross. They run in this process, so one that

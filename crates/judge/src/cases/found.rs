@@ -3,11 +3,11 @@
 
 use std::fs;
 
-use serde_json::Value;
 use sweep_cdt_formats::{self as formats, InputFormat, Source};
+use sweep_cdt_testing::Input;
+use sweep_cdt_testing::data::{self, Hard};
 use sweep_cdt_testing::generators::input_with_choices;
-use sweep_cdt_testing::judge::{Question, json};
-use sweep_cdt_testing::{Input, data};
+use sweep_cdt_testing::judge::Question;
 
 use super::OWN;
 
@@ -26,25 +26,19 @@ const FOUND: usize = 24;
 pub(super) fn found() -> Vec<Found> {
     let mut all = Vec::new();
     let is_sized = |question: &Question| question.is_sound() && question.points.len() <= FOUND;
-    let text = fs::read_to_string(data::path("tests/data/hard.jsonl")).unwrap_or_default();
-    for line in text.lines() {
-        let value: Value = serde_json::from_str(line).unwrap_or_default();
-        let Ok(question) = json::read_question(&value) else {
-            continue;
-        };
-        let (name, source) = (&value["name"], value["source"].as_str().unwrap_or_default());
-        let name = format!("hard/{}", name.as_str().unwrap_or_default());
+    for hard in Hard::own() {
+        let question = Question::new(&hard.input.points, &hard.input.edges);
         if is_sized(&question) {
-            let licence = licence(source);
             all.push(Found {
-                name,
+                name: format!("hard/{}", hard.name),
                 question,
-                source: source.to_owned(),
-                licence,
+                licence: licence(&hard.source),
+                source: hard.source,
             });
         }
     }
-    let table = fs::read_to_string(data::path("tests/data/reports/README.md")).unwrap_or_default();
+    let table = data::path("tests/data/reports/README.md");
+    let table = fs::read_to_string(table).expect("a readable file");
     for row in table.lines().filter(|row| row.starts_with("| `")) {
         let mut cells = row.split('|').map(str::trim);
         let (Some(names), Some(source)) = (cells.nth(1), cells.next()) else {
@@ -66,7 +60,7 @@ pub(super) fn found() -> Vec<Found> {
     }
     for target in ["replay", "scalars"] {
         for file in data::all_files(&data::path("fuzz/regressions").join(target)) {
-            let bytes = fs::read(&file).unwrap_or_default();
+            let bytes = fs::read(&file).expect("a readable file");
             let (_, Input { points, edges }) = input_with_choices(&bytes);
             let question = Question::new(&points, &edges);
             let word = file.file_stem().unwrap_or_default().to_string_lossy();

@@ -22,9 +22,6 @@ const OWN: &str = "MIT OR Apache-2.0";
 /// takes some
 #[derive(clap::Args)]
 pub(crate) struct Cases {
-    /// Every Nth case of each kind alone, to see quickly whether they have changed
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    every: usize,
     /// Writes the cases to a file
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -35,19 +32,13 @@ impl Cases {
         let mut lines = Vec::new();
         for kind in KINDS {
             for (at, question) in made(kind).into_iter().enumerate() {
-                if at % self.every.max(1) == 0 {
-                    let name = format!("{}/{at}", kind.name);
-                    let source = format!("made: {}", kind.about);
-                    lines.push(Case::new(name, &question, source, OWN.to_owned()).line());
-                }
+                let name = format!("{}/{at}", kind.name);
+                let source = format!("made: {}", kind.about);
+                lines.push(Case::new(name, question, source, OWN.to_owned()).line());
             }
         }
-        for (at, found) in found().into_iter().enumerate() {
-            if at % self.every.max(1) == 0 {
-                lines.push(
-                    Case::new(found.name, &found.question, found.source, found.licence).line(),
-                );
-            }
+        for found in found() {
+            lines.push(Case::new(found.name, found.question, found.source, found.licence).line());
         }
         let text = format!("{}\n{}\n", header(lines.len()), lines.join("\n"));
         match self.output {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::ops::AddAssign;
 
 use super::ask;
 use super::claims::{Asked, Claims};
@@ -51,6 +52,30 @@ pub struct Row {
     pub wrong: u64,
 }
 
+impl Row {
+    /// Counts what came of a question.
+    pub fn count(&mut self, outcome: &Outcome, is_wrong: bool) {
+        match outcome {
+            _ if is_wrong => self.wrong += 1,
+            Outcome::Refused(_) => self.refused += 1,
+            _ => self.right += 1,
+        }
+    }
+
+    /// So many questions were asked.
+    pub fn asked(&self) -> u64 {
+        self.right + self.refused + self.wrong
+    }
+}
+
+impl AddAssign for Row {
+    fn add_assign(&mut self, other: Row) {
+        self.right += other.right;
+        self.refused += other.refused;
+        self.wrong += other.wrong;
+    }
+}
+
 /// A fault, with a small question that has it.
 #[derive(Clone, Debug)]
 pub struct Finding {
@@ -60,7 +85,7 @@ pub struct Finding {
     pub right: Option<Vec<[usize; 3]>>,
     /// The number of the question that was asked first.
     pub execution: u64,
-    /// That question.
+    /// The question that was asked first.
     pub first: Question,
 }
 
@@ -114,15 +139,10 @@ impl Campaign {
         summary: &mut Summary,
     ) {
         let outcome = program(&question);
+        let fault = self.claims.fault(&question, &outcome);
         let row = summary.kinds.entry(kind).or_default();
-        let Some(fault) = self.claims.fault(&question, &outcome) else {
-            match outcome {
-                Outcome::Refused(_) => row.refused += 1,
-                _ => row.right += 1,
-            }
-            return;
-        };
-        row.wrong += 1;
+        row.count(&outcome, fault.is_some());
+        let Some(fault) = fault else { return };
         let count = summary.faults.entry(fault.name).or_default();
         *count += 1;
         if *count <= self.kept {
@@ -184,18 +204,16 @@ impl fmt::Display for Summary {
                 right,
                 refused,
                 wrong,
-            } = *row;
+            } = row;
+            let asked = row.asked();
             writeln!(
                 f,
-                "{kind:<14} {:>9} {right:>9} {refused:>9} {wrong:>9}",
-                right + refused + wrong
+                "{kind:<14} {asked:>9} {right:>9} {refused:>9} {wrong:>9}"
             )
         };
         for (kind, row) in &self.kinds {
             line(f, kind, row)?;
-            all.right += row.right;
-            all.refused += row.refused;
-            all.wrong += row.wrong;
+            all += *row;
         }
         line(f, "all", &all)?;
         writeln!(

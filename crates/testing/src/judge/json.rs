@@ -4,15 +4,20 @@
 //! so that no reader takes one for an integer of its own.
 
 use serde_json::{Value, json};
-use sweep_cdt::verify::Level;
 
 use super::outcome::{Fault, Outcome};
 use super::question::{Operation, Question};
+use crate::names;
 use crate::oracle::Domain;
 
 /// A question as a line, without its end.
 pub fn question_line(question: &Question) -> String {
-    let members = members(question).into_iter();
+    object(&members(question))
+}
+
+/// An object as a line, with its members in this order.
+pub fn object(members: &[(&str, Value)]) -> String {
+    let members = members.iter();
     let members: Vec<String> = members
         .map(|(name, value)| format!("\"{name}\":{value}"))
         .collect();
@@ -50,8 +55,8 @@ pub fn read_question(value: &Value) -> Result<Question, String> {
         "remove" => Ok(Operation::Remove(*v)),
         other => Err(format!("`operations`: there is no `{other}`")),
     };
-    let name = member("level", json!("delaunay"));
-    let level = Level::ALL.into_iter().find(|level| name == level.name());
+    let level = member("level", json!("delaunay"));
+    let level = names::level(level.as_str().unwrap_or_default());
     let domain = member("domain", json!("hull"));
     let question = Question {
         points: serde_json::from_value(member("points", Value::Null)).map_err(wrong("points"))?,
@@ -60,7 +65,7 @@ pub fn read_question(value: &Value) -> Result<Question, String> {
             .map_err(wrong("polygons"))?,
         operations: steps.iter().map(step).collect::<Result<_, _>>()?,
         domain: domain.as_str().unwrap_or_default().parse::<Domain>()?,
-        level: level.ok_or("`level` is none of tiling, constrained, delaunay, canonical")?,
+        level: level.map_err(|error| format!("`level`: {error}"))?,
     };
     match question.is_sound() {
         true => Ok(question),
@@ -145,7 +150,7 @@ fn lines_are_read_as_they_are_written() {
     );
     question.polygons = vec![vec![vec![0, 1, 2]]];
     question.domain = Domain::NonZero;
-    question.level = Level::Tiling;
+    question.level = sweep_cdt::verify::Level::Tiling;
     question.operations = vec![Operation::Insert(0), Operation::Remove(0)];
     let line = question_line(&question);
     assert!(

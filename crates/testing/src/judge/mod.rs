@@ -30,22 +30,24 @@ mod campaign;
 mod claims;
 pub mod json;
 mod made;
+mod numbers;
 mod outcome;
 mod question;
 mod right;
 mod shrink;
 
 use std::cell::Cell;
-use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
+use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
 pub use campaign::{Campaign, Finding, Row, Summary, campaign};
-pub use claims::{Asked, Claims, Numbers};
+pub use claims::{Asked, Claims};
 pub use made::question;
+pub use numbers::Numbers;
 pub use outcome::{Fault, Outcome, Reply};
 pub use question::{Operation, Question, Special, ring_sides};
 pub use right::{Hopeless, Right};
-pub use shrink::{ATTEMPTS, Wrong, least};
+pub use shrink::{Wrong, least};
 
 /// Asks a program of this process. A panic is a fault of this name.
 pub fn ask<O: Into<Outcome>>(
@@ -89,18 +91,22 @@ thread_local! {
 /// they are.
 pub fn quietly<T>(call: impl FnOnce() -> T) -> T {
     static HOOK: Once = Once::new();
-    HOOK.call_once(|| {
-        let loud = take_hook();
-        set_hook(Box::new(move |panic| {
-            if !IS_QUIET.get() {
-                loud(panic);
-            }
-        }));
-    });
+    HOOK.call_once(|| set_hook(only_others(take_hook())));
     let before = IS_QUIET.replace(true);
     let result = call();
     IS_QUIET.set(before);
     result
+}
+
+type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Sync + Send>;
+
+/// A hook that leaves out the panics of programs that are asked.
+fn only_others(loud: Hook) -> Hook {
+    Box::new(move |panic| {
+        if !IS_QUIET.get() {
+            loud(panic);
+        }
+    })
 }
 
 #[test]
@@ -139,18 +145,41 @@ fn what_is_wrong_has_a_name() {
 }
 
 #[test]
+fn a_fuzz_target_fails_where_a_program_is_wrong() {
+    use sweep_cdt_generate::Random;
+    let claims = Claims::of(Asked::Points).with_numbers(Numbers::integers(10));
+    let right = |question: &Question| -> Reply {
+        let result = sweep_cdt::triangulate(&question.points, &[]);
+        Ok(result.expect("points alone").triangles().collect())
+    };
+    let mut failures = 0;
+    for seed in 0..50 {
+        let bytes = Random::new(seed).bytes(60);
+        expect_right(&claims, &bytes, right);
+        let none = |_: &Question| -> Reply { Ok(Vec::new()) };
+        let panic = quietly(|| catch_unwind(|| expect_right(&claims, &bytes, none)));
+        let text = panic
+            .err()
+            .and_then(|panic| panic.downcast::<String>().ok());
+        failures += u32::from(text.is_some_and(|text| text.starts_with("no-triangles: ")));
+    }
+    assert!(failures > 20, "{failures}");
+}
+
+#[test]
 fn only_other_panics_reach_the_hook() {
     use std::sync::Mutex;
     static HEARD: Mutex<Vec<&str>> = Mutex::new(Vec::new());
     let loud = take_hook();
-    set_hook(Box::new(move |panic| {
+    // Another test may have set the hook before, so it is set here again.
+    set_hook(only_others(Box::new(move |panic| {
         match panic.payload().downcast_ref::<&str>() {
             Some(text @ (&"before" | &"expected" | &"after")) => {
                 HEARD.lock().expect("no panic holds it").push(text);
             }
             _ => loud(panic),
         }
-    }));
+    })));
     assert!(catch_unwind(|| panic!("before")).is_err());
     assert!(quietly(|| catch_unwind(|| panic!("expected"))).is_err());
     assert!(catch_unwind(|| panic!("after")).is_err());

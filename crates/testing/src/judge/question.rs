@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use sweep_cdt::verify::Level;
 
+use crate::names::{name_of, value_of};
 use crate::oracle::{Domain, Graph, Number, Point, turns_left, windings};
 use crate::with_integers;
 
@@ -162,8 +163,7 @@ impl Special {
 
     /// The name.
     pub fn name(self) -> &'static str {
-        let found = Special::ALL.iter().find(|(special, _)| *special == self);
-        found.map_or("", |(_, name)| name)
+        name_of(&Special::ALL, &self)
     }
 }
 
@@ -171,10 +171,7 @@ impl FromStr for Special {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Special, String> {
-        let found = Special::ALL.iter().find(|(_, known)| *known == name);
-        let known: Vec<&str> = Special::ALL.iter().map(|(_, name)| *name).collect();
-        let error = || format!("`{name}` is none of {}", known.join(", "));
-        found.map(|(special, _)| *special).ok_or_else(error)
+        value_of(&Special::ALL, name)
     }
 }
 

@@ -22,8 +22,6 @@ pub struct Right {
     pub inside: Vec<[usize; 3]>,
     /// The other canonical triangles of the hull.
     pub outside: Vec<[usize; 3]>,
-    /// The hull, counter-clockwise from the leftmost, upper vertex.
-    pub hull: Vec<usize>,
 }
 
 /// Why a question has no answer.
@@ -78,11 +76,7 @@ impl Right {
             );
         }
         let (inside, outside) = all.into_iter().partition(|t| is_inside.contains(t));
-        Ok(Right {
-            inside,
-            outside,
-            hull: answer.hull,
-        })
+        Ok(Right { inside, outside })
     }
 
     /// What is wrong with what came of a question without operations, if anything is. What has no triangles may be

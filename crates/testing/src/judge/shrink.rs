@@ -9,9 +9,10 @@ use std::ops::Range;
 use super::claims::Claims;
 use super::outcome::{Fault, Outcome};
 use super::question::{Operation, Question};
+use crate::minimize::drop_runs;
 
 /// So many answers are asked for at most while a question is made small.
-pub const ATTEMPTS: u32 = 4000;
+const ATTEMPTS: u32 = 4000;
 /// A hang counts as so many answers.
 const HANG: u32 = 200;
 
@@ -97,15 +98,9 @@ impl Search<'_> {
         for (count, without) in KINDS {
             let mut many = count(&self.best.question);
             while many > 0 {
-                let mut at = 0;
-                while at < count(&self.best.question) {
-                    let mut smaller = self.best.question.clone();
-                    let end = (at + many).min(count(&smaller));
-                    without(&mut smaller, at..end);
-                    if !self.has_fault(smaller) {
-                        at += many;
-                    }
-                }
+                let mut least = self.best.question.clone();
+                let has_fault = &mut |question: &Question| self.has_fault(question.clone());
+                drop_runs(&mut least, many, count, without, has_fault);
                 many /= 2;
             }
         }

@@ -10,6 +10,7 @@ use sweep_cdt::verify::Level;
 
 use super::naive::{Triangle, are_delaunay, is_on, is_within, separates, sides};
 use super::numbers::{Number, Point, cross, orient, vector};
+use crate::names::{name_of, value_of};
 
 /// What triangles must fill, as `docs/verifying.md` has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,8 +36,7 @@ impl Domain {
 
     /// The name.
     pub fn name(self) -> &'static str {
-        let found = Domain::ALL.iter().find(|(domain, _)| *domain == self);
-        found.map_or("", |(_, name)| name)
+        name_of(&Domain::ALL, &self)
     }
 
     /// Whether a triangle is inside, where `edges` are all edges and each polygon is a list of the sides of its rings,
@@ -65,9 +65,7 @@ impl FromStr for Domain {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Domain, String> {
-        let found = Domain::ALL.iter().find(|(_, known)| *known == name);
-        let error = || format!("`{name}` is none of hull, polygons, even-odd, nonzero");
-        found.map(|(domain, _)| *domain).ok_or_else(error)
+        value_of(&Domain::ALL, name)
     }
 }
 
