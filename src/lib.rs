@@ -19,6 +19,7 @@ mod pslg;
 pub mod scalar;
 mod session;
 mod settings;
+pub mod stream;
 mod sweep;
 #[doc(hidden)]
 pub mod threads;

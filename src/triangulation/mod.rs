@@ -59,6 +59,7 @@ impl Triangulation {
     }
 
     /// The vertices of triangle `t`, counter-clockwise.
+    #[inline]
     pub fn triangle(&self, t: usize) -> [usize; 3] {
         self.corners(&self.triangles[t])
     }
@@ -80,17 +81,20 @@ impl Triangulation {
     }
 
     /// The triangle across side `side` (0, 1 or 2) of triangle `t`, or `None` on the hull.
+    #[inline]
     pub fn neighbor(&self, t: usize, side: usize) -> Option<usize> {
         let twin = self.twin(t, side);
         (!twin.is_border()).then(|| twin.triangle().index())
     }
 
     /// The triangles across the three sides of triangle `t`.
+    #[inline]
     pub fn neighbors(&self, t: usize) -> [Option<usize>; 3] {
         [0, 1, 2].map(|side| self.neighbor(t, side))
     }
 
     /// Whether side `side` of triangle `t` is an input edge or a piece of one.
+    #[inline]
     pub fn is_constrained(&self, t: usize, side: usize) -> bool {
         self.twin(t, side).is_constrained()
     }
@@ -152,9 +156,15 @@ impl Triangulation {
 
     #[inline]
     fn corners(&self, triangle: &Triangle) -> [usize; 3] {
-        triangle.vertices().map(|v| self.input_index(v))
+        let [a, b, c] = triangle.vertices();
+        [
+            self.input_index(a),
+            self.input_index(b),
+            self.input_index(c),
+        ]
     }
 
+    #[inline]
     fn twin(&self, t: usize, side: usize) -> HalfEdge {
         assert!(side < 3, "a triangle has sides 0, 1 and 2");
         self.triangles[t].twin(narrow(side))

@@ -100,6 +100,7 @@ mod report;
 mod scanline;
 mod sides;
 mod soup;
+mod stream;
 mod turns;
 mod verifier;
 mod violation;
@@ -107,6 +108,7 @@ mod violation;
 pub use depth::{Depth, Depths};
 pub use regions::Regions;
 pub use report::{Level, Report, Violations};
+pub use stream::{StreamReport, StreamVerifier, StreamViolation};
 pub use verifier::Verifier;
 pub use violation::{Offenders, Violation};
 

@@ -40,6 +40,7 @@ mod scalars;
 mod serialized;
 mod slant;
 mod statistics;
+mod stream;
 mod trace;
 #[path = "../verify/mod.rs"]
 mod verify;

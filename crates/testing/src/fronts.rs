@@ -18,6 +18,8 @@ pub struct Choice {
     /// How many bands are swept at the same time, if there is more than one.
     #[cfg(feature = "parallel")]
     pub bands: usize,
+    /// New vertices of a window, if the run is a stream.
+    pub window: usize,
 }
 
 impl Default for Choice {
@@ -28,6 +30,7 @@ impl Default for Choice {
             algorithm: Algorithm::Sweep,
             #[cfg(feature = "parallel")]
             bands: 1,
+            window: 1,
         }
     }
 }

@@ -12,6 +12,7 @@
 //!   one right answer.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
+//! * [`streams`] pushes an input vertex by vertex, and puts together what comes out.
 //! * [`boundary`] finds the closed chains around a set of triangles.
 //! * [`page`] reads a page of steps as its script does.
 //! * [`minimize`] makes a failing input small; [`names`] reads words of the command.
@@ -34,6 +35,7 @@ pub mod page;
 #[cfg(feature = "peers")]
 pub mod peers;
 pub mod runs;
+pub mod streams;
 pub mod suite;
 
 pub use arbitrary;

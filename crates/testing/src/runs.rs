@@ -17,6 +17,8 @@ use sweep_cdt::{Algorithm, Error, Heuristics, Session, Triangulator};
 use crate::Input;
 use crate::fronts::{Choice, triangulate};
 use crate::oracle::{Answer, Verdict, found};
+#[cfg(feature = "runs")]
+use crate::streams::{Streaming, streamed};
 
 /// The outcome of a run.
 pub type Outcome = Result<Answer, Error>;
@@ -69,7 +71,51 @@ pub fn all() -> Vec<Run> {
     runs.extend(with::<BigInt>("BigInt"));
     runs.extend(with::<BigRational>("BigRational"));
     runs.extend(with::<Archetype>("archetype"));
+    runs.extend(in_windows());
     runs
+}
+
+/// The runs of streams: scalars that can be cloned, with windows of several sizes.
+#[cfg(feature = "runs")]
+fn in_windows() -> Vec<Run> {
+    let calls: [(&str, Call); 8] = [
+        ("f64", call_in_windows::<f64>),
+        ("f32", call_in_windows::<f32>),
+        ("i32", call_in_windows::<i32>),
+        ("i64", call_in_windows::<i64>),
+        ("i128", call_in_windows::<i128>),
+        ("Ratio<i64>", call_in_windows::<Ratio<i64>>),
+        ("BigInt", call_in_windows::<BigInt>),
+        ("BigRational", call_in_windows::<BigRational>),
+    ];
+    let mut runs = Vec::new();
+    for (scalar, call) in calls {
+        for (front, window) in AnyFront::all().into_iter().zip(WINDOWS.into_iter().cycle()) {
+            runs.push(Run {
+                name: format!("stream of {scalar}, {}, windows of {window}", front.name()),
+                choice: Choice {
+                    front,
+                    window,
+                    ..Choice::default()
+                },
+                call,
+            });
+        }
+    }
+    runs
+}
+
+/// So many new vertices a window of a stream has.
+const WINDOWS: [usize; 4] = [1, 2, 7, 1000];
+
+#[cfg(feature = "runs")]
+fn call_in_windows<S: Sample + Clone>(input: &Input, choice: &Choice) -> Option<Outcome> {
+    let way = Streaming {
+        window: choice.window,
+        is_range_known: input.points.len().is_multiple_of(2),
+        front: choice.front.clone(),
+    };
+    streamed::<S>(input, &way)
 }
 
 /// The runs with one scalar.

@@ -19,6 +19,7 @@ pub mod scalars;
 pub mod seeds;
 mod share;
 pub mod shown;
+pub mod stream;
 mod targets;
 pub mod valid;
 pub mod verify;

@@ -4,7 +4,9 @@ use sweep_cdt_testing::Input;
 use sweep_cdt_testing::generators::{self, BYTES};
 
 use crate::file::File;
-use crate::{bits, canonical, differential, formats, fronts, replay, scalars, valid, verify};
+use crate::{
+    bits, canonical, differential, formats, fronts, replay, scalars, stream, valid, verify,
+};
 
 /// The choice made by the bytes before those of the generated input, and these bytes.
 pub type Lead = (&'static str, &'static [u8]);
@@ -67,6 +69,10 @@ pub const TARGETS: &[Target] = &[
         ..GENERATED.named("formats", formats::test)
     },
     GENERATED.named("differential", differential::test),
+    Target {
+        leads: WINDOWS,
+        ..CHOOSING.named("stream", stream::test)
+    },
 ];
 
 /// A target whose bytes are those of a generated input.
@@ -100,6 +106,17 @@ const SCALARS: &[Lead] = &[
     ("far from zero", &[5; 8]),
     ("divided", &[6; 8]),
     ("over the whole range of i64", &[7; 8]),
+];
+
+/// The first byte chooses the scalar, the second the window, the third the front, the fourth an altered result.
+const WINDOWS: &[Lead] = &[
+    ("fractions, windows of one vertex", &[0; 8]),
+    ("integers, windows of two", &[1, 1, 1, 1, 0, 0, 0, 0]),
+    ("doubles, the range of x known", &[2, 4, 2, 2, 0, 0, 0, 0]),
+    (
+        "doubles, windows of seven, the range known",
+        &[3, 6, 0, 3, 0, 0, 0, 0],
+    ),
 ];
 
 /// The number is the seed of random damage.

@@ -1,0 +1,47 @@
+//! A stream passes on the result in memory, whatever the window, the front and the scalar; and the verifier of streams
+//! says of each list of triangles what the verifier in memory says.
+
+use num_rational::BigRational;
+use sweep_cdt::front::AnyFront;
+use sweep_cdt::triangulate;
+use sweep_cdt_testing::oracle::{crosses, found};
+use sweep_cdt_testing::streams::{Altered, Streaming, streamed};
+use sweep_cdt_testing::{Input, Random, generators};
+
+use crate::reached;
+
+/// The property for the choices and the input that the bytes stand for.
+pub fn test(bytes: &[u8]) {
+    let (choices, input) = generators::input_with_choices(bytes);
+    reached::sample(&input);
+    let [scalar, window, front, seed, ..] = choices.to_le_bytes();
+    let fronts = AnyFront::all();
+    let way = Streaming {
+        window: [1, 2, 7, 1000][usize::from(window) % 4],
+        is_range_known: window & 4 != 0,
+        front: fronts[usize::from(front) % fronts.len()].clone(),
+    };
+    let outcome = match scalar % 4 {
+        0 => streamed::<BigRational>(&input, &way),
+        1 => streamed::<i64>(&input, &way).or_else(|| streamed::<f32>(&input, &way)),
+        _ => None,
+    };
+    let outcome = outcome.or_else(|| streamed::<f64>(&input, &way));
+    let outcome = outcome.expect("doubles hold all finite coordinates");
+    let Input { points, edges } = &input;
+    match (triangulate(points, edges), outcome) {
+        (Ok(result), Ok(answer)) => {
+            assert_eq!(answer, found(&result, points.len(), edges.len()), "{way:?}");
+            let random = &mut Random::new(seed.into());
+            Altered::right(points, edges, &result).assert_verdict();
+            Altered::wrong(points, edges, &result, random).assert_verdict();
+        }
+        (Err(_), Err(sweep_cdt::Error::CrossingEdges { edges: pair })) => {
+            assert!(
+                crosses(points, edges, pair),
+                "{pair:?} do not cross: {way:?}"
+            );
+        }
+        (memory, stream) => panic!("{memory:?}, but as a stream {stream:?}: {way:?}"),
+    }
+}

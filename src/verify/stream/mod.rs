@@ -1,0 +1,361 @@
+//! The verifier of streams: is this list of triangles, read once, the constrained Delaunay triangulation?
+//!
+//! The verifier keeps the sides whose other triangle has not come, and the vertices that these and the edges need. Where
+//! the triangles come in the order in which a sweep leaves them, that is the width of the stream; in any other order
+//! more is kept, and the verdict is the same. With the sweep and with [`Stream`](crate::stream::Stream) it shares the
+//! predicates of [`scalar`](crate::scalar), and nothing else.
+//!
+//! | | check | when |
+//! |---|---|---|
+//! | 1 | coordinates are finite, numbers are new, and name vertices that have come | at once |
+//! | 2 | each triangle turns left, strictly | at once |
+//! | 3 | two triangles at one side pass it in opposite directions | when the second comes |
+//! | 4 | both say alike whether the side is constrained; a side that is not is locally Delaunay | when the second comes |
+//! | 5 | each edge is a chain of constrained sides, each constrained side a part of an edge ([`chains`]) | as soon as sides and edges have come |
+//! | 6 | the sides with one triangle are one convex polygon, passed once ([`border`]) | at the end |
+//! | 7 | each vertex is a corner, unless it is declared to be a duplicate | at the end |
+//!
+//! # Why that proves it
+//! Around a point q on no side count the triangles. They turn left (2), so the count is the sum of the winding numbers
+//! of their borders. Sides with two triangles cancel (3), and no matter how sides are paired if more than two triangles
+//! have one: what is left is the winding number of the border, which is 1 inside a convex polygon that is passed once, and
+//! 0 outside (6). So the triangles cover the polygon once, and pairs are neighbors. All vertices are corners (7), so the
+//! polygon is their hull. That local tests suffice (4), for ties too, stands in [`verify`](super).
+//!
+//! # Forgetting
+//! A vertex with no open side, no edge that waits and no constrained side that waits is *closed*. A closed vertex is
+//! forgotten when triangles enough have come since: four for each vertex that is kept, so that the time for looking is
+//! a constant a triangle. Should a later triangle name it nevertheless, the report says so: such a triangle overlaps
+//! others, since the triangles around a closed vertex go all the way round.
+//!
+//! Cost: a few look-ups a triangle, some 0.3 us.
+
+mod border;
+mod chains;
+mod violation;
+
+#[cfg(not(feature = "std"))]
+use alloc::collections::BTreeMap as Map;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+use core::fmt;
+#[cfg(feature = "std")]
+use std::collections::HashMap as Map;
+
+pub use violation::StreamViolation;
+
+use super::report::Level;
+use crate::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
+
+/// Kept beside what is needed, and so many triangles for each vertex, before closed ones are forgotten.
+const SPARE: usize = 1 << 12;
+const PATIENCE: usize = 4;
+
+/// A vertex that may still be named.
+struct Vertex<S> {
+    point: [S; 2],
+    /// Sides of triangles that have come, and whose other triangle has not.
+    open: u32,
+    /// Constrained sides that no edge has taken.
+    unclaimed: u32,
+    /// Whether a triangle has this corner.
+    is_used: bool,
+    /// Whether the vertex was closed when closed ones were last forgotten.
+    was_closed: bool,
+    /// The constrained sides up from here.
+    up: Vec<Up<S>>,
+    /// The edges that begin or pass here, with their upper ends, and wait for a side.
+    waiting: Vec<(u64, [S; 2])>,
+}
+
+impl<S> Vertex<S> {
+    fn is_closed(&self) -> bool {
+        self.is_used && self.open == 0 && self.unclaimed == 0 && self.waiting.is_empty()
+    }
+}
+
+/// A constrained side up from a vertex.
+struct Up<S> {
+    high: u64,
+    point: [S; 2],
+    /// Whether an edge has taken the side.
+    is_taken: bool,
+}
+
+/// A side with one triangle.
+struct Open<S> {
+    /// The corner opposite, and where it is.
+    apex: [S; 2],
+    /// Whether the triangle passes the side from the lower number to the higher.
+    is_upward: bool,
+    is_constrained: bool,
+}
+
+/// What a stream has shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct StreamReport {
+    /// Triangles that have come.
+    pub triangles: u64,
+    /// Vertices that have come, with duplicates.
+    pub vertices: u64,
+    /// Edges that have come.
+    pub edges: u64,
+    /// Sides of the hull.
+    pub hull_sides: u64,
+    /// Most vertices that were kept.
+    pub most_vertices: usize,
+    /// Most sides that were kept.
+    pub most_sides: usize,
+}
+
+/// Verifies a triangulation that comes as a stream: see the [module](self).
+///
+/// Vertices come before what names them, with numbers of any kind. The verifier finds the first fault that ends a
+/// stream; [`Verifier`](super::Verifier) finds all of them.
+///
+/// ```
+/// use sweep_cdt::verify::StreamVerifier;
+///
+/// let mut verifier = StreamVerifier::new();
+/// for (number, point) in (0..).zip([[0, 0], [4, 0], [4, 3], [0, 3]]) {
+///     verifier.vertex(number, point)?;
+/// }
+/// verifier.edge(9, 0, [4, 3])?;
+/// verifier.triangle([0, 1, 2], [false, true, false])?;
+/// verifier.triangle([0, 2, 3], [false, false, true])?;
+/// assert_eq!(verifier.finish()?.hull_sides, 4);
+/// # Ok::<(), sweep_cdt::verify::StreamViolation>(())
+/// ```
+pub struct StreamVerifier<S> {
+    level: Level,
+    vertices: Map<u64, Vertex<S>>,
+    open: Map<[u64; 2], Open<S>>,
+    report: StreamReport,
+    /// Triangles since closed vertices were last forgotten.
+    since: usize,
+}
+
+impl<S: Scalar + Clone> Default for StreamVerifier<S> {
+    fn default() -> Self {
+        StreamVerifier::new()
+    }
+}
+
+impl<S: Scalar + Clone> StreamVerifier<S> {
+    /// A verifier that asks for the canonical triangulation.
+    pub fn new() -> Self {
+        StreamVerifier {
+            level: Level::Canonical,
+            vertices: Map::new(),
+            open: Map::new(),
+            report: StreamReport::default(),
+            since: 0,
+        }
+    }
+
+    /// Asks for this level.
+    #[must_use]
+    pub fn level(mut self, level: Level) -> Self {
+        self.level = level;
+        self
+    }
+
+    /// A vertex with its number, before anything that names it. One number must name one vertex; whether it was given
+    /// before is checked while the vertex is kept.
+    ///
+    /// # Errors
+    /// A coordinate that is not finite, or a number that was given before.
+    pub fn vertex(&mut self, number: u64, point: [S; 2]) -> Result<(), StreamViolation> {
+        if !point.iter().all(S::is_finite) {
+            return Err(StreamViolation::NonFiniteCoordinate { vertex: number });
+        }
+        self.is_new(number)?;
+        let vertex = Vertex {
+            point,
+            open: 0,
+            unclaimed: 0,
+            is_used: false,
+            was_closed: false,
+            up: Vec::new(),
+            waiting: Vec::new(),
+        };
+        self.vertices.insert(number, vertex);
+        self.report.vertices += 1;
+        self.report.most_vertices = self.report.most_vertices.max(self.vertices.len());
+        Ok(())
+    }
+
+    /// A vertex that equals vertex `of`, and is no corner.
+    ///
+    /// # Errors
+    /// Vertex `of` is not known, or lies elsewhere; or as [`vertex`](Self::vertex).
+    pub fn duplicate(
+        &mut self,
+        number: u64,
+        point: &[S; 2],
+        of: u64,
+    ) -> Result<(), StreamViolation> {
+        let place = &self.known(of)?.point;
+        if (0..2).any(|axis| place[axis].compare(&point[axis]).is_ne()) {
+            return Err(StreamViolation::NoDuplicate { vertex: number, of });
+        }
+        self.is_new(number)?;
+        self.report.vertices += 1;
+        Ok(())
+    }
+
+    fn is_new(&self, number: u64) -> Result<(), StreamViolation> {
+        let is_known = self.vertices.contains_key(&number);
+        let error = StreamViolation::RepeatedVertex { vertex: number };
+        if is_known { Err(error) } else { Ok(()) }
+    }
+
+    fn known(&self, number: u64) -> Result<&Vertex<S>, StreamViolation> {
+        let unknown = StreamViolation::UnknownVertex { vertex: number };
+        self.vertices.get(&number).ok_or(unknown)
+    }
+
+    /// A triangle, and whether the side opposite each corner is an edge or a piece of one.
+    ///
+    /// # Errors
+    /// What this triangle shows to be wrong: [`StreamViolation`].
+    pub fn triangle(
+        &mut self,
+        corners: [u64; 3],
+        constrained: [bool; 3],
+    ) -> Result<(), StreamViolation> {
+        let [a, b, c] = corners;
+        let points = [self.known(a)?, self.known(b)?, self.known(c)?];
+        let points = points.map(|vertex| vertex.point.clone());
+        let [p, q, r] = &points;
+        if filtered_orient2d(p, q, r).is_le() {
+            return Err(StreamViolation::NotLeft { corners });
+        }
+        for v in corners {
+            self.at(v).is_used = true;
+        }
+        for side in 0..3 {
+            let [i, j] = [(side + 1) % 3, (side + 2) % 3];
+            let ends = [corners[i], corners[j]];
+            self.side(
+                ends,
+                [&points[i], &points[j], &points[side]],
+                constrained[side],
+            )?;
+        }
+        self.report.triangles += 1;
+        self.report.most_sides = self.report.most_sides.max(self.open.len());
+        self.since += 1;
+        if self.since > PATIENCE * self.vertices.len() + SPARE {
+            self.forget();
+        }
+        Ok(())
+    }
+
+    /// A vertex that is known.
+    fn at(&mut self, number: u64) -> &mut Vertex<S> {
+        self.vertices
+            .get_mut(&number)
+            .expect("a vertex that has come")
+    }
+
+    /// A side of a triangle, in its direction: its ends, where they and the corner opposite are.
+    fn side(
+        &mut self,
+        [u, v]: [u64; 2],
+        [p, q, apex]: [&[S; 2]; 3],
+        is_constrained: bool,
+    ) -> Result<(), StreamViolation> {
+        let (key, is_upward) = ([u.min(v), u.max(v)], u < v);
+        let Some(other) = self.open.remove(&key) else {
+            let apex = apex.clone();
+            let open = Open {
+                apex,
+                is_upward,
+                is_constrained,
+            };
+            self.open.insert(key, open);
+            for end in key {
+                self.at(end).open += 1;
+            }
+            if is_constrained {
+                self.constrained_side([u, v]);
+            }
+            return Ok(());
+        };
+        let side = [u, v];
+        if other.is_upward == is_upward {
+            return Err(StreamViolation::RepeatedSide { side });
+        }
+        if other.is_constrained != is_constrained {
+            return Err(StreamViolation::HalfConstrained { side });
+        }
+        for end in key {
+            self.at(end).open -= 1;
+        }
+        if is_constrained {
+            return Ok(());
+        }
+        // From the triangle on the left: its corners run p, q, apex.
+        match filtered_in_circle(p, q, apex, &other.apex) {
+            Ordering::Greater if self.level >= Level::Delaunay => {
+                Err(StreamViolation::NotDelaunay { side })
+            }
+            Ordering::Equal if self.level >= Level::Canonical => {
+                let all = [p, q, apex, &other.apex];
+                let first = all.into_iter().min_by(|a, b| from_left(a, b));
+                let ends_at =
+                    |end: &[S; 2]| first.is_some_and(|first| from_left(first, end).is_eq());
+                match ends_at(p) || ends_at(q) {
+                    true => Ok(()),
+                    false => Err(StreamViolation::NotCanonical { side }),
+                }
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Forgets what was closed before and still is.
+    fn forget(&mut self) {
+        self.since = 0;
+        self.vertices.retain(|_, vertex| {
+            let is_closed = vertex.is_closed();
+            let is_kept = !(is_closed && vertex.was_closed);
+            vertex.was_closed = is_closed;
+            is_kept
+        });
+    }
+
+    /// The end of the stream.
+    ///
+    /// # Errors
+    /// What is missing, or what the whole shows to be wrong.
+    pub fn finish(mut self) -> Result<StreamReport, StreamViolation> {
+        if self.report.triangles == 0 {
+            border::all_on_one_line(&self.vertices)?;
+            return Ok(self.report);
+        }
+        self.no_chain_is_broken()?;
+        let unused = self.vertices.iter().filter(|(_, vertex)| !vertex.is_used);
+        if let Some(vertex) = unused.map(|(&number, _)| number).min() {
+            return Err(StreamViolation::UnusedVertex { vertex });
+        }
+        self.report.hull_sides = border::convex(&self.open, &self.vertices)?;
+        Ok(self.report)
+    }
+}
+
+/// From left to right, of points with equal x from above.
+fn from_left<S: Scalar>(a: &[S; 2], b: &[S; 2]) -> Ordering {
+    a[0].compare(&b[0]).then_with(|| b[1].compare(&a[1]))
+}
+
+impl<S> fmt::Debug for StreamVerifier<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("StreamVerifier")
+            .field("level", &self.level)
+            .field("report", &self.report)
+            .finish_non_exhaustive()
+    }
+}
