@@ -12,6 +12,7 @@ import random
 import subprocess
 import sys
 import tempfile
+from fractions import Fraction
 
 PROOF = pathlib.Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(PROOF), str(PROOF / "tests")]
@@ -134,8 +135,8 @@ def domains(command, title, path, result, folder):
     return found
 
 
-def certified(command, title, path, folder):
-    """The certificate that the command writes of its own result must be accepted by both."""
+def certified(command, title, path, result, folder):
+    """The certificate that the command writes of its own result must be of this input, and accepted by both."""
     cert = folder / "own.cert"
     subprocess.run([command, "triangulate", path, "--inside", "hull", "-o", cert], capture_output=True, check=True)
     program = subprocess.run([PROOF / "build/check", cert], capture_output=True, check=False).returncode
@@ -143,6 +144,13 @@ def certified(command, title, path, folder):
         check.judge(*check.read(lines), False)
     if program:
         sys.exit(f"{title}: the command's own certificate is refused")
+    lines = cert.read_text().splitlines()
+    unit = Fraction(2) ** int(lines[1].split(" ")[1])
+    edges = 4 + len(result["points"])
+    points = [[int(x, 0) * unit for x in line.split(" ")] for line in lines[4:edges]]
+    ends = [[int(line.split(" ")[i]) for i in (0, -1)] for line in lines[edges + 1 :][: len(result["edges"])]]
+    if points != [[Fraction(float(x)) for x in point[:2]] for point in result["points"]] or ends != result["edges"]:
+        sys.exit(f"{title}: the command's own certificate has other points or edges")
 
 
 def main(command, altered=5):
@@ -158,7 +166,7 @@ def main(command, altered=5):
             if not output.exists():
                 continue  # edges that cross
             result = json.loads(output.read_text())
-            certified(command, title, path, folder)
+            certified(command, title, path, result, folder)
             cases = [("right", result)]
             if result["triangles"] and len(result["points"]) < 5000:
                 interiors += domains(command, title, path, result, folder)

@@ -1,15 +1,16 @@
 //! Certificates: the input, the triangles and hints, from which a proved checker sees that a result is right.
 //!
-//! The format is that of `proof/certificate.md`. Nothing but the input is taken on trust, so nothing here must be right
-//! for the checker to be: a wrong hint is refused. Coordinates are integers times one power of two. The hints are the chain of
-//! points along each edge, the lower hull, the sides that are pieces of edges, an order of the triangles in which each
-//! stands after those below it, and, where not all are inside, how often the edges go round each triangle.
+//! The format is that of `proof/certificate.md`. The verdict is about the points and edges in the file: coordinates as
+//! integers times one power of two, which must be the caller's exactly. A fault in anything else makes the checker refuse,
+//! never accept. The hints are the chain of points along each edge, the lower hull, the sides that are pieces of edges, an
+//! order of the triangles, and, where not all are inside, how often the edges go round each triangle.
 //!
 //! ```text
-//!        .-----.            A side that leads to a later point, counterclockwise, is a *lower* side of its
-//!       / `. 3 .`\          triangle: the neighbour across it is listed before. So the triangles read so far
-//!      / 2  `-'   \         always have an upper border that goes from left to right (*later* is meant in
-//!     /___.'1  `.__\        the order (x, y)).
+//!        .-----------.          A side that leads to a later point, counterclockwise, is a *lower* side of its
+//!       / \         / \         triangle (*later* is meant in the order (x, y)). The neighbour across a lower
+//!      /   \  2    /   \        side is listed before: 0 and 1 before 2. So the triangles read so far always
+//!     /  0  \     /  1  \       have an upper border that goes from left to right.
+//!    '-------'---'-------'
 //! ```
 //!
 //! Cost: O(n log n) for n points, edges and triangles, by sorts; 80 bytes a triangle, and the integers.
@@ -52,7 +53,7 @@ pub fn write_certificate<S: Coordinate>(
     is_inside: impl Fn(usize) -> bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let (exponent, integers) = integers(points)?;
+    let (exponent, coordinates) = coordinates(points)?;
     let mut tiling = Tiling::new(points, triangles).ok_or_else(wrong)?;
     let chains: Option<Vec<Vec<u32>>> = edges.iter().map(|&edge| tiling.chain(edge)).collect();
     let chains = chains.ok_or_else(wrong)?;
@@ -63,7 +64,8 @@ pub fn write_certificate<S: Coordinate>(
     writeln!(out, "exponent {exponent}")?;
     writeln!(out, "domain {domain}")?;
     writeln!(out, "points {}", points.len())?;
-    for [x, y] in &integers {
+    for point in coordinates.chunks(2) {
+        let [x, y] = [0, 1].map(|axis| integer(&point[axis], exponent));
         writeln!(out, "{x} {y}")?;
     }
     writeln!(out, "edges {}", edges.len())?;
@@ -96,31 +98,30 @@ fn wrong() -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, why)
 }
 
-/// The coordinates as integers times two to the power returned, as text.
-fn integers<S: Coordinate>(points: &[[S; 2]]) -> io::Result<(i64, Vec<[String; 2]>)> {
-    let parts: Option<Vec<(BigInt, i64)>> = points.iter().flatten().map(S::binary).collect();
-    let parts = parts.ok_or_else(|| {
+/// The least exponent, and all coordinates, x and y in turn, each as an integer with an exponent of two.
+fn coordinates<S: Coordinate>(points: &[[S; 2]]) -> io::Result<(i64, Vec<(BigInt, i64)>)> {
+    let list: Option<Vec<(BigInt, i64)>> = points.iter().flatten().map(S::binary).collect();
+    let list = list.ok_or_else(|| {
         let why = "a certificate has integers times a power of two, and a coordinate is none, such as 1/3 or 0.1 read \
                    exactly: multiply all by their denominators";
         io::Error::new(io::ErrorKind::InvalidInput, why)
     })?;
-    let exponents = parts.iter().filter(|(integer, _)| integer.bits() > 0);
+    let exponents = list.iter().filter(|(integer, _)| integer.bits() > 0);
     let least = exponents.map(|&(_, exponent)| exponent).min().unwrap_or(0);
-    let texts = parts.into_iter().map(|(integer, exponent)| {
-        if integer.bits() == 0 {
-            return "0".to_owned();
-        }
-        let integer = integer << (exponent - least).unsigned_abs();
-        match i64::try_from(&integer) {
-            Ok(small) => small.to_string(),
-            // Quicker to write and to read.
-            Err(_) => format!("{integer:#x}"),
-        }
-    });
-    let texts: Vec<String> = texts.collect();
-    let mut texts = texts.into_iter();
-    let pair = || Some([texts.next()?, texts.next()?]);
-    Ok((least, std::iter::from_fn(pair).collect()))
+    Ok((least, list))
+}
+
+/// A coordinate in units of two to the power `least`, as text.
+fn integer((integer, exponent): &(BigInt, i64), least: i64) -> String {
+    if integer.bits() == 0 {
+        return "0".to_owned();
+    }
+    let integer = integer << (exponent - least).unsigned_abs();
+    match i64::try_from(&integer) {
+        Ok(small) => small.to_string(),
+        // Hexadecimal digits are quicker to write and to read.
+        Err(_) => format!("{integer:#x}"),
+    }
 }
 
 /// Triangles with their neighbours. A half-edge `3 t + k` runs from corner `k` of triangle `t` to the next one.
@@ -132,6 +133,7 @@ struct Tiling<'a, S> {
     point: Vec<u32>,
     /// Counterclockwise, the earliest corner first.
     corners: Vec<[u32; 3]>,
+    /// For each half-edge the one on the other side, or [`NONE`].
     twin: Vec<u32>,
     /// For each half-edge its side, a position in `sides`.
     side: Vec<u32>,
@@ -163,10 +165,7 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
             .ok()
             .filter(|&halves| halves < NONE)?;
 
-        let ends = |half: u32| {
-            let [t, k] = [half as usize / 3, half as usize % 3];
-            [corners[t][k], corners[t][(k + 1) % 3]].map(|v| rank[v as usize])
-        };
+        let ends = |half: u32| ends(&corners, half).map(|v| rank[v as usize]);
         let of_side = |half: u32| {
             let [from, to] = ends(half);
             [from.min(to), from.max(to)]
@@ -249,9 +248,7 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
 
     /// The ranks of the ends of a half-edge.
     fn ends(&self, half: u32) -> [u32; 2] {
-        let [t, k] = [half as usize / 3, half as usize % 3];
-        let corners = self.corners[t];
-        [corners[k], corners[(k + 1) % 3]].map(|v| self.rank[v as usize])
+        ends(&self.corners, half).map(|v| self.rank[v as usize])
     }
 
     fn is_lower(&self, half: u32) -> bool {
@@ -351,6 +348,12 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
         let pieces = |k: u32| self.pieces[self.side[(3 * t + k) as usize] as usize];
         (0..3).map(|k| u8::from(pieces(k) > 0) << k).sum()
     }
+}
+
+/// The points at the ends of a half-edge.
+fn ends(corners: &[[u32; 3]], half: u32) -> [u32; 2] {
+    let [t, k] = [half as usize / 3, half as usize % 3];
+    [corners[t][k], corners[t][(k + 1) % 3]]
 }
 
 /// For each point its place among the distinct points, and for each place its first point; `None` if there are too many.
