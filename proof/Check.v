@@ -36,20 +36,35 @@ Definition compare_sides (s t : zside) : comparison :=
   | c => c
   end.
 
+(* How often the edges of a ring go round a triangle. A list of that says 0 of a ring that it does not name. *)
+Record zround := Round { ring : Z; times : Z }.
+Fixpoint times_of (r : Z) (l : list zround) : Z :=
+  match l with
+  | [] => 0
+  | Round s n :: l' => if Z.eqb r s then n + times_of r l' else times_of r l'
+  end.
+
 (* The certificate. *)
 Record zmarks := Marks { mark_ab : bool; mark_bc : bool; mark_ca : bool }.
 Record ztriangle := ZTriangle
-  { corner_a : zpoint; corner_b : zpoint; corner_c : zpoint; marks : zmarks; value : Z }.
-Inductive zdomain := Hull | EvenOdd | NonZero.
-Record zedge := ZEdge { edge_from : zpoint; edge_through : list zpoint; edge_to : zpoint }.
+  { corner_a : zpoint; corner_b : zpoint; corner_c : zpoint; marks : zmarks; value : list zround }.
+Record zpolygon := ZPolygon { outlines : list Z; holes : list Z }.
+Inductive zdomain := Hull | EvenOdd | NonZero | Polygons (ps : list zpolygon).
+Record zedge := ZEdge
+  { edge_from : zpoint; edge_through : list zpoint; edge_to : zpoint; edge_ring : option Z }.
 Record certificate := Certificate
   { domain : zdomain; points : list zpoint; edges : list zedge; lower : list zpoint; triangles : list ztriangle }.
 
 (* A side of the front; of the triangle below it the third corner, its mark for the side, and its value. *)
-Record item := Item { item_side : zside; below : option zpoint; marked : bool; level : Z }.
+Record item := Item { item_side : zside; below : option zpoint; marked : bool; level : list zround }.
 
-(* By how much the value rises from below a side to above it. *)
-Record zrise := Rise { rise_side : zside; rise : Z }.
+(* By how much the value rises from below a side to above it, for one ring. *)
+Record zrise := Rise { rise_side : zside; rise_ring : Z; rise : Z }.
+Definition compare_rises (x y : zrise) : comparison :=
+  match compare_sides (rise_side x) (rise_side y) with
+  | Eq => Z.compare (rise_ring x) (rise_ring y)
+  | c => c
+  end.
 
 (* The front in two parts: what is left of the place where the last triangle came, nearest first; and the rest. *)
 Record state := State
@@ -95,8 +110,29 @@ Definition legal (rule mark : bool) (c : zpoint) (i : item) : bool :=
 
 Definition use (mark : bool) (i : item) (l : list zside) : list zside := if mark then item_side i :: l else l.
 
-Definition add_rise (v : Z) (i : item) (l : list zrise) : list zrise :=
-  if Z.eqb v (level i) then l else Rise (item_side i) (v - level i) :: l.
+(* The rises from value w below side s to value v above. Few, if the greatest ring comes first in both; right always. *)
+Fixpoint rises_by (s : zside) (sign : Z) (v : list zround) (l : list zrise) : list zrise :=
+  match v with
+  | [] => l
+  | Round r n :: v' => rises_by s sign v' (Rise s r (sign * n) :: l)
+  end.
+Fixpoint rises_between (s : zside) (v : list zround) : list zround -> list zrise -> list zrise :=
+  match v with
+  | [] => rises_by s (-1)
+  | Round q m :: v' =>
+    fix below (w : list zround) (l : list zrise) : list zrise :=
+      match w with
+      | [] => rises_by s 1 v l
+      | Round r n :: w' =>
+        match Z.compare q r with
+        | Eq => rises_between s v' w' (if Z.eqb m n then l else Rise s q (m - n) :: l)
+        | Gt => rises_between s v' w (Rise s q m :: l)
+        | Lt => below w' (Rise s r (-1 * n) :: l)
+        end
+      end
+  end.
+Definition add_rise (v : list zround) (i : item) (l : list zrise) : list zrise :=
+  rises_between (item_side i) v (level i) l.
 
 Definition step (rule : bool) (t : ztriangle) (s : state) : option state :=
   let a := corner_a t in let b := corner_b t in let c := corner_c t in
@@ -213,51 +249,64 @@ Fixpoint all_covered (l : list item) : bool :=
   | i :: r => match below i with Some _ => all_covered r | None => false end
   end.
 
-(* The value rises from a triangle to the next one by the number of edges along the side, to the right less to the left.
-   Outside it is 0. For even-odd, odd and even are all that counts. *)
+(* For each ring the value rises from a triangle to the next one by the number of its edges along the side, to the right
+   less to the left. Outside it is 0. For even-odd and for polygons, odd and even are all that counts. By even-odd and
+   nonzero all edges are one ring. *)
 Fixpoint last_rises (l : list item) (acc : list zrise) : list zrise :=
   match l with
   | [] => acc
-  | i :: r => last_rises r (add_rise 0 i acc)
+  | i :: r => last_rises r (add_rise [] i acc)
   end.
-Definition fall (a b : zpoint) : zrise := if before a b then Rise (ZSide a b) (-1) else Rise (ZSide b a) 1.
-Fixpoint falls_of (a : zpoint) (through : list zpoint) (b : zpoint) (acc : list zrise) : list zrise :=
+Definition one_ring (e : zedge) : option Z := Some 0.
+Definition fall (n : Z) (a b : zpoint) : zrise :=
+  if before a b then Rise (ZSide a b) n (-1) else Rise (ZSide b a) n 1.
+Fixpoint falls_of (n : Z) (a : zpoint) (through : list zpoint) (b : zpoint) (acc : list zrise) : list zrise :=
   match through with
-  | [] => fall a b :: acc
-  | v :: r => falls_of v r b (fall a v :: acc)
+  | [] => fall n a b :: acc
+  | v :: r => falls_of n v r b (fall n a v :: acc)
   end.
-Fixpoint falls (es : list zedge) (acc : list zrise) : list zrise :=
+Fixpoint falls (ring_of : zedge -> option Z) (es : list zedge) (acc : list zrise) : list zrise :=
   match es with
   | [] => acc
   | e :: r =>
-    if same (edge_from e) (edge_to e) then falls r acc
-    else falls r (falls_of (edge_from e) (edge_through e) (edge_to e) acc)
+    match ring_of e with
+    | None => falls ring_of r acc
+    | Some n =>
+      if same (edge_from e) (edge_to e) then falls ring_of r acc
+      else falls ring_of r (falls_of n (edge_from e) (edge_through e) (edge_to e) acc)
+    end
   end.
-Fixpoint balanced (fits : Z -> bool) (s : zside) (sum : Z) (l : list zrise) : bool :=
+Fixpoint balanced (fits : Z -> bool) (x : zrise) (sum : Z) (l : list zrise) : bool :=
   match l with
   | [] => fits sum
-  | Rise t v :: r =>
-    match compare_sides s t with
-    | Eq => balanced fits s (sum + v) r
-    | _ => fits sum && balanced fits t v r
+  | y :: r =>
+    match compare_rises x y with
+    | Eq => balanced fits x (sum + rise y) r
+    | _ => fits sum && balanced fits y (rise y) r
     end
   end.
 Definition all_balanced (fits : Z -> bool) (l : list zrise) : bool :=
-  match sort (fun x y => compare_sides (rise_side x) (rise_side y)) l with
+  match sort compare_rises l with
   | [] => true
-  | x :: r => balanced fits (rise_side x) (rise x) r
+  | x :: r => balanced fits x (rise x) r
   end.
 Definition values_right (d : zdomain) (es : list zedge) (rs : list zrise) : bool :=
   match d with
   | Hull => true
-  | EvenOdd => all_balanced Z.even (falls es rs)
-  | NonZero => all_balanced (Z.eqb 0) (falls es rs)
+  | EvenOdd => all_balanced Z.even (falls one_ring es rs)
+  | NonZero => all_balanced (Z.eqb 0) (falls one_ring es rs)
+  | Polygons _ => all_balanced Z.even (falls edge_ring es rs)
   end.
+
+(* What is inside by its value. A polygon covers what one of its outlines goes round and none of its holes does. *)
+Definition is_odd (v : list zround) (r : Z) : bool := Z.odd (times_of r v).
 Definition inside_by (d : zdomain) (t : ztriangle) : bool :=
+  let v := value t in
   match d with
   | Hull => true
-  | EvenOdd => Z.odd (value t)
-  | NonZero => negb (Z.eqb (value t) 0)
+  | EvenOdd => is_odd v 0
+  | NonZero => negb (Z.eqb (times_of 0 v) 0)
+  | Polygons ps => existsb (fun p => existsb (is_odd v) (outlines p) && negb (existsb (is_odd v) (holes p))) ps
   end.
 
 Definition check (rule : bool) (k : certificate) : bool :=
@@ -265,7 +314,7 @@ Definition check (rule : bool) (k : certificate) : bool :=
   | [] => match points k with [] => true | a :: r => on_line a r end
   | _ =>
     let low := low_sides (lower k) in
-    let start := State [] (rev_append (fold_left (fun acc s => Item s None false 0 :: acc) low []) [])
+    let start := State [] (rev_append (fold_left (fun acc s => Item s None false [] :: acc) low []) [])
                    (lower k) [] [] in
     match lay rule (triangles k) start, pieces (edges k) [] with
     | Some s, Some ps =>

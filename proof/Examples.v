@@ -46,21 +46,22 @@ Ltac by_checker rule k theorem :=
 
 Example fan_is_right : canonical square [] fan.
 Proof.
-  by_checker true (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zd no 0; ZTriangle zd zb zc no 0])
+  by_checker true (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zd no [];
+    ZTriangle zd zb zc no []])
     accepted_is_canonical.
 Qed.
 
 Example other_is_right : constrained_delaunay square [] other.
 Proof.
-  by_checker false (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no 0;
-    ZTriangle za zc zd no 0])
+  by_checker false (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no [];
+    ZTriangle za zc zd no []])
     (fun u p => accepted_is_constrained_delaunay u p false).
 Qed.
 
 Example other_is_canonical_with_edge : canonical square [(a, c)] other.
 Proof.
-  by_checker true (Certificate Hull [za; zb; zc; zd] [ZEdge za [] zc] [za; zb; zc]
-      [ZTriangle za zb zc (Marks false false true) 0; ZTriangle za zc zd (Marks true false false) 0])
+  by_checker true (Certificate Hull [za; zb; zc; zd] [ZEdge za [] zc None] [za; zb; zc]
+      [ZTriangle za zb zc (Marks false false true) []; ZTriangle za zc zd (Marks true false false) []])
     accepted_is_canonical.
 Qed.
 
@@ -68,38 +69,64 @@ Example upright_is_right : canonical kite [] upright.
 Proof.
   by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [] [ZPoint 0 0;
     ZPoint 4 (-1); ZPoint 8 0]
-      [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no 0;
-        ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no 0])
+      [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no [];
+        ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no []])
     accepted_is_canonical.
 Qed.
 
 Example level_is_right_with_edge : canonical kite [(w, e)] level.
 Proof.
   by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0;
-    ZPoint 4 1] [ZEdge (ZPoint 0 0) [] (ZPoint 8 0)]
+    ZPoint 4 1] [ZEdge (ZPoint 0 0) [] (ZPoint 8 0) None]
       [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0]
-      [ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 8 0) (Marks false false true) 0;
-       ZTriangle (ZPoint 0 0) (ZPoint 8 0) (ZPoint 4 1) (Marks true false false) 0])
+      [ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 8 0) (Marks false false true) [];
+       ZTriangle (ZPoint 0 0) (ZPoint 8 0) (ZPoint 4 1) (Marks true false false) []])
     accepted_is_canonical.
 Qed.
 
 (* The ring a, b, d holds one of the two triangles of the fan. *)
-Example inside_of_a_ring : interior (nonzero [(a, b); (b, d); (d, a)]) fan [(a, b, d)].
+Definition ring := [(a, b); (b, d); (d, a)].
+Definition outline := [(a, b); (b, c); (c, d); (d, a)].
+Definition zring n := [ZEdge za [] zb n; ZEdge zb [] zd n; ZEdge zd [] za n].
+Definition zoutline n := [ZEdge za [] zb n; ZEdge zb [] zc n; ZEdge zc [] zd n; ZEdge zd [] za n].
+Definition all_sides := Marks true true true.
+
+Ltac interior_by_checker rule edges v w :=
+  let H := fresh in
+  assert (H : check true (Certificate rule [za; zb; zc; zd] edges [za; zb; zc]
+    [ZTriangle za zb zd all_sides v; ZTriangle zd zb zc all_sides w]) = true) by (vm_compute; reflexivity);
+  apply (accepted_inside_is_interior 1 Rlt_0_1) in H; cbn [domain] in H;
+  unfold real_edges, real_triangles, real_inside, real_polygons, Domain.real_polygon, Domain.ring_edges,
+    Domain.inside_triangles, place_triangle, place_edge in H;
+  cbn -[place in_polygons interior] in H; unfold za, zb, zc, zd in H; rewrite ?placed in H; exact H.
+
+Example inside_of_a_ring : interior (nonzero (ring ++ outline)) fan fan.
+Proof. interior_by_checker NonZero (zring None ++ zoutline None) [Round 0 2] [Round 0 1]. Qed.
+
+Example inside_of_two_rings : interior (even_odd (ring ++ outline)) fan [(d, b, c)].
+Proof. interior_by_checker EvenOdd (zring None ++ zoutline None) (@nil zround) [Round 0 1]. Qed.
+
+(* The ring is a hole, or a polygon that lies over the other one, or a line that bounds nothing. *)
+Example inside_of_a_polygon_with_a_hole : interior (in_polygons [([outline], [ring])]) fan [(d, b, c)].
 Proof.
-  assert (H : check true (Certificate NonZero [za; zb; zc; zd] [ZEdge za [] zb; ZEdge zb [] zd; ZEdge zd [] za] [za;
-    zb; zc]
-    [ZTriangle za zb zd (Marks true true true) 1; ZTriangle zd zb zc (Marks true false false) 0]) = true)
-    by (vm_compute; reflexivity).
-  apply (accepted_inside_is_interior 1 Rlt_0_1) in H. cbn [domain] in H.
-  unfold real_edges, real_triangles, real_inside, Domain.inside_triangles, place_triangle, place_edge in H.
-  cbn [map filter inside_by negb Z.eqb value domain edges triangles corner_a corner_b corner_c edge_from edge_to] in H.
-  unfold za, zb, zc, zd in H. rewrite ?placed in H. exact H.
+  interior_by_checker (Polygons [ZPolygon [0%Z] [1%Z]]) (zring (Some 1%Z) ++ zoutline (Some 0%Z))
+    [Round 0 1; Round 1 1] [Round 0 1].
 Qed.
 
-Example round_the_ring : winding [(a, b); (b, d); (d, a)] (Point (1 / 2) (1 / 2)) = 1%Z /\
-  winding [(a, b); (b, d); (d, a)] (Point (3 / 2) (3 / 2)) = 0%Z.
+Example inside_of_two_polygons : interior (in_polygons [([outline], []); ([ring], [])]) fan fan.
 Proof.
-  unfold winding, below_right. compute_points. cbn [fold_right].
+  interior_by_checker (Polygons [ZPolygon [0%Z] []; ZPolygon [1%Z] []]) (zring (Some 1%Z) ++ zoutline (Some 0%Z))
+    [Round 0 1; Round 1 1] [Round 0 1].
+Qed.
+
+Example inside_of_a_polygon_with_lines : interior (in_polygons [([ring], [])]) fan [(a, b, d)].
+Proof.
+  interior_by_checker (Polygons [ZPolygon [1%Z] []]) (zring (Some 1%Z) ++ zoutline None) [Round 1 1] (@nil zround).
+Qed.
+
+Example round_the_ring : winding ring (Point (1 / 2) (1 / 2)) = 1%Z /\ winding ring (Point (3 / 2) (3 / 2)) = 0%Z.
+Proof.
+  unfold winding, below_right, ring. compute_points. cbn [fold_right].
   split; repeat (destruct (Rle_dec _ _) || destruct (Rlt_dec _ _)); cbn [X Y] in *; try lra; reflexivity.
 Qed.
 
@@ -187,4 +214,22 @@ Proof.
   - exists (Point 4 (15 / 2)). compute_points. split; [lra|]. intros x [->|[->| ->]]; cbn; lra.
   - compute_points. lra.
   - injection K as <- <-. compute_points. lra.
+Qed.
+
+(* A hole is not covered, and of polygons none takes away what another one covers. *)
+Example a_hole_is_not_inside : ~ interior (in_polygons [([outline], [ring])]) fan fan.
+Proof.
+  intros [_ H]. destruct (proj1 (H (a, b, d) (Point (1 / 2) (1 / 2)) ltac:(cbn; auto) ltac:(compute_points; lra)))
+    as (p & [<-|[]] & _ & N); [cbn; auto|].
+  apply (N ring); [cbn; auto|]. exists 0%Z. apply round_the_ring.
+Qed.
+
+Example polygons_are_not_even_odd : ~ interior (in_polygons [([outline], []); ([ring], [])]) fan [(d, b, c)].
+Proof.
+  intros [_ H].
+  assert (I : In (a, b, d) [(d, b, c)]).
+  { apply (H (a, b, d) (Point (1 / 2) (1 / 2))); [cbn; auto|compute_points; lra|].
+    exists ([ring], []). split; [cbn; auto|]. split; [|intros r []].
+    exists ring. split; [cbn; auto|]. exists 0%Z. apply round_the_ring. }
+  destruct I as [I|[]]. compute_points. injection I. lra.
 Qed.

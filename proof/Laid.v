@@ -101,23 +101,46 @@ Qed.
 Lemma fine_more used used' a b c d : incl used used' -> fine used a b c d -> fine used' a b c d.
 Proof. intros I [[s [J H]]|H]; [left; exists s; split; [apply I|]; assumption|right; assumption]. Qed.
 
-Definition risen (q : point) (x : zrise) : Z :=
-  (rise x * above (place u (left_end (rise_side x))) (place u (right_end (rise_side x))) q)%Z.
+(* What the rises of one ring n add up to. *)
+Definition risen (n : Z) (q : point) (x : zrise) : Z :=
+  if Z.eqb n (rise_ring x)
+  then (rise x * above (place u (left_end (rise_side x))) (place u (right_end (rise_side x))) q)%Z else 0%Z.
 
-Lemma add_rise_total q v i l :
-  (total (risen q) (add_rise v i l) = (v - level i) * above (at_left i) (at_right i) q + total (risen q) l)%Z.
+Lemma rises_by_total n q s sign : forall v l, (total (risen n q) (rises_by s sign v l)
+  = sign * times_of n v * above (place u (left_end s)) (place u (right_end s)) q + total (risen n q) l)%Z.
 Proof.
-  unfold add_rise. destruct (Z.eqb_spec v (level i)) as [->|N]; [rewrite Z.sub_diag; lia|].
-  rewrite total_cons. unfold risen at 1. cbn. reflexivity.
+  induction v as [|[r m] v IH]; intros l; cbn [rises_by times_of]; [ring|].
+  rewrite IH, total_cons. unfold risen at 1. cbn [rise_ring rise rise_side]. destruct (Z.eqb n r); ring.
 Qed.
+
+Lemma rises_between_total n q s : forall v w l, (total (risen n q) (rises_between s v w l)
+  = (times_of n v - times_of n w) * above (place u (left_end s)) (place u (right_end s)) q + total (risen n q) l)%Z.
+Proof.
+  induction v as [|[r m] v IH].
+  - intros w l. cbn [rises_between]. rewrite rises_by_total. cbn [times_of]. ring.
+  - induction w as [|[r' k] w IHw]; intros l; cbn [rises_between].
+    + rewrite rises_by_total. cbn [times_of]. ring.
+    + destruct (Z.compare_spec r r') as [<-|C|C].
+      * rewrite IH. cbn [times_of]. destruct (Z.eqb_spec m k) as [<-|N]; [destruct (Z.eqb n r); ring|].
+        rewrite total_cons. unfold risen at 1. cbn [rise_ring rise rise_side]. destruct (Z.eqb n r); ring.
+      * cbn [rises_between] in IHw. rewrite IHw, total_cons. unfold risen at 1. cbn [rise_ring rise rise_side times_of].
+        destruct (Z.eqb n r'); ring.
+      * rewrite IH, total_cons. unfold risen at 1. cbn [rise_ring rise rise_side times_of].
+        destruct (Z.eqb n r); ring.
+Qed.
+
+Lemma add_rise_total n q v i l : (total (risen n q) (add_rise v i l)
+  = (times_of n v - times_of n (level i)) * above (at_left i) (at_right i) q + total (risen n q) l)%Z.
+Proof. apply rises_between_total. Qed.
 
 Record laid (done : list ztriangle) (s : state) : Prop := {
   l_positive : forall t, In t done -> positive (tri t);
   l_count : forall q, (total (fun t => count q (tri t)) done + total (fun i => above (at_left i) (at_right i) q)
     (front s)
     = total (fun s => above (place u (left_end s)) (place u (right_end s)) q) low)%Z;
-  l_values : forall q, (total (fun t => value t * count q (tri t)) done
-      + total (fun i => level i * above (at_left i) (at_right i) q) (front s) = total (risen q) (rises s))%Z;
+  l_values : forall n q, (total (fun t => times_of n (value t) * count q (tri t)) done
+      + total (fun i => times_of n (level i) * above (at_left i) (at_right i) q) (front s)
+    = total (risen n q) (rises s))%Z;
   l_order : forall i, In i (front s) -> lex (at_left i) (at_right i);
   l_below : forall i, In i (front s) ->
     match below i with
@@ -244,7 +267,7 @@ Proof.
       rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
       rewrite (above_right (place u b) (place u c)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia.
-    + intros q. pose proof (l_values _ _ H q) as C. rewrite (total_permutation _ _ _ P), total_cons in C.
+    + intros n q. pose proof (l_values _ _ H n q) as C. rewrite (total_permutation _ _ _ P), total_cons in C.
       rewrite (total_permutation _ _ _ P'), !total_cons, Ri, add_rise_total, <- C. rewrite Ei in *.
       unfold n1, n2. cbn [item_side left_end right_end level] in *.
       assert (K : count q (tri t) = (above (place u a) (place u b) q - above (place u c) (place u b) q
@@ -344,7 +367,7 @@ Proof.
       rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u b)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia.
-    + intros q. pose proof (l_values _ _ H q) as C. rewrite (total_permutation _ _ _ P), !total_cons in C.
+    + intros n q. pose proof (l_values _ _ H n q) as C. rewrite (total_permutation _ _ _ P), !total_cons in C.
       rewrite (total_permutation _ _ _ P'), !total_cons, Ri, !add_rise_total, <- C. rewrite Ei, Ej in *.
       unfold n1. cbn [item_side left_end right_end level] in *.
       assert (K : count q (tri t) = (above (place u a) (place u b) q + above (place u b) (place u c) q

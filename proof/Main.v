@@ -8,6 +8,9 @@ Definition real_points (u : R) (k : certificate) : list point := map (place u) (
 Definition real_edges (u : R) (k : certificate) : list edge := map (place_edge u) (edges k).
 Definition real_triangles (u : R) (k : certificate) : list triangle := map (place_triangle u) (triangles k).
 
+Definition real_polygons (u : R) (k : certificate) (ps : list zpolygon) : list polygon :=
+  map (real_polygon u (edges k)) ps.
+
 Lemma parallel a b x y z : a <> b -> orient a b x = 0 -> orient a b y = 0 -> orient a b z = 0 -> orient x y z = 0.
 Proof.
   intros N A B C.
@@ -91,9 +94,11 @@ Theorem accepted_inside_is_interior rule k : check rule k = true ->
   | Hull => True
   | EvenOdd => interior (even_odd (real_edges u k)) (real_triangles u k) (real_inside u k)
   | NonZero => interior (nonzero (real_edges u k)) (real_triangles u k) (real_inside u k)
+  | Polygons ps => interior (in_polygons (real_polygons u k ps)) (real_triangles u k) (real_inside u k)
   end.
 Proof.
-  intros H. destruct (domain k) eqn:D; [trivial| |]; apply (inside_is_interior u u_positive rule); auto.
+  intros H. pose proof (inside_is_interior u u_positive rule k H) as I. unfold is_inside in I.
+  destruct (domain k); [trivial|exact I..].
 Qed.
 End Main.
 

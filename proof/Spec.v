@@ -1,5 +1,5 @@
 (* What a constrained Delaunay triangulation is, over the real numbers. README.md explains each line. *)
-(* Version 1 *)
+(* Version 2 *)
 Require Import Reals List ZArith.
 Import ListNotations.
 Open Scope R_scope.
@@ -86,6 +86,12 @@ Definition winding (E : list edge) (q : point) : Z :=
   fold_right (fun '(a, b) n => (below_right a b q - below_right b a q + n)%Z) 0%Z E.
 Definition even_odd (E : list edge) (q : point) : Prop := Z.Odd (winding E q).
 Definition nonzero (E : list edge) (q : point) : Prop := winding E q <> 0%Z.
+
+(* A polygon by its outlines and its holes, each a list of edges: it covers what is inside an outline and in no hole. *)
+Definition polygon : Type := list (list edge) * list (list edge).
+Definition covers (q : point) '((outlines, holes) : polygon) : Prop :=
+  (exists r, In r outlines /\ even_odd r q) /\ forall r, In r holes -> ~ even_odd r q.
+Definition in_polygons (L : list polygon) (q : point) : Prop := exists p, In p L /\ covers q p.
 
 (* The triangles of T that are in I are those inside, and no triangle is partly inside. *)
 Definition interior (inside : point -> Prop) (T I : list triangle) : Prop :=

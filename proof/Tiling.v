@@ -61,12 +61,12 @@ Proof.
   exists x. split; [|assumption]. unfold low_sides. rewrite rev_append_rev, app_nil_r. apply -> in_rev. assumption.
 Qed.
 
-Definition first_item (s : zside) : item := Item s None false 0.
+Definition first_item (s : zside) : item := Item s None false [].
 
-Lemma start_front l : rev_append (fold_left (fun acc s => Item s None false 0 :: acc) l []) [] = map first_item l.
+Lemma start_front l : rev_append (fold_left (fun acc s => Item s None false [] :: acc) l []) [] = map first_item l.
 Proof.
   rewrite rev_append_rev, app_nil_r.
-  assert (G : forall l acc, fold_left (fun acc s => Item s None false 0 :: acc) l acc = rev (map first_item l) ++ acc).
+  assert (G : forall l acc, fold_left (fun acc s => Item s None false [] :: acc) l acc = rev (map first_item l) ++ acc).
   { clear. induction l as [|s l IH]; intros acc; cbn; [reflexivity|]. rewrite IH, <- app_assoc. reflexivity. }
   rewrite G, app_nil_r. apply rev_involutive.
 Qed.
@@ -121,7 +121,7 @@ Proof.
   split; unfold front; cbn [passed ahead brought used rises app].
   - intros t [].
   - intros q. cbn. clear. induction low as [|s r IH]; [reflexivity|]. cbn. unfold total in *. rewrite IH. reflexivity.
-  - intros q. cbn. clear. induction low as [|s r IH]; [reflexivity|]. cbn. unfold total in *. rewrite IH. reflexivity.
+  - intros n q. cbn. clear. induction low as [|s r IH]; [reflexivity|]. cbn. unfold total in *. rewrite IH. reflexivity.
   - intros i H. destruct (I i H) as (s & S & ->). apply L; assumption.
   - intros i H. destruct (I i H) as (s & S & ->). cbn; auto.
   - intros t a b c [].

@@ -3,11 +3,12 @@
     python3 check.py [--plain] FILE
 
 The proved checker lays the triangles on a front and counts. Here sides are looked up in a table, the border is
-compared with a hull made anew, and areas are compared. So no order of the triangles and no lower hull is needed, and
-these hints are not looked at. Exit status: 0 correct, 1 refused, 2 unreadable.
+compared with a hull made anew, areas are compared, and edges are counted below each triangle. No order of the triangles
+and no lower hull is needed: these hints are not looked at. Exit status: 0 correct, 1 refused, 2 unreadable.
 """
 
 import sys
+from bisect import bisect_left
 from collections import Counter
 
 
@@ -21,7 +22,7 @@ def demand(condition, message):
 
 
 def read(lines):
-    """The domain, the points, the edges as lists of points, and the triangles with their marks and values."""
+    """The domain, the points, the edges as lists of points, their rings, and the triangles with marks and values."""
     lines = iter(lines)
 
     def words():
@@ -37,8 +38,13 @@ def read(lines):
         raise ValueError("not a certificate of version 1")
     many("exponent", lambda n: 0)
     (_, domain) = words()
-    if domain not in ("hull", "even-odd", "nonzero"):
+    if domain not in ("hull", "even-odd", "nonzero", "polygons"):
         raise ValueError(f"domain {domain}")
+    if domain == "polygons":
+        for outlines, *rest in many("polygons"):
+            rest.remove("holes")
+            if outlines != "outlines" or any(integer(ring) < 0 for ring in rest):
+                raise ValueError("not a polygon")
     points = [(integer(x), integer(y)) for x, y in many("points")]
 
     def place(word):
@@ -47,19 +53,24 @@ def read(lines):
             raise ValueError(f"negative index {index}")
         return points[index]
 
-    edges = [[place(w) for w in edge] for edge in many("edges")]
+    edges = many("edges")
+    rings = [edge.pop(0) if domain == "polygons" else "0" for edge in edges]
+    rings = [None if ring == "-" else integer(ring) for ring in rings]
+    edges = [[place(w) for w in edge] for edge in edges]
     if any(len(edge) < 2 for edge in edges):
         raise ValueError("an edge of one point")
     for (word,) in many("lower", lambda n: n + 1 if n else 0):
         place(word)
     triangles = []
     for a, b, c, m, *value in many("triangles"):
-        if len(value) != (domain != "hull") or m not in "01234567":
+        if domain != "polygons" and len(value) != (domain != "hull") or m not in "01234567":
             raise ValueError("not a triangle")
-        triangles.append(((place(a), place(b), place(c)), int(m), integer(value[0]) if value else 0))
+        value = [integer(w) for w in value]
+        value = Counter(value) if domain == "polygons" else {0: w for w in value}
+        triangles.append(((place(a), place(b), place(c)), int(m), value))
     if words() != ["end"] or next(lines, None) is not None:
         raise ValueError("the end expected")
-    return domain, points, edges, triangles
+    return domain, points, edges, rings, triangles
 
 
 def integer(word):
@@ -112,30 +123,40 @@ def rank(p):
     return (p[0], -p[1])
 
 
-def judge_values(domain, edges, values):
-    """Across each side the value changes by the edges along it."""
-    along = Counter()
-    for edge in edges:
-        along.update(zip(edge, edge[1:]))
-    for p, q in {*along, *values, *((q, p) for p, q in values)}:
-        rise = values.get((p, q), 0) - values.get((q, p), 0) - along[p, q] + along[q, p]
-        demand(rise % 2 == 0 if domain == "even-odd" else rise == 0, f"the value across side {p} {q} is wrong")
+def judge_values(domain, edges, rings, triangles):
+    """Rings are closed, and a value is what a ray down from the middle of the triangle crosses of each."""
+    ends, below = Counter(), [Counter() for _ in triangles]
+    middles = sorted((sum(p[0] for p in t), sum(p[1] for p in t), n) for n, (t, _, _) in enumerate(triangles))
+    for edge, ring in zip(edges, rings):
+        if ring is None:
+            continue
+        p, q = ((3 * x, 3 * y) for x, y in (edge[0], edge[-1]))
+        (a, b), right = ((p, q), 1) if p < q else ((q, p), -1)
+        ends[ring, p] += 1
+        ends[ring, q] -= 1
+        for x, y, n in middles[bisect_left(middles, a[:1]) : bisect_left(middles, b[:1])]:
+            if orient(a, b, (x, y)) > 0:
+                below[n][ring] += right
+    wrong = (lambda n: n != 0) if domain == "nonzero" else (lambda n: n % 2 != 0)
+    demand(not any(wrong(n) for n in ends.values()), "a ring is not closed")
+    for (t, _, value), count in zip(triangles, below):
+        count.subtract(value)
+        demand(not any(wrong(n) for n in count.values()), f"the value of triangle {t} is wrong")
 
 
-def judge(domain, points, edges, triangles, plain):
+def judge(domain, points, edges, rings, triangles, plain):
     if not triangles:
         distinct = sorted(set(points))
         demand(all(orient(distinct[0], distinct[-1], p) == 0 for p in distinct), "there are no triangles")
         return
-    opposite, marks, values, area = {}, {}, {}, 0
-    for (a, b, c), mark, value in triangles:
+    opposite, marks, area = {}, {}, 0
+    for (a, b, c), mark, _ in triangles:
         demand(orient(a, b, c) > 0, f"triangle {a} {b} {c} does not turn left")
         area += orient(a, b, c)
         for bit, (p, q, r) in enumerate(((a, b, c), (b, c, a), (c, a, b))):
             demand((p, q) not in opposite, f"side {p} {q} is there twice")
             opposite[p, q] = r
             marks[p, q] = mark >> bit & 1
-            values[p, q] = value
     demand({p for t, _, _ in triangles for p in t} == set(points), "the corners are not the points")
     border = {(p, q) for p, q in opposite if (q, p) not in opposite}
     sides = hull(points)
@@ -146,7 +167,7 @@ def judge(domain, points, edges, triangles, plain):
         demand(mark == (frozenset((p, q)) in constrained), f"the mark of side {p} {q} is wrong")
     demand(all(tuple(s) in opposite or tuple(s)[::-1] in opposite for s in constrained), "an edge is missing")
     if domain != "hull":
-        judge_values(domain, edges, values)
+        judge_values(domain, edges, rings, triangles)
     for (p, q), r in opposite.items():
         if p < q and (q, p) in opposite and not marks[p, q]:
             s = opposite[q, p]

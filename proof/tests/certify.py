@@ -104,25 +104,44 @@ def edges_of(data, points):
     return [c if len(c) > 1 else c * 2 for c in chains]
 
 
-def certificate(data, domain="hull"):
+def certificate(data, domain="hull", rings=(), polygons=()):
+    """The text. With domain polygons: `rings` has the ring of each edge or None, `polygons` outlines and holes."""
     points, exponent = integers([[float(c) for c in p[:2]] for p in data["points"]])
     edges = edges_of(data, points)
     marked = {frozenset((points[a], points[b])) for c in edges for a, b in zip(c, c[1:])}
     triangles, chain = order(points, data["triangles"])
-    out = ["sweep-cdt-certificate 1", f"exponent {exponent}", f"domain {domain}", f"points {len(points)}"]
-    out += [f"{x} {y}" for x, y in points]
+    out = ["sweep-cdt-certificate 1", f"exponent {exponent}", f"domain {domain}"]
+    first = [[]] * len(edges)
+    if domain == "polygons":
+        out.append(f"polygons {len(polygons)}")
+        out += [" ".join(map(str, ["outlines", *outlines, "holes", *holes])) for outlines, holes in polygons]
+        first = [["-" if ring is None else ring] for ring in rings]
+    out += [f"points {len(points)}", *(f"{x} {y}" for x, y in points)]
     out.append(f"edges {len(edges)}")
-    out += [" ".join(map(str, edge)) for edge in edges]
+    out += [" ".join(map(str, [*ring, *edge])) for ring, edge in zip(first, edges)]
     out.append(f"lower {max(0, len(chain) - 1)}")
     out += map(str, chain)
     out.append(f"triangles {len(triangles)}")
-    rounds = values(points, edges, triangles)
-    for (a, b, c), value in zip(triangles, rounds):
+    for (a, b, c), value in zip(triangles, claims(domain, points, edges, rings, triangles)):
         mark = sum(
             1 << i for i, (p, q) in enumerate(((a, b), (b, c), (c, a))) if frozenset((points[p], points[q])) in marked
         )
-        out.append(f"{a} {b} {c} {mark}" + {"hull": "", "even-odd": f" {value % 2}", "nonzero": f" {value}"}[domain])
+        out.append(" ".join(map(str, [a, b, c, mark, *value])))
     return "\n".join(out + ["end", ""])
+
+
+def claims(domain, points, edges, rings, triangles):
+    """For each triangle the numbers that say whether it is inside."""
+    if domain == "hull":
+        return [[]] * len(triangles)
+    if domain != "polygons":
+        return [[value % 2 if domain == "even-odd" else value] for value in values(points, edges, triangles)]
+    found = [[] for _ in triangles]
+    for ring in sorted(set(rings) - {None}):
+        around = values(points, [edge for edge, other in zip(edges, rings) if other == ring], triangles)
+        for value, numbers in zip(around, found):
+            numbers += [ring] * (value % 2)
+    return found
 
 
 if __name__ == "__main__":

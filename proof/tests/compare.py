@@ -3,7 +3,7 @@
     python3 compare.py SWEEP_CDT [ALTERED]
 
 SWEEP_CDT is the command; ALTERED says how many altered results are made of each right one (5). The inputs are
-those of tests/data, and generated ones that are small and degenerate. proof/run builds the checker before.
+those of tests/data, generated ones that are small and degenerate, and polygons. proof/run builds the checker before.
 """
 
 import json
@@ -19,6 +19,7 @@ sys.path[:0] = [str(PROOF), str(PROOF / "tests")]
 
 import certify  # noqa: E402
 import check  # noqa: E402
+import polygons  # noqa: E402
 
 KINDS = "uniform integers lattice rows columns circle parabola-up comb fans asterisk segments parcels contours".split()
 
@@ -183,8 +184,10 @@ def main(command, altered=5):
                     wrongs += 1
                 else:
                     ties += said["proved"][1]
+        accepted, refused = polygons.compare(command, PROOF / "build/check", rng, folder, count=100)
     print(f"{rights} right results accepted and {wrongs} altered ones refused by all; {ties} refused as ties alone")
     print(f"{interiors} interiors are those of sweep-cdt, and none is accepted with a wrong value")
+    print(f"{accepted} interiors of polygons accepted and {refused} altered ones refused by all")
 
 
 if __name__ == "__main__":

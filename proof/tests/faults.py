@@ -4,7 +4,8 @@
 
 Run proof/run first. A fault is a text that occurs once in a file, and the wrong text for it. The faulty checker must
 still be a program (Check.v compiles), and some file of the proof must fail. Each fault makes the checker accept more
-than it should; faults that make it refuse more are not for a proof of soundness to find.
+than it should, or takes other triangles for inside; faults that make it refuse more are not for a proof of soundness to
+find.
 """
 
 import pathlib
@@ -60,16 +61,33 @@ FAULTS = [
     ("Check", "no edges", "if same (edge_from e) (edge_to e) then pieces r acc", "if true then pieces r acc"),
     ("Check", "points on no line",
      "if same a b then on_line a r else all_on_line a b r", "if same a b then on_line a r else true"),
-    ("Check", "values rise unseen", "if Z.eqb v (level i) then l else", "if true then l else"),
+    ("Check", "values rise unseen", "rises_between (item_side i) v (level i) l.", "l."),
     ("Check", "the value of the triangle below is lost", "Item (ZSide a c) (Some b) (mark_ca m) v :: r')",
-     "Item (ZSide a c) (Some b) (mark_ca m) 0 :: r')"),
-    ("Check", "edges to the left count as edges to the right", "else Rise (ZSide b a) 1", "else Rise (ZSide b a) (-1)"),
+     "Item (ZSide a c) (Some b) (mark_ca m) [] :: r')"),
+    ("Check", "edges to the left count as edges to the right",
+     "else Rise (ZSide b a) n 1", "else Rise (ZSide b a) n (-1)"),
     ("Check", "the last side alone must balance",
-     "| _ => fits sum && balanced fits t v r", "| _ => balanced fits t v r"),
+     "| _ => fits sum && balanced fits y (rise y) r", "| _ => balanced fits y (rise y) r"),
     ("Check", "nonzero is taken for even-odd",
-     "all_balanced (Z.eqb 0) (falls es rs)", "all_balanced Z.even (falls es rs)"),
-    ("Check", "values are not compared", "| EvenOdd => all_balanced Z.even (falls es rs)", "| EvenOdd => true"),
-    ("Check", "values outside are free", "last_rises r (add_rise 0 i acc)", "last_rises r acc"),
+     "all_balanced (Z.eqb 0) (falls one_ring es rs)", "all_balanced Z.even (falls one_ring es rs)"),
+    ("Check", "values by even-odd are not compared",
+     "| EvenOdd => all_balanced Z.even (falls one_ring es rs)", "| EvenOdd => true"),
+    ("Check", "values outside are free", "last_rises r (add_rise [] i acc)", "last_rises r acc"),
+    ("Check", "values by polygons are not compared",
+     "| Polygons _ => all_balanced Z.even (falls edge_ring es rs)", "| Polygons _ => true"),
+    ("Check", "by polygons all edges are one ring", "(falls edge_ring es rs)", "(falls one_ring es rs)"),
+    ("Check", "edges after a line bound nothing", "| None => falls ring_of r acc", "| None => acc"),
+    ("Check", "rises of all rings are added", "Eq => Z.compare (rise_ring x) (rise_ring y)", "Eq => Eq"),
+    ("Check", "rises are of another ring", "Rise s r (sign * n)", "Rise s 0 (sign * n)"),
+    ("Check", "a value below is added", "Rise s r (-1 * n) :: l", "Rise s r (1 * n) :: l"),
+    ("Check", "values below no other are added", "| [] => rises_by s (-1)\n", "| [] => rises_by s 1\n"),
+    ("Check", "values above no other are lost", "| [] => rises_by s 1 v l\n", "| [] => l\n"),
+    ("Check", "values of a ring do not rise", "if Z.eqb m n then l else Rise s q (m - n) :: l", "l"),
+    ("Check", "values of another ring do not rise", "(Rise s q m :: l)", "l"),
+    ("Check", "a ring counts where it is first named", "then n + times_of r l' else", "then n else"),
+    ("Check", "a ring that is named twice goes round", "Z.odd (times_of r v)", "negb (Z.eqb (times_of r v) 0)"),
+    ("Check", "holes are inside", " && negb (existsb (is_odd v) (holes p))", ""),
+    ("Check", "polygons have holes alone", "existsb (is_odd v) (outlines p) && ", ""),
     ("Sort", "equal lists may differ in length", "| _, _ => false", "| _, _ => true"),
     ("Sort", "merging loses an item", "merge up l1 t2 (y :: acc)", "merge up l1 t2 acc"),
     ("Sort", "different items are merged",
