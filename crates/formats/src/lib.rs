@@ -52,9 +52,11 @@ pub use geo::{geo_graph, geo_triangles};
 pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};
 pub use named::Named;
 pub use polygons::Polygons;
+#[cfg(feature = "mesh-formats")]
+pub use read::ply_parts as ply;
 pub use read::{
     Input, InputFormat, Matched, Matching, Nearest, ReadError, ReadErrorKind, ResultError,
-    ResultFormat, Source, Triangles, added_points, read, read_result,
+    ResultFormat, Source, Triangles, added_points, quoted, read, read_result,
 };
 pub use remark::Remark;
 pub use split::Splitting;

@@ -5,29 +5,41 @@
 
 /// How the bytes of a number stand in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Number {
-    pub(super) kind: Kind,
+pub struct Number {
+    /// The type.
+    pub kind: Kind,
     /// Whether the most significant byte comes first.
-    pub(super) big_endian: bool,
+    pub big_endian: bool,
 }
 
 /// A machine type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+#[non_exhaustive]
+pub enum Kind {
+    /// A whole number of 8 bits, with a sign.
     I8,
+    /// A whole number of 8 bits, without a sign.
     U8,
+    /// A whole number of 16 bits, with a sign.
     I16,
+    /// A whole number of 16 bits, without a sign.
     U16,
+    /// A whole number of 32 bits, with a sign.
     I32,
+    /// A whole number of 32 bits, without a sign.
     U32,
+    /// A whole number of 64 bits, with a sign.
     I64,
+    /// A float of 32 bits.
     F32,
+    /// A double.
     F64,
 }
 
 impl Kind {
     /// How many bytes a number has.
-    pub(super) fn size(self) -> usize {
+    #[must_use]
+    pub fn size(self) -> usize {
         match self {
             Kind::I8 | Kind::U8 => 1,
             Kind::I16 | Kind::U16 => 2,
@@ -39,7 +51,8 @@ impl Kind {
 
 impl Number {
     /// The value of as many bytes as such a number has; NaN for any others.
-    pub(super) fn value(self, piece: &[u8]) -> f64 {
+    #[must_use]
+    pub fn value(self, piece: &[u8]) -> f64 {
         let value = match self.kind {
             Kind::I8 => self.ordered(piece).map(|[a]| f64::from(a.cast_signed())),
             Kind::U8 => self.ordered(piece).map(|[a]| f64::from(a)),
@@ -55,7 +68,8 @@ impl Number {
     }
 
     /// The value as the number of a vertex or a count.
-    pub(super) fn index(self, piece: &[u8]) -> Option<usize> {
+    #[must_use]
+    pub fn index(self, piece: &[u8]) -> Option<usize> {
         let value = self.value(piece);
         let is_index = value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value);
         #[expect(

@@ -64,7 +64,13 @@ mod words;
 
 #[cfg(feature = "geo-types")]
 pub(crate) use input::merged;
+/// Parts of the reader of `.ply`, for those who read one in pieces.
+#[cfg(feature = "mesh-formats")]
+pub mod ply_parts {
+    pub use super::binary::{Kind, Number};
+    pub use super::ply_header::{Element, Encoding, Header, Property};
+}
 pub use input::{Input, InputFormat, read};
 pub use matching::{Matched, Matching};
 pub use result::{ResultFormat, Triangles, added_points, read_result};
-pub use source::{Nearest, ReadError, ReadErrorKind, ResultError, Source};
+pub use source::{Nearest, ReadError, ReadErrorKind, ResultError, Source, quoted};

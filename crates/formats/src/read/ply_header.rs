@@ -15,35 +15,76 @@ use crate::read::source::{ReadError, Source, quoted};
 use crate::read::token_lines::{Line, Lines};
 
 /// The contents of a header.
-pub(super) struct Header<'a> {
-    pub(super) encoding: Encoding,
-    pub(super) elements: Vec<Element<'a>>,
+#[derive(Clone, Debug)]
+pub struct Header<'a> {
+    /// How the records stand in the file.
+    pub encoding: Encoding,
+    /// What follows, in this order.
+    pub elements: Vec<Element<'a>>,
 }
 
 /// How the records stand in the file.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Encoding {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// A line for each record.
     Text,
-    Binary { big_endian: bool },
+    /// The bytes of numbers.
+    Binary {
+        /// Whether the most significant byte comes first.
+        big_endian: bool,
+    },
 }
 
 /// As many records, each with these properties.
-pub(super) struct Element<'a> {
-    pub(super) name: &'a [u8],
-    pub(super) count: usize,
-    pub(super) properties: Vec<Property<'a>>,
+#[derive(Clone, Debug)]
+pub struct Element<'a> {
+    /// The name.
+    pub name: &'a [u8],
+    /// How many records there are.
+    pub count: usize,
+    /// The properties of a record, in this order.
+    pub properties: Vec<Property<'a>>,
 }
 
 /// One value, or a list with its length before it.
-pub(super) struct Property<'a> {
-    pub(super) name: &'a [u8],
-    pub(super) kind: Kind,
-    pub(super) length: Option<Kind>,
+#[derive(Clone, Debug)]
+pub struct Property<'a> {
+    /// The name.
+    pub name: &'a [u8],
+    /// The type of the value, or of the members of the list.
+    pub kind: Kind,
+    /// The type of the length, if it is a list.
+    pub length: Option<Kind>,
+}
+
+impl Header<'_> {
+    /// Reads a header; `source` may be the begin of a file alone. Returns also how many lines and how many bytes of
+    /// `source` it has.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::{Source, ply::Header};
+    ///
+    /// let text = "ply\nformat ascii 1.0\nelement vertex 9\nproperty double x\nend_header\n0.5\n";
+    /// let source = Source::new("a.ply", text);
+    /// let (header, lines, bytes) = Header::read(&source)?;
+    /// assert_eq!((header.elements[0].count, lines, &text[bytes..]), (9, 5, "0.5\n"));
+    /// # Ok::<(), sweep_cdt_formats::ReadError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The header is wrong, or `source` ends before it does.
+    pub fn read(source: &Source) -> Result<(Header<'_>, usize, usize), ReadError> {
+        let mut lines = Lines::new(source)?;
+        let header = read(source, &mut lines)?;
+        let bytes = source.bytes.len() - lines.rest().len();
+        Ok((header, lines.count(), bytes))
+    }
 }
 
 impl Element<'_> {
-    /// The place of a property.
-    pub(super) fn place(&self, names: &[&[u8]]) -> Option<usize> {
+    /// The place of a property that has one of these names.
+    #[must_use]
+    pub fn place(&self, names: &[&[u8]]) -> Option<usize> {
         let mut properties = self.properties.iter();
         properties.position(|property| names.contains(&property.name))
     }

@@ -208,7 +208,12 @@ impl fmt::Display for ReadError {
 impl std::error::Error for ReadError {}
 
 /// A piece of a file as messages show it: on one line and not too long.
-pub(super) fn quoted(piece: &[u8]) -> String {
+///
+/// ```
+/// assert_eq!(sweep_cdt_formats::quoted(b"1\t2"), "`1\\t2`");
+/// ```
+#[must_use]
+pub fn quoted(piece: &[u8]) -> String {
     const LONGEST: usize = 40;
     let text = String::from_utf8_lossy(&piece[..piece.len().min(4 * LONGEST)]);
     let short: String = text

@@ -83,6 +83,12 @@ impl<'a> Lines<'a> {
         self.rest
     }
 
+    /// How many lines are read.
+    #[cfg(feature = "mesh-formats")]
+    pub(super) fn count(&self) -> usize {
+        self.number
+    }
+
     /// Goes on behind the next chunk, which has so many lines.
     fn skip(&mut self, chunk: &Lines<'a>, lines: usize) {
         self.rest = &self.rest[chunk.rest.len()..];

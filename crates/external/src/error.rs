@@ -1,0 +1,83 @@
+//! Why nothing is sorted.
+
+use std::io;
+use std::path::PathBuf;
+
+use sweep_cdt_formats::ReadError;
+
+/// Why points and edges do not come in the order of the sweep.
+///
+/// Points and edges are named by the numbers that they have in their file. Whatever the error, no temporary file is left.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// An input is wrong, or cannot be read.
+    #[error(transparent)]
+    Read(#[from] ReadError),
+    /// A point has a coordinate that is NaN or infinite.
+    #[error("{file}: point {point} has a coordinate that is not finite")]
+    NonFinite {
+        /// The name of the input.
+        file: String,
+        /// The number of the point in the file.
+        point: u64,
+    },
+    /// An edge has an end that is no point.
+    #[error("{file}: edge {edge} ends at point {point}, which does not exist: {}", numbers(.first, .points))]
+    NoPoint {
+        /// The name of the input.
+        file: String,
+        /// The number of the edge in the file.
+        edge: u64,
+        /// The point that is not there.
+        point: u64,
+        /// The number of the first point in the file.
+        first: u64,
+        /// How many points there are.
+        points: u64,
+    },
+    /// A temporary file cannot be made, written or read. The disk may be full.
+    #[error(
+        "{}: {}, after {written} bytes of temporary files; another folder may have room for them",
+        folder.display(), reason(.error)
+    )]
+    Temporary {
+        /// The folder.
+        folder: PathBuf,
+        /// What the system says.
+        error: io::Error,
+        /// How many bytes were written there.
+        written: u64,
+    },
+    /// The memory is too little for so many runs, or the system does not give so much.
+    #[error("{memory} bytes of memory do not suffice to sort so much: {needed} do")]
+    TooLittleMemory {
+        /// The bytes that may be used.
+        memory: u64,
+        /// The bytes that would suffice.
+        needed: u64,
+    },
+    /// The system does not give the memory that may be used.
+    #[error("out of memory: {bytes} bytes were asked for; allow less")]
+    OutOfMemory {
+        /// The bytes that were asked for.
+        bytes: u64,
+    },
+}
+
+fn numbers(first: &u64, points: &u64) -> String {
+    match points {
+        0 => "there are no points".to_owned(),
+        _ => format!(
+            "the points are numbered from {first} to {}",
+            first + (points - 1)
+        ),
+    }
+}
+
+/// The system's message without its error number.
+pub(crate) fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    let text = text.split(" (os error").next().unwrap_or(&text);
+    text.to_lowercase()
+}

@@ -1,0 +1,155 @@
+//! Sorted runs on disk, and their merging.
+//!
+//! All runs of a sort stand in one temporary file, one after the other. While they are merged a block of each is in
+//! memory. Of the blocks' last records that are followed by others on disk, the least one is the limit: what comes
+//! before it is in memory. So all records up to the limit go to a batch, whose pieces a stable sort merges, since it finds
+//! pieces that are sorted already. At least one block is used up; it is replaced by the next one of its run.
+//!
+//! Cost: O(log k) comparisons a record, for k runs. Equal places make no difference: numbers tell the records apart.
+
+use crate::error::Error;
+use crate::record::Record;
+use crate::temporary::Temporary;
+
+/// The bytes that are written or read at once.
+pub(crate) const PIECE: usize = 1 << 18;
+
+/// A run on disk, or what is left of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    /// Where the next record stands.
+    place: u64,
+    /// How many records follow.
+    pub(crate) left: usize,
+    /// The least number of the run.
+    pub(crate) first: u64,
+}
+
+impl Run {
+    /// Appends sorted records to a file.
+    pub(crate) fn write<R: Record>(
+        records: &[R],
+        first: u64,
+        file: &mut Temporary,
+    ) -> Result<Run, Error> {
+        let place = file.written();
+        let each = PIECE / R::BYTES;
+        let mut bytes = vec![0; each * R::BYTES];
+        for piece in records.chunks(each) {
+            let bytes = &mut bytes[..piece.len() * R::BYTES];
+            for (record, bytes) in piece.iter().zip(bytes.chunks_exact_mut(R::BYTES)) {
+                record.write(first, bytes);
+            }
+            file.append(bytes)?;
+        }
+        Ok(Run {
+            place,
+            left: records.len(),
+            first,
+        })
+    }
+
+    /// Reads the next records, up to so many, and appends them to `records`.
+    pub(crate) fn read<R: Record>(
+        &mut self,
+        most: usize,
+        file: &mut Temporary,
+        bytes: &mut Vec<u8>,
+        records: &mut Vec<R>,
+    ) -> Result<(), Error> {
+        let count = most.min(self.left);
+        bytes.resize(count * R::BYTES, 0);
+        file.read_at(self.place, bytes)?;
+        let pieces = bytes.chunks_exact(R::BYTES);
+        records.extend(pieces.map(|bytes| R::read(self.first, bytes)));
+        self.place += bytes.len() as u64;
+        self.left -= count;
+        Ok(())
+    }
+}
+
+/// A run, and its block in memory.
+#[derive(Debug)]
+struct Cursor<R> {
+    run: Run,
+    block: Vec<R>,
+    at: usize,
+}
+
+/// Runs that are merged.
+#[derive(Debug)]
+pub(crate) struct Merger<R> {
+    file: Temporary,
+    cursors: Vec<Cursor<R>>,
+    /// How many records a block has.
+    block: usize,
+    bytes: Vec<u8>,
+}
+
+/// No block is shorter, in records.
+const SHORTEST: usize = 16;
+
+impl<R: Record> Merger<R> {
+    /// Merges runs in so many bytes of memory, of which some are for a batch or two beside it.
+    pub(crate) fn new(file: Temporary, runs: &[Run], memory: usize) -> Result<Merger<R>, Error> {
+        // A batch may be as large as all blocks, one is in use, one waits, one is sorted with half of it beside.
+        let shares = 5 * runs.len().max(1) * size_of::<R>();
+        let block = (memory / shares).min(PIECE * 4 / size_of::<R>());
+        if block < SHORTEST {
+            return Err(Error::TooLittleMemory {
+                memory: memory as u64,
+                needed: (shares * SHORTEST) as u64,
+            });
+        }
+        let cursors = runs.iter().map(|&run| Cursor {
+            run,
+            block: Vec::new(),
+            at: 0,
+        });
+        Ok(Merger {
+            file,
+            cursors: cursors.collect(),
+            block,
+            bytes: Vec::new(),
+        })
+    }
+
+    /// How many bytes were read of the runs.
+    pub(crate) fn read(&self) -> u64 {
+        self.file.read()
+    }
+
+    /// Puts the next records in the place of a batch; none if there are no more.
+    pub(crate) fn next_batch(&mut self, batch: &mut Vec<R>) -> Result<(), Error> {
+        batch.clear();
+        self.refill()?;
+        let open = self.cursors.iter().filter(|cursor| cursor.run.left > 0);
+        let ends = open.filter_map(|cursor| cursor.block.last());
+        let limit = ends.min_by(|a, b| a.compare(b)).copied();
+        for cursor in &mut self.cursors {
+            let block = &cursor.block[cursor.at..];
+            let count = match &limit {
+                Some(limit) => block.partition_point(|record| record.compare(limit).is_le()),
+                None => block.len(),
+            };
+            batch.extend_from_slice(&block[..count]);
+            cursor.at += count;
+        }
+        batch.sort_by(R::compare);
+        Ok(())
+    }
+
+    /// Replaces the blocks that are used up, and forgets the runs that are.
+    fn refill(&mut self) -> Result<(), Error> {
+        for cursor in &mut self.cursors {
+            if cursor.at == cursor.block.len() {
+                cursor.block.clear();
+                cursor.at = 0;
+                let Cursor { run, block, .. } = cursor;
+                run.read(self.block, &mut self.file, &mut self.bytes, block)?;
+            }
+        }
+        self.cursors.retain(|cursor| !cursor.block.is_empty());
+        Ok(())
+    }
+}

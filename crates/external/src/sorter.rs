@@ -1,0 +1,122 @@
+//! Records of one kind, sorted outside memory: runs that fill the memory are sorted and written, and then merged.
+//!
+//! What fits in one run is never written.
+
+use std::path::Path;
+
+use crate::error::Error;
+use crate::record::Record;
+use crate::runs::{Merger, Run};
+use crate::sorting::sort;
+use crate::temporary::Temporary;
+
+/// The runs of a sort.
+#[derive(Debug)]
+pub(crate) struct Runs<R> {
+    file: Temporary,
+    runs: Vec<Run>,
+    scratch: Vec<R>,
+}
+
+impl<R: Record> Runs<R> {
+    /// No runs; a file for them is made in this folder when there are.
+    pub(crate) fn new(folder: &Path) -> Runs<R> {
+        Runs {
+            file: Temporary::new(folder),
+            runs: Vec::new(),
+            scratch: Vec::new(),
+        }
+    }
+
+    /// Sorts records, writes them as a run and forgets them; `first` is the least number.
+    pub(crate) fn add(&mut self, records: &mut Vec<R>, first: u64) -> Result<(), Error> {
+        sort(records, &mut self.scratch);
+        self.runs.push(Run::write(records, first, &mut self.file)?);
+        records.clear();
+        Ok(())
+    }
+
+    /// All records sorted; `last` are those that are in no run.
+    pub(crate) fn finish(mut self, mut last: Vec<R>, first: u64) -> Result<Sorted<R>, Error> {
+        if self.runs.is_empty() {
+            sort(&mut last, &mut self.scratch);
+            return Ok(Sorted::Memory(last));
+        }
+        if !last.is_empty() {
+            self.add(&mut last, first)?;
+        }
+        Ok(Sorted::Disk {
+            file: self.file,
+            runs: self.runs,
+        })
+    }
+}
+
+/// Sorted records.
+#[derive(Debug)]
+pub(crate) enum Sorted<R> {
+    /// One run in memory.
+    Memory(Vec<R>),
+    /// Runs on disk.
+    Disk { file: Temporary, runs: Vec<Run> },
+}
+
+impl<R: Record> Sorted<R> {
+    /// How many bytes were written.
+    pub(crate) fn written(&self) -> u64 {
+        match self {
+            Sorted::Memory(_) => 0,
+            Sorted::Disk { file, .. } => file.written(),
+        }
+    }
+
+    /// How many runs there are.
+    pub(crate) fn runs(&self) -> usize {
+        match self {
+            Sorted::Memory(_) => 1,
+            Sorted::Disk { runs, .. } => runs.len(),
+        }
+    }
+
+    /// The records in batches, in so much memory.
+    pub(crate) fn batches(self, memory: usize) -> Result<Batches<R>, Error> {
+        Ok(match self {
+            Sorted::Memory(records) => Batches::Memory { records, at: 0 },
+            Sorted::Disk { file, runs } => Batches::Disk(Merger::new(file, &runs, memory)?),
+        })
+    }
+}
+
+/// Sorted records that come one batch after the other.
+#[derive(Debug)]
+pub(crate) enum Batches<R> {
+    Memory { records: Vec<R>, at: usize },
+    Disk(Merger<R>),
+}
+
+/// How many records of a run in memory are a batch.
+const BATCH: usize = 1 << 14;
+
+impl<R: Record> Batches<R> {
+    /// Puts the next records in the place of a batch; none if there are no more.
+    pub(crate) fn next(&mut self, batch: &mut Vec<R>) -> Result<(), Error> {
+        match self {
+            Batches::Disk(merger) => merger.next_batch(batch),
+            Batches::Memory { records, at } => {
+                let end = (*at + BATCH).min(records.len());
+                batch.clear();
+                batch.extend_from_slice(&records[*at..end]);
+                *at = end;
+                Ok(())
+            }
+        }
+    }
+
+    /// How many bytes were read.
+    pub(crate) fn read(&self) -> u64 {
+        match self {
+            Batches::Memory { .. } => 0,
+            Batches::Disk(merger) => merger.read(),
+        }
+    }
+}
