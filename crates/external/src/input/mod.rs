@@ -4,6 +4,8 @@ mod file;
 mod lines;
 mod ply;
 mod raw;
+mod text;
+mod triangle;
 
 use std::path::Path;
 
@@ -42,26 +44,48 @@ pub trait Input {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum InputFormat {
-    /// Doubles, x and y of each point; little-endian, without a header. Edges may be in a file of their own, as pairs of
-    /// whole numbers of 64 bits.
+    /// Doubles, x and y of each point; little-endian, without a header.
     Raw,
-    /// A `.ply`, as text or binary.
+    /// Stanford's `.ply`, as text or binary.
     Ply,
+    /// Triangle's `.node`.
+    Node,
+    /// Triangle's `.poly`, and the `.node` beside it if that has the vertices.
+    Poly,
+    /// Points as text, a row for each.
+    Csv,
+    /// The same under another name.
+    Xyz,
+    /// The same under another name.
+    Txt,
 }
 
 impl Named for InputFormat {
-    const ALL: &'static [Self] = &[InputFormat::Raw, InputFormat::Ply];
+    const ALL: &'static [Self] = &[
+        InputFormat::Raw,
+        InputFormat::Ply,
+        InputFormat::Node,
+        InputFormat::Poly,
+        InputFormat::Csv,
+        InputFormat::Xyz,
+        InputFormat::Txt,
+    ];
 
     fn name(self) -> &'static str {
         match self {
             InputFormat::Raw => "f64",
             InputFormat::Ply => "ply",
+            InputFormat::Node => "node",
+            InputFormat::Poly => "poly",
+            InputFormat::Csv => "csv",
+            InputFormat::Xyz => "xyz",
+            InputFormat::Txt => "txt",
         }
     }
 }
 
-/// Opens a file. Its edges may be in another one, as pairs of whole numbers of 64 bits, little-endian; they then are
-/// all edges.
+/// Opens a file. The edges of points alone may be in a file of their own, as pairs of whole numbers of 64 bits,
+/// little-endian: the numbers of both ends from 0.
 ///
 /// # Errors
 /// A file cannot be opened, or does not begin as its format does.
@@ -73,9 +97,21 @@ pub fn open(
     let input: Box<dyn Input> = match format {
         InputFormat::Raw => Box::new(raw::Points::open(path)?),
         InputFormat::Ply => Box::new(ply::Ply::open(path)?),
+        InputFormat::Node => Box::new(triangle::Triangle::open(path, false)?),
+        InputFormat::Poly => Box::new(triangle::Triangle::open(path, true)?),
+        InputFormat::Csv | InputFormat::Xyz | InputFormat::Txt => Box::new(text::Text::open(path)?),
     };
-    Ok(match edges {
-        None => input,
-        Some(edges) => Box::new(raw::WithEdges::open(input, edges)?),
-    })
+    let has_edges = matches!(format, InputFormat::Ply | InputFormat::Poly);
+    match edges {
+        None => Ok(input),
+        Some(edges) if has_edges => {
+            let (file, edges) = (input.name(), edges.display());
+            let message = format!(
+                "a .{} has edges itself, and {edges} cannot add any",
+                format.name()
+            );
+            Err(ReadError::of_file(file, message))
+        }
+        Some(edges) => Ok(Box::new(raw::WithEdges::open(input, edges)?)),
+    }
 }
