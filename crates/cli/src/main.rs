@@ -14,6 +14,7 @@ mod heights;
 mod record;
 mod replay;
 mod shared;
+mod stream;
 mod trace;
 mod triangulate;
 mod verify;
@@ -41,6 +42,7 @@ struct Cli {
 enum Command {
     Triangulate(triangulate::Triangulate),
     Verify(verify::Verify),
+    Stream(stream::StreamCommand),
     Crossings(crossings::Crossings),
     Contours(contours::Contours),
     Heights(heights::Heights),
@@ -58,6 +60,7 @@ fn main() -> ExitCode {
     let (name, outcome) = match cli.command {
         Command::Triangulate(command) => ("triangulate", command.run()),
         Command::Verify(command) => ("verify", command.run()),
+        Command::Stream(command) => ("stream", command.run()),
         Command::Crossings(command) => ("crossings", command.run()),
         Command::Contours(command) => ("contours", command.run()),
         Command::Heights(command) => ("heights", command.run()),

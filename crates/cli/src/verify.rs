@@ -22,6 +22,7 @@ use crate::shared::files::ReadingArgs;
 use crate::shared::inside::{Inside, answer};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
 use crate::shared::verification::{self, violations};
+use crate::stream::{SortArgs, verify_stream};
 
 /// Reads the name of a level.
 fn level_parser() -> impl TypedValueParser<Value = Level> {
@@ -129,6 +130,20 @@ pub(crate) struct Verify {
     /// right. Of a wrong result none is written.
     #[arg(long, value_name = "FILE")]
     write_certificate: Option<PathBuf>,
+
+    /// Read the triangles once, in memory for what is open alone: RESULT is a .u32 or .u64 of `sweep-cdt stream`
+    ///
+    /// INPUT is sorted by y first, as `sweep-cdt stream` does. Numbers are positions in INPUT, from 0. Triangles may come
+    /// in any order; the order of a sweep takes least memory. The first violation ends the run.
+    #[arg(
+        long,
+        conflicts_with_all = ["domain", "steiner", "max_depth", "tolerance", "explain", "json", "svg", "geojson",
+            "record", "write_certificate"],
+    )]
+    stream: bool,
+
+    #[command(flatten)]
+    sort: SortArgs,
 }
 
 const AFTER_HELP: &str = "\
@@ -173,7 +188,8 @@ Examples:
   sweep-cdt verify polygon.json earcut.json --domain even-odd --level constrained
   triangle -pqz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes --steiner
   triangle -pz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes
-  sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --record terrain.verified.json";
+  sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --record terrain.verified.json
+  sweep-cdt verify --stream points.f64 triangles.u32 --level canonical";
 
 impl Verify {
     /// Runs the subcommand.
@@ -183,6 +199,15 @@ impl Verify {
             let message = "only one of INPUT and RESULT can be standard input";
             return Err(Failure::Usage(message.to_owned()));
         }
+        if self.stream {
+            return verify_stream(
+                &self.sort,
+                self.level,
+                &self.input.input,
+                &self.result.result,
+            );
+        }
+        self.sort.refuse_without("--stream")?;
         let svg = self.svg.clone().map(Destination::of_path).transpose()?;
         let record = self.record.clone().map(Destination::of_path);
         let record = record.transpose()?;

@@ -289,11 +289,18 @@ impl<'a> Altered<'a> {
             })
         };
         let is_right = is_canonical && self.triangles.iter().all(is_marked);
-        let verdict = self.verdict();
+        let verdict = self.verdict(true);
         assert_eq!(verdict.is_ok(), is_right, "{verdict:?}: {self:?}");
+        let verdict = self.verdict(false);
+        assert_eq!(
+            verdict.is_ok(),
+            is_canonical,
+            "unmarked: {verdict:?}: {self:?}"
+        );
     }
 
-    fn verdict(&self) -> Result<(), StreamViolation> {
+    /// The verdict on the triangles, with their marks or without.
+    fn verdict(&self, has_marks: bool) -> Result<(), StreamViolation> {
         let of = |v| self.result.representative(v);
         let mut verifier = StreamVerifier::new();
         for (v, point) in self.points.iter().enumerate() {
@@ -312,7 +319,8 @@ impl<'a> Altered<'a> {
             verifier.edge(e as u64, low as u64, self.points[high])?;
         }
         for (corners, constrained) in &self.triangles {
-            verifier.triangle(corners.map(|v| v as u64), *constrained)?;
+            let marks = has_marks.then_some(*constrained);
+            verifier.triangle(corners.map(|v| v as u64), marks)?;
         }
         verifier.finish().map(drop)
     }

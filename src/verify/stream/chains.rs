@@ -1,12 +1,15 @@
-//! Edges as chains of constrained sides, from below.
+//! Edges as chains of sides, from below.
 //!
-//! An edge waits at the last vertex that its chain has reached. A constrained side waits at its lower end, and is kept
-//! there until that vertex is forgotten. When one of the two comes, they meet: a side that leads towards the upper end,
-//! and not beyond it, is taken by the edge, which then waits at the side's upper end, or is done. A side may be taken by
-//! several edges, which overlap. At the end no edge waits, and each side is taken.
+//! An edge waits at the last vertex that its chain has reached. A side is offered at its lower end, and is kept there until
+//! that vertex is forgotten. When one of the two comes, they meet: a side that leads towards the upper end, and not beyond
+//! it, is taken by the edge, which then waits at the side's upper end, or is done. A side may be taken by several edges,
+//! which overlap. At the end no edge waits, and no side is left that must be part of one: because its triangles say so,
+//! or because it is not Delaunay.
 //!
 //! Edges are best given with their lower ends, before triangles. One that overlaps others and comes when a vertex on it
 //! has been forgotten waits in vain: a right result is then refused, and a wrong one never accepted.
+
+use core::cmp::Ordering;
 
 use super::border::upward;
 use super::{StreamVerifier, StreamViolation, Up, Vertex};
@@ -28,21 +31,44 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         Ok(())
     }
 
-    /// Notes a constrained side at its lower end.
-    pub(super) fn constrained_side(&mut self, [u, v]: [u64; 2]) {
-        let is_up = upward(&self.vertices[&u].point, &self.vertices[&v].point).is_lt();
-        let (low, high) = if is_up { (u, v) } else { (v, u) };
-        for end in [low, high] {
-            self.at(end).unclaimed += 1;
+    /// The ends of a side, the lower one first.
+    fn from_below(&self, [u, v]: [u64; 2]) -> [u64; 2] {
+        match upward(&self.vertices[&u].point, &self.vertices[&v].point) {
+            Ordering::Less => [u, v],
+            _ => [v, u],
         }
+    }
+
+    /// Offers a side to the edges at its lower end. Must one take it?
+    pub(super) fn offer(&mut self, side: [u64; 2], must_be_taken: bool) {
+        let [low, high] = self.from_below(side);
         let point = self.vertices[&high].point.clone();
-        let is_taken = false;
         self.at(low).up.push(Up {
             high,
             point,
-            is_taken,
+            is_taken: false,
+            unless_taken: None,
         });
+        if must_be_taken {
+            self.must_be_taken(side, StreamViolation::NoEdge { side: [low, high] });
+        }
         self.meet(low);
+    }
+
+    /// Notes that an edge must take a side, or else the side is a fault; `false` if it was not offered to any.
+    pub(super) fn must_be_taken(&mut self, side: [u64; 2], fault: StreamViolation) -> bool {
+        let [low, high] = self.from_below(side);
+        let mut offered = self.at(low).up.iter_mut();
+        let Some(up) = offered.find(|up| up.high == high) else {
+            return false;
+        };
+        if !up.is_taken && up.unless_taken.is_none() {
+            up.unless_taken = Some(fault);
+            for end in [low, high] {
+                self.at(end).unclaimed += 1;
+            }
+        }
+        true
     }
 
     /// Lets edges that wait at a vertex, and from there at others, take the sides up from it.
@@ -56,10 +82,11 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
                     continue;
                 };
                 let side = &mut self.at(at).up[taken];
-                let (high, was_taken) = (side.high, side.is_taken);
+                let high = side.high;
+                let was_awaited = !side.is_taken && side.unless_taken.is_some();
                 side.is_taken = true;
                 let goes_on = upward(&side.point, &upper).is_lt();
-                if !was_taken {
+                if was_awaited {
                     self.at(at).unclaimed -= 1;
                     self.at(high).unclaimed -= 1;
                 }
@@ -92,12 +119,12 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         if let Some((edge, vertex)) = broken {
             return Err(StreamViolation::BrokenEdge { edge, vertex });
         }
-        let sides = self.vertices.iter().flat_map(|(&low, found)| {
+        let faults = self.vertices.iter().flat_map(|(&low, found)| {
             let open = found.up.iter().filter(|side| !side.is_taken);
-            open.map(move |side| [low, side.high])
+            open.filter_map(move |side| Some(([low, side.high], side.unless_taken?)))
         });
-        match sides.min() {
-            Some(side) => Err(StreamViolation::NoEdge { side }),
+        match faults.min_by_key(|(side, _)| *side) {
+            Some((_, fault)) => Err(fault),
             None => Ok(()),
         }
     }

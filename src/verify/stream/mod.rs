@@ -10,8 +10,8 @@
 //! | 1 | coordinates are finite, numbers are new, and name vertices that have come | at once |
 //! | 2 | each triangle turns left, strictly | at once |
 //! | 3 | two triangles at one side pass it in opposite directions | when the second comes |
-//! | 4 | both say alike whether the side is constrained; a side that is not is locally Delaunay | when the second comes |
-//! | 5 | each edge is a chain of constrained sides, each constrained side a part of an edge ([`chains`]) | as soon as sides and edges have come |
+//! | 4 | where triangles say which sides are constrained, both say alike; a side that is no part of an edge is locally Delaunay | when the second comes |
+//! | 5 | each edge is a chain of sides; a side that is said to be constrained, or is not Delaunay, is a part of an edge ([`chains`]) | as soon as sides and edges have come |
 //! | 6 | the sides with one triangle are one convex polygon, passed once ([`border`]) | at the end |
 //! | 7 | each vertex is a corner, unless it is declared to be a duplicate | at the end |
 //!
@@ -23,7 +23,7 @@
 //! polygon is their hull. That local tests suffice (4), for ties too, stands in [`verify`](super).
 //!
 //! # Forgetting
-//! A vertex with no open side, no edge that waits and no constrained side that waits is *closed*. A closed vertex is
+//! A vertex with no open side, no edge that waits and no side that must be part of an edge and is not yet is *closed*. A closed vertex is
 //! forgotten when triangles enough have come since: four for each vertex that is kept, so that the time for looking is
 //! a constant a triangle. Should a later triangle name it nevertheless, the report says so: such a triangle overlaps
 //! others, since the triangles around a closed vertex go all the way round.
@@ -56,13 +56,13 @@ struct Vertex<S> {
     point: [S; 2],
     /// Sides of triangles that have come, and whose other triangle has not.
     open: u32,
-    /// Constrained sides that no edge has taken.
+    /// Sides that an edge must take, and none has.
     unclaimed: u32,
     /// Whether a triangle has this corner.
     is_used: bool,
     /// Whether the vertex was closed when closed ones were last forgotten.
     was_closed: bool,
-    /// The constrained sides up from here.
+    /// The sides up from here that edges may take.
     up: Vec<Up<S>>,
     /// The edges that begin or pass here, with their upper ends, and wait for a side.
     waiting: Vec<(u64, [S; 2])>,
@@ -74,12 +74,14 @@ impl<S> Vertex<S> {
     }
 }
 
-/// A constrained side up from a vertex.
+/// A side up from a vertex.
 struct Up<S> {
     high: u64,
     point: [S; 2],
     /// Whether an edge has taken the side.
     is_taken: bool,
+    /// What is wrong if none does.
+    unless_taken: Option<StreamViolation>,
 }
 
 /// A side with one triangle.
@@ -88,7 +90,8 @@ struct Open<S> {
     apex: [S; 2],
     /// Whether the triangle passes the side from the lower number to the higher.
     is_upward: bool,
-    is_constrained: bool,
+    /// Whether the triangle says that the side is constrained, if it says.
+    is_constrained: Option<bool>,
 }
 
 /// What a stream has shown.
@@ -122,8 +125,8 @@ pub struct StreamReport {
 ///     verifier.vertex(number, point)?;
 /// }
 /// verifier.edge(9, 0, [4, 3])?;
-/// verifier.triangle([0, 1, 2], [false, true, false])?;
-/// verifier.triangle([0, 2, 3], [false, false, true])?;
+/// verifier.triangle([0, 1, 2], None)?;
+/// verifier.triangle([0, 2, 3], None)?;
 /// assert_eq!(verifier.finish()?.hull_sides, 4);
 /// # Ok::<(), sweep_cdt::verify::StreamViolation>(())
 /// ```
@@ -205,6 +208,11 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         Ok(())
     }
 
+    /// Whether a vertex has come, and is not forgotten.
+    pub fn has_vertex(&self, number: u64) -> bool {
+        self.vertices.contains_key(&number)
+    }
+
     fn is_new(&self, number: u64) -> Result<(), StreamViolation> {
         let is_known = self.vertices.contains_key(&number);
         let error = StreamViolation::RepeatedVertex { vertex: number };
@@ -216,14 +224,15 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         self.vertices.get(&number).ok_or(unknown)
     }
 
-    /// A triangle, and whether the side opposite each corner is an edge or a piece of one.
+    /// A triangle, and whether the side opposite each corner is an edge or a piece of one, if that is to be verified too.
+    /// Edges come before the triangles at their sides.
     ///
     /// # Errors
     /// What this triangle shows to be wrong: [`StreamViolation`].
     pub fn triangle(
         &mut self,
         corners: [u64; 3],
-        constrained: [bool; 3],
+        constrained: Option<[bool; 3]>,
     ) -> Result<(), StreamViolation> {
         let [a, b, c] = corners;
         let points = [self.known(a)?, self.known(b)?, self.known(c)?];
@@ -241,7 +250,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             self.side(
                 ends,
                 [&points[i], &points[j], &points[side]],
-                constrained[side],
+                constrained.map(|sides| sides[side]),
             )?;
         }
         self.report.triangles += 1;
@@ -263,28 +272,30 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
     /// A side of a triangle, in its direction: its ends, where they and the corner opposite are.
     fn side(
         &mut self,
-        [u, v]: [u64; 2],
-        [p, q, apex]: [&[S; 2]; 3],
-        is_constrained: bool,
+        side: [u64; 2],
+        places: [&[S; 2]; 3],
+        is_constrained: Option<bool>,
     ) -> Result<(), StreamViolation> {
+        let [u, v] = side;
         let (key, is_upward) = ([u.min(v), u.max(v)], u < v);
         let Some(other) = self.open.remove(&key) else {
-            let apex = apex.clone();
-            let open = Open {
-                apex,
-                is_upward,
-                is_constrained,
-            };
-            self.open.insert(key, open);
+            let apex = places[2].clone();
+            self.open.insert(
+                key,
+                Open {
+                    apex,
+                    is_upward,
+                    is_constrained,
+                },
+            );
             for end in key {
                 self.at(end).open += 1;
             }
-            if is_constrained {
-                self.constrained_side([u, v]);
+            if is_constrained.unwrap_or(self.report.edges > 0) {
+                self.offer(side, is_constrained == Some(true));
             }
             return Ok(());
         };
-        let side = [u, v];
         if other.is_upward == is_upward {
             return Err(StreamViolation::RepeatedSide { side });
         }
@@ -294,25 +305,38 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         for end in key {
             self.at(end).open -= 1;
         }
-        if is_constrained {
-            return Ok(());
-        }
-        // From the triangle on the left: its corners run p, q, apex.
-        match filtered_in_circle(p, q, apex, &other.apex) {
-            Ordering::Greater if self.level >= Level::Delaunay => {
-                Err(StreamViolation::NotDelaunay { side })
-            }
-            Ordering::Equal if self.level >= Level::Canonical => {
-                let all = [p, q, apex, &other.apex];
-                let first = all.into_iter().min_by(|a, b| from_left(a, b));
-                let ends_at =
-                    |end: &[S; 2]| first.is_some_and(|first| from_left(first, end).is_eq());
-                match ends_at(p) || ends_at(q) {
-                    true => Ok(()),
-                    false => Err(StreamViolation::NotCanonical { side }),
-                }
+        let fault = match is_constrained {
+            Some(true) => None,
+            _ => self.local_fault(side, places, &other.apex),
+        };
+        match fault {
+            Some(fault) if is_constrained.is_some() || !self.must_be_taken(side, fault) => {
+                Err(fault)
             }
             _ => Ok(()),
+        }
+    }
+
+    /// What is wrong with a side between two triangles that is no part of an edge. The corners on its left run `p`, `q`,
+    /// `apex`.
+    fn local_fault(
+        &self,
+        side: [u64; 2],
+        [p, q, apex]: [&[S; 2]; 3],
+        other: &[S; 2],
+    ) -> Option<StreamViolation> {
+        match filtered_in_circle(p, q, apex, other) {
+            Ordering::Greater if self.level >= Level::Delaunay => {
+                Some(StreamViolation::NotDelaunay { side })
+            }
+            Ordering::Equal if self.level >= Level::Canonical => {
+                let all = [p, q, apex, other];
+                let first = all.into_iter().min_by(|a, b| from_left(a, b))?;
+                let ends_at = |end: &[S; 2]| from_left(first, end).is_eq();
+                let is_first = ends_at(p) || ends_at(q);
+                (!is_first).then_some(StreamViolation::NotCanonical { side })
+            }
+            _ => None,
         }
     }
 

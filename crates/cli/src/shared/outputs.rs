@@ -12,7 +12,9 @@ use std::path::{Path, PathBuf};
 
 use super::failure::{Failure, reason, undivided};
 use super::files::{FileArgument, FilesRead, Identity, standard_output};
-use super::unnamed::{Out, Unnamed, folder};
+use super::unnamed::{Unnamed, folder};
+
+pub(crate) use super::unnamed::Out;
 
 type Contents<'a> = Box<dyn FnOnce(&mut Out<'_>) -> io::Result<()> + 'a>;
 
@@ -46,6 +48,36 @@ impl<'a> Outputs<'a> {
         Ok(())
     }
 
+    /// Adds an output of which a part may be of use: `contents` tells whether it is whole. The name of a file that is not
+    /// ends in `.incomplete`.
+    pub(crate) fn add_part(
+        &mut self,
+        destination: Destination,
+        contents: impl FnOnce(&mut Out<'_>) -> io::Result<bool>,
+    ) -> Result<(), Failure> {
+        let Destination {
+            mut name, place, ..
+        } = destination;
+        let mut is_whole = true;
+        let contents = |out: &mut Out<'_>| {
+            is_whole = contents(out)?;
+            Ok(())
+        };
+        match place {
+            Place::File(mut file) => {
+                let written = file.write(contents);
+                written.map_err(|error| Failure::of_file(&name, &error))?;
+                if !is_whole {
+                    name.as_mut_os_string().push(".incomplete");
+                    file.rename(name.clone());
+                }
+                self.files.push((name, *file));
+                Ok(())
+            }
+            place => write_to(&name, &place, contents),
+        }
+    }
+
     /// Puts all of them in their places.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
         for (name, file) in &mut self.files {
@@ -53,14 +85,7 @@ impl<'a> Outputs<'a> {
                 .map_err(|error| Failure::of_file(name, &error))?;
         }
         for (destination, contents) in self.streams {
-            let written = match destination.place {
-                Place::Standard => write(&mut io::stdout().lock(), contents),
-                _ => OpenOptions::new()
-                    .write(true)
-                    .open(&destination.name)
-                    .and_then(|mut stream| write(&mut stream, contents)),
-            };
-            written.map_err(|error| Failure::of_file(&destination.name, &error))?;
+            write_to(&destination.name, &destination.place, contents)?;
         }
         undivided(|changed| replace(self.files, changed))
     }
@@ -71,6 +96,22 @@ pub(crate) fn print(contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>) -> Re
     let mut outputs = Outputs::default();
     outputs.add(Destination::standard(), contents)?;
     outputs.finish()
+}
+
+/// Writes to standard output, a FIFO or a device.
+fn write_to(
+    name: &Path,
+    place: &Place,
+    contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>,
+) -> Result<(), Failure> {
+    let written = match place {
+        Place::Standard => write(&mut io::stdout().lock(), contents),
+        _ => OpenOptions::new()
+            .write(true)
+            .open(name)
+            .and_then(|mut stream| write(&mut stream, contents)),
+    };
+    written.map_err(|error| Failure::of_file(name, &error))
 }
 
 /// Writes to a stream. A reader that has closed its end of it is no failure.

@@ -59,6 +59,11 @@ impl Unnamed {
         Ok(())
     }
 
+    /// Puts it at another path in the end, where no file is replaced but in whole.
+    pub(crate) fn rename(&mut self, path: PathBuf) {
+        self.path = path;
+    }
+
     /// Waits until it is on the disk. Some file systems notice only now that they are full.
     pub(crate) fn sync(&mut self) -> io::Result<()> {
         match self.syncing.take().map(JoinHandle::join) {

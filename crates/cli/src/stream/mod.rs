@@ -1,0 +1,312 @@
+//! `sweep-cdt stream`: any number of points and edges in, the triangles out as they become final.
+
+mod numbers;
+mod order;
+mod verify;
+
+use std::io::{self, Write};
+use std::time::{Duration, Instant};
+
+use sweep_cdt::Triangulator;
+use sweep_cdt::stream::{Final, Stream, StreamError, StreamStats};
+use sweep_cdt::verify::{StreamVerifier, StreamViolation};
+use sweep_cdt_external::{Statistics, Summary, SweepOrder};
+
+use crate::shared::failure::Failure;
+use crate::shared::files::FileArgument;
+use crate::shared::outputs::{Destination, Outputs};
+use crate::shared::resources::Progress;
+use numbers::{Numbers, Width};
+pub(crate) use order::SortArgs;
+pub(crate) use verify::verify_stream;
+
+/// So many bytes of memory a living vertex takes while a window is triangulated, with the new ones that come with it.
+const BYTES: u64 = 300;
+/// The bar moves each time that so many vertices have come.
+const STEP: u64 = 1 << 16;
+
+/// Triangulate more points than memory holds
+///
+/// Sorts points and edges with a stated memory and temporary files, and sweeps them. Each triangle is written as soon as
+/// nothing to come can change it, and forgotten. As a set, the triangles are those of `sweep-cdt triangulate`.
+#[derive(clap::Args)]
+#[command(after_long_help = AFTER_HELP)]
+pub(crate) struct StreamCommand {
+    /// Points and edges: .f64 (doubles, x and y of each point), .ply, .node, .poly, .csv, .xyz or .txt
+    #[arg(value_name = "INPUT")]
+    input: FileArgument,
+
+    #[command(flatten)]
+    sort: SortArgs,
+
+    /// File to write: .u32 or .u64, three numbers of vertices for each triangle, counter-clockwise; `-` for standard output
+    #[arg(short, long = "output", value_name = "OUTPUT")]
+    output: Option<FileArgument>,
+
+    /// Triangulate in windows of so many new vertices [default: ten times as many as are alive]
+    #[arg(long, value_name = "N")]
+    window: Option<usize>,
+
+    /// Verify the triangles on the way, by exact arithmetic that shares no other code with the sweep
+    #[arg(long)]
+    check: bool,
+
+    /// Print counts, times and bytes as a table
+    #[arg(long)]
+    stats: bool,
+}
+
+const AFTER_HELP: &str = "\
+Input:
+  .f64     raw doubles, little-endian: x and y of each point. Edges in a file of their own (--edges)
+  .ply     vertices and edges, binary or text
+  .node, .poly
+           Triangle's vertices and segments
+  .csv, .xyz, .txt
+           points, one a row
+Output:
+  .u32, .u64
+           three numbers for each triangle, little-endian, of 32 or 64 bits: the positions of its
+           corners among the points of the input, from 0. NumPy reads them by fromfile
+  Where more stays alive than --memory holds, the triangles up to there are written to a file whose
+  name ends in .incomplete. A run that fails otherwise writes no file.
+
+Exit status:
+  0  done   1  wrong input, or too much alive   2  wrong usage
+
+Examples:
+  sweep-cdt stream points.f64 -o triangles.u32 --stats
+  sweep-cdt stream points.f64 --edges breaklines.u64 --memory 1GiB -o triangles.u32 --check
+  sweep-cdt verify --stream points.f64 triangles.u32";
+
+/// How a stream has ended.
+struct Outcome {
+    ended: Result<StreamStats, Trouble>,
+    sorting: Statistics,
+    /// The time from the first vertex to the last triangle.
+    sweeping: Duration,
+}
+
+/// Why a stream ends early.
+enum Trouble {
+    Order(sweep_cdt_external::Error),
+    Stream(StreamError),
+    Violation(StreamViolation),
+    Out(io::Error),
+}
+
+impl StreamCommand {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let width = self.output.as_ref().map(Width::of_output).transpose()?;
+        let destination = self.output.as_ref().map(Destination::of).transpose()?;
+        let sorted = self.sort.sorted(&self.input)?;
+        let summary = sorted.summary();
+        if let Some(width) = width {
+            width.holds(summary.points)?;
+        }
+        let Some((destination, width)) = destination.zip(width) else {
+            let outcome = self.streamed(sorted, None);
+            return self.report(outcome, &summary);
+        };
+        let name = destination.name.clone();
+        let mut outputs = Outputs::default();
+        let mut outcome = None;
+        outputs
+            .add_part(destination, |out| {
+                let mut numbers = Numbers::new(out, width);
+                let found = self.streamed(sorted, Some(&mut numbers));
+                let is_whole = found.ended.is_ok();
+                let kept = match &found.ended {
+                    Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. })) => Ok(is_whole),
+                    Err(_) => Err(io::Error::other("")),
+                };
+                outcome = Some(found);
+                kept
+            })
+            .or_else(|failure| match &outcome {
+                // The reason is told below.
+                Some(outcome) if outcome.ended.is_err() => Ok(()),
+                _ => Err(failure),
+            })?;
+        let outcome = outcome
+            .ok_or_else(|| Failure::Error(format!("{}: nothing was written", name.display())))?;
+        if matches!(
+            outcome.ended,
+            Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. }))
+        ) {
+            outputs.finish()?;
+        }
+        self.report(outcome, &summary)
+    }
+
+    /// Takes all vertices in order, and writes the triangles.
+    fn streamed(&self, mut order: SweepOrder, out: Option<&mut Numbers<'_, '_>>) -> Outcome {
+        let since = Instant::now();
+        let ended = self.swept(&mut order, out);
+        Outcome {
+            ended,
+            sorting: order.statistics(),
+            sweeping: since.elapsed(),
+        }
+    }
+
+    fn swept(
+        &self,
+        order: &mut SweepOrder,
+        mut out: Option<&mut Numbers<'_, '_>>,
+    ) -> Result<StreamStats, Trouble> {
+        let Summary { points, x, .. } = order.summary();
+        let mut progress = Progress::new("sweeping");
+        // What the closure meets cannot end the stream from there.
+        let trouble = std::cell::RefCell::new(None);
+        let verifier = std::cell::RefCell::new(self.check.then(StreamVerifier::new));
+        let mut found = |found| {
+            let mut trouble = trouble.borrow_mut();
+            if trouble.is_some() {
+                return;
+            }
+            if let Final::Triangle {
+                corners,
+                constrained,
+            } = found
+            {
+                if let Some(Err(error)) = out.as_mut().map(|out| out.write(corners)) {
+                    *trouble = Some(Trouble::Out(error));
+                }
+                let mut verifier = verifier.borrow_mut();
+                let verifier = verifier.as_mut();
+                let judged = verifier.map(|verifier| verifier.triangle(corners, Some(constrained)));
+                if let Some(Err(violation)) = judged {
+                    *trouble = Some(Trouble::Violation(violation));
+                }
+            }
+        };
+        let limit = usize::try_from(self.sort.memory() / BYTES).unwrap_or(usize::MAX);
+        let mut stream: Stream<'_, f64, _> = Triangulator::new().stream(&mut found).limit(limit);
+        if points > 0 {
+            stream = stream.between(x[0], x[1]);
+        }
+        if let Some(window) = self.window {
+            stream = stream.window(window);
+        }
+        let mut done = 0;
+        let mut last: Option<([f64; 2], u64)> = None;
+        while let Some(vertex) = order.next_vertex().map_err(Trouble::Order)? {
+            let (number, point) = (vertex.number, vertex.point);
+            stream.push(number, point).map_err(Trouble::Stream)?;
+            let first = match last {
+                Some((place, first)) if place == point => first,
+                _ => number,
+            };
+            if let Some(verifier) = verifier.borrow_mut().as_mut() {
+                let judged = match first == number {
+                    true => verifier.vertex(number, point),
+                    false => verifier.duplicate(number, &point, first),
+                };
+                judged.map_err(Trouble::Violation)?;
+                for &(edge, upper) in vertex.upper {
+                    verifier
+                        .edge(edge, first, upper)
+                        .map_err(Trouble::Violation)?;
+                }
+            }
+            last = Some((point, first));
+            for &(edge, upper) in vertex.upper {
+                stream.edge(edge, upper).map_err(Trouble::Stream)?;
+            }
+            done += 1;
+            if done % STEP == 0 {
+                progress.show(to_usize(done), to_usize(points));
+                if let Some(trouble) = trouble.take() {
+                    return Err(trouble);
+                }
+            }
+        }
+        let stats = stream.finish().map_err(Trouble::Stream)?;
+        if let Some(trouble) = trouble.take() {
+            return Err(trouble);
+        }
+        if let Some(verifier) = verifier.take() {
+            verifier.finish().map_err(Trouble::Violation)?;
+        }
+        Ok(stats)
+    }
+
+    /// Prints what has come of it.
+    fn report(&self, outcome: Outcome, summary: &Summary) -> Result<(), Failure> {
+        let input = self.input.input_name();
+        let stats = match outcome.ended {
+            Ok(stats) => stats,
+            Err(Trouble::Order(error)) => return Err(Failure::Error(error.to_string())),
+            Err(Trouble::Stream(error @ StreamError::TooMuchAlive { .. })) => {
+                return Err(Failure::Error(format!(
+                    "{input}: {error}; --memory allows more, what was final is in the file that ends in .incomplete"
+                )));
+            }
+            Err(Trouble::Stream(error)) => {
+                return Err(Failure::Error(format!("{input}: {error}")));
+            }
+            Err(Trouble::Violation(violation)) => {
+                return Err(Failure::Error(format!(
+                    "{input}: a bug of sweep-cdt: {violation}"
+                )));
+            }
+            Err(Trouble::Out(error)) => {
+                let name = self.output.as_ref().and_then(FileArgument::path);
+                let name = name.unwrap_or("standard output".as_ref());
+                return Err(Failure::of_file(name, &error));
+            }
+        };
+        let writes_there = self.output.as_ref().is_some_and(FileArgument::is_standard);
+        if !self.stats && self.output.is_some() || writes_there {
+            return Ok(());
+        }
+        let mut table = Vec::new();
+        let alive = stats.most_alive;
+        let seconds = |time: Duration| format!("{:.2} s", time.as_secs_f64());
+        let rows = [
+            ("points", summary.points.to_string()),
+            ("edges", summary.edges.to_string()),
+            ("triangles", stats.triangles.to_string()),
+            ("sides of the hull", stats.hull_sides.to_string()),
+            ("equal points", stats.duplicates.to_string()),
+            ("windows", stats.windows.to_string()),
+            ("vertices alive at most", alive.vertices.to_string()),
+            (
+                "  triangles waiting for the line",
+                alive.circles.to_string(),
+            ),
+            ("  triangles waiting for edges", alive.edges.to_string()),
+            ("  sides of the hull waiting", alive.hull_sides.to_string()),
+            ("runs sorted", outcome.sorting.runs.to_string()),
+            (
+                "bytes of temporary files",
+                outcome.sorting.written.to_string(),
+            ),
+            (
+                "time of sorting",
+                seconds(outcome.sorting.reading + outcome.sorting.joining),
+            ),
+            (
+                "time of merging, beside the sweep",
+                seconds(outcome.sorting.merging),
+            ),
+            ("time of sweeping", seconds(outcome.sweeping)),
+        ];
+        for (name, value) in rows {
+            writeln!(table, "{name:<34} {value:>14}").expect("memory takes it");
+        }
+        if self.check {
+            writeln!(
+                table,
+                "verified: the canonical constrained Delaunay triangulation"
+            )
+            .expect("memory takes it");
+        }
+        crate::shared::outputs::print(|out| out.write_all(&table))
+    }
+}
+
+fn to_usize(count: u64) -> usize {
+    usize::try_from(count).unwrap_or(usize::MAX)
+}

@@ -1,0 +1,79 @@
+//! Input of a stream: what is read, with which memory it is sorted, and where its temporary files go.
+
+use std::path::{Path, PathBuf};
+
+use bytesize::ByteSize;
+use sweep_cdt_external::{InputFormat, Sorting, SweepOrder, open};
+
+use crate::shared::failure::Failure;
+use crate::shared::files::{FileArgument, format_of_input, format_parser};
+use crate::shared::resources::Progress;
+
+/// The memory, if it is not given.
+const MEMORY: ByteSize = ByteSize::mib(512);
+
+/// Options of what is sorted outside memory.
+#[derive(clap::Args)]
+pub(crate) struct SortArgs {
+    /// Edges of points that come without: pairs of whole numbers of 64 bits, little-endian, the positions of both ends
+    #[arg(long, value_name = "FILE")]
+    pub(crate) edges: Option<PathBuf>,
+
+    /// Memory for sorting, and for what stays alive [default: 512 MiB]
+    #[arg(long, value_name = "SIZE")]
+    pub(crate) memory: Option<ByteSize>,
+
+    /// Folder for temporary files, of which nothing is left in the end [default: that of the system]
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) temporary: Option<PathBuf>,
+
+    /// Format of the input, where its extension tells none
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser::<InputFormat>())]
+    pub(crate) stream_format: Option<InputFormat>,
+}
+
+impl SortArgs {
+    pub(crate) fn memory(&self) -> u64 {
+        self.memory.unwrap_or(MEMORY).as_u64()
+    }
+
+    /// Refuses these options where the run is none that `option` asks for.
+    pub(crate) fn refuse_without(&self, option: &str) -> Result<(), Failure> {
+        let given = [
+            ("--edges", self.edges.is_some()),
+            ("--memory", self.memory.is_some()),
+            ("--temporary", self.temporary.is_some()),
+            ("--stream-format", self.stream_format.is_some()),
+        ];
+        match given.iter().find(|(_, is_given)| *is_given) {
+            Some((name, _)) => Err(Failure::Usage(format!("{name} is for {option}"))),
+            None => Ok(()),
+        }
+    }
+
+    /// The input, sorted.
+    pub(crate) fn sorted(&self, input: &FileArgument) -> Result<SweepOrder, Failure> {
+        let format = format_of_input(input, "--stream-format", self.stream_format)?;
+        let Some(path) = input.path() else {
+            let message = "a stream is read from a file: its size must be known";
+            return Err(Failure::Usage(message.to_owned()));
+        };
+        let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
+        let sorted = self.sort(path, format, &folder);
+        sorted.map_err(|error| Failure::Error(error.to_string()))
+    }
+
+    fn sort(
+        &self,
+        path: &Path,
+        format: InputFormat,
+        folder: &Path,
+    ) -> Result<SweepOrder, sweep_cdt_external::Error> {
+        let mut input = open(path, format, self.edges.as_deref())?;
+        let mut progress = Progress::new("sorting");
+        let share = |bytes| usize::try_from(bytes).unwrap_or(usize::MAX);
+        Sorting::new(self.memory(), folder).sort_with(&mut *input, &mut |done, all| {
+            progress.show(share(done), share(all));
+        })
+    }
+}
