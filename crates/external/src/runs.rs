@@ -1,14 +1,16 @@
 //! Sorted runs on disk, and their merging.
 //!
 //! All runs of a sort stand in one temporary file, one after the other. While they are merged a block of each is in
-//! memory. Of the blocks' last records that are followed by others on disk, the least one is the limit: what comes
-//! before it is in memory. So all records up to the limit go to a batch, whose pieces a stable sort merges, since it finds
-//! pieces that are sorted already. At least one block is used up; it is replaced by the next one of its run.
+//! memory. Of the blocks' last records that are followed by others on disk, the least one is the limit: what comes up to
+//! it is in memory, so it goes to a batch, and is sorted there. At least one block is used up; the next one of its run takes
+//! its place. Equal places make no difference, since numbers tell the records apart.
 //!
-//! Cost: O(log k) comparisons a record, for k runs. Equal places make no difference: numbers tell the records apart.
+//! Cost: time that does not depend on the number of runs: a batch is spread over buckets in a cache (`sorting.rs`), which
+//! measured as fast as a merge of ten runs, and faster than one of more. A seek for each block.
 
 use crate::error::Error;
 use crate::record::Record;
+use crate::sorting::sort_piece;
 use crate::temporary::Temporary;
 
 /// The bytes that are written or read at once.
@@ -84,8 +86,11 @@ pub(crate) struct Merger<R> {
     /// How many records a block has.
     block: usize,
     bytes: Vec<u8>,
+    scratch: Vec<R>,
 }
 
+/// No block is longer, in bytes, so that a batch is sorted in a cache.
+const LONGEST: usize = 3 << 17;
 /// No block is shorter, in records.
 const SHORTEST: usize = 16;
 
@@ -94,7 +99,7 @@ impl<R: Record> Merger<R> {
     pub(crate) fn new(file: Temporary, runs: &[Run], memory: usize) -> Result<Merger<R>, Error> {
         // A batch may be as large as all blocks, one is in use, one waits, one is sorted with half of it beside.
         let shares = 5 * runs.len().max(1) * size_of::<R>();
-        let block = (memory / shares).min(PIECE * 4 / size_of::<R>());
+        let block = (memory / shares).min(LONGEST / size_of::<R>());
         if block < SHORTEST {
             return Err(Error::TooLittleMemory {
                 memory: memory as u64,
@@ -111,6 +116,7 @@ impl<R: Record> Merger<R> {
             cursors: cursors.collect(),
             block,
             bytes: Vec::new(),
+            scratch: Vec::new(),
         })
     }
 
@@ -135,7 +141,7 @@ impl<R: Record> Merger<R> {
             batch.extend_from_slice(&block[..count]);
             cursor.at += count;
         }
-        batch.sort_by(R::compare);
+        sort_piece(batch, &mut self.scratch);
         Ok(())
     }
 

@@ -20,13 +20,12 @@ const SHORT: usize = 48;
 /// How many records a bucket gets if they are spread evenly.
 const EACH: usize = 4;
 /// The most buckets of a long list, and of one that is spread again.
-const MOST: [usize; 2] = [2048, 1024];
+const MOST: [usize; 2] = [1024, 4096];
 /// How often a list is spread at most.
 const LEVELS: usize = 4;
 
 /// Sorts records; what `scratch` holds is lost.
 pub(crate) fn sort<R: Record>(records: &mut Vec<R>, scratch: &mut Vec<R>) {
-    scratch.clear();
     scratch.resize(records.len(), R::default());
     let Some(ends) = spread(records, scratch, MOST[0]) else {
         return sort_list(records, scratch, 0);
@@ -37,7 +36,7 @@ pub(crate) fn sort<R: Record>(records: &mut Vec<R>, scratch: &mut Vec<R>) {
     let (mut lists, mut spare) = (records.as_mut_slice(), scratch.as_mut_slice());
     let mut parts = Vec::new();
     let (mut begin, mut part_begin, mut inner) = (0, 0, Vec::new());
-    for end in ends {
+    for end in ends.into_iter().map(|end| end as usize) {
         inner.push(begin - part_begin..end - part_begin);
         if end - part_begin >= share {
             let (list, others) = lists.split_at_mut(end - part_begin);
@@ -59,6 +58,14 @@ pub(crate) fn sort<R: Record>(records: &mut Vec<R>, scratch: &mut Vec<R>) {
     );
 }
 
+/// Sorts records that fit in a cache, on this thread; what `scratch` holds is lost.
+pub(crate) fn sort_piece<R: Record>(records: &mut [R], scratch: &mut Vec<R>) {
+    if scratch.len() < records.len() {
+        scratch.resize(records.len(), R::default());
+    }
+    sort_list(records, &mut scratch[..records.len()], LEVELS);
+}
+
 /// Sorts a list that may be spread so often.
 fn sort_list<R: Record>(list: &mut [R], scratch: &mut [R], levels: usize) {
     if list.len() <= SHORT {
@@ -73,7 +80,7 @@ fn sort_list<R: Record>(list: &mut [R], scratch: &mut [R], levels: usize) {
     };
     list.copy_from_slice(scratch);
     let mut begin = 0;
-    for end in ends {
+    for end in ends.into_iter().map(|end| end as usize) {
         if end - begin > SHORT {
             sort_list(&mut list[begin..end], &mut scratch[begin..end], levels - 1);
         }
@@ -97,7 +104,7 @@ fn insert_each<R: Record>(list: &mut [R]) {
 
 /// Spreads a list over up to `most` buckets in `spread`, and returns where each of them ends; `None` if nothing tells
 /// the records apart but their numbers, or no double tells how.
-fn spread<R: Record>(list: &[R], spread: &mut [R], most: usize) -> Option<Vec<usize>> {
+fn spread<R: Record>(list: &[R], spread: &mut [R], most: usize) -> Option<Vec<u32>> {
     let buckets = (list.len() / EACH).clamp(2, most);
     #[expect(clippy::float_cmp, reason = "equal y leave the order to x")]
     let is_row = || list.iter().all(|record| record.y() == list[0].y());
@@ -152,8 +159,8 @@ fn move_all<R: Record>(
     spread: &mut [R],
     buckets: usize,
     bucket: impl Fn(&R) -> usize,
-) -> Vec<usize> {
-    let mut places = vec![0_usize; buckets];
+) -> Vec<u32> {
+    let mut places = vec![0_u32; buckets];
     for record in list {
         places[bucket(record)] += 1;
     }
@@ -163,7 +170,7 @@ fn move_all<R: Record>(
     }
     for record in list {
         let place = &mut places[bucket(record)];
-        spread[*place] = *record;
+        spread[*place as usize] = *record;
         *place += 1;
     }
     places

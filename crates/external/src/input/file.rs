@@ -81,6 +81,13 @@ impl InputFile {
         }
     }
 
+    /// The file, for a reader of its own.
+    #[cfg(feature = "las")]
+    pub(super) fn handle(&self) -> Result<File, ReadError> {
+        let handle = self.file.try_clone();
+        handle.map_err(|error| self.error(reason(&error)))
+    }
+
     /// Checks that the file is as long as it was, and as old: what was read of it counts only then.
     pub(super) fn check(&self) -> Result<(), ReadError> {
         match self.file.metadata() {

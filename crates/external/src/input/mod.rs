@@ -1,6 +1,8 @@
 //! Inputs that are read in pieces, from front to back.
 
 mod file;
+#[cfg(feature = "las")]
+mod las;
 mod lines;
 mod ply;
 mod raw;
@@ -54,10 +56,16 @@ pub enum InputFormat {
     Poly,
     /// Points as text, a row for each.
     Csv,
-    /// The same under another name.
+    /// Points as text under another name.
     Xyz,
-    /// The same under another name.
+    /// Points as text under another name.
     Txt,
+    /// A point cloud of a laser scanner, x and y of each point.
+    #[cfg(feature = "las")]
+    Las,
+    /// A point cloud that is packed.
+    #[cfg(feature = "las")]
+    Laz,
 }
 
 impl Named for InputFormat {
@@ -69,6 +77,10 @@ impl Named for InputFormat {
         InputFormat::Csv,
         InputFormat::Xyz,
         InputFormat::Txt,
+        #[cfg(feature = "las")]
+        InputFormat::Las,
+        #[cfg(feature = "las")]
+        InputFormat::Laz,
     ];
 
     fn name(self) -> &'static str {
@@ -80,6 +92,10 @@ impl Named for InputFormat {
             InputFormat::Csv => "csv",
             InputFormat::Xyz => "xyz",
             InputFormat::Txt => "txt",
+            #[cfg(feature = "las")]
+            InputFormat::Las => "las",
+            #[cfg(feature = "las")]
+            InputFormat::Laz => "laz",
         }
     }
 }
@@ -100,6 +116,8 @@ pub fn open(
         InputFormat::Node => Box::new(triangle::Triangle::open(path, false)?),
         InputFormat::Poly => Box::new(triangle::Triangle::open(path, true)?),
         InputFormat::Csv | InputFormat::Xyz | InputFormat::Txt => Box::new(text::Text::open(path)?),
+        #[cfg(feature = "las")]
+        InputFormat::Las | InputFormat::Laz => Box::new(las::Cloud::open(path)?),
     };
     let has_edges = matches!(format, InputFormat::Ply | InputFormat::Poly);
     match edges {

@@ -1,6 +1,8 @@
 //! Sorting in external memory against sorting in memory: `order.rs` for the order, `formats.rs` for the readers of files,
-//! `faults.rs` for what can go wrong.
+//! (`clouds.rs` with the feature `las`), `faults.rs` for what can go wrong.
 
+#[cfg(feature = "las")]
+mod clouds;
 mod faults;
 mod formats;
 mod order;

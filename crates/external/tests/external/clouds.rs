@@ -1,0 +1,69 @@
+//! `.las` and `.laz`: what the crate `las` writes comes in the order of the sweep.
+
+use std::fs;
+use std::path::Path;
+
+use las::{Builder, Point, Transform, Writer};
+use sweep_cdt_external::{InputFormat, Sorting, open};
+
+use crate::{Random, expected, take};
+
+/// Writes a cloud, and returns its points: whole numbers of millimetres.
+fn write(path: &Path, is_packed: bool) -> Vec<[f64; 2]> {
+    let mut builder = Builder::from((1, 2));
+    builder.point_format.is_compressed = is_packed;
+    let millimetres = Transform {
+        scale: 0.001,
+        offset: 100.0,
+    };
+    builder.transforms.x = millimetres;
+    builder.transforms.y = millimetres;
+    let header = builder.into_header().expect("a header");
+    let mut writer = Writer::from_path(path, header).expect("a file");
+    let mut random = Random(71);
+    let points = (0..200_000).map(|_| {
+        let [x, y] =
+            [random.below(1_000_000), random.below(300)].map(|raw| raw as f64 * 0.001 + 100.0);
+        let point = Point {
+            x,
+            y,
+            ..Point::default()
+        };
+        writer.write_point(point).expect("room");
+        [x, y]
+    });
+    let points = points.collect();
+    writer.close().expect("room");
+    points
+}
+
+#[test]
+fn clouds_are_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, format) in [("a.las", InputFormat::Las), ("a.laz", InputFormat::Laz)] {
+        let path = folder.path().join(name);
+        let points = write(&path, format == InputFormat::Laz);
+        let mut input = open(&path, format, None).expect("a file");
+        let order = Sorting::new(3_000_000, folder.path()).sort(&mut *input);
+        let vertices = take(order.expect("no fault")).expect("no fault");
+        assert!(vertices == expected(&points, &[]).0, "{name}");
+    }
+}
+
+#[test]
+fn clouds_that_are_cut_off_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, format) in [("a.las", InputFormat::Las), ("a.laz", InputFormat::Laz)] {
+        let path = folder.path().join(name);
+        write(&path, format == InputFormat::Laz);
+        let bytes = fs::read(&path).expect("a file");
+        for length in [0, 100, bytes.len() / 2, bytes.len() - 1] {
+            fs::write(&path, &bytes[..length]).expect("a file");
+            let opened = open(&path, format, None).map_err(Into::into);
+            let sorted = opened
+                .and_then(|mut input| Sorting::new(3_000_000, folder.path()).sort(&mut *input));
+            let error = sorted.expect_err("it is cut off").to_string();
+            assert!(error.starts_with(&path.display().to_string()), "{error}");
+        }
+    }
+}
