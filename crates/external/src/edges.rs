@@ -16,10 +16,10 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::input::Input;
-use crate::order::{Summary, reserve};
 use crate::record::{Edge, Point, array};
 use crate::runs::{PIECE, Run};
-use crate::sorter::{Runs, Sorted};
+use crate::sorter::{Runs, Sorted, reserve};
+use crate::summary::Summary;
 use crate::temporary::Temporary;
 
 /// What there is to join.

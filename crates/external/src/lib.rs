@@ -22,7 +22,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Points.** As many points as a third of the memory holds are sorted as a run (`sorting.rs`) and written to a temporary
+//! **Points.** As many points as a third of the memory holds are sorted as a run (`in_memory.rs`) and written to a temporary
 //! file, while the next ones are read. All runs are merged in the background while the order is taken (`runs.rs`). Where
 //! all points are one run, nothing is written. Equal points come one after the other, that with the lowest number first.
 //!
@@ -40,19 +40,25 @@
 //! **What can fail.** Every fault of the input and of the disk is an [`Error`]. Temporary files have no names, so nothing
 //! of them is left, however the process ends.
 
+mod batch;
 mod edges;
 mod error;
+mod in_memory;
 mod input;
 mod order;
+mod points;
+mod prepare;
 mod record;
 mod runs;
 mod sorter;
-mod sorting;
+mod summary;
 mod temporary;
 
 pub use error::Error;
 pub use input::{Input, InputFormat, open};
-pub use order::{Sorting, Statistics, Summary, SweepOrder, Vertex};
+pub use order::{SweepOrder, Vertex};
+pub use prepare::Sorting;
+pub use summary::{Statistics, Summary};
 
 /// The example of the README, as a test.
 #[cfg(doctest)]

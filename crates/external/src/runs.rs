@@ -5,12 +5,12 @@
 //! it is in memory, so it goes to a batch, and is sorted there. At least one block is used up; the next one of its run takes
 //! its place. Equal places make no difference, since numbers tell the records apart.
 //!
-//! Cost: time that does not depend on the number of runs: a batch is spread over buckets in a cache (`sorting.rs`), which
+//! Cost: time that does not depend on the number of runs: a batch is spread over buckets in a cache (`in_memory.rs`), which
 //! measured as fast as a merge of ten runs, and faster than one of more. A seek for each block.
 
 use crate::error::Error;
+use crate::in_memory::sort_piece;
 use crate::record::Record;
-use crate::sorting::sort_piece;
 use crate::temporary::Temporary;
 
 /// The bytes that are written or read at once.

@@ -5,9 +5,9 @@
 use std::path::Path;
 
 use crate::error::Error;
+use crate::in_memory::sort;
 use crate::record::Record;
 use crate::runs::{Merger, Run};
-use crate::sorting::sort;
 use crate::temporary::Temporary;
 
 /// The runs of a sort.
@@ -119,4 +119,17 @@ impl<R: Record> Batches<R> {
             Batches::Disk(merger) => merger.read(),
         }
     }
+}
+
+/// Makes room for more records: twice as many as there are, but no more than a run has.
+pub(crate) fn reserve<R>(records: &mut Vec<R>, more: usize, capacity: usize) -> Result<(), Error> {
+    let length = records.len() + more;
+    if length <= records.capacity() {
+        return Ok(());
+    }
+    let wanted = length.max(2 * records.capacity()).min(capacity.max(length));
+    let got = records.try_reserve_exact(wanted - records.len());
+    got.map_err(|_| Error::OutOfMemory {
+        bytes: (wanted * size_of::<R>()) as u64,
+    })
 }

@@ -5,6 +5,7 @@ mod file;
 mod las;
 mod lines;
 mod ply;
+mod ply_body;
 mod raw;
 mod text;
 mod triangle;

@@ -4,7 +4,7 @@ use sweep_cdt_external::Sorting;
 
 use crate::{Made, Random, check};
 
-/// Little memory: 2,777 points or 446 edges are a run.
+/// Little memory: 2,604 points or 446 edges are a run.
 const LITTLE: u64 = 200_000;
 
 /// A kind of points: the point of a number.
@@ -86,7 +86,7 @@ fn one_run_comes_in_the_order_of_a_plain_sort() {
 fn every_small_number_of_points_is_sorted() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut random = Random(44);
-    // With this memory 13 points are a run, and four runs can be merged.
+    // With this memory 121 points are a run.
     for count in 0..50 {
         let points: Vec<[f64; 2]> = (0..count)
             .map(|_| [random.below(5) as f64, random.below(5) as f64])
