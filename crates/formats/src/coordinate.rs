@@ -1,5 +1,6 @@
 //! Coordinates as text: doubles, and rationals, the exact scalar of files with fractions in them.
 
+use std::fmt;
 use std::num::IntErrorKind;
 
 use num_bigint::BigInt;
@@ -52,25 +53,40 @@ pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
 /// let error = f64::from_text("1,5").unwrap_err();
 /// assert_eq!(format!("`1,5` {error}"), "`1,5` is not a coordinate");
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CoordinateError {
     /// The text is not a number.
-    #[error("is not a coordinate")]
     NotANumber,
     /// The text is a fraction, and the type has none.
-    #[error("is a fraction")]
     Fraction,
     /// The text is a number beyond the largest double.
-    #[error("is too large for a double")]
     TooLarge,
     /// The text is to be read exactly, and has more digits than [`MAX_DIGITS`].
-    #[error("has more than {MAX_DIGITS} digits, the most that are read exactly")]
     TooLong,
     /// The text is to be read exactly, and its exponent is beyond [`MAX_EXPONENT`].
-    #[error("has an exponent beyond {MAX_EXPONENT}, the limit where numbers are read exactly")]
     ExponentTooLarge,
 }
+
+impl fmt::Display for CoordinateError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CoordinateError::NotANumber => write!(f, "is not a coordinate"),
+            CoordinateError::Fraction => write!(f, "is a fraction"),
+            CoordinateError::TooLarge => write!(f, "is too large for a double"),
+            CoordinateError::TooLong => write!(
+                f,
+                "has more than {MAX_DIGITS} digits, the most that are read exactly"
+            ),
+            CoordinateError::ExponentTooLarge => write!(
+                f,
+                "has an exponent beyond {MAX_EXPONENT}, the limit where numbers are read exactly"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for CoordinateError {}
 
 /// The nearest double. `nan` and `inf` are read too, for the library to refuse them.
 ///

@@ -16,6 +16,8 @@
 //! Cost: linear in the triangles, the levels and the pieces, but for the order of the lines, and log of the number of
 //! levels for each vertex.
 
+use std::fmt;
+
 use sweep_cdt::memory::has_room;
 use sweep_cdt::scalar::Scalar;
 
@@ -45,12 +47,23 @@ impl Contour {
 }
 
 /// The refusal of contour lines that no memory holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the contour lines have {pieces} pieces, too many for the memory: ask for fewer levels")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooManyPieces {
     /// How many pieces there would be: one for each level in each triangle.
     pub pieces: u64,
 }
+
+impl fmt::Display for TooManyPieces {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let TooManyPieces { pieces } = self;
+        write!(
+            f,
+            "the contour lines have {pieces} pieces, too many for the memory: ask for fewer levels"
+        )
+    }
+}
+
+impl std::error::Error for TooManyPieces {}
 
 /// The side that a level crosses, by its ends: below, above.
 type Crossing = [usize; 2];

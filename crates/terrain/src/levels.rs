@@ -3,6 +3,8 @@
 //! Each is computed as a fraction, and rounded once to the nearest double: the third multiple of 0.1 is the double that
 //! the text `0.3` means, and a height of 0.3 in a file is exactly at it.
 
+use std::fmt;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::crossings::Exact;
@@ -11,17 +13,28 @@ use sweep_cdt::crossings::Exact;
 const MOST: usize = 1_000_000;
 
 /// Why there are no levels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LevelsError {
     /// The distance between levels is zero or less.
-    #[error("levels must be more than 0 apart")]
     NotPositive,
     /// The distance between levels is too small for the heights.
-    #[error(
-        "there are more than {MOST} levels between the lowest and the highest height: choose levels that are further apart"
-    )]
     TooMany,
 }
+
+impl fmt::Display for LevelsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LevelsError::NotPositive => write!(f, "levels must be more than 0 apart"),
+            LevelsError::TooMany => write!(
+                f,
+                "there are more than {MOST} levels between the lowest and the highest height: choose levels that are \
+                 further apart"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for LevelsError {}
 
 /// The levels `from + k * every`, for all whole numbers k, that are at least `low` and at most `high`. These are finite.
 ///

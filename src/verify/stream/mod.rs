@@ -24,7 +24,7 @@
 //!
 //! # Forgetting
 //! A vertex with no open side, no edge that waits and no side that must be part of an edge and is not yet is *closed*. A closed vertex is
-//! forgotten when triangles enough have come since: four for each vertex that is kept, so that the time for looking is
+//! forgotten when triangles enough have come since: one for each vertex that is kept, so that the time for looking is
 //! a constant a triangle. Should a later triangle name it nevertheless, the report says so: such a triangle overlaps
 //! others, since the triangles around a closed vertex go all the way round.
 //!
@@ -47,9 +47,8 @@ pub use violation::StreamViolation;
 use super::report::Level;
 use crate::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
 
-/// Kept beside what is needed, and so many triangles for each vertex, before closed ones are forgotten.
+/// Closed vertices are forgotten after so many triangles, and one more for each vertex that is kept.
 const SPARE: usize = 1 << 12;
-const PATIENCE: usize = 4;
 
 /// A vertex that may still be named.
 struct Vertex<S> {
@@ -256,7 +255,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         self.report.triangles += 1;
         self.report.most_sides = self.report.most_sides.max(self.open.len());
         self.since += 1;
-        if self.since > PATIENCE * self.vertices.len() + SPARE {
+        if self.since > self.vertices.len() + SPARE {
             self.forget();
         }
         Ok(())

@@ -256,14 +256,12 @@ pub(super) fn no_vertex(number: usize, first: usize, count: usize) -> String {
 ///     rounding to the digits of the file";
 /// assert_eq!(error.to_string(), text);
 /// ```
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ResultError {
     /// The file is wrong.
-    #[error(transparent)]
-    Unreadable(#[from] ReadError),
+    Unreadable(ReadError),
     /// A vertex of the result has a coordinate that is not finite.
-    #[error("{file}:{} vertex {vertex} has a coordinate that is not finite", in_line(.line))]
     NonFinite {
         /// The name of the file.
         file: String,
@@ -274,10 +272,6 @@ pub enum ResultError {
     },
     /// A vertex of the result is no vertex of the input, and there are not as many of both, so that they
     /// cannot be matched by number either.
-    #[error(
-        "{file}:{} vertex {vertex} is at {}, where the input has none{}",
-        in_line(.line), place(.at), nearest_one(.nearest)
-    )]
     Stranger {
         /// The name of the file.
         file: String,
@@ -296,10 +290,6 @@ pub enum ResultError {
         accepted: Option<f64>,
     },
     /// A vertex of the result may be two of the input, since its coordinates are rounded, or within the tolerance.
-    #[error(
-        "{file}:{} vertex {vertex} at {} may be vertex {} or {} of the input, within {}",
-        in_line(.line), place(.at), .of_input[0], .of_input[1], allowed(.tolerance)
-    )]
     Ambiguous {
         /// The name of the file.
         file: String,
@@ -316,11 +306,6 @@ pub enum ResultError {
     },
     /// The vertices of the result are not those of the input, and this one is too far from the one of the
     /// same number.
-    #[error(
-        "{file}:{} vertex {vertex} is at {}, but vertex {of_input} of the input at {}: the difference of {} is more \
-         than {}",
-        in_line(.line), place(.at), place(.expected), .difference.text(), allowed(.tolerance)
-    )]
     Elsewhere {
         /// The name of the file.
         file: String,
@@ -341,6 +326,82 @@ pub enum ResultError {
         /// A tolerance with which the result is read: see [`Matching::tolerance`](crate::Matching::tolerance).
         accepted: f64,
     },
+}
+
+impl fmt::Display for ResultError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ResultError::Unreadable(error) => write!(f, "{error}"),
+            ResultError::NonFinite { file, line, vertex } => write!(
+                f,
+                "{file}:{} vertex {vertex} has a coordinate that is not finite",
+                in_line(line)
+            ),
+            ResultError::Stranger {
+                file,
+                line,
+                vertex,
+                at,
+                nearest,
+                ..
+            } => write!(
+                f,
+                "{file}:{} vertex {vertex} is at {}, where the input has none{}",
+                in_line(line),
+                place(at),
+                nearest_one(nearest)
+            ),
+            ResultError::Ambiguous {
+                file,
+                line,
+                vertex,
+                at,
+                of_input: [first, second],
+                tolerance,
+            } => write!(
+                f,
+                "{file}:{} vertex {vertex} at {} may be vertex {first} or {second} of the input, within {}",
+                in_line(line),
+                place(at),
+                allowed(tolerance)
+            ),
+            ResultError::Elsewhere {
+                file,
+                line,
+                vertex,
+                at,
+                of_input,
+                expected,
+                difference,
+                tolerance,
+                ..
+            } => write!(
+                f,
+                "{file}:{} vertex {vertex} is at {}, but vertex {of_input} of the input at {}: the difference of {} is \
+                 more than {}",
+                in_line(line),
+                place(at),
+                place(expected),
+                difference.text(),
+                allowed(tolerance)
+            ),
+        }
+    }
+}
+
+impl std::error::Error for ResultError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            ResultError::Unreadable(error) => error.source(),
+            _ => None,
+        }
+    }
+}
+
+impl From<ReadError> for ResultError {
+    fn from(error: ReadError) -> ResultError {
+        ResultError::Unreadable(error)
+    }
 }
 
 /// The vertex of the input that is nearest to one of a result.
