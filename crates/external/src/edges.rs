@@ -9,8 +9,8 @@
 //!
 //! An edge whose ends are equal has no length, and is counted and dropped.
 //!
-//! Cost: one reading of the runs, and of each edge one or two writings of 20 and 32 bytes, before it is sorted with 40. If
-//! all points are in memory, nothing is written before that.
+//! Cost: one reading of the runs, and of each edge a writing of 24 bytes and maybe one of 32, before it is sorted with 40.
+//! If all points are in memory, nothing is written before that.
 
 use std::path::Path;
 

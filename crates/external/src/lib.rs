@@ -34,8 +34,10 @@
 //! is one order, and it depends neither on the memory nor on the threads.
 //!
 //! **Cost.** A point takes 20 bytes of disk, and is written and read once; where there are edges it is read twice. An edge
-//! takes up to 88. Time is linear but for the merging, with log of the number of runs. The memory is a bound for what is
-//! sorted and buffered; it must grow with the square root of the input (64 MB are enough for more than 10^9 points).
+//! takes up to 96. Time is linear, for points that are spread over the plane, also in clusters and in rows. The memory is a
+//! bound for what is sorted and buffered, and grows with the square root of the input: 64 MB suffice for 10^10 points or
+//! 5·10^8 edges, 256 MB for 16 times as many. More memory makes fewer and longer runs. The edges of one vertex are in
+//! memory together, whatever the bound.
 //!
 //! **What can fail.** Every fault of the input and of the disk is an [`Error`]. Temporary files have no names, so nothing
 //! of them is left, however the process ends.

@@ -15,8 +15,8 @@ pub struct Vertex<'a> {
     pub number: u64,
     /// Its x and y.
     pub point: [f64; 2],
-    /// The edges whose lower end it is: the number of each in the input, from 0, and its upper end. Of equal points the
-    /// first one has them.
+    /// The edges whose lower end it is, in the order of their numbers: the number of each in the input, from 0, and its
+    /// upper end. Of equal points the first one has them.
     pub upper: &'a [(u64, [f64; 2])],
 }
 

@@ -78,7 +78,22 @@ impl Sorting {
             0 => [memory, 0],
             _ => [memory / 8 * 5, memory / 4],
         };
-        let maker = Maker::new(points.batches(for_points)?, edges.batches(for_edges)?);
+        let points = points.batches(for_points);
+        let points = points.map_err(|error| of_all(error, for_points, memory))?;
+        let edges = edges.batches(for_edges);
+        let edges = edges.map_err(|error| of_all(error, for_edges, memory))?;
+        let maker = Maker::new(points, edges);
         Ok(SweepOrder::new(maker, summary, statistics))
+    }
+}
+
+/// The error of a share of the memory, for all of the memory.
+fn of_all(error: Error, share: usize, memory: usize) -> Error {
+    match error {
+        Error::TooLittleMemory { needed, .. } => Error::TooLittleMemory {
+            memory: memory as u64,
+            needed: needed.saturating_mul(memory.div_ceil(share.max(1)) as u64),
+        },
+        error => error,
     }
 }

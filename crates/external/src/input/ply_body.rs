@@ -248,6 +248,10 @@ impl Binary {
             return (first..first + count)
                 .try_for_each(|at| self.read_record(element, at, pairs, &value));
         };
+        if first == 0 {
+            // A file that is cut off is refused before the work on it.
+            self.check_length(element, first, stride)?;
+        }
         let offset = |place: usize| {
             let before = element.properties[..place].iter();
             before.map(|property| property.kind.size()).sum::<usize>()
@@ -285,15 +289,19 @@ impl Binary {
                 self.read_record::<u64>(element, at, &mut Vec::new(), &|_| Ok(0))
             });
         };
-        let bytes = (element.count - first).checked_mul(stride as u64);
+        let bytes = self.check_length(element, first, stride)?;
+        self.pass(bytes)?;
+        Ok(())
+    }
+
+    /// Checks that the file is long enough for all records from this one on, and returns how many bytes they take.
+    fn check_length(&self, element: &Element, first: u64, stride: usize) -> Result<u64, ReadError> {
+        let stride = stride as u64;
         let left = self.file.left() + (self.bytes.len() - self.at) as u64;
-        match bytes {
-            Some(bytes) if self.pass(bytes)? => Ok(()),
-            _ => {
-                let record = first + left / stride as u64;
-                Err(element.error(&self.file, record, &element.end()))
-            }
-        }
+        let bytes = (element.count - first).checked_mul(stride);
+        bytes
+            .filter(|&bytes| bytes <= left)
+            .ok_or_else(|| element.error(&self.file, first + left / stride, &element.end()))
     }
 
     /// Reads a record whose length is known when it is read.

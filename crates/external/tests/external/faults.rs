@@ -93,17 +93,19 @@ fn a_folder_that_is_not_there_is_named() {
 #[test]
 fn memory_for_too_few_runs_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
-    let input = || Made::new(uniform(10_000), Vec::new());
-    let error = fault(&mut input(), 20_000, folder.path());
-    let Error::TooLittleMemory { memory, needed } = error else {
-        panic!("{error}");
-    };
-    assert_eq!(memory, 20_000);
-    // What is said to suffice does.
-    let sorted = Sorting::new(needed, folder.path())
-        .sort(&mut input())
-        .and_then(take);
-    assert_eq!(sorted.expect("no fault").len(), 10_000);
+    for (count, edges, little) in [(10_000, 0, 20_000), (10_000, 10_000, 200_000)] {
+        let input = || Made::new(uniform(count), vec![[1, 2]; edges]);
+        let error = fault(&mut input(), little, folder.path());
+        let Error::TooLittleMemory { memory, needed } = error else {
+            panic!("{error}");
+        };
+        assert_eq!(memory, little);
+        // What is said to suffice does.
+        let sorted = Sorting::new(needed, folder.path())
+            .sort(&mut input())
+            .and_then(take);
+        assert_eq!(sorted.expect("no fault").len() as u64, count);
+    }
 }
 
 /// An input that changes its file while it is read.
@@ -155,7 +157,15 @@ fn a_file_that_changes_while_it_is_read_is_refused() {
             std::time::SystemTime::UNIX_EPOCH + std::time::Duration::from_secs(1_000_000);
         file.set_modified(long_ago).expect("another time");
     };
-    for change in [&longer as &dyn Fn(), &shorter, &newer] {
+    let longer_and_as_old = || {
+        let file = OpenOptions::new().append(true).open(&path);
+        let mut file = file.expect("a file");
+        let modified = file.metadata().and_then(|metadata| metadata.modified());
+        file.write_all(&[0; 16]).expect("room");
+        let modified = modified.expect("a time");
+        file.set_modified(modified).expect("the same time");
+    };
+    for change in [&longer as &dyn Fn(), &longer_and_as_old, &shorter, &newer] {
         fs::write(&path, &bytes).expect("a file");
         let input = open(&path, InputFormat::Raw, None).expect("a file");
         let mut input = Changing {

@@ -332,6 +332,11 @@ fn errors_of_points_as_text_have_their_lines() {
         let text = format!("# comment\n{names}{}", rows.concat());
         check_error("wrong.csv", text.as_bytes(), InputFormat::Csv, Whole::Csv);
     }
+    // Both signs of an end are one, also in the first row.
+    let mut rows = rows(";", "\r\n");
+    rows[30_000] = "7;8;x;9;10\r\n".to_owned();
+    let text = format!("id;y;x;z;note\r\n{}", rows.concat());
+    check_error("ends.csv", text.as_bytes(), InputFormat::Csv, Whole::Csv);
     for text in ["", "\n\n", "# x y\n", "a,b\n1,2\n", "5\n", "x,x,y\n1,2,3\n"] {
         check_error("begin.csv", text.as_bytes(), InputFormat::Csv, Whole::Csv);
     }
@@ -414,6 +419,10 @@ fn errors_of_triangles_files_are_those_in_memory() {
     ] {
         check_error("a.node", text.as_bytes(), InputFormat::Node, Whole::Node);
     }
+    // The two signs of an end stand in two pieces of the file.
+    let comment = format!("#{}\r\n", "x".repeat((1 << 18) - 2));
+    let text = format!("{comment}2\r\n0 1 2\r\n1 3 z\r\n");
+    check_error("a.node", text.as_bytes(), InputFormat::Node, Whole::Node);
     let vertices = "2\n1 0 0\n2 1 1\n";
     for rest in [
         "",
