@@ -28,7 +28,7 @@ let read channel =
   let lower = list (match count "lower" with 0 -> 0 | sides -> sides + 1) (fun [a] -> point a) in
   let marks = Array.init 8 (fun m -> { mark_ab = m land 1 > 0; mark_bc = m land 2 > 0; mark_ca = m land 4 > 0 }) in
   let triangles = list (count "triangles") (fun (a :: b :: c :: m :: rest) ->
-    let value = match domain, rest with
+    let value = match domain, rest with (* of rings the last one first *)
       | Hull, [] -> [] | (EvenOdd | NonZero), [w] -> [{ ring = Integer.zero; times = integer w }]
       | Polygons _, l -> List.rev_map (fun r -> { ring = integer r; times = Integer.one }) l in
     { corner_a = point a; corner_b = point b; corner_c = point c; marks = marks.(int_of_string m); value }) in

@@ -117,8 +117,8 @@ Output, with the triangles always in the same order:
            vertices, triangles and constrained sides (not in .off and .stl), as text; z is the height,
            or 0 where no vertex has one
   .cert    a certificate for the proved checker (the folder proof of the repository): integers times a
-           power of two, edges, all triangles, which of them are inside (by the rules hull, even-odd
-           and nonzero), and hints
+           power of two, edges, all triangles, which of them are inside (by the rules hull, polygons,
+           even-odd and nonzero), and hints
   .geojson, .wkt, .dxf
            a polygon for each triangle, in .geojson with its region or feature; in .dxf a 3DFACE
   .npy, .npz

@@ -365,7 +365,8 @@ impl Job for Run<'_> {
         if let Some(certificate) = self.certificate.filter(|_| answer.is_ok()) {
             outputs.add(certificate, |out| {
                 let graph = &file.graph;
-                write_certificate(&graph.points, &graph.edges, &triangles.list, |_| true, out)
+                let list = &triangles.list;
+                write_certificate(&graph.points, &graph.edges, None, list, |_| true, out)
             })?;
         }
         if let Some(svg) = self.svg {

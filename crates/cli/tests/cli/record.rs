@@ -2,7 +2,9 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
 
 use crate::refuted::WRONG;
 use crate::verify::{RIGHT, refuted, verify, with_square};
@@ -210,16 +212,25 @@ fn certificates_are_of_correct_results_alone() {
     assert!(!at("t.cert").exists());
 }
 
-/// The certificates of all hard inputs, before a judge that shares no code with this crate: `proof/check.py`.
-#[test]
-fn certificates_pass_the_second_judge() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let judge = root.join("proof/check.py");
-    if Command::new("python3").arg("--version").output().is_err() {
+/// What a judge that shares no code with this crate says of a certificate: `proof/check.py`. `None` without Python.
+fn second_judge(folder: &TempDir, certificate: &str) -> Option<Output> {
+    let judge = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../proof/check.py");
+    let mut python = Command::new("python3");
+    let verdict = python
+        .arg(judge)
+        .arg(certificate)
+        .current_dir(folder)
+        .output();
+    if verdict.is_err() {
         assert!(std::env::var_os("CI").is_none(), "python3 is missing");
         println!("left out: there is no python3");
-        return;
     }
+    verdict.ok()
+}
+
+#[test]
+fn certificates_of_hard_inputs_pass_the_second_judge() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let folder = folder(&[]);
     let hard = fs::read_to_string(root.join("tests/data/hard.jsonl")).expect("a file");
     let mut judged = 0;
@@ -231,14 +242,33 @@ fn certificates_pass_the_second_judge() {
         if !run(&folder, "h.json -o h.cert").status.success() {
             continue;
         }
-        let verdict = Command::new("python3")
-            .arg(&judge)
-            .arg("h.cert")
-            .current_dir(&folder)
-            .output();
-        let verdict = verdict.expect("python3 runs");
+        let Some(verdict) = second_judge(&folder, "h.cert") else {
+            return;
+        };
         assert!(verdict.status.success(), "{}: {verdict:?}", case["name"]);
         judged += 1;
     }
     assert!(judged > 100, "{judged}");
+}
+
+#[test]
+fn certificates_of_polygons_pass_the_second_judge() {
+    // A hole that sticks out, a polygon over both, and a line.
+    let shapes = "MULTIPOLYGON (((0 0, 4 0, 4 1, 4 2, 4 4, 0 4, 0 0), (1 1, 1 2, 4 2, 5 2, 5 1, 4 1, 1 1)), \
+                  ((4 0, 4 1, 4 2, 6 2, 6 0, 4 0))) LINESTRING (0 0, 1 1)";
+    let folder = folder(&[("a.wkt", shapes)]);
+    assert!(run(&folder, "a.wkt -o a.cert").status.success());
+    let text = fs::read_to_string(folder.path().join("a.cert")).expect("a certificate");
+    let declared = "\ndomain polygons\npolygons 2\noutlines 0 holes 1\noutlines 2 holes\n";
+    assert!(text.contains(declared), "{text}");
+    assert!(text.contains("\n- 0 6\n"), "{text}");
+    let in_the_hole = text.lines().find(|line| line.ends_with(" 0 1"));
+    let in_the_hole = in_the_hole.expect("a triangle inside the outline and its hole");
+    let altered = text.replace(in_the_hole, in_the_hole.trim_end_matches(" 1"));
+    fs::write(folder.path().join("b.cert"), altered).expect("a file");
+    for (certificate, is_right) in [("a.cert", true), ("b.cert", false)] {
+        if let Some(verdict) = second_judge(&folder, certificate) {
+            assert_eq!(verdict.status.success(), is_right, "{verdict:?}");
+        }
+    }
 }

@@ -1,9 +1,10 @@
 //! Certificates: the input, the triangles and hints, from which a proved checker sees that a result is right.
 //!
-//! The format is that of `proof/certificate.md`. The verdict is about the points and edges in the file: coordinates as
-//! integers times one power of two, which must be the caller's exactly. A fault in anything else makes the checker refuse,
-//! never accept. The hints are the chain of points along each edge, the lower hull, the sides that are pieces of edges, an
-//! order of the triangles, and, where not all are inside, how often the edges go round each triangle.
+//! The format is that of `proof/certificate.md`. The verdict is about the points, edges and polygons in the file:
+//! coordinates as integers times one power of two, which must be the caller's exactly. A fault in anything else makes the
+//! checker refuse, never accept. The hints are the chain of points along each edge, the lower hull, the sides that are
+//! pieces of edges, an order of the triangles, and, where not all are inside, how often the edges go round each triangle,
+//! or the rings of polygons that do.
 //!
 //! ```text
 //!        .-----------.          A side that leads to a later point, counterclockwise, is a *lower* side of its
@@ -13,29 +14,32 @@
 //!    '-------'---'-------'
 //! ```
 //!
-//! Cost: O(n log n) for n points, edges and triangles, by sorts; 80 bytes a triangle, and the integers.
+//! Cost: O(n log n) for n points, edges and triangles, by sorts; 80 bytes a triangle, and the integers. With polygons 24
+//! bytes a triangle more, and the rings around each.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::io::{self, Write};
 
 use num_bigint::BigInt;
+use sweep_cdt::interior::Ring;
 use sweep_cdt::scalar::filtered_orient2d;
 
-use crate::Coordinate;
+use crate::{Coordinate, Polygons};
 
 /// No half-edge.
 const NONE: u32 = u32::MAX;
 
 /// Writes a certificate of a constrained Delaunay triangulation: of `points` and `edges` with these `triangles`, which
-/// cover the hull, and of which those are inside that `is_inside` says, by position. The certificate is of the hull if
-/// all are, else of the rule (even-odd or nonzero) by which these are inside.
+/// cover the hull, and of which those are inside that `is_inside` says, by position. The certificate is of `polygons` if
+/// there are any here, which must cover what is inside. Else the certificate is of the hull if all is inside, and
+/// otherwise of the rule (even-odd or nonzero) by which these triangles are.
 ///
 /// ```
 /// use sweep_cdt_formats::write_certificate;
 ///
 /// let points = [[0.0, 0.0], [0.5, 0.0], [0.0, 2.0]];
 /// let mut text = Vec::new();
-/// write_certificate(&points, &[[0, 1]], &[[0, 1, 2]], |_| true, &mut text)?;
+/// write_certificate(&points, &[[0, 1]], None, &[[0, 1, 2]], |_| true, &mut text)?;
 /// let text = String::from_utf8(text)?;
 /// assert!(text.starts_with("sweep-cdt-certificate 1\nexponent -1\ndomain hull\npoints 3\n0 0\n1 0\n0 4\nedges 1\n0 1\n"));
 /// assert!(text.ends_with("lower 1\n0\n1\ntriangles 1\n0 1 2 1\nend\n"));
@@ -49,27 +53,44 @@ const NONE: u32 = u32::MAX;
 pub fn write_certificate<S: Coordinate>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
+    polygons: Option<&Polygons>,
     triangles: &[[usize; 3]],
     is_inside: impl Fn(usize) -> bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (exponent, coordinates) = coordinates(points)?;
     let mut tiling = Tiling::new(points, triangles).ok_or_else(wrong)?;
-    let chains: Option<Vec<Vec<u32>>> = edges.iter().map(|&edge| tiling.chain(edge)).collect();
-    let chains = chains.ok_or_else(wrong)?;
+    let ring = |edge: usize| polygons.and_then(|polygons| *polygons.ring_of.get(edge)?);
+    let chains = edges.iter().enumerate();
+    let chains = chains.map(|(edge, &ends)| tiling.chain(ends, ring(edge)));
+    let chains = chains
+        .collect::<Option<Vec<Vec<u32>>>>()
+        .ok_or_else(wrong)?;
     let (lower, order) = tiling.in_order().ok_or_else(wrong)?;
-    let (domain, windings) = tiling.domain(is_inside)?;
+    let values = match polygons {
+        Some(polygons) => tiling.values_of_polygons(&polygons.rings, is_inside),
+        None => tiling.values(is_inside),
+    };
+    let values = values.ok_or_else(other_interior)?;
 
     writeln!(out, "sweep-cdt-certificate 1")?;
     writeln!(out, "exponent {exponent}")?;
-    writeln!(out, "domain {domain}")?;
+    writeln!(out, "domain {}", values.domain())?;
+    if let Some(polygons) = polygons {
+        write_polygons(&polygons.rings, out)?;
+    }
     writeln!(out, "points {}", points.len())?;
     for point in coordinates.chunks(2) {
         let [x, y] = [0, 1].map(|axis| integer(&point[axis], exponent));
         writeln!(out, "{x} {y}")?;
     }
     writeln!(out, "edges {}", edges.len())?;
-    for ([from, to], chain) in edges.iter().zip(&chains) {
+    for (edge, ([from, to], chain)) in edges.iter().zip(&chains).enumerate() {
+        match (polygons, ring(edge)) {
+            (None, _) => {}
+            (_, None) => write!(out, "- ")?,
+            (_, Some(ring)) => write!(out, "{ring} ")?,
+        }
         write!(out, "{from}")?;
         for point in chain {
             write!(out, " {point}")?;
@@ -84,18 +105,80 @@ pub fn write_certificate<S: Coordinate>(
     for t in order {
         let [a, b, c] = tiling.corners[t as usize];
         write!(out, "{a} {b} {c} {}", tiling.mark(t))?;
-        if let Some(winding) = windings.get(t as usize) {
-            write!(out, " {winding}")?;
+        match &values {
+            Values::Hull => {}
+            Values::EvenOdd(windings) | Values::NonZero(windings) => {
+                write!(out, " {}", windings[t as usize])?;
+            }
+            Values::Polygons(rings) => {
+                for ring in &rings[t as usize] {
+                    write!(out, " {ring}")?;
+                }
+            }
         }
         writeln!(out)?;
     }
     writeln!(out, "end")
 }
 
+/// The rings of each polygon, by their positions.
+fn write_polygons(rings: &[Ring], out: &mut impl Write) -> io::Result<()> {
+    let mut polygons: BTreeMap<u32, [Vec<usize>; 2]> = BTreeMap::new();
+    for (number, ring) in rings.iter().enumerate() {
+        polygons.entry(ring.polygon).or_default()[usize::from(ring.is_hole)].push(number);
+    }
+    writeln!(out, "polygons {}", polygons.len())?;
+    for rings in polygons.values() {
+        for (name, list) in ["outlines", " holes"].iter().zip(rings) {
+            write!(out, "{name}")?;
+            for ring in list {
+                write!(out, " {ring}")?;
+            }
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
 fn wrong() -> io::Error {
     let why =
         "the triangles do not tile the hull with all edges, so that there is nothing to certify";
     io::Error::new(io::ErrorKind::InvalidInput, why)
+}
+
+fn other_interior() -> io::Error {
+    let why = "a certificate is of what is inside by the rule hull, polygons, even-odd or nonzero: add --inside hull";
+    io::Error::new(io::ErrorKind::InvalidInput, why)
+}
+
+/// For each triangle what shows whether it is inside, by the rule of a domain.
+enum Values {
+    Hull,
+    EvenOdd(Vec<i32>),
+    NonZero(Vec<i32>),
+    Polygons(Vec<Vec<u32>>),
+}
+
+impl Values {
+    /// The name of the rule.
+    fn domain(&self) -> &'static str {
+        match self {
+            Values::Hull => "hull",
+            Values::EvenOdd(_) => "even-odd",
+            Values::NonZero(_) => "nonzero",
+            Values::Polygons(_) => "polygons",
+        }
+    }
+}
+
+/// Whether one of the polygons covers what these rings, by position, go round.
+fn is_covered(rings: &[Ring], around: &[u32]) -> bool {
+    let mut polygons: HashMap<u32, [bool; 2]> = HashMap::new();
+    for &ring in around {
+        let Ring { polygon, is_hole } = rings[ring as usize];
+        polygons.entry(polygon).or_default()[usize::from(is_hole)] = true;
+    }
+    polygons.values().any(|around| *around == [true, false])
 }
 
 /// The least exponent, and all coordinates, x and y in turn, each as an integer with an exponent of two.
@@ -143,6 +226,8 @@ struct Tiling<'a, S> {
     pieces: Vec<i32>,
     /// How many edges run along each side, from its earlier end, less those that run against it.
     along: Vec<i32>,
+    /// The sides of edges that are part of a ring, each with the position of the ring.
+    walls: Vec<[u32; 2]>,
     /// For vertices that an edge goes on from: the later vertices beside them, from the right to the left.
     fans: HashMap<u32, Vec<u32>>,
 }
@@ -199,12 +284,14 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
             sides,
             pieces,
             along,
+            walls: Vec::new(),
             fans: HashMap::new(),
         })
     }
 
     /// The points inside an edge, in its direction. Its pieces are marked. `None` if it is no chain of sides.
-    fn chain(&mut self, edge: [usize; 2]) -> Option<Vec<u32>> {
+    fn chain(&mut self, edge: [usize; 2], ring: Option<usize>) -> Option<Vec<u32>> {
+        let ring = ring.map(u32::try_from).transpose().ok()?;
         let [from, to] = edge.map(|v| self.rank.get(v).copied());
         let [from, to] = [from?, to?];
         let (mut at, last) = (from.min(to), from.max(to));
@@ -218,6 +305,8 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
             let side = self.sides.binary_search(&[at, next]).ok()?;
             self.pieces[side] += 1;
             self.along[side] += if from < to { 1 } else { -1 };
+            let wall = ring.map(|ring| Some([u32::try_from(side).ok()?, ring]));
+            self.walls.extend(wall.flatten());
             if next != last {
                 inside.push(self.point[next as usize]);
             }
@@ -296,51 +385,80 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
         (order.len() == self.corners.len()).then(|| (lower.collect(), order))
     }
 
-    /// The rule by which triangles are inside; and how often the edges go round each, if not all are.
-    fn domain(&self, is_inside: impl Fn(usize) -> bool) -> io::Result<(&'static str, Vec<i32>)> {
+    /// The values of the first rule by which these triangles are inside, of those that know no rings.
+    fn values(&self, is_inside: impl Fn(usize) -> bool) -> Option<Values> {
         let all = 0..self.corners.len();
         if all.clone().all(&is_inside) {
-            return Ok(("hull", Vec::new()));
+            return Some(Values::Hull);
         }
         let is = |windings: &Vec<i32>| all.clone().all(|t| (windings[t] != 0) == is_inside(t));
-        let parities = || self.windings(&self.pieces, |winding| winding.rem_euclid(2));
-        let windings = || self.windings(&self.along, |winding| winding);
-        let even_odd = parities().filter(is).map(|list| ("even-odd", list));
-        let by_rule = even_odd.or_else(|| windings().filter(is).map(|list| ("nonzero", list)));
-        by_rule.ok_or_else(|| {
-            let why = "a certificate is of what is inside by the rule hull, even-odd or nonzero: add --inside hull";
-            io::Error::new(io::ErrorKind::InvalidInput, why)
+        let rise = |rises: &[i32], half: u32| {
+            let rise = rises[self.side[half as usize] as usize];
+            if self.is_lower(half) { rise } else { -rise }
+        };
+        let parities =
+            self.spread(|parity: &i32, half| (parity + rise(&self.pieces, half)).rem_euclid(2));
+        let even_odd = parities.filter(is).map(Values::EvenOdd);
+        even_odd.or_else(|| {
+            let windings = self.spread(|winding, half| winding + rise(&self.along, half));
+            windings.filter(is).map(Values::NonZero)
         })
     }
 
-    /// How often the edges go round each triangle, as a `kept` number, by how much that rises from the right of each side
-    /// to the left; `None` if the edges are no closed rings.
-    fn windings(&self, rise: &[i32], kept: fn(i32) -> i32) -> Option<Vec<i32>> {
-        let rise = |half: u32| {
-            let rise = rise[self.side[half as usize] as usize];
-            if self.is_lower(half) { rise } else { -rise }
-        };
-        let mut windings: Vec<Option<i32>> = vec![None; self.corners.len()];
-        // Half-edges, each with how often the edges go round what is on its left: from outside, then across sides.
-        let halves = 0..u32::try_from(self.twin.len()).ok()?;
-        let is_border = |half: &u32| self.twin[*half as usize] == NONE;
-        let border = halves.filter(is_border);
-        let mut stack: Vec<(u32, i32)> = border.map(|half| (half, kept(rise(half)))).collect();
-        while let Some((half, winding)) = stack.pop() {
-            match windings[half as usize / 3] {
-                Some(known) if known != winding => return None,
-                Some(_) => continue,
-                None => windings[half as usize / 3] = Some(winding),
-            }
-            let first = half - half % 3;
-            for half in first..first + 3 {
-                let twin = self.twin[half as usize];
-                if twin != NONE {
-                    stack.push((twin, kept(winding - rise(half))));
+    /// The rings that go round each triangle an odd number of times, if polygons of them cover what is inside.
+    fn values_of_polygons(
+        &mut self,
+        rings: &[Ring],
+        is_inside: impl Fn(usize) -> bool,
+    ) -> Option<Values> {
+        self.walls.sort_unstable();
+        let around = self.spread(|around: &Vec<u32>, half| {
+            let mut around = around.clone();
+            let side = self.side[half as usize];
+            let first = self.walls.partition_point(|&[other, _]| other < side);
+            let walls = self.walls[first..].iter();
+            for [_, ring] in walls.take_while(|[other, _]| *other == side) {
+                match around.binary_search(ring) {
+                    Ok(place) => drop(around.remove(place)),
+                    Err(place) => around.insert(place, *ring),
                 }
             }
+            around
+        })?;
+        let mut all = around.iter().enumerate();
+        let is_right = all.all(|(t, around)| is_covered(rings, around) == is_inside(t));
+        is_right.then_some(Values::Polygons(around))
+    }
+
+    /// A value of each triangle, from the default one outside; `enter` makes of the value on the right of a half-edge the
+    /// value on the left. `None` if two ways to a triangle disagree: then edges are no closed rings.
+    fn spread<V: Clone + Default + PartialEq>(
+        &self,
+        enter: impl Fn(&V, u32) -> V,
+    ) -> Option<Vec<V>> {
+        let outside = V::default();
+        let mut values: Vec<Option<V>> = vec![None; self.corners.len()];
+        // Half-edges with a known value on the right: first those of the border, then those across sides.
+        let halves = 0..u32::try_from(self.twin.len()).ok()?;
+        let is_border = |half: &u32| self.twin[*half as usize] == NONE;
+        let mut stack: Vec<u32> = halves.filter(is_border).collect();
+        while let Some(half) = stack.pop() {
+            let right = match self.twin[half as usize] {
+                NONE => &outside,
+                twin => values[twin as usize / 3].as_ref()?,
+            };
+            let value = enter(right, half);
+            let known = &mut values[half as usize / 3];
+            match known {
+                Some(known) if *known != value => return None,
+                Some(_) => continue,
+                None => *known = Some(value),
+            }
+            let first = half as usize - half as usize % 3;
+            let twins = self.twin[first..first + 3].iter();
+            stack.extend(twins.filter(|&&twin| twin != NONE));
         }
-        windings.into_iter().collect()
+        values.into_iter().collect()
     }
 
     /// Which sides of a triangle are pieces of edges: the sum of 1, 2 and 4.

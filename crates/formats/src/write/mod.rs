@@ -205,8 +205,15 @@ fn write_certified<S: Coordinate>(
     let result = interior.triangulation();
     let triangles: Vec<[usize; 3]> = result.triangles().collect();
     let graph = &file.graph;
-    let is_inside = |t| interior.is_inside(t);
-    write_certificate(&graph.points, &graph.edges, &triangles, is_inside, out)
+    let polygons = interior.is_of_polygons().then_some(&file.polygons);
+    write_certificate(
+        &graph.points,
+        &graph.edges,
+        polygons,
+        &triangles,
+        |t| interior.is_inside(t),
+        out,
+    )
 }
 
 /// Refuses to write so many triangles where there is no memory for their lists.
@@ -216,7 +223,7 @@ fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
         OutputFormat::Node => 0,
         OutputFormat::Ele => 12,
         OutputFormat::Json => 108,
-        OutputFormat::Cert => 116,
+        OutputFormat::Cert => 140,
         _ => 36,
     };
     if has_room(triangles.saturating_mul(each)) {
