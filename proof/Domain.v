@@ -203,9 +203,12 @@ Proof.
     - exists 0%Z; reflexivity.
     - intros x y X. apply Z.even_spec in X. destruct X as [z ->]. exists (z * y)%Z. ring.
     - intros x y [z ->] [w ->]. exists (z + w)%Z. ring. }
-  unfold values_right in VR. destruct (domain k); [trivial|auto| |auto].
-  rewrite <- E. revert VR. apply (all_balanced_total (Z.eqb 0) (fun x => x = 0%Z)); [reflexivity| |intros; lia].
-  intros x y X. apply Z.eqb_eq in X. subst. reflexivity.
+  unfold values_right in VR. destruct (domain k).
+  - trivial.
+  - apply Even in VR. exact VR.
+  - rewrite <- E. revert VR. apply (all_balanced_total (Z.eqb 0) (fun x => x = 0%Z)); [reflexivity| |intros; lia].
+    intros x y X. apply Z.eqb_eq in X. subst. reflexivity.
+  - apply Even in VR. exact VR.
 Qed.
 
 Lemma one_ring_edges es : ring_edges one_ring 0 es = map (place_edge u) es.
