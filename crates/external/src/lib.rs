@@ -36,7 +36,7 @@
 //! **Cost.** A point takes 20 bytes of disk, and is written and read once; where there are edges it is read twice. An edge
 //! takes up to 96. Time is linear, for points that are spread over the plane, also in clusters and in rows. The memory is a
 //! bound for what is sorted and buffered, and grows with the square root of the input: 64 MB suffice for 10^10 points or
-//! 5·10^8 edges, 256 MB for 16 times as many. More memory makes fewer and longer runs. The edges of one vertex are in
+//! 10^9 edges, 256 MB for 16 times as many. More memory makes fewer and longer runs. The edges of one vertex are in
 //! memory together, whatever the bound.
 //!
 //! **What can fail.** Every fault of the input and of the disk is an [`Error`]. Temporary files have no names, so nothing

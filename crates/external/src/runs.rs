@@ -1,12 +1,14 @@
 //! Sorted runs on disk, and their merging.
 //!
 //! All runs of a sort stand in one temporary file, one after the other. While they are merged a block of each is in
-//! memory. Of the blocks' last records that are followed by others on disk, the least one is the limit: what comes up to
-//! it is in memory, so it goes to a batch, and is sorted there. At least one block is used up; the next one of its run takes
-//! its place. Equal places make no difference, since numbers tell the records apart.
+//! memory. Each block has a mark some records ahead, or at its last record if that is nearer and others follow on disk. The
+//! least of the marks is the limit: whatever comes up to it is in memory, and within the marks. So all of that goes to a
+//! batch, and is sorted there. A block that is used up is replaced by the next one of its run. Equal places make no
+//! difference, since numbers tell the records apart.
 //!
-//! Cost: time that does not depend on the number of runs: a batch is spread over buckets in a cache (`in_memory.rs`), which
-//! measured as fast as a merge of ten runs, and faster than one of more. A seek for each block.
+//! Cost: a batch is spread over buckets in a cache (`in_memory.rs`), whatever the number of runs. That measured as fast as a
+//! merge of ten runs, and faster than one of more. Where the runs follow each other batches are short, and finding them
+//! costs more than sorting them. There is a seek for each block.
 
 use crate::error::Error;
 use crate::in_memory::sort_piece;
@@ -83,22 +85,26 @@ struct Cursor<R> {
 pub(crate) struct Merger<R> {
     file: Temporary,
     cursors: Vec<Cursor<R>>,
-    /// How many records a block has.
+    /// How many records a block has, and a batch.
     block: usize,
+    batch: usize,
     bytes: Vec<u8>,
     scratch: Vec<R>,
 }
 
-/// No block is longer, in bytes, so that a batch is sorted in a cache.
-const LONGEST: usize = 3 << 17;
+/// No block is longer, in bytes.
+const LONGEST: usize = 1 << 20;
 /// No block is shorter, in records.
 const SHORTEST: usize = 16;
+/// No batch has more records, so that it is sorted in a cache.
+const BATCH: usize = 1 << 14;
 
 impl<R: Record> Merger<R> {
-    /// Merges runs in so many bytes of memory, of which some are for a batch or two beside it.
+    /// Merges runs in so many bytes of memory.
     pub(crate) fn new(file: Temporary, runs: &[Run], memory: usize) -> Result<Merger<R>, Error> {
-        // A batch may be as large as all blocks, one is in use, one waits, one is sorted with half of it beside.
-        let shares = 5 * runs.len().max(1) * size_of::<R>();
+        // Half of it is for blocks. Of batches one is in use, one waits, and one is sorted with as much beside it.
+        let shares = 2 * runs.len().max(1) * size_of::<R>();
+        let batch = (memory / 8 / size_of::<R>()).clamp(1, BATCH);
         let block = (memory / shares).min(LONGEST / size_of::<R>());
         if block < SHORTEST {
             return Err(Error::TooLittleMemory {
@@ -115,6 +121,7 @@ impl<R: Record> Merger<R> {
             file,
             cursors: cursors.collect(),
             block,
+            batch,
             bytes: Vec::new(),
             scratch: Vec::new(),
         })
@@ -129,11 +136,18 @@ impl<R: Record> Merger<R> {
     pub(crate) fn next_batch(&mut self, batch: &mut Vec<R>) -> Result<(), Error> {
         batch.clear();
         self.refill()?;
-        let open = self.cursors.iter().filter(|cursor| cursor.run.left > 0);
-        let ends = open.filter_map(|cursor| cursor.block.last());
-        let limit = ends.min_by(|a, b| a.compare(b)).copied();
+        let most = (self.batch / self.cursors.len().max(1)).max(1);
+        let marks = self.cursors.iter().filter_map(|cursor| {
+            let block = &cursor.block[cursor.at..];
+            match block.get(most - 1) {
+                None if cursor.run.left > 0 => block.last(),
+                mark => mark,
+            }
+        });
+        let limit = marks.min_by(|a, b| a.compare(b)).copied();
         for cursor in &mut self.cursors {
             let block = &cursor.block[cursor.at..];
+            let block = &block[..block.len().min(most)];
             let count = match &limit {
                 Some(limit) => block.partition_point(|record| record.compare(limit).is_le()),
                 None => block.len(),

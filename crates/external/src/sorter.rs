@@ -30,16 +30,23 @@ impl<R: Record> Runs<R> {
 
     /// Sorts records, writes them as a run and forgets them; `first` is the least number.
     pub(crate) fn add(&mut self, records: &mut Vec<R>, first: u64) -> Result<(), Error> {
-        sort(records, &mut self.scratch);
+        self.sort(records)?;
         self.runs.push(Run::write(records, first, &mut self.file)?);
         records.clear();
+        Ok(())
+    }
+
+    fn sort(&mut self, records: &mut Vec<R>) -> Result<(), Error> {
+        let more = records.len().saturating_sub(self.scratch.len());
+        reserve(&mut self.scratch, more, records.len())?;
+        sort(records, &mut self.scratch);
         Ok(())
     }
 
     /// All records sorted; `last` are those that are in no run.
     pub(crate) fn finish(mut self, mut last: Vec<R>, first: u64) -> Result<Sorted<R>, Error> {
         if self.runs.is_empty() {
-            sort(&mut last, &mut self.scratch);
+            self.sort(&mut last)?;
             return Ok(Sorted::Memory(last));
         }
         if !last.is_empty() {
@@ -121,13 +128,20 @@ impl<R: Record> Batches<R> {
     }
 }
 
-/// Makes room for more records: twice as many as there are, but no more than a run has.
-pub(crate) fn reserve<R>(records: &mut Vec<R>, more: usize, capacity: usize) -> Result<(), Error> {
+/// So many records are made room for step by step; the system gives memory only when it is used, so that all of a longer
+/// list is asked for at once, and nothing is copied.
+const SHORT: usize = 1 << 16;
+
+/// Makes room for more records of a list that will have `most` at most.
+pub(crate) fn reserve<R>(records: &mut Vec<R>, more: usize, most: usize) -> Result<(), Error> {
     let length = records.len() + more;
     if length <= records.capacity() {
         return Ok(());
     }
-    let wanted = length.max(2 * records.capacity()).min(capacity.max(length));
+    let wanted = match length {
+        ..SHORT => length.max(2 * records.capacity()).min(most.max(length)),
+        _ => most.max(length),
+    };
     let got = records.try_reserve_exact(wanted - records.len());
     got.map_err(|_| Error::OutOfMemory {
         bytes: (wanted * size_of::<R>()) as u64,

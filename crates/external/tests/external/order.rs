@@ -4,7 +4,7 @@ use sweep_cdt_external::Sorting;
 
 use crate::{Made, Random, check};
 
-/// Little memory: 2,604 points or 446 edges are a run.
+/// Little memory: 2,604 points or 625 edges are a run.
 const LITTLE: u64 = 200_000;
 
 /// A kind of points: the point of a number.
