@@ -1,8 +1,8 @@
 //! How long sorting takes: nanoseconds a point of generated points, or of a file.
 //!
 //! `cargo run --release -p sweep-cdt-external --example time -- 10000000 256 uniform` sorts ten million points in 256
-//! megabytes. `uniform`, `rows` (a thousand different y), `clusters` and `equal` are kinds of points; with `edges` at the
-//! end an edge joins each point to the next. A file in the place of the count is sorted as it is.
+//! megabytes. `uniform`, `rows` (a thousand different y), `clusters`, `equal` and `ordered` (nearly) are kinds of points;
+//! with `edges` at the end an edge joins each point to the next. A file in the place of the count is sorted as it is.
 
 use std::path::Path;
 use std::time::Instant;
@@ -37,6 +37,7 @@ impl Made {
                 [place + x * x * x * 1e-3, place * place + y * y * y * 1e-3]
             }
             "equal" => [1.0, 1.0],
+            "ordered" => [x, -(self.left as f64)],
             _ => [x, y],
         }
     }

@@ -240,6 +240,32 @@ fn a_ply_that_is_cut_off_is_refused_as_in_memory() {
     }
 }
 
+/// Where it can be known, a `.ply` is refused before any work on its points.
+#[test]
+fn a_binary_ply_that_is_cut_off_is_refused_at_once() {
+    let points = [[1.0, 2.0]; 100];
+    let ply = Ply {
+        encoding: "binary_little_endian",
+        real: "double",
+        edges_first: false,
+        has_lists: false,
+    };
+    let bytes = ply.bytes(&points, &[]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.ply");
+    fs::write(&path, &bytes[..bytes.len() - 900]).expect("a file");
+    let mut input = open(&path, InputFormat::Ply, None).expect("its header is whole");
+    let mut read = Vec::new();
+    let error = input.next_points(&mut read).expect_err("it is cut off");
+    assert!(
+        error
+            .message
+            .ends_with("the file ends, and 100 are announced"),
+        "{error}"
+    );
+    assert!(read.is_empty());
+}
+
 /// Compares the error of a file with that of a reader in memory.
 fn check_error(name: &str, bytes: &[u8], format: InputFormat, whole: Whole) {
     let folder = tempfile::tempdir().expect("a folder");
