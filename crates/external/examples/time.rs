@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release -p sweep-cdt-external --example time -- 10000000 256 uniform` sorts ten million points in 256
 //! megabytes. `uniform`, `rows` (a thousand different y), `clusters`, `equal` and `ordered` (nearly) are kinds of points;
-//! with `edges` at the end an edge joins each point to the next. A file in the place of the count is sorted as it is.
+//! with `edges` at the end an edge joins each point to the next, with `far-edges` to one far from it in the file. A file in
+//! the place of the count is sorted as it is.
 
 use std::path::Path;
 use std::time::Instant;
@@ -15,6 +16,8 @@ struct Made {
     kind: String,
     left: u64,
     edges: u64,
+    /// How far the ends of an edge are from each other in the input.
+    step: u64,
     next_edge: u64,
     state: u64,
 }
@@ -57,7 +60,9 @@ impl Input for Made {
 
     fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
         let end = (self.next_edge + (1 << 13)).min(self.edges);
-        edges.extend((self.next_edge..end).map(|edge| [edge, edge + 1]));
+        edges.extend(
+            (self.next_edge..end).map(|edge| [edge, (edge + self.step) % (self.edges + 1)]),
+        );
         self.next_edge = end;
         Ok(())
     }
@@ -72,10 +77,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Ok(count) => Box::new(Made {
             kind: argument(2, "uniform"),
             left: count,
-            edges: if argument(3, "") == "edges" {
-                count - 1
-            } else {
-                0
+            edges: match argument(3, "").as_str() {
+                "" => 0,
+                _ => count - 1,
+            },
+            step: match argument(3, "").as_str() {
+                "far-edges" => count / 7 * 3 + 1,
+                _ => 1,
             },
             next_edge: 0,
             state: 88_172_645_463_325_252,
