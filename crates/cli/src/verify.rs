@@ -137,8 +137,9 @@ pub(crate) struct Verify {
     /// in any order; the order of a sweep takes least memory. The first violation ends the run.
     #[arg(
         long,
-        conflicts_with_all = ["domain", "steiner", "max_depth", "tolerance", "explain", "json", "svg", "geojson",
-            "record", "write_certificate"],
+        conflicts_with_all = ["input_format", "result_format", "faces", "height_property", "strict", "unpacked_limit",
+            "scalar", "domain", "clockwise", "tolerance", "by_number", "steiner", "max_depth", "limit", "explain", "json",
+            "svg", "geojson", "record", "write_certificate"],
     )]
     stream: bool,
 

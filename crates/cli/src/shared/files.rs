@@ -261,6 +261,13 @@ impl FilesRead {
         }
     }
 
+    /// Notes a file that is read in pieces, if it is there.
+    pub(crate) fn add(&mut self, path: &Path) {
+        let metadata = fs::metadata(path).ok().filter(Metadata::is_file);
+        let identity = metadata.and_then(|metadata| Identity::there(path, &metadata).ok());
+        self.identities.extend(identity);
+    }
+
     /// Whether this file was read.
     pub(crate) fn has(&self, identity: &Identity) -> bool {
         self.identities.contains(identity)

@@ -68,7 +68,7 @@ impl<'a> Outputs<'a> {
                 let written = file.write(contents);
                 written.map_err(|error| Failure::of_file(&name, &error))?;
                 if !is_whole {
-                    name.as_mut_os_string().push(".incomplete");
+                    name = of_part(&name);
                     file.rename(name.clone());
                 }
                 self.files.push((name, *file));
@@ -207,6 +207,12 @@ impl Destination {
         }
     }
 
+    /// The file for a part of what was to be written here, if it is a file.
+    pub(crate) fn part(&self) -> Result<Option<Destination>, Failure> {
+        let part = self.is_file().then(|| of_part(&self.name));
+        part.map(Destination::of_path).transpose()
+    }
+
     pub(crate) fn is_standard(&self) -> bool {
         matches!(self.place, Place::Standard)
     }
@@ -214,6 +220,13 @@ impl Destination {
     pub(crate) fn is_file(&self) -> bool {
         matches!(self.place, Place::File(_))
     }
+}
+
+/// The name of a file that holds a part of what was to be written.
+fn of_part(name: &Path) -> PathBuf {
+    let mut name = name.to_owned();
+    name.as_mut_os_string().push(".incomplete");
+    name
 }
 
 fn there(path: &Path, metadata: &Metadata) -> io::Result<(Place, Option<Identity>)> {

@@ -5,19 +5,21 @@ mod order;
 mod verify;
 
 use std::io::{self, Write};
+use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
 
 use sweep_cdt::Triangulator;
 use sweep_cdt::stream::{Final, Stream, StreamError, StreamStats};
-use sweep_cdt::verify::{StreamVerifier, StreamViolation};
-use sweep_cdt_external::{Statistics, Summary, SweepOrder};
+use sweep_cdt::verify::{Level, StreamVerifier, StreamViolation};
+use sweep_cdt_external::{Statistics, Summary};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
-use crate::shared::outputs::{Destination, Outputs};
+use crate::shared::outputs::{Destination, Outputs, print, refuse_read};
 use crate::shared::resources::Progress;
 use numbers::{Numbers, Width};
 pub(crate) use order::SortArgs;
+use order::{Sorted, failure_of_order};
 pub(crate) use verify::verify_stream;
 
 /// So many bytes of memory a living vertex takes while a window is triangulated, with the new ones that come with it.
@@ -45,7 +47,7 @@ pub(crate) struct StreamCommand {
 
     /// Triangulate in windows of so many new vertices [default: ten times as many as are alive]
     #[arg(long, value_name = "N")]
-    window: Option<usize>,
+    window: Option<NonZeroUsize>,
 
     /// Verify the triangles on the way, by exact arithmetic that shares no other code with the sweep
     #[arg(long)]
@@ -95,64 +97,93 @@ enum Trouble {
     Out(io::Error),
 }
 
+impl Trouble {
+    /// The trouble with edges as a file numbers them whose first edge has this number.
+    fn numbered_from(self, first_edge: u64) -> Trouble {
+        match self {
+            Trouble::Stream(StreamError::CrossingEdges { edges }) => {
+                let edges = edges.map(|edge| edge + first_edge);
+                Trouble::Stream(StreamError::CrossingEdges { edges })
+            }
+            other => other,
+        }
+    }
+}
+
+impl Outcome {
+    /// Whether what was written may be of use: all triangles, or all that are final up to some place.
+    fn is_kept(&self) -> bool {
+        matches!(
+            self.ended,
+            Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. }))
+        )
+    }
+}
+
 impl StreamCommand {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let width = self.output.as_ref().map(Width::of_output).transpose()?;
         let destination = self.output.as_ref().map(Destination::of).transpose()?;
+        let writes_standard = destination.as_ref().is_some_and(Destination::is_standard);
+        if self.stats && writes_standard {
+            let message = "--stats and `-o -` would both write to standard output";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let part = destination.as_ref().map(Destination::part).transpose()?;
+        let part = part.flatten();
+        let read = self.sort.files(&self.input);
+        refuse_read(&read, destination.iter().chain(&part))?;
         let sorted = self.sort.sorted(&self.input)?;
-        let summary = sorted.summary();
+        let summary = sorted.order.summary();
         if let Some(width) = width {
             width.holds(summary.points)?;
         }
         let Some((destination, width)) = destination.zip(width) else {
             let outcome = self.streamed(sorted, None);
-            return self.report(outcome, &summary);
+            return self.report(outcome, &summary, "");
         };
-        let name = destination.name.clone();
+        let kept = match &part {
+            Some(part) => format!("; what is final up to there is in {}", part.name.display()),
+            None => "; what is final up to there is written".to_owned(),
+        };
         let mut outputs = Outputs::default();
         let mut outcome = None;
-        outputs
-            .add_part(destination, |out| {
-                let mut numbers = Numbers::new(out, width);
-                let found = self.streamed(sorted, Some(&mut numbers));
-                let is_whole = found.ended.is_ok();
-                let kept = match &found.ended {
-                    Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. })) => Ok(is_whole),
-                    Err(_) => Err(io::Error::other("")),
-                };
-                outcome = Some(found);
-                kept
-            })
-            .or_else(|failure| match &outcome {
-                // The reason is told below.
-                Some(outcome) if outcome.ended.is_err() => Ok(()),
-                _ => Err(failure),
-            })?;
-        let outcome = outcome
-            .ok_or_else(|| Failure::Error(format!("{}: nothing was written", name.display())))?;
-        if matches!(
-            outcome.ended,
-            Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. }))
-        ) {
+        let written = outputs.add_part(destination, |out| {
+            let mut numbers = Numbers::new(out, width);
+            let found = outcome.insert(self.streamed(sorted, Some(&mut numbers)));
+            match found.is_kept() {
+                true => Ok(found.ended.is_ok()),
+                // The report says why.
+                false => Err(io::Error::other("the stream has failed")),
+            }
+        });
+        let Some(outcome) = outcome else {
+            return written;
+        };
+        if outcome.is_kept() {
+            written?;
             outputs.finish()?;
         }
-        self.report(outcome, &summary)
+        match writes_standard && outcome.ended.is_ok() {
+            true => Ok(()),
+            false => self.report(outcome, &summary, &kept),
+        }
     }
 
     /// Takes all vertices in order, and writes the triangles.
-    fn streamed(&self, mut order: SweepOrder, out: Option<&mut Numbers<'_, '_>>) -> Outcome {
+    fn streamed(&self, mut sorted: Sorted, out: Option<&mut Numbers<'_, '_>>) -> Outcome {
         let since = Instant::now();
-        let ended = self.swept(&mut order, out);
+        let ended = self.swept(&mut sorted.order, out);
         Outcome {
-            ended,
-            sorting: order.statistics(),
+            ended: ended.map_err(|trouble| trouble.numbered_from(sorted.first_edge)),
+            sorting: sorted.order.statistics(),
             sweeping: since.elapsed(),
         }
     }
 
     fn swept(
         &self,
-        order: &mut SweepOrder,
+        order: &mut sweep_cdt_external::SweepOrder,
         mut out: Option<&mut Numbers<'_, '_>>,
     ) -> Result<StreamStats, Trouble> {
         let Summary { points, x, .. } = order.summary();
@@ -187,7 +218,7 @@ impl StreamCommand {
             stream = stream.between(x[0], x[1]);
         }
         if let Some(window) = self.window {
-            stream = stream.window(window);
+            stream = stream.window(window.get());
         }
         let mut done = 0;
         let mut last: Option<([f64; 2], u64)> = None;
@@ -232,79 +263,93 @@ impl StreamCommand {
         Ok(stats)
     }
 
-    /// Prints what has come of it.
-    fn report(&self, outcome: Outcome, summary: &Summary) -> Result<(), Failure> {
+    /// Prints what has come of it; `kept` says where the triangles are of a stream that keeps too much alive.
+    fn report(&self, outcome: Outcome, summary: &Summary, kept: &str) -> Result<(), Failure> {
         let input = self.input.input_name();
         let stats = match outcome.ended {
             Ok(stats) => stats,
-            Err(Trouble::Order(error)) => return Err(Failure::Error(error.to_string())),
-            Err(Trouble::Stream(error @ StreamError::TooMuchAlive { .. })) => {
-                return Err(Failure::Error(format!(
-                    "{input}: {error}; --memory allows more, what was final is in the file that ends in .incomplete"
-                )));
-            }
+            Err(Trouble::Order(error)) => return Err(failure_of_order(&error)),
             Err(Trouble::Stream(error)) => {
-                return Err(Failure::Error(format!("{input}: {error}")));
+                let advice = match error {
+                    StreamError::TooMuchAlive { .. } => " (--memory allows more)",
+                    StreamError::CrossingEdges { .. } => {
+                        " (where memory holds them, `sweep-cdt crossings` lists all that do)"
+                    }
+                    _ => "",
+                };
+                let kept = match error {
+                    StreamError::TooMuchAlive { .. } => kept,
+                    _ => "",
+                };
+                return Err(Failure::Error(format!("{input}: {error}{advice}{kept}")));
             }
             Err(Trouble::Violation(violation)) => {
                 return Err(Failure::Error(format!(
                     "{input}: a bug of sweep-cdt: {violation}"
                 )));
             }
+            // A reader that has closed its end of the pipe has what it needs.
+            Err(Trouble::Out(error)) if error.kind() == io::ErrorKind::BrokenPipe => return Ok(()),
             Err(Trouble::Out(error)) => {
                 let name = self.output.as_ref().and_then(FileArgument::path);
                 let name = name.unwrap_or("standard output".as_ref());
                 return Err(Failure::of_file(name, &error));
             }
         };
-        let writes_there = self.output.as_ref().is_some_and(FileArgument::is_standard);
-        if !self.stats && self.output.is_some() || writes_there {
-            return Ok(());
-        }
-        let mut table = Vec::new();
-        let alive = stats.most_alive;
-        let seconds = |time: Duration| format!("{:.2} s", time.as_secs_f64());
-        let rows = [
-            ("points", summary.points.to_string()),
-            ("edges", summary.edges.to_string()),
-            ("triangles", stats.triangles.to_string()),
-            ("sides of the hull", stats.hull_sides.to_string()),
-            ("equal points", stats.duplicates.to_string()),
-            ("windows", stats.windows.to_string()),
-            ("vertices alive at most", alive.vertices.to_string()),
-            (
-                "  triangles waiting for the line",
-                alive.circles.to_string(),
-            ),
-            ("  triangles waiting for edges", alive.edges.to_string()),
-            ("  sides of the hull waiting", alive.hull_sides.to_string()),
-            ("runs sorted", outcome.sorting.runs.to_string()),
-            (
-                "bytes of temporary files",
-                outcome.sorting.written.to_string(),
-            ),
-            (
-                "time of sorting",
-                seconds(outcome.sorting.reading + outcome.sorting.joining),
-            ),
-            (
-                "time of merging, beside the sweep",
-                seconds(outcome.sorting.merging),
-            ),
-            ("time of sweeping", seconds(outcome.sweeping)),
-        ];
-        for (name, value) in rows {
-            writeln!(table, "{name:<34} {value:>14}").expect("memory takes it");
-        }
-        if self.check {
-            writeln!(
-                table,
-                "verified: the canonical constrained Delaunay triangulation"
-            )
-            .expect("memory takes it");
-        }
-        crate::shared::outputs::print(|out| out.write_all(&table))
+        let is_asked = self.stats || self.output.is_none();
+        print(|out| {
+            if is_asked {
+                write_table(&stats, &outcome.sorting, outcome.sweeping, summary, out)?;
+            }
+            if self.check {
+                let what = Level::Canonical.title();
+                writeln!(out, "correct: the result is {what} of {input}")?;
+            }
+            Ok(())
+        })
     }
+}
+
+/// Writes counts, times and bytes.
+fn write_table(
+    stats: &StreamStats,
+    sorting: &Statistics,
+    sweeping: Duration,
+    summary: &Summary,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let alive = stats.most_alive;
+    let seconds = |time: Duration| format!("{:.2} s", time.as_secs_f64());
+    let rows = [
+        ("points", summary.points.to_string()),
+        ("edges", summary.edges.to_string()),
+        ("triangles", stats.triangles.to_string()),
+        ("sides of the hull", stats.hull_sides.to_string()),
+        ("equal points", stats.duplicates.to_string()),
+        ("windows", stats.windows.to_string()),
+        ("vertices alive at most", alive.vertices.to_string()),
+        (
+            "  triangles waiting for the line",
+            alive.circles.to_string(),
+        ),
+        ("  triangles waiting for edges", alive.edges.to_string()),
+        ("  sides of the hull waiting", alive.hull_sides.to_string()),
+        ("runs sorted", sorting.runs.to_string()),
+        ("bytes of temporary files", sorting.written.to_string()),
+        (
+            "time of sorting",
+            seconds(sorting.reading + sorting.joining),
+        ),
+        (
+            "time of merging, beside the sweep",
+            seconds(sorting.merging),
+        ),
+        ("time of sweeping", seconds(sweeping)),
+    ];
+    for (name, value) in rows {
+        writeln!(out, "{name:<34} {value:>14}")?;
+    }
+    Ok(())
 }
 
 fn to_usize(count: u64) -> usize {

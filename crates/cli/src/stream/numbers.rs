@@ -32,7 +32,9 @@ impl Width {
     fn of_file(path: &Path) -> Result<Width, Failure> {
         Width::of_path(path).ok_or_else(|| {
             let name = path.display();
-            Failure::Usage(format!("{name}: triangles of a stream are .u32 or .u64"))
+            let message =
+                format!("{name} is no name for triangles of a stream: let it end in .u32 or .u64");
+            Failure::Usage(message)
         })
     }
 
@@ -85,9 +87,14 @@ impl Triangles {
         let width = Width::of_file(path)?;
         let failure = |error| Failure::of_file(path, &error);
         let file = File::open(path).map_err(failure)?;
-        let length = file.metadata().map_err(failure)?.len();
-        let each = if width == Width::Four { 12 } else { 24 };
+        let metadata = file.metadata().map_err(failure)?;
         let name = path.display().to_string();
+        if !metadata.is_file() {
+            let message = format!("{name}: is no file: triangles of a stream are read from one");
+            return Err(Failure::Error(message));
+        }
+        let length = metadata.len();
+        let each = if width == Width::Four { 12 } else { 24 };
         if length % each != 0 {
             let message =
                 format!("{name}: {length} bytes are no whole number of triangles of {each} bytes");

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
-use sweep_cdt_external::{InputFormat, Sorting, SweepOrder, open};
+use sweep_cdt_external::{Error, InputFormat, Sorting, SweepOrder, open};
 
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, format_of_input, format_parser};
+use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_parser};
 use crate::shared::resources::Progress;
 
 /// The memory, if it is not given.
@@ -32,6 +32,13 @@ pub(crate) struct SortArgs {
     pub(crate) stream_format: Option<InputFormat>,
 }
 
+/// An input that is sorted.
+pub(super) struct Sorted {
+    pub(super) order: SweepOrder,
+    /// The number of the first edge in the file.
+    pub(super) first_edge: u64,
+}
+
 impl SortArgs {
     pub(crate) fn memory(&self) -> u64 {
         self.memory.unwrap_or(MEMORY).as_u64()
@@ -51,29 +58,53 @@ impl SortArgs {
         }
     }
 
-    /// The input, sorted.
-    pub(crate) fn sorted(&self, input: &FileArgument) -> Result<SweepOrder, Failure> {
-        let format = format_of_input(input, "--stream-format", self.stream_format)?;
-        let Some(path) = input.path() else {
-            let message = "a stream is read from a file: its size must be known";
-            return Err(Failure::Usage(message.to_owned()));
-        };
-        let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
-        let sorted = self.sort(path, format, &folder);
-        sorted.map_err(|error| Failure::Error(error.to_string()))
+    /// The files that are read, none of which may be overwritten.
+    pub(super) fn files(&self, input: &FileArgument) -> FilesRead {
+        let mut files = FilesRead::default();
+        // The vertices of a `.poly` may be beside it.
+        let node = input.beside("node");
+        let paths = [input.path(), node.as_ref().and_then(FileArgument::path)];
+        for path in paths.into_iter().flatten().chain(self.edges.as_deref()) {
+            files.add(path);
+        }
+        files
     }
 
-    fn sort(
-        &self,
-        path: &Path,
-        format: InputFormat,
-        folder: &Path,
-    ) -> Result<SweepOrder, sweep_cdt_external::Error> {
+    /// The input, sorted.
+    pub(super) fn sorted(&self, input: &FileArgument) -> Result<Sorted, Failure> {
+        let Some(path) = input.path() else {
+            let message =
+                "a stream is read from a file, since its size must be known: write INPUT to a file";
+            return Err(Failure::Usage(message.to_owned()));
+        };
+        let format = format_of_input(input, "--stream-format", self.stream_format)?;
+        let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
+        let sorted = self.sort(path, format, &folder);
+        sorted.map_err(|error| failure_of_order(&error))
+    }
+
+    fn sort(&self, path: &Path, format: InputFormat, folder: &Path) -> Result<Sorted, Error> {
         let mut input = open(path, format, self.edges.as_deref())?;
         let mut progress = Progress::new("sorting");
         let share = |bytes| usize::try_from(bytes).unwrap_or(usize::MAX);
-        Sorting::new(self.memory(), folder).sort_with(&mut *input, &mut |done, all| {
-            progress.show(share(done), share(all));
+        let order =
+            Sorting::new(self.memory(), folder).sort_with(&mut *input, &mut |done, all| {
+                progress.show(share(done), share(all));
+            })?;
+        Ok(Sorted {
+            order,
+            first_edge: input.first()[1],
         })
     }
+}
+
+/// What ends a run that cannot sort, with the option that helps.
+pub(super) fn failure_of_order(error: &Error) -> Failure {
+    let way_out = match error {
+        Error::Temporary { .. } => " (--temporary names one)",
+        Error::TooLittleMemory { .. } => " (--memory allows more)",
+        Error::OutOfMemory { .. } => " (--memory)",
+        _ => "",
+    };
+    Failure::Error(format!("{error}{way_out}"))
 }

@@ -1,9 +1,12 @@
 //! `sweep-cdt verify --stream`: triangles in a file that is read once, of points that are sorted outside memory.
 
+use std::io::Write;
+
 use sweep_cdt::verify::{Level, StreamReport, StreamVerifier, StreamViolation};
 use sweep_cdt_external::SweepOrder;
 
 use super::numbers::Triangles;
+use super::order::{Sorted, failure_of_order};
 use super::{STEP, SortArgs, to_usize};
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
@@ -12,13 +15,22 @@ use crate::shared::resources::Progress;
 
 /// Why there is no verdict, or a bad one.
 enum Ended {
-    Violation(StreamViolation),
+    Wrong(Wrong),
     Failure(Failure),
+}
+
+/// What is wrong, and the triangle of the file that has shown it, from 0, unless it was the end.
+struct Wrong {
+    violation: String,
+    triangle: Option<u64>,
 }
 
 impl From<StreamViolation> for Ended {
     fn from(violation: StreamViolation) -> Ended {
-        Ended::Violation(violation)
+        Ended::Wrong(Wrong {
+            violation: violation.to_string(),
+            triangle: None,
+        })
     }
 }
 
@@ -40,22 +52,31 @@ pub(crate) fn verify_stream(
         return Err(Failure::Usage(message.to_owned()));
     };
     let triangles = Triangles::open(path)?;
-    let order = sort.sorted(input)?;
+    let Sorted { order, .. } = sort.sorted(input)?;
+    let (what, all) = (level.title(), triangles.left());
+    let [input, result] = [input, result].map(FileArgument::input_name);
     match judged(order, triangles, level) {
         Ok(report) => print(|out| {
-            use std::io::Write;
+            writeln!(out, "correct: {result} is {what} of {input}")?;
+            writeln!(out)?;
             writeln!(out, "points                {:>14}", report.vertices)?;
             writeln!(out, "edges                 {:>14}", report.edges)?;
             writeln!(out, "triangles             {:>14}", report.triangles)?;
             writeln!(out, "sides of the hull     {:>14}", report.hull_sides)?;
             writeln!(out, "vertices kept at most {:>14}", report.most_vertices)?;
-            writeln!(out, "sides kept at most    {:>14}", report.most_sides)?;
-            writeln!(out, "correct: {}", level.title())
+            writeln!(out, "sides kept at most    {:>14}", report.most_sides)
         }),
-        Err(Ended::Violation(violation)) => {
+        Err(Ended::Wrong(Wrong {
+            violation,
+            triangle,
+        })) => {
             print(|out| {
-                use std::io::Write;
-                writeln!(out, "wrong: {violation}")
+                writeln!(out, "wrong: {result} is not {what} of {input}: {violation}")?;
+                match triangle {
+                    Some(triangle) => write!(out, "found at triangle {triangle} of {all}")?,
+                    None => write!(out, "found behind the last of {all} triangles")?,
+                }
+                writeln!(out, "; points, edges and triangles are numbered from 0")
             })?;
             Err(Failure::Wrong)
         }
@@ -74,10 +95,8 @@ fn judged(
     let points = order.summary().points;
     let mut first: Option<([f64; 2], u64)> = None;
     let mut next_vertex = |verifier: &mut StreamVerifier<f64>| -> Result<bool, Ended> {
-        let vertex = order
-            .next_vertex()
-            .map_err(|error| Failure::Error(error.to_string()))?;
-        let Some(vertex) = vertex else {
+        let vertex = order.next_vertex();
+        let Some(vertex) = vertex.map_err(|error| failure_of_order(&error))? else {
             return Ok(false);
         };
         match first {
@@ -95,12 +114,21 @@ fn judged(
         Ok(true)
     };
     while let Some(corners) = triangles.next()? {
-        for corner in corners {
-            // A corner that has come and gone, or is no point, is named by the verifier below.
-            while corner < points && !verifier.has_vertex(corner) && next_vertex(&mut verifier)? {}
-        }
-        verifier.triangle(corners, None)?;
         let done = all - triangles.left();
+        let wrong = |violation| Wrong {
+            violation,
+            triangle: Some(done - 1),
+        };
+        for corner in corners {
+            if corner >= points {
+                let violation = format!("point {corner} is named, and there are {points} points");
+                return Err(Ended::Wrong(wrong(violation)));
+            }
+            // The verifier names a corner that has come and gone.
+            while !verifier.has_vertex(corner) && next_vertex(&mut verifier)? {}
+        }
+        let judged = verifier.triangle(corners, None);
+        judged.map_err(|violation| Ended::Wrong(wrong(violation.to_string())))?;
         if done % STEP == 0 {
             progress.show(to_usize(done), to_usize(all));
         }

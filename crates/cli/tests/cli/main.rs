@@ -22,6 +22,8 @@ mod runs;
 mod statistics;
 #[cfg(target_os = "linux")]
 mod stopped;
+mod stream;
+mod stream_verify;
 mod terrain;
 mod texts;
 mod trace;

@@ -91,6 +91,46 @@ fn a_run_that_is_killed_leaves_no_file() {
     assert_unchanged(&folder, &["f"]);
 }
 
+/// Whether a process has an open file without a name in this folder.
+fn has_unnamed_file(child: &Child, folder: &TempDir) -> bool {
+    let open = fs::read_dir(format!("/proc/{}/fd", child.id()));
+    let links = open.into_iter().flatten().flatten();
+    let mut files = links.filter_map(|link| fs::read_link(link.path()).ok());
+    files.any(|file| {
+        let is_unnamed = file.to_string_lossy().ends_with(" (deleted)");
+        is_unnamed && file.starts_with(folder)
+    })
+}
+
+/// A stream that is ended while it writes a file: all of the file is there, or nothing.
+#[test]
+fn a_stream_that_is_ended_leaves_no_file() {
+    for (name, number) in [("TERM", 15), ("KILL", 9)] {
+        let folder = folder(&[("old.u64", "old")]);
+        fs::create_dir(folder.path().join("temporary")).expect("a folder");
+        let options = "--memory 300K --temporary temporary --window 100";
+        let arguments = format!("stream {CONTOURS} {options} -o old.u64");
+        let mut child = by("env", &["--default-signal"], &folder, &arguments)
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the command starts");
+        while !has_unnamed_file(&child, &folder) && matches!(child.try_wait(), Ok(None)) {
+            std::thread::yield_now();
+        }
+        send(name, &child);
+        let output = child.wait_with_output().expect("the command ends");
+        assert_eq!(names(folder.path()), ["old.u64", "temporary"]);
+        assert_eq!(names(&folder.path().join("temporary")), [""; 0]);
+        let left = fs::read(folder.path().join("old.u64")).expect("a file");
+        if output.status.success() {
+            assert!(left.len() > 1_000_000 && left.len() % 24 == 0);
+        } else {
+            assert_eq!(output.status.signal(), Some(number));
+            assert_eq!(left, b"old");
+        }
+    }
+}
+
 #[test]
 fn signals_that_are_ignored_stay_so() {
     let folder = folder(&[("old.svg", "old")]);
@@ -160,6 +200,28 @@ fn a_full_disk_leaves_the_files_as_they_were() {
         assert_eq!(error.lines().count(), 1, "{error}");
         assert!(error.ends_with(": no space left on device\n"), "{error}");
         assert_eq!(text(&output.stdout), "1\nold.svg\nold\n");
+    }
+}
+
+/// The output of a stream, and its temporary files, of which each alone fills the disk.
+#[test]
+fn a_stream_that_fills_the_disk_leaves_the_files_as_they_were() {
+    let command = env!("CARGO_BIN_EXE_sweep-cdt");
+    let bytes = "bytes of temporary files; another folder may have room for them";
+    for (options, fault) in [
+        ("", "error: old.u32: no space left on device\n"),
+        ("--memory 200K --temporary .", bytes),
+    ] {
+        let stream = format!("{command} stream {CONTOURS} --window 1000 {options} -o old.u32");
+        let script = format!("echo old > old.u32; {stream}; echo $?; ls -A; cat old.u32");
+        let Some(output) = on_a_small_disk(&script) else {
+            return;
+        };
+        let error = text(&output.stderr);
+        assert!(error.contains(fault), "{error}");
+        assert!(error.contains(": no space left on device"), "{error}");
+        assert_eq!(error.lines().count(), 1, "{error}");
+        assert_eq!(text(&output.stdout), "1\nold.u32\nold\n");
     }
 }
 
