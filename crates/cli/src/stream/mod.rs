@@ -19,7 +19,7 @@ use crate::shared::outputs::{Destination, Outputs, print, refuse_read};
 use crate::shared::resources::Progress;
 use numbers::{Numbers, Width};
 pub(crate) use order::SortArgs;
-use order::{Sorted, failure_of_order};
+use order::Sorted;
 pub(crate) use verify::verify_stream;
 
 /// So many bytes of memory a living vertex takes while a window is triangulated, with the new ones that come with it.
@@ -268,7 +268,7 @@ impl StreamCommand {
         let input = self.input.input_name();
         let stats = match outcome.ended {
             Ok(stats) => stats,
-            Err(Trouble::Order(error)) => return Err(failure_of_order(&error)),
+            Err(Trouble::Order(error)) => return Err(self.sort.failure(&error)),
             Err(Trouble::Stream(error)) => {
                 let advice = match error {
                     StreamError::TooMuchAlive { .. } => " (--memory allows more)",

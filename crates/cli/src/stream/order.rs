@@ -80,7 +80,23 @@ impl SortArgs {
         let format = format_of_input(input, "--stream-format", self.stream_format)?;
         let folder = self.temporary.clone().unwrap_or_else(std::env::temp_dir);
         let sorted = self.sort(path, format, &folder);
-        sorted.map_err(|error| failure_of_order(&error))
+        sorted.map_err(|error| self.failure(&error))
+    }
+
+    /// What ends a run that cannot sort, with the option that helps.
+    pub(super) fn failure(&self, error: &Error) -> Failure {
+        Failure::Error(match error {
+            // The share of the memory that was too little would do with less if all were more.
+            Error::TooLittleMemory { memory, needed } => {
+                let enough = u128::from(self.memory()) * u128::from(*needed);
+                let enough = enough.div_ceil(u128::from(*memory).max(1));
+                let memory = ByteSize(self.memory());
+                format!("{memory} of memory do not suffice to sort so much: --memory {enough} does")
+            }
+            Error::OutOfMemory { .. } => format!("{error} (--memory)"),
+            Error::Temporary { .. } => format!("{error} (--temporary names one)"),
+            _ => error.to_string(),
+        })
     }
 
     fn sort(&self, path: &Path, format: InputFormat, folder: &Path) -> Result<Sorted, Error> {
@@ -96,15 +112,4 @@ impl SortArgs {
             first_edge: input.first()[1],
         })
     }
-}
-
-/// What ends a run that cannot sort, with the option that helps.
-pub(super) fn failure_of_order(error: &Error) -> Failure {
-    let way_out = match error {
-        Error::Temporary { .. } => " (--temporary names one)",
-        Error::TooLittleMemory { .. } => " (--memory allows more)",
-        Error::OutOfMemory { .. } => " (--memory)",
-        _ => "",
-    };
-    Failure::Error(format!("{error}{way_out}"))
 }

@@ -6,7 +6,7 @@ use sweep_cdt::verify::{Level, StreamReport, StreamVerifier, StreamViolation};
 use sweep_cdt_external::SweepOrder;
 
 use super::numbers::Triangles;
-use super::order::{Sorted, failure_of_order};
+use super::order::Sorted;
 use super::{STEP, SortArgs, to_usize};
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
@@ -55,7 +55,7 @@ pub(crate) fn verify_stream(
     let Sorted { order, .. } = sort.sorted(input)?;
     let (what, all) = (level.title(), triangles.left());
     let [input, result] = [input, result].map(FileArgument::input_name);
-    match judged(order, triangles, level) {
+    match judged(sort, order, triangles, level) {
         Ok(report) => print(|out| {
             writeln!(out, "correct: {result} is {what} of {input}")?;
             writeln!(out)?;
@@ -85,6 +85,7 @@ pub(crate) fn verify_stream(
 }
 
 fn judged(
+    sort: &SortArgs,
     mut order: SweepOrder,
     mut triangles: Triangles,
     level: Level,
@@ -96,7 +97,7 @@ fn judged(
     let mut first: Option<([f64; 2], u64)> = None;
     let mut next_vertex = |verifier: &mut StreamVerifier<f64>| -> Result<bool, Ended> {
         let vertex = order.next_vertex();
-        let Some(vertex) = vertex.map_err(|error| failure_of_order(&error))? else {
+        let Some(vertex) = vertex.map_err(|error| sort.failure(&error))? else {
             return Ok(false);
         };
         match first {
