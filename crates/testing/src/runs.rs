@@ -106,6 +106,7 @@ fn in_windows() -> Vec<Run> {
 }
 
 /// So many new vertices a window of a stream has.
+#[cfg(feature = "runs")]
 const WINDOWS: [usize; 4] = [1, 2, 7, 1000];
 
 #[cfg(feature = "runs")]
