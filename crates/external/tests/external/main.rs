@@ -1,11 +1,12 @@
-//! Sorting in external memory against sorting in memory: `order.rs` for the order, `formats.rs` for the readers of files,
-//! (`clouds.rs` with the feature `las`), `faults.rs` for what can go wrong.
+//! Sorting in external memory against sorting in memory: `order.rs` for the order, `formats.rs` and `ply.rs` for the readers
+//! of files (`clouds.rs` with the feature `las`), `faults.rs` for what can go wrong.
 
 #[cfg(feature = "las")]
 mod clouds;
 mod faults;
 mod formats;
 mod order;
+mod ply;
 
 use std::collections::BTreeMap;
 use std::path::Path;
