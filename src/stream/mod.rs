@@ -4,7 +4,7 @@
 //! The sweep's order is a stream's order. What lies far below the sweep line cannot change any more, as Isenburg, Liu,
 //! Shewchuk and Snoeyink (2006) use for points without edges. Here the vertices are collected in a *window*. When it is
 //! full, it is triangulated by the sweep, with the edges that have ended; triangles that no vertex to come can change
-//! are final ([`finality`]) and retire ([`retire`]); the others stay, and their vertices begin the next window:
+//! are final (`finality.rs`) and retire (`retire.rs`); the others stay, and their vertices begin the next window:
 //!
 //! ```text
 //!      . .   .  .    .  .    vertices to come
@@ -21,7 +21,7 @@
 //! edges stand for all that was forgotten. The window's triangulation also covers what lies beyond the border; these
 //! triangles are marked from the border, and thrown away.
 //!
-//! **Edges** become edges of the window when their upper end has come. What they pierce waits for that ([`corridor`]),
+//! **Edges** become edges of the window when their upper end has come. What they pierce waits for that (`corridor.rs`),
 //! and their insertion changes nothing else. An edge to come has both ends at or above the line, and pierces nothing
 //! below it.
 //!

@@ -32,7 +32,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
     }
 
     /// The ends of a side, the lower one first.
-    fn from_below(&self, [u, v]: [u64; 2]) -> [u64; 2] {
+    fn lower_first(&self, [u, v]: [u64; 2]) -> [u64; 2] {
         match upward(&self.vertices[&u].point, &self.vertices[&v].point) {
             Ordering::Less => [u, v],
             _ => [v, u],
@@ -41,7 +41,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
 
     /// Offers a side to the edges at its lower end. Must one take it?
     pub(super) fn offer(&mut self, side: [u64; 2], must_be_taken: bool) {
-        let [low, high] = self.from_below(side);
+        let [low, high] = self.lower_first(side);
         let point = self.vertices[&high].point.clone();
         self.at(low).up.push(Up {
             high,
@@ -57,7 +57,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
 
     /// Notes that an edge must take a side, or else the side is a fault; `false` if it was not offered to any.
     pub(super) fn must_be_taken(&mut self, side: [u64; 2], fault: StreamViolation) -> bool {
-        let [low, high] = self.from_below(side);
+        let [low, high] = self.lower_first(side);
         let mut offered = self.at(low).up.iter_mut();
         let Some(up) = offered.find(|up| up.high == high) else {
             return false;

@@ -111,7 +111,7 @@ pub struct StreamReport {
     pub most_sides: usize,
 }
 
-/// Verifies a triangulation that comes as a stream: see the [module](self).
+/// Verifies a triangulation that comes as a stream.
 ///
 /// Vertices come before what names them, with numbers of any kind. The verifier finds the first fault that ends a
 /// stream; [`Verifier`](super::Verifier) finds all of them.
