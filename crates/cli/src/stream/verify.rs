@@ -6,7 +6,7 @@ use sweep_cdt::verify::{Level, StreamReport, StreamVerifier, StreamViolation};
 use sweep_cdt_external::SweepOrder;
 
 use super::numbers::Triangles;
-use super::order::Sorted;
+use super::order::{Sorted, is_one_place};
 use super::{STEP, SortArgs, to_usize};
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
@@ -101,7 +101,7 @@ fn judged(
             return Ok(false);
         };
         match first {
-            Some((place, of)) if place == vertex.point => {
+            Some((place, of)) if is_one_place(place, vertex.point) => {
                 verifier.duplicate(vertex.number, &vertex.point, of)?;
             }
             _ => {
@@ -130,7 +130,7 @@ fn judged(
         }
         let judged = verifier.triangle(corners, None);
         judged.map_err(|violation| Ended::Wrong(wrong(violation.to_string())))?;
-        if done % STEP == 0 {
+        if done.is_multiple_of(STEP) {
             progress.show(to_usize(done), to_usize(all));
         }
     }

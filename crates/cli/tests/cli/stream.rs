@@ -276,7 +276,7 @@ fn wrong_input_is_named_as_the_file_numbers_it() {
         ("one.poly", crossing),
         ("zero.poly", from_0),
         ("end.poly", "3\n1 0 0\n2 1 0\n3 0 1\n2\n1 1 2\n2 2 4\n"),
-        ("nan.xyz", "0 0 1\n1 0 1\n0 nan 1\n"),
+        ("nan.node", "3 2\n1 0 0\n2 0 nan\n3 1 1\n"),
         ("no.node", "2\n1 0 0\n"),
     ]);
     let advice = "(where memory holds them, `sweep-cdt crossings` lists all that do)";
@@ -306,6 +306,10 @@ fn wrong_input_is_named_as_the_file_numbers_it() {
             "p.f64: point 3 has a coordinate that is not finite".to_owned(),
         ),
         (
+            "nan.node",
+            "nan.node: point 2 has a coordinate that is not finite".to_owned(),
+        ),
+        (
             "no.node",
             "no.node:2: the file ends where vertex 2 of 2 should follow".to_owned(),
         ),
@@ -320,13 +324,6 @@ fn wrong_input_is_named_as_the_file_numbers_it() {
         );
         assert_eq!(names(folder.path()), before);
     }
-    let output = ran(&folder, "stream nan.xyz -o t.u64");
-    let error = text(&output.stderr);
-    assert!(
-        error.starts_with("error: nan.xyz") && error.contains("`nan`"),
-        "{error}"
-    );
-    assert_eq!(output.status.code(), Some(1));
     fs::write(folder.path().join("p.f64"), [0; 40]).expect("a file");
     let error = "p.f64: the file has 40 bytes, and a point of two doubles takes 16: it is cut off, \
                  or holds something else";
@@ -419,6 +416,22 @@ fn what_is_final_is_kept_where_too_much_is_alive() {
     );
     let whole = fs::read(folder.path().join("t.u64")).expect("a file");
     assert_eq!(set(triangles(&whole, "u64")), expected);
+}
+
+/// A window does not grow to more than memory holds: here it would take all that comes.
+#[test]
+fn windows_grow_as_far_as_memory_allows() {
+    let folder = folder(&[]);
+    write_raw(&folder, &Input::generated("circle", 100_000, 0));
+    let stream = |memory: u32| ran(&folder, &format!("stream p.f64 --memory {memory} -o t.u32"));
+    let output = stream(300 * 40_000);
+    let error = text(&output.stderr);
+    let words = " vertices are alive, more than the limit of 40000: ";
+    let alive = error.strip_prefix("error: p.f64: ");
+    let alive = alive.and_then(|rest| rest.split_once(words)?.0.parse().ok());
+    let alive: u32 = alive.unwrap_or_else(|| panic!("{error}"));
+    assert!((40_001..=80_000).contains(&alive), "{alive}");
+    assert_eq!(printed(&stream(300 * 100_000)), "");
 }
 
 #[test]
