@@ -224,7 +224,7 @@ impl StreamCommand {
         if let Some(window) = self.window {
             stream = stream.window(window.get());
         }
-        let mut done = 0;
+        let mut done: u64 = 0;
         let mut most_alive = 0;
         let mut last: Option<([f64; 2], u64)> = None;
         while let Some(vertex) = order.next_vertex().map_err(Trouble::Order)? {
