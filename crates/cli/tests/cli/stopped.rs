@@ -123,7 +123,7 @@ fn a_stream_that_is_ended_leaves_no_file() {
         assert_eq!(names(&folder.path().join("temporary")), [""; 0]);
         let left = fs::read(folder.path().join("old.u64")).expect("a file");
         if output.status.success() {
-            assert!(left.len() > 1_000_000 && left.len() % 24 == 0);
+            assert!(left.len() > 1_000_000 && left.len().is_multiple_of(24));
         } else {
             assert_eq!(output.status.signal(), Some(number));
             assert_eq!(left, b"old");
