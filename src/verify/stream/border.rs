@@ -21,6 +21,8 @@ pub(super) fn convex<S: Scalar>(
 ) -> Result<u64, StreamViolation> {
     let mut next = Map::new();
     let mut least = u64::MAX;
+    // The least vertex at which two sides of the border begin.
+    let mut pinched: Option<u64> = None;
     for (&[low, high], side) in open {
         let (from, to) = if side.is_upward {
             (low, high)
@@ -29,8 +31,11 @@ pub(super) fn convex<S: Scalar>(
         };
         least = least.min(from);
         if next.insert(from, to).is_some() {
-            return Err(StreamViolation::NotConvex { vertex: from });
+            pinched = pinched.into_iter().chain([from]).min();
         }
+    }
+    if let Some(vertex) = pinched {
+        return Err(StreamViolation::NotConvex { vertex });
     }
     let mut at = least;
     let mut chain: Vec<u64> = Vec::new();
