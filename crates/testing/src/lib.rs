@@ -35,6 +35,7 @@ pub mod page;
 #[cfg(feature = "peers")]
 pub mod peers;
 pub mod runs;
+mod samples;
 pub mod streams;
 pub mod suite;
 

@@ -7,10 +7,11 @@ use sweep_cdt::front::AnyFront;
 use sweep_cdt::stream::{Final, StreamError};
 use sweep_cdt::verify::{Level, StreamVerifier, StreamViolation, Verifier};
 use sweep_cdt::{Error, Triangulation, Triangulator};
+use sweep_cdt_generate::Random;
 
+use crate::Input;
 use crate::oracle::Answer;
-use crate::runs::{Outcome, Sample, convert};
-use crate::{Input, Random};
+use crate::samples::{Sample, convert};
 
 /// How an input is streamed.
 #[derive(Clone, Debug)]
@@ -27,7 +28,10 @@ pub struct Streaming {
 ///
 /// # Panics
 /// If the stream passes on something twice, or ends with an error that no sorted stream should have.
-pub fn streamed<S: Sample + Clone>(input: &Input, way: &Streaming) -> Option<Outcome> {
+pub fn streamed<S: Sample + Clone>(
+    input: &Input,
+    way: &Streaming,
+) -> Option<Result<Answer, Error>> {
     let points = convert::<S>(&input.points)?;
     let is_fed = points.iter().flatten().all(S::is_finite)
         && input.edges.iter().flatten().all(|&v| v < points.len());
@@ -38,7 +42,7 @@ fn collected<S: Sample + Clone>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     way: &Streaming,
-) -> Outcome {
+) -> Result<Answer, Error> {
     let order = |&u: &usize, &v: &usize| sweep_order(&points[u], &points[v]);
     let mut sorted: Vec<usize> = (0..points.len()).collect();
     sorted.sort_by(order);

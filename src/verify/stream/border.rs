@@ -6,7 +6,8 @@
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use super::{Map, Open, StreamViolation, Vertex};
+use super::records::{Map, Open, Vertex};
+use super::violation::StreamViolation;
 use crate::scalar::{Scalar, filtered_orient2d};
 
 /// By y, then by x.

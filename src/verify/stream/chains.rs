@@ -11,8 +11,10 @@
 
 use core::cmp::Ordering;
 
+use super::StreamVerifier;
 use super::border::upward;
-use super::{StreamVerifier, StreamViolation, Up, Vertex};
+use super::records::{Up, Vertex};
+use super::violation::StreamViolation;
 use crate::scalar::{Scalar, filtered_orient2d};
 
 impl<S: Scalar + Clone> StreamVerifier<S> {

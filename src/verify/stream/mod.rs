@@ -23,75 +23,31 @@
 //! polygon is their hull. That local tests suffice (4), for ties too, stands in [`verify`](super).
 //!
 //! # Forgetting
-//! A vertex with no open side, no edge that waits and no side that must be part of an edge and is not yet is *closed*. A closed vertex is
-//! forgotten when triangles enough have come since: one for each vertex that is kept, so that the time for looking is
-//! a constant a triangle. Should a later triangle name it nevertheless, the report says so: such a triangle overlaps
-//! others, since the triangles around a closed vertex go all the way round.
+//! A vertex with no open side, no edge that waits and no side that must be part of an edge and is not yet is *closed*.
+//! A closed vertex is forgotten when triangles enough have come since: one for two vertices that are kept, so that the
+//! time for looking is a constant a triangle. (With more, what is kept would grow: it is what came in the last two rounds.) Should
+//! a later triangle name it nevertheless, the report says so: such a triangle overlaps others, since the triangles around
+//! a closed vertex go all the way round.
 //!
 //! Cost: some ten look-ups a triangle, about a microsecond.
 
 mod border;
 mod chains;
+mod records;
 mod violation;
 
-#[cfg(not(feature = "std"))]
-use alloc::collections::BTreeMap as Map;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::fmt;
-#[cfg(feature = "std")]
-use std::collections::HashMap as Map;
 
 pub use violation::StreamViolation;
 
+use self::records::{Map, Open, Vertex};
 use super::report::Level;
 use crate::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
 
-/// Closed vertices are forgotten after so many triangles, and one more for each vertex that is kept.
+/// Closed vertices are forgotten after half as many triangles as vertices are kept, and as this.
 const SPARE: usize = 1 << 12;
-
-/// A vertex that may still be named.
-struct Vertex<S> {
-    point: [S; 2],
-    /// Sides of triangles that have come, and whose other triangle has not.
-    open: u32,
-    /// Sides that an edge must take, and none has.
-    unclaimed: u32,
-    /// Whether a triangle has this corner.
-    is_used: bool,
-    /// Whether the vertex was closed when closed ones were last forgotten.
-    was_closed: bool,
-    /// The sides up from here that edges may take.
-    up: Vec<Up<S>>,
-    /// The edges that begin or pass here, with their upper ends, and wait for a side.
-    waiting: Vec<(u64, [S; 2])>,
-}
-
-impl<S> Vertex<S> {
-    fn is_closed(&self) -> bool {
-        self.is_used && self.open == 0 && self.unclaimed == 0 && self.waiting.is_empty()
-    }
-}
-
-/// A side up from a vertex.
-struct Up<S> {
-    high: u64,
-    point: [S; 2],
-    /// Whether an edge has taken the side.
-    is_taken: bool,
-    /// What is wrong if none does.
-    unless_taken: Option<StreamViolation>,
-}
-
-/// A side with one triangle.
-struct Open<S> {
-    /// The corner opposite, and where it is.
-    apex: [S; 2],
-    /// Whether the triangle passes the side from the lower number to the higher.
-    is_upward: bool,
-    /// Whether the triangle says that the side is constrained, if it says.
-    is_constrained: Option<bool>,
-}
 
 /// What a stream has shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -255,7 +211,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         self.report.triangles += 1;
         self.report.most_sides = self.report.most_sides.max(self.open.len());
         self.since += 1;
-        if self.since > self.vertices.len() + SPARE {
+        if 2 * self.since > self.vertices.len() + SPARE {
             self.forget();
         }
         Ok(())
