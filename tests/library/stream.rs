@@ -4,6 +4,7 @@
 
 use sweep_cdt::front::AnyFront;
 use sweep_cdt::stream::{Final, Stream, StreamError};
+use sweep_cdt::verify::{StreamVerifier, StreamViolation};
 use sweep_cdt::{Error, Triangulator, triangulate};
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::generators::{medium, small};
@@ -81,6 +82,23 @@ fn the_verifier_of_streams_knows_right_from_wrong() {
             }
         }
     }
+}
+
+/// An edge that ends inside a side is no chain of sides.
+#[test]
+fn an_edge_must_end_at_a_vertex() {
+    let verdict = |upper| {
+        let mut verifier = StreamVerifier::new();
+        for (number, point) in (0..).zip([[0, 0], [4, 0], [0, 4]]) {
+            verifier.vertex(number, point)?;
+        }
+        verifier.edge(7, 0, upper)?;
+        verifier.triangle([0, 1, 2], None)?;
+        verifier.finish()
+    };
+    let broken = StreamViolation::BrokenEdge { edge: 7, vertex: 0 };
+    assert_eq!(verdict([2, 0]), Err(broken));
+    assert!(verdict([4, 0]).is_ok());
 }
 
 /// Two edges meet at a vertex that comes after both have begun.
