@@ -18,8 +18,9 @@
 //! the next window: no vertex to come lies on it. The triangles on both sides of a piece wait for that too, since a final
 //! triangle tells which of its sides are edges.
 //!
-//! Cost: a step a triangle that is pierced. Many long edges in one place would pierce the same triangles again and again.
-//! So where the steps of a window exceed [`STEPS`] a triangle, all that is alive waits.
+//! Cost: a step for each triangle that is pierced, or lies around a vertex on the edge. Many edges that begin at one
+//! vertex, or pierce the same triangles, would take these steps again and again. So where the steps of a window exceed
+//! [`STEPS`] a triangle, all that is alive waits, with the sides of the hull.
 
 use alloc::vec::Vec;
 
@@ -28,13 +29,14 @@ use crate::scalar::{Scalar, filtered_orient2d};
 use crate::triangulation::Triangulation;
 use crate::triangulation::stars::VertexStars;
 
-/// So many triangles the edges of a window may pierce, for each triangle of the window.
+/// So many steps the edges of a window may take, for each triangle of the window.
 const STEPS: usize = 8;
 
 /// What the pending edges of a window do to its triangulation.
 #[derive(Default)]
 pub(super) struct Corridors {
-    /// The triangles that are pierced, or lie along a piece; some of them more than once. `None`: too many.
+    /// The triangles that are pierced, or lie along a piece; some of them more than once. `None`: all, since these would
+    /// be too many steps.
     pub(super) held: Option<Vec<usize>>,
     /// The pieces between vertices that lie on an edge, and the edge.
     pub(super) pieces: Vec<([usize; 2], u64)>,
@@ -64,7 +66,7 @@ pub(super) fn corridors<S: Scalar + Clone>(
         return found;
     }
     let stars = result.vertex_stars();
-    let most = STEPS * result.len();
+    let mut steps = STEPS * result.len();
     let mut held = Vec::new();
     for (end, Pending { from, edge }) in edges {
         let mut walk = Walk {
@@ -73,7 +75,7 @@ pub(super) fn corridors<S: Scalar + Clone>(
             stars: &stars,
             end,
             held: &mut held,
-            most,
+            steps: &mut steps,
         };
         let mut at = from;
         while let Next::Vertex(v) = walk.step(at) {
@@ -82,7 +84,7 @@ pub(super) fn corridors<S: Scalar + Clone>(
         }
         found.reached.push(at);
     }
-    found.held = (held.len() < most).then_some(held);
+    found.held = (steps > 0).then_some(held);
     found
 }
 
@@ -93,10 +95,17 @@ struct Walk<'a, S> {
     /// The upper end.
     end: &'a [S; 2],
     held: &'a mut Vec<usize>,
-    most: usize,
+    /// How many steps are left.
+    steps: &'a mut usize,
 }
 
 impl<S: Scalar + Clone> Walk<'_, S> {
+    /// Takes a step, if one is left.
+    fn can_step(&mut self) -> bool {
+        *self.steps = self.steps.saturating_sub(1);
+        *self.steps > 0
+    }
+
     /// From a vertex on the edge to the next one.
     fn step(&mut self, at: usize) -> Next {
         let points = &self.window.points;
@@ -104,6 +113,9 @@ impl<S: Scalar + Clone> Walk<'_, S> {
         let turn = |v: usize| filtered_orient2d(from, self.end, &points[v]);
         let mut along = None;
         for corner in self.stars.star(at) {
+            if !self.can_step() {
+                return Next::End;
+            }
             let corners = self.result.triangle(corner.triangle);
             let [p, q] = [1, 2].map(|i| corners[(corner.index + i) % 3]);
             let is_ahead = |v: usize| turn(v).is_eq() && sweep_order(from, &points[v]).is_lt();
@@ -123,7 +135,7 @@ impl<S: Scalar + Clone> Walk<'_, S> {
         let (mut t, mut side) = (first, opposite);
         loop {
             self.held.push(t);
-            if self.held.len() >= self.most {
+            if !self.can_step() {
                 return Next::End;
             }
             let Some(next) = self.result.neighbor(t, side) else {

@@ -26,8 +26,8 @@
 //! below it.
 //!
 //! **Departure from the paper:** the paper sweeps once. Here the living part is swept again with the next window, which
-//! costs the share of the window that is alive, a tenth by default. In
-//! exchange the sweep stays as it is, with all its fronts, scalars and nets, and pays nothing.
+//! costs the share of the window that is alive, a tenth by default. In exchange the sweep stays as it is, with all its
+//! fronts, scalars and nets, and pays nothing.
 //!
 //! **Cost:** the time of the sweep, and memory for one window: its vertices and what is alive. Where the data keep
 //! everything alive (one circle, a comb), windows grow with it, twofold each time, so that the time stays that of the

@@ -104,6 +104,8 @@ struct Pass<'a, S> {
     border: Vec<([usize; 2], bool)>,
     /// The pieces of pending edges that the next window has, sorted.
     pieces: Vec<[usize; 2]>,
+    /// Whether all that is alive waits for edges.
+    is_all_held: bool,
     states: Vec<State>,
     is_kept: Vec<bool>,
     sides: Vec<Side>,
@@ -148,6 +150,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
             line,
             border,
             pieces,
+            is_all_held: corridors.held.is_none(),
             is_kept,
             states,
             sides: Vec::new(),
@@ -335,9 +338,12 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         }
     }
 
-    /// Whether a side of the hull is final.
+    /// Whether a side of the hull is final. None is, where edges that may run along it were not followed.
     fn is_final_side(&self, ends: [usize; 2]) -> bool {
         let Some(line) = self.line else { return true };
+        if self.is_all_held {
+            return false;
+        }
         let [u, v] = ends.map(|v| &self.window.points[v]);
         line.is_behind_side(u, v)
     }

@@ -109,6 +109,23 @@ fn edges_may_meet_at_a_vertex_to_come() {
     assert_as_in_memory(&Input { points, edges }, &[1, 2]);
 }
 
+/// Many edges begin at one vertex, more than their steps through a small window are counted for: all that is alive waits,
+/// also the sides of the hull, of which one is a piece of an edge.
+#[test]
+fn many_edges_may_begin_at_one_vertex() {
+    let mut points = vec![
+        [0.0, 0.0],
+        [60.0, 0.0],
+        [60.0, 1.0],
+        [30.0, 2.0],
+        [60.0, 3.0],
+    ];
+    points.extend((0..=60).map(|i| [f64::from(i), 60.0]));
+    let mut edges: Vec<[usize; 2]> = (5..points.len()).map(|v| [0, v]).collect();
+    edges.push([1, points.len() - 1]);
+    assert_as_in_memory(&Input { points, edges }, &[1, 2, 3, 7]);
+}
+
 type Ignored = fn(Final);
 
 fn stream() -> Stream<'static, f64, Ignored> {
