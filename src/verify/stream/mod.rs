@@ -36,7 +36,7 @@ mod chains;
 mod records;
 mod violation;
 
-use alloc::vec::Vec;
+use alloc::collections::BTreeMap;
 use core::cmp::Ordering;
 use core::fmt;
 
@@ -135,8 +135,8 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             unclaimed: 0,
             is_used: false,
             was_closed: false,
-            up: Vec::new(),
-            waiting: Vec::new(),
+            up: BTreeMap::new(),
+            waiting: BTreeMap::new(),
         };
         self.vertices.insert(number, vertex);
         self.report.vertices += 1;

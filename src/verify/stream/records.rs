@@ -1,8 +1,11 @@
 //! What the verifier of streams keeps: vertices that may still be named, and sides with one triangle.
 
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::violation::StreamViolation;
+use crate::scalar::{Scalar, filtered_orient2d};
 
 /// A map by number, which no choice of numbers makes slow.
 #[cfg(feature = "std")]
@@ -22,9 +25,35 @@ pub(super) struct Vertex<S> {
     /// Whether the vertex was closed when closed ones were last forgotten.
     pub(super) was_closed: bool,
     /// The sides up from here that edges may take.
-    pub(super) up: Vec<Up<S>>,
-    /// The edges that begin or pass here, with their upper ends, and wait for a side.
-    pub(super) waiting: Vec<(u64, [S; 2])>,
+    pub(super) up: BTreeMap<Towards<S>, Up<S>>,
+    /// The edges that begin or pass here, and wait for a side.
+    pub(super) waiting: BTreeMap<Towards<S>, Ends<S>>,
+}
+
+/// The upper ends of edges in one direction, and the edges that end there.
+pub(super) type Ends<S> = BTreeMap<Place<S>, Vec<u64>>;
+
+/// A place, in the order of the sweep: by y, then by x.
+#[derive(Clone)]
+pub(super) struct Place<S>(pub(super) [S; 2]);
+
+/// A direction up from a place, counter-clockwise. Directions are compared from one place alone.
+pub(super) struct Towards<S> {
+    pub(super) from: [S; 2],
+    pub(super) to: [S; 2],
+}
+
+impl<S: Scalar> Ord for Place<S> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let ([ax, ay], [bx, by]) = (&self.0, &other.0);
+        ay.compare(by).then_with(|| ax.compare(bx))
+    }
+}
+
+impl<S: Scalar> Ord for Towards<S> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        filtered_orient2d(&self.from, &self.to, &other.to).reverse()
+    }
 }
 
 impl<S> Vertex<S> {
@@ -53,3 +82,31 @@ pub(super) struct Open<S> {
     /// Whether the triangle says that the side is constrained, if it says.
     pub(super) is_constrained: Option<bool>,
 }
+
+impl<S: Scalar> PartialOrd for Place<S> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<S: Scalar> PartialEq for Place<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl<S: Scalar> Eq for Place<S> {}
+
+impl<S: Scalar> PartialOrd for Towards<S> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<S: Scalar> PartialEq for Towards<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl<S: Scalar> Eq for Towards<S> {}
