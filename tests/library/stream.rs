@@ -10,7 +10,7 @@ use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::generators::{medium, small};
 use sweep_cdt_testing::oracle::{crosses, found};
 use sweep_cdt_testing::streams::{Altered, Streaming, streamed};
-use sweep_cdt_testing::{Input, Random};
+use sweep_cdt_testing::{Input, Random, families};
 
 /// Tries windows of several sizes, with and without the range of x.
 fn assert_as_in_memory(input: &Input, windows: &[usize]) {
@@ -66,6 +66,17 @@ fn hard_inputs_are_as_in_memory() {
             _ => &[10_000],
         };
         assert_as_in_memory(&hard.input, windows);
+    }
+}
+
+/// The families that attack promises about time: most of them keep much alive, or have many edges at one vertex.
+#[test]
+fn families_are_as_in_memory() {
+    for family in families::all().chain(families::slanted()) {
+        let input = (family.member)(200);
+        assert_as_in_memory(&input, &[16]);
+        let result = triangulate(&input.points, &input.edges).expect(family.name);
+        Altered::right(&input.points, &input.edges, &result).assert_verdict();
     }
 }
 

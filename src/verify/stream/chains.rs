@@ -35,8 +35,9 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         self.report.edges += 1;
         let towards = self.towards(from, &upper);
         let ends = self.at(from).waiting.entry(towards).or_default();
-        ends.entry(Place(upper.clone())).or_default().push(number);
-        self.meet(from, upper);
+        let place = upper.clone();
+        ends.entry(Place(upper)).or_default().push(number);
+        self.meet(from, &place);
         Ok(())
     }
 
@@ -63,7 +64,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         if must_be_taken {
             self.must_be_taken(side, StreamViolation::NoEdge { side: [low, high] });
         }
-        self.meet(low, point);
+        self.meet(low, &point);
     }
 
     /// Notes that an edge must take a side, or else the side is a fault; `false` if it was not offered to any.
@@ -92,8 +93,8 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
     }
 
     /// Lets the edges that wait at a vertex in the direction of a place, and from there at others, take their sides.
-    fn meet(&mut self, vertex: u64, place: [S; 2]) {
-        let mut next = self.pass_on(vertex, &place);
+    fn meet(&mut self, vertex: u64, place: &[S; 2]) {
+        let mut next = self.pass_on(vertex, place);
         while let Some((high, place)) = next {
             next = self.pass_on(high, &place);
         }
