@@ -5,9 +5,11 @@ use core::fmt;
 use crate::error::Error;
 use crate::front::{FrontSearch, HashTable};
 use crate::interior::{FillRule, InteriorError};
+use crate::observe::probe::Observer;
 use crate::scalar::Scalar;
-use crate::settings::{Algorithm, Settings};
+use crate::settings::{Algorithm, Settings, Ties};
 use crate::sweep::{self, PolygonScratch, Scratch};
+use crate::trace::Event;
 use crate::triangulation::Triangulation;
 
 /// Triangulates one input after the other, and keeps its memory from each to the next.
@@ -63,12 +65,35 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<&Triangulation, Error> {
+        self.triangulate_window(points, edges, Ties::default(), None)
+    }
+
+    /// [`triangulate`](Session::triangulate) with a rule for vertices on one circle. Its steps are passed on, if somebody
+    /// wants them.
+    pub(crate) fn triangulate_window<S: Scalar>(
+        &mut self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        ties: Ties,
+        steps: Option<&mut dyn FnMut(Event)>,
+    ) -> Result<&Triangulation, Error> {
         if let Some(result) = self.result.take() {
             self.scratch.recycle(result);
         }
         let mut search = self.search.take().unwrap_or_else(|| self.front.clone());
         let scratch = &mut self.scratch;
-        let (result, ()) = sweep::run(points, edges, self.settings, &mut search, (), scratch)?;
+        let mut settings = self.settings;
+        settings.ties = ties;
+        let result = if steps.is_some() {
+            settings.algorithm = settings.algorithm.observed();
+            let probe = Observer {
+                events: steps,
+                ..Observer::default()
+            };
+            sweep::run(points, edges, settings, &mut search, probe, scratch)?.0
+        } else {
+            sweep::run(points, edges, settings, &mut search, (), scratch)?.0
+        };
         self.search = Some(search);
         Ok(self.result.insert(result))
     }

@@ -44,6 +44,16 @@ pub enum Algorithm {
     Sweep2005,
 }
 
+impl Algorithm {
+    /// The algorithm of a run whose steps are observed: a trace shows a sweep to its end.
+    pub(crate) fn observed(self) -> Algorithm {
+        match self {
+            Algorithm::Auto => Algorithm::Sweep,
+            other => other,
+        }
+    }
+}
+
 /// The two heuristics of the point event, which change the work, never the result.
 ///
 /// Without heuristics the front undulates, and many badly shaped triangles are made and flipped later. Both test angles
@@ -142,4 +152,15 @@ pub(crate) struct Settings<'p> {
     pub(crate) algorithm: Algorithm,
     pub(crate) heuristics: Heuristics,
     pub(crate) progress: Progress<'p>,
+    pub(crate) ties: Ties,
+}
+
+/// At which of several vertices on one circle the diagonals between them end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Ties {
+    /// At the leftmost one, the upper one of two: the canonical rule.
+    #[default]
+    Leftmost,
+    /// At the lowest one, the right one of two: the canonical rule for points whose coordinates were exchanged.
+    Lowest,
 }

@@ -11,7 +11,7 @@ use crate::observe::recorder::Recorder;
 use crate::observe::stats::Stats;
 use crate::scalar::Scalar;
 use crate::session::Session;
-use crate::settings::{Algorithm, Heuristics, Settings};
+use crate::settings::{Algorithm, Heuristics, Settings, Ties};
 use crate::sweep::{self, RunProbe, Scratch};
 #[cfg(feature = "parallel")]
 use crate::threads::has_threads;
@@ -64,6 +64,7 @@ impl Triangulator<'_> {
                 algorithm: Algorithm::default(),
                 heuristics: Heuristics::default(),
                 progress: None,
+                ties: Ties::default(),
             },
             front: HashTable::default(),
             #[cfg(feature = "parallel")]
@@ -256,9 +257,8 @@ impl<F> Triangulator<'_, F> {
         probe: P,
     ) -> Result<(Triangulation, P), Error> {
         let mut settings = self.settings;
-        if probe.wants_events() && settings.algorithm == Algorithm::Auto {
-            // A trace shows a sweep to its end.
-            settings.algorithm = Algorithm::Sweep;
+        if probe.wants_events() {
+            settings.algorithm = settings.algorithm.observed();
         }
         let scratch = &mut Scratch::default();
         sweep::run(points, edges, settings, front, probe, scratch)

@@ -40,6 +40,9 @@ pub(crate) trait ExactPoints {
     /// The order of two points by x.
     fn compare_x(&self, points: [u32; 2]) -> Ordering;
 
+    /// The order of two points by y.
+    fn compare_y(&self, points: [u32; 2]) -> Ordering;
+
     /// [`Scalar::orient2d`] of three points.
     fn orient2d(&self, points: [u32; 3]) -> (Ordering, Stage);
 
@@ -50,6 +53,11 @@ pub(crate) trait ExactPoints {
 impl<S: Scalar> ExactPoints for &[[S; 2]] {
     fn compare_x(&self, points: [u32; 2]) -> Ordering {
         let [a, b] = points.map(|i| &self[i as usize][0]);
+        a.compare(b)
+    }
+
+    fn compare_y(&self, points: [u32; 2]) -> Ordering {
+        let [a, b] = points.map(|i| &self[i as usize][1]);
         a.compare(b)
     }
 

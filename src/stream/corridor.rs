@@ -24,10 +24,9 @@
 
 use alloc::vec::Vec;
 
+use super::swept::{Stars, Swept};
 use super::window::{Pending, Window, sweep_order};
 use crate::scalar::{Scalar, filtered_orient2d};
-use crate::triangulation::Triangulation;
-use crate::triangulation::stars::VertexStars;
 
 /// So many steps the edges of a window may take, for each triangle of the window.
 const STEPS: usize = 8;
@@ -53,10 +52,7 @@ enum Next {
 }
 
 /// Follows all pending edges.
-pub(super) fn corridors<S: Scalar + Clone>(
-    window: &Window<S>,
-    result: &Triangulation,
-) -> Corridors {
+pub(super) fn corridors<S: Scalar + Clone>(window: &Window<S>, swept: &Swept<'_>) -> Corridors {
     let mut found = Corridors {
         held: Some(Vec::new()),
         ..Corridors::default()
@@ -65,13 +61,13 @@ pub(super) fn corridors<S: Scalar + Clone>(
     if edges.peek().is_none() {
         return found;
     }
-    let stars = result.vertex_stars();
-    let mut steps = STEPS * result.len();
+    let stars = swept.stars();
+    let mut steps = STEPS * swept.len();
     let mut held = Vec::new();
     for (end, Pending { from, edge }) in edges {
         let mut walk = Walk {
             window,
-            result,
+            swept,
             stars: &stars,
             end,
             held: &mut held,
@@ -90,8 +86,8 @@ pub(super) fn corridors<S: Scalar + Clone>(
 
 struct Walk<'a, S> {
     window: &'a Window<S>,
-    result: &'a Triangulation,
-    stars: &'a VertexStars<'a>,
+    swept: &'a Swept<'a>,
+    stars: &'a Stars<'a>,
     /// The upper end.
     end: &'a [S; 2],
     held: &'a mut Vec<usize>,
@@ -116,7 +112,7 @@ impl<S: Scalar + Clone> Walk<'_, S> {
             if !self.can_step() {
                 return Next::End;
             }
-            let corners = self.result.triangle(corner.triangle);
+            let corners = self.swept.triangle(corner.triangle);
             let [p, q] = [1, 2].map(|i| corners[(corner.index + i) % 3]);
             let is_ahead = |v: usize| turn(v).is_eq() && sweep_order(from, &points[v]).is_lt();
             if let Some(v) = [p, q].into_iter().find(|&v| is_ahead(v)) {
@@ -138,12 +134,12 @@ impl<S: Scalar + Clone> Walk<'_, S> {
             if !self.can_step() {
                 return Next::End;
             }
-            let Some(next) = self.result.neighbor(t, side) else {
+            let Some(next) = self.swept.neighbor(t, side) else {
                 return Next::End;
             };
-            let corners = self.result.triangle(t);
+            let corners = self.swept.triangle(t);
             let right = corners[(side + 1) % 3];
-            let beyond = self.result.triangle(next);
+            let beyond = self.swept.triangle(next);
             // The side seen from beyond begins at its left end.
             let of_right = beyond.iter().position(|&v| v == right).unwrap_or(0);
             let apex = (of_right + 1) % 3;

@@ -26,7 +26,7 @@
 //! below it.
 //!
 //! **Departure from the paper:** the paper sweeps once. Here the living part is swept again with the next window, which
-//! costs the share of the window that is alive, a tenth by default. In exchange the sweep stays as it is, with all its
+//! costs the share of the window that is alive, an eighth by default. In exchange the sweep stays as it is, with all its
 //! fronts, scalars and nets, and pays nothing.
 //!
 //! **Cost:** the time of the sweep, and memory for one window: its vertices and what is alive. Where the data keep
@@ -38,8 +38,10 @@ mod error;
 mod finality;
 mod retire;
 mod stats;
+mod swept;
 mod window;
 
+use alloc::boxed::Box;
 use core::fmt;
 use core::mem;
 
@@ -50,14 +52,16 @@ pub use stats::{Alive, StreamStats};
 use crate::front::{FrontSearch, HashTable};
 use crate::scalar::Scalar;
 use crate::session::Session;
+use crate::trace::Event;
 use crate::triangulator::Triangulator;
 use finality::Line;
+use swept::{Steps, Swept};
 use window::Window;
 
 /// So many new vertices a window has at least, if the caller does not say, and so many for each vertex that is alive.
-/// A tenth of the work is then done twice at most.
+/// An eighth of the vertices are then swept twice at most.
 const WINDOW: usize = 1 << 15;
-const SHARE: usize = 10;
+const SHARE: usize = 8;
 
 /// A triangulation of a stream; [`Triangulator::stream`] makes it.
 ///
@@ -93,6 +97,7 @@ const SHARE: usize = 10;
 pub struct Stream<'p, S, O, F = HashTable> {
     session: Session<'p, F>,
     out: O,
+    steps: Option<Box<Steps<'p>>>,
     window: Window<S>,
     /// The vertices lie between these two x.
     between: Option<[S; 2]>,
@@ -111,6 +116,7 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
         Stream {
             session: self.session(),
             out,
+            steps: None,
             window: Window::default(),
             between: None,
             size: None,
@@ -121,9 +127,9 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
     }
 }
 
-impl<S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'_, S, O, F> {
+impl<'p, S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'p, S, O, F> {
     /// Each window gets so many new vertices, at least one, or as many as are alive if these are more. By default a window
-    /// gets 32,768, or ten times as many as are alive. Small windows take less memory and more time.
+    /// gets 32,768, or eight times as many as are alive. Small windows take less memory and more time.
     #[must_use]
     pub fn window(mut self, vertices: usize) -> Self {
         self.size = Some(vertices.max(1));
@@ -134,6 +140,37 @@ impl<S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'_, S, O
     #[must_use]
     pub fn between(mut self, least: S, most: S) -> Self {
         self.between = Some([least, most]);
+        self
+    }
+
+    /// Passes on each step of the sweep through each window, as [`Triangulator::observe`] does for an input, before what is
+    /// final after it.
+    ///
+    /// An event names vertices by their positions in the window, and the closure gets the caller's number of each. A window
+    /// that is wider than high is swept from left to right: read x for y in the paper's words, and triangles are clockwise.
+    ///
+    /// ```
+    /// use sweep_cdt::trace::{Event, Vertex};
+    /// use sweep_cdt::Triangulator;
+    ///
+    /// // The points are farther apart by x than by y, so they are met from left to right.
+    /// let mut met = Vec::new();
+    /// let stream = Triangulator::new().stream(|_| {});
+    /// let mut stream = stream.observe(|event, numbers| {
+    ///     if let Event::Point { vertex: Vertex::Input(v), .. } = event {
+    ///         met.push(numbers[v as usize]);
+    ///     }
+    /// });
+    /// for (number, point) in (10..).zip([[0, 0], [1, 1], [0, 3], [9, 4], [3, 5]]) {
+    ///     stream.push(number, point)?;
+    /// }
+    /// stream.finish()?;
+    /// assert_eq!(met, [12, 11, 14, 13]);
+    /// # Ok::<(), sweep_cdt::stream::StreamError>(())
+    /// ```
+    #[must_use]
+    pub fn observe(mut self, steps: impl FnMut(Event, &[u64]) + 'p) -> Self {
+        self.steps = Some(Box::new(steps));
         self
     }
 
@@ -178,16 +215,22 @@ impl<S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'_, S, O
         if let Some(edge) = self.window.missed_by(&point) {
             return Err(StreamError::MissingEnd { edge });
         }
-        let kept = self.window.kept();
-        let full = self
-            .size
-            .map_or(WINDOW.max(SHARE * kept), |size| size.max(kept));
-        if self.window.fresh() >= full {
+        if self.window.fresh() >= self.full() {
+            let before = self.window.points.len();
             self.retire(Some(&point))?;
+            // Memory for no more than came before, whatever the caller says.
+            self.window.reserve(self.full().min(before));
         }
         self.window.push(number, point);
         self.stats.vertices += 1;
         Ok(())
+    }
+
+    /// How many new vertices the window gets.
+    fn full(&self) -> usize {
+        let kept = self.window.kept();
+        self.size
+            .map_or(WINDOW.max(SHARE * kept), |size| size.max(kept))
     }
 
     /// An edge from the vertex that was pushed last to a vertex that is to come, at `upper`. Edges of no length are left
@@ -239,10 +282,10 @@ impl<S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'_, S, O
     /// Triangulates the window, and passes on what is final now that `next` is the next vertex.
     fn retire(&mut self, next: Option<&[S; 2]>) -> Result<(), StreamError> {
         let line = next.map(|next| Line::new(next, self.between.as_ref()));
-        let window = mem::take(&mut self.window);
-        let result = self.session.triangulate(&window.points, &window.edges);
-        let result = result.map_err(|error| window.renumbered(error))?;
-        let (kept, alive) = retire::retire(window, result, line.as_ref(), &mut |found| {
+        let mut window = mem::take(&mut self.window);
+        let swept = Swept::sweep(&mut window, &mut self.session, self.steps.as_deref_mut());
+        let swept = swept.map_err(|error| window.renumbered(error))?;
+        let (kept, alive) = retire::retire(window, &swept, line.as_ref(), &mut |found| {
             match found {
                 Final::Triangle { .. } => self.stats.triangles += 1,
                 Final::HullSide { .. } => self.stats.hull_sides += 1,

@@ -17,9 +17,9 @@ use alloc::vec::Vec;
 use super::corridor::{Corridors, corridors};
 use super::finality::Line;
 use super::stats::Alive;
+use super::swept::Swept;
 use super::window::{Origin, Window};
 use crate::scalar::Scalar;
-use crate::triangulation::Triangulation;
 
 /// What is passed on by a stream, by the caller's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,11 +61,11 @@ enum State {
 /// Passes on what is final with this line, or all that is left without, and returns the next window.
 pub(super) fn retire<S: Scalar + Clone>(
     window: Window<S>,
-    result: &Triangulation,
+    swept: &Swept<'_>,
     line: Option<&Line<S>>,
     out: &mut dyn FnMut(Final),
 ) -> (Window<S>, Alive) {
-    if result.is_empty() {
+    if swept.len() == 0 {
         // All vertices are on one line.
         let alive = Alive {
             vertices: window.points.len(),
@@ -73,10 +73,10 @@ pub(super) fn retire<S: Scalar + Clone>(
         };
         return (window.whole(), alive);
     }
-    let corridors = corridors(&window, result);
-    let pass = Pass::new(&window, result, line, &corridors);
+    let corridors = corridors(&window, swept);
+    let pass = Pass::new(&window, swept, line, &corridors);
     let (is_kept, sides, alive) = pass.run(out);
-    let mut origins = labels(&window, result, &is_kept, &sides, &corridors.pieces);
+    let mut origins = labels(&window, swept, &is_kept, &sides, &corridors.pieces);
     let mut edges: Vec<_> = sides.iter().map(|side| side.ends).collect();
     for (ends, edge) in corridors.pieces {
         edges.push(ends);
@@ -98,7 +98,7 @@ struct Side {
 
 struct Pass<'a, S> {
     window: &'a Window<S>,
-    result: &'a Triangulation,
+    swept: &'a Swept<'a>,
     line: Option<&'a Line<S>>,
     /// The sides of the border as seen from beyond, sorted, and whether they are edges or pieces of edges.
     border: Vec<([usize; 2], bool)>,
@@ -115,7 +115,7 @@ struct Pass<'a, S> {
 impl<'a, S: Scalar + Clone> Pass<'a, S> {
     fn new(
         window: &'a Window<S>,
-        result: &'a Triangulation,
+        swept: &'a Swept<'a>,
         line: Option<&'a Line<S>>,
         corridors: &Corridors,
     ) -> Self {
@@ -129,7 +129,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         for &v in &corridors.reached {
             is_kept[v] = true;
         }
-        let mut states = vec![State::Alive; result.len()];
+        let mut states = vec![State::Alive; swept.len()];
         match &corridors.held {
             Some(held) => {
                 for &t in held {
@@ -146,7 +146,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         pieces.sort_unstable();
         Pass {
             window,
-            result,
+            swept,
             line,
             border,
             pieces,
@@ -161,8 +161,8 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
     fn run(mut self, out: &mut dyn FnMut(Final)) -> (Vec<bool>, Vec<Side>, Alive) {
         self.mark_beyond();
         let mut living = Vec::new();
-        for t in 0..self.result.len() {
-            let corners = self.result.triangle(t);
+        for t in 0..self.swept.len() {
+            let corners = self.swept.triangle(t);
             match self.states[t] {
                 State::Alive if self.is_final(corners) => {
                     self.states[t] = State::Final;
@@ -176,7 +176,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
                 living.push(t);
             }
             for side in 0..3 {
-                if self.result.neighbor(t, side).is_none() {
+                if self.swept.neighbor(t, side).is_none() {
                     self.judge_ghost(t, side, out);
                 }
             }
@@ -194,8 +194,9 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
             return;
         }
         let mut found = Vec::new();
-        for (t, corners) in self.result.triangles().enumerate() {
-            let old = corners.iter().filter(|&&v| v < self.window.kept()).count();
+        for t in 0..self.swept.len() {
+            let corners = self.swept.triangle(t);
+            let old = corners.iter().filter(|&&v| self.swept.is_old(v)).count();
             let at_border = |side| self.seen_from_beyond(self.ends(t, side)).is_some();
             if old >= 2 && (0..3).any(at_border) {
                 self.states[t] = State::Beyond;
@@ -204,7 +205,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         }
         while let Some(t) = found.pop() {
             for side in 0..3 {
-                let Some(next) = self.result.neighbor(t, side) else {
+                let Some(next) = self.swept.neighbor(t, side) else {
                     continue;
                 };
                 if self.states[next] != State::Beyond
@@ -219,13 +220,13 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
 
     /// The ends of a side, with its triangle on the left.
     fn ends(&self, t: usize, side: usize) -> [usize; 2] {
-        let corners = self.result.triangle(t);
+        let corners = self.swept.triangle(t);
         [corners[(side + 1) % 3], corners[(side + 2) % 3]]
     }
 
     /// If this is a side of the border, with what is final on its left: whether it is an edge or a piece of one.
     fn seen_from_beyond(&self, ends: [usize; 2]) -> Option<bool> {
-        let is_old = ends.iter().all(|&v| v < self.window.kept());
+        let is_old = ends.iter().all(|&v| self.swept.is_old(v));
         let search = |ends| self.border.binary_search_by_key(ends, |&(ends, _)| ends);
         let at = is_old.then(|| search(&ends))?.ok()?;
         Some(self.border[at].1)
@@ -234,7 +235,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
     /// Whether a side is an edge or a piece of one: a side of the border may be neither.
     #[inline]
     fn is_constrained(&self, t: usize, side: usize) -> bool {
-        self.result.is_constrained(t, side) && self.is_more_than_border(t, side)
+        self.swept.is_constrained(t, side) && self.is_more_than_border(t, side)
     }
 
     #[cold]
@@ -272,11 +273,11 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
 
     /// Notes the corners of a living triangle, and its sides that the next window needs.
     fn keep(&mut self, t: usize) {
-        for v in self.result.triangle(t) {
+        for v in self.swept.triangle(t) {
             self.is_kept[v] = true;
         }
         for side in 0..3 {
-            let Some(next) = self.result.neighbor(t, side) else {
+            let Some(next) = self.swept.neighbor(t, side) else {
                 continue;
             };
             let is_border = !self.is_alive(next);
@@ -356,7 +357,7 @@ fn sorted([u, v]: [usize; 2]) -> [usize; 2] {
 /// For each side the edge that it is a piece of.
 fn labels<S: Scalar + Clone>(
     window: &Window<S>,
-    result: &Triangulation,
+    swept: &Swept<'_>,
     is_kept: &[bool],
     sides: &[Side],
     of_pending: &[([usize; 2], u64)],
@@ -375,7 +376,7 @@ fn labels<S: Scalar + Clone>(
     }
     for (e, origin) in window.origins.iter().enumerate() {
         let Some(edge) = origin.edge else { continue };
-        let chain = result.edge_chain(e);
+        let chain = swept.edge_chain(e);
         for (u, v) in chain.clone().zip(chain.skip(1)) {
             if is_kept[u] && is_kept[v] {
                 note(&mut pieces, [u, v], edge);

@@ -103,10 +103,21 @@ impl<S: Scalar + Clone> Window<S> {
         self.points.len() - self.kept
     }
 
+    /// Makes room for so many new vertices.
+    pub(super) fn reserve(&mut self, vertices: usize) {
+        self.points.reserve_exact(vertices);
+        self.numbers.reserve_exact(vertices);
+    }
+
     /// The edges that have begun and not ended, with their upper ends.
     pub(super) fn pending(&self) -> impl Iterator<Item = (&[S; 2], Pending)> + '_ {
         let ends = self.pending.iter();
         ends.flat_map(|(end, edges)| edges.iter().map(|&edge| (&end.0, edge)))
+    }
+
+    /// The caller's number of each vertex.
+    pub(super) fn numbers(&self) -> &[u64] {
+        &self.numbers
     }
 
     pub(super) fn number(&self, v: usize) -> u64 {
@@ -124,6 +135,37 @@ impl<S: Scalar + Clone> Window<S> {
     pub(super) fn waiting(&self) -> Option<u64> {
         let (_, edges) = self.pending.first_key_value()?;
         edges.iter().map(|pending| pending.edge).min()
+    }
+
+    /// Whether the points lie farther apart by x than by y.
+    pub(super) fn is_wide(&self) -> bool {
+        let [width, height] = [0, 1].map(|axis| {
+            let numbers = self.points.iter().map(|point| point[axis].approx());
+            let range = [f64::INFINITY, f64::NEG_INFINITY];
+            let [least, most] = numbers.fold(range, |[a, b], x| [a.min(x), b.max(x)]);
+            most - least
+        });
+        width > height
+    }
+
+    /// Exchanges x and y of all points.
+    pub(super) fn exchange_coordinates(&mut self) {
+        for point in &mut self.points {
+            point.reverse();
+        }
+    }
+
+    /// Brings the vertices into this order; `place` says where each is then.
+    pub(super) fn reorder(&mut self, order: &[u32], place: &[u32]) {
+        let vertices = || order.iter().map(|&v| v as usize);
+        self.points = vertices().map(|v| self.points[v].clone()).collect();
+        self.numbers = vertices().map(|v| self.numbers[v]).collect();
+        let of_pending = self.pending.values_mut().flatten();
+        let of_pending = of_pending.map(|pending| &mut pending.from);
+        for v in self.edges.as_flattened_mut().iter_mut().chain(of_pending) {
+            *v = place[*v] as usize;
+        }
+        self.last = self.last.map(|v| place[v] as usize);
     }
 
     /// Adds a vertex, which follows the last one, and the edges that end there.

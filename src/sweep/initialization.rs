@@ -72,7 +72,7 @@ pub(super) fn begin<'a, P: Probe>(
     // Each vertex has a border half-edge: the segment of the front that starts there.
     let n = vertices.len();
     scratch.mesh.begin(2 * n + 2, n + 2);
-    let predicates = SweepPredicates::new(points, vertices);
+    let predicates = SweepPredicates::new(points, vertices).with_ties(settings.ties);
     let has_budget = settings.algorithm == Algorithm::Auto;
     let delaunay = Delaunay::new(predicates, has_budget, probe, scratch);
     let front = scratch.take_front(n);

@@ -16,6 +16,7 @@ use super::vertices::Vertices;
 use crate::ids::{VertexId, narrow};
 use crate::observe::probe::Probe;
 use crate::scalar::{ExactPoints, NearTies, Predicates, filter};
+use crate::settings::Ties;
 
 /// The exact signs, by rank. A probe that the caller passes counts how they were decided.
 #[derive(Debug)]
@@ -26,6 +27,7 @@ pub(super) struct SweepPredicates<'a> {
     /// For each vertex its x-rank, from left to right, if the search structure asked for x-ranks.
     x_ranks: Vec<u32>,
     near_ties: NearTies,
+    ties: Ties,
 }
 
 impl<'a> SweepPredicates<'a> {
@@ -39,7 +41,13 @@ impl<'a> SweepPredicates<'a> {
             artificial,
             x_ranks: Vec::new(),
             near_ties: NearTies::default(),
+            ties: Ties::default(),
         }
+    }
+
+    /// Breaks ties between vertices on one circle by this rule.
+    pub(super) fn with_ties(self, ties: Ties) -> Self {
+        SweepPredicates { ties, ..self }
     }
 
     /// The approximations of a vertex; infinite x and NaN for an artificial one.
@@ -218,8 +226,8 @@ impl<'a> SweepPredicates<'a> {
             Less => false,
             Equal => {
                 probe.count(|c| c.cocircular += 1);
-                let of_side = self.leftmost(a, b);
-                self.leftmost(self.leftmost(p, q), of_side) != of_side
+                let of_side = self.first(a, b);
+                self.first(self.first(p, q), of_side) != of_side
             }
         }
     }
@@ -268,12 +276,21 @@ impl<'a> SweepPredicates<'a> {
         self.vertices.heap_bytes() + self.near_ties.heap_bytes()
     }
 
-    /// The leftmost of two vertices, the upper one where x is equal.
-    fn leftmost(&self, a: VertexId, b: VertexId) -> VertexId {
-        match self.compare_x(a, b) {
-            Less => a,
-            Greater => b,
-            Equal => a.max(b),
+    /// At which of two vertices on one circle diagonals end rather than at the other.
+    fn first(&self, a: VertexId, b: VertexId) -> VertexId {
+        match self.ties {
+            Ties::Leftmost => match self.compare_x(a, b) {
+                Less => a,
+                Greater => b,
+                Equal => a.max(b),
+            },
+            Ties::Lowest => {
+                let inputs = [a, b].map(|v| self.vertices.input_index(v));
+                match self.points.compare_y(inputs) {
+                    Equal => b.max(a),
+                    _ => a.min(b),
+                }
+            }
         }
     }
 }

@@ -27,7 +27,7 @@ use crate::error::Error;
 use crate::front::{HashTable, Search};
 use crate::ids::VertexId;
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::{Algorithm, Heuristics, Settings};
+use crate::settings::{Algorithm, Heuristics, Settings, Ties};
 use crate::triangulation::edge_chains::EdgeChainBuilder;
 
 /// Edges by their positions in the list of all.
@@ -65,6 +65,7 @@ fn separate_vertices(
         algorithm: Algorithm::DivideAndConquer,
         heuristics: Heuristics::FAST,
         progress: None,
+        ties: Ties::default(),
     };
     let mut front = HashTable::default();
     let search = Search::with(&mut front);

@@ -69,6 +69,34 @@ fn hard_inputs_are_as_in_memory() {
     }
 }
 
+/// The steps of a window are those of a run on it: along y where it is high, along x where it is wide.
+#[test]
+fn the_steps_of_a_window_are_passed_on() {
+    let few: [[i32; 2]; 7] = [[0, 0], [5, 1], [2, 3], [4, 7], [1, 8], [3, 12], [2, 19]];
+    for is_wide in [false, true] {
+        let place = |[x, y]: [i32; 2]| if is_wide { [y, x] } else { [x, y] };
+        let mut points = few.map(place);
+        points.sort_by_key(|&[x, y]| (y, x));
+        let swept = points.map(place);
+        let mut expected = Vec::new();
+        let run = Triangulator::new().observe(&swept, &[], |event| expected.push(event));
+        run.expect("points");
+        let mut steps = Vec::new();
+        let mut stream = Triangulator::new()
+            .stream(|_| {})
+            .observe(|event, numbers| {
+                assert_eq!(numbers, [10, 11, 12, 13, 14, 15, 16]);
+                steps.push(event);
+            });
+        for (number, point) in (10..).zip(points) {
+            stream.push(number, point).expect("a point in order");
+        }
+        stream.finish().expect("an end");
+        assert_eq!(steps, expected);
+        assert!(steps.len() > 20, "{}", steps.len());
+    }
+}
+
 /// The families that attack promises about time: most of them keep much alive, or have many edges at one vertex.
 #[test]
 fn families_are_as_in_memory() {

@@ -26,7 +26,7 @@ use crate::front::Search;
 use crate::ids::VertexId;
 use crate::memory::{has_room, of_bands};
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::{Algorithm, Heuristics, Settings};
+use crate::settings::{Algorithm, Heuristics, Settings, Ties};
 use crate::threads::in_pool;
 use crate::triangulation::Triangulation;
 use band::{Band, Shared, Structure, Swept};
@@ -78,6 +78,7 @@ fn sweep_bands<'f>(
         algorithm,
         heuristics,
         progress: None,
+        ties: Ties::default(),
     };
     let (first, last) = (&partition.first, partition.bands.len());
     if last < 2 {

@@ -151,7 +151,7 @@ mod tests {
     use super::super::scratch::Scratch;
     use crate::front::{HashTable, Search};
     use crate::ids::VertexId;
-    use crate::settings::{Algorithm, Heuristics, Settings};
+    use crate::settings::{Algorithm, Heuristics, Settings, Ties};
     use crate::triangulation::Triangulation;
     use crate::verify::verify;
 
@@ -159,6 +159,7 @@ mod tests {
         algorithm: Algorithm::Sweep,
         heuristics: Heuristics::FAST,
         progress: None,
+        ties: Ties::Leftmost,
     };
 
     /// The triangulation after a sweep that is abandoned after `swept` vertices.

@@ -78,6 +78,23 @@ impl<'a> Outputs<'a> {
         }
     }
 
+    /// Writes over the beginning of the file that was added last.
+    pub(crate) fn rewrite_beginning(&mut self, text: &str) -> Result<(), Failure> {
+        match self.files.last_mut() {
+            Some((name, file)) if !text.is_empty() => {
+                let written = file.rewrite_beginning(text.as_bytes());
+                written.map_err(|error| Failure::of_file(name, &error))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Adds other outputs, whose files are written.
+    pub(crate) fn append(&mut self, others: Outputs<'a>) {
+        self.files.extend(others.files);
+        self.streams.extend(others.streams);
+    }
+
     /// Puts all of them in their places.
     pub(crate) fn finish(mut self) -> Result<(), Failure> {
         for (name, file) in &mut self.files {

@@ -13,6 +13,9 @@ use std::thread::{self, JoinHandle};
 
 use tempfile::{Builder, TempPath};
 
+/// So many bytes are written at once.
+const BUFFER: usize = 1 << 18;
+
 /// The target to which contents are written.
 pub(crate) type Out<'w> = BufWriter<&'w mut dyn Write>;
 
@@ -47,7 +50,7 @@ impl Unnamed {
         &mut self,
         contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>,
     ) -> io::Result<()> {
-        let mut out = BufWriter::new(&mut self.file as &mut dyn Write);
+        let mut out = BufWriter::with_capacity(BUFFER, &mut self.file as &mut dyn Write);
         contents(&mut out)?;
         out.flush()?;
         drop(out);
@@ -56,6 +59,15 @@ impl Unnamed {
         }
         let sync = |file: File| thread::Builder::new().spawn(move || file.sync_all());
         self.syncing = self.file.try_clone().and_then(sync).ok();
+        Ok(())
+    }
+
+    /// Writes over the beginning.
+    pub(crate) fn rewrite_beginning(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.sync()?;
+        self.file.rewind()?;
+        self.file.write_all(bytes)?;
+        self.file.seek(io::SeekFrom::End(0))?;
         Ok(())
     }
 

@@ -2,10 +2,12 @@
 
 mod numbers;
 mod order;
+mod output;
 mod verify;
 
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use sweep_cdt::Triangulator;
@@ -15,18 +17,18 @@ use sweep_cdt_external::{Statistics, Summary};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
-use crate::shared::outputs::{Destination, Outputs, print, refuse_read};
+use crate::shared::outputs::{Destination, Out, Outputs, print, refuse_read, refuse_twice};
 use crate::shared::resources::Progress;
-use numbers::{Numbers, Width};
 pub(crate) use order::SortArgs;
 use order::{Sorted, is_one_place};
+use output::{Format, Triangles};
 pub(crate) use verify::verify_stream;
 
-/// So many bytes of memory a vertex takes, new or alive, while its window is triangulated (some 110 were measured). A
+/// So many bytes of memory a vertex takes, new or alive, while its window is triangulated (some 190 were measured). A
 /// window has at least as many new ones as are alive.
-const BYTES: u64 = 150;
+const BYTES: u64 = 200;
 /// So many new vertices for each that is alive has a window whose size nobody gives.
-const SHARE: usize = 10;
+const SHARE: usize = 8;
 /// The bar moves each time that so many vertices have come.
 const STEP: u64 = 1 << 16;
 
@@ -44,11 +46,16 @@ pub(crate) struct StreamCommand {
     #[command(flatten)]
     sort: SortArgs,
 
-    /// File to write: .u32 or .u64, three numbers of vertices for each triangle, counter-clockwise; `-` for standard output
+    /// File to write the triangles to, counter-clockwise: .u32 or .u64 (raw numbers), .ele or .ply; `-` for standard output
     #[arg(short, long = "output", value_name = "OUTPUT")]
     output: Option<FileArgument>,
 
-    /// Triangulate in windows of so many new vertices [default: ten times as many as are alive]
+    /// File to write the distinct vertices to, in the order of the sweep: .f64. The triangles then have their numbers in
+    /// this file
+    #[arg(long, value_name = "FILE", requires = "output")]
+    vertices: Option<PathBuf>,
+
+    /// Triangulate in windows of so many new vertices [default: eight times as many as are alive]
     #[arg(long, value_name = "N")]
     window: Option<NonZeroUsize>,
 
@@ -73,6 +80,8 @@ Output:
   .u32, .u64
            three numbers for each triangle, little-endian, of 32 or 64 bits: the positions of its
            corners among the points of the input, from 0. NumPy reads them by fromfile
+  .ele     Triangle's elements, with the numbers that a .node or .poly gives its vertices
+  .ply     binary: the points in the order of the input, with a z of 0, and the triangles
   Where more stays alive than --memory holds, the triangles up to there are written to a file whose
   name ends in .incomplete. A run that fails otherwise writes no file.
 
@@ -82,6 +91,7 @@ Exit status:
 Examples:
   sweep-cdt stream points.f64 -o triangles.u32 --stats
   sweep-cdt stream points.f64 --edges breaklines.u64 --memory 1GiB -o triangles.u32 --check
+  sweep-cdt stream points.f64 --vertices sorted.f64 -o triangles.u32
   sweep-cdt verify --stream points.f64 triangles.u32";
 
 /// How a stream has ended.
@@ -90,6 +100,14 @@ struct Outcome {
     sorting: Statistics,
     /// The time from the first vertex to the last triangle.
     sweeping: Duration,
+    /// How many triangles are written.
+    written: u64,
+}
+
+/// Where triangles go, and vertices in the order of the sweep.
+struct Written<'a, 'w> {
+    triangles: Triangles<'a, 'w>,
+    vertices: Option<&'a mut dyn Write>,
 }
 
 /// Why a stream ends early.
@@ -125,8 +143,17 @@ impl Outcome {
 
 impl StreamCommand {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let width = self.output.as_ref().map(Width::of_output).transpose()?;
+        let format = self.output.as_ref().map(Format::of_output).transpose()?;
+        output::refuse_vertices(self.vertices.as_deref())?;
         let destination = self.output.as_ref().map(Destination::of).transpose()?;
+        let vertices = self
+            .vertices
+            .clone()
+            .map(Destination::of_path)
+            .transpose()?;
+        if let Some((format, destination)) = format.zip(destination.as_ref()) {
+            format.suits(destination, vertices.is_some())?;
+        }
         let writes_standard = destination.as_ref().is_some_and(Destination::is_standard);
         if self.stats && writes_standard {
             let message = "--stats and `-o -` would both write to standard output";
@@ -135,13 +162,14 @@ impl StreamCommand {
         let part = destination.as_ref().map(Destination::part).transpose()?;
         let part = part.flatten();
         let read = self.sort.files(&self.input);
-        refuse_read(&read, destination.iter().chain(&part))?;
+        refuse_read(&read, destination.iter().chain(&part).chain(&vertices))?;
+        refuse_twice(destination.iter().chain(&part).chain(&vertices))?;
         let sorted = self.sort.sorted(&self.input)?;
         let summary = sorted.order.summary();
-        if let Some(width) = width {
-            width.holds(summary.points)?;
+        if let Some(format) = format {
+            format.holds(summary.points)?;
         }
-        let Some((destination, width)) = destination.zip(width) else {
+        let Some((destination, format)) = destination.zip(format) else {
             let outcome = self.streamed(sorted, None);
             return self.report(outcome, &summary, "");
         };
@@ -149,46 +177,99 @@ impl StreamCommand {
             Some(part) => format!("; what is final up to there is in {}", part.name.display()),
             None => "; what is final up to there is written".to_owned(),
         };
-        let mut outputs = Outputs::default();
-        let mut outcome = None;
-        let written = outputs.add_part(destination, |out| {
-            let mut numbers = Numbers::new(out, width);
-            let found = outcome.insert(self.streamed(sorted, Some(&mut numbers)));
-            match found.is_kept() {
-                true => Ok(found.ended.is_ok()),
-                // The report says why.
-                false => Err(io::Error::other("the stream has failed")),
-            }
-        });
-        let Some(outcome) = outcome else {
-            return written;
-        };
-        if outcome.is_kept() {
-            written?;
-            outputs.finish()?;
-        }
+        let outcome = self.written(sorted, (destination, format), vertices)?;
         match writes_standard && outcome.ended.is_ok() {
             true => Ok(()),
             false => self.report(outcome, &summary, &kept),
         }
     }
 
+    /// Takes all vertices in order, and puts what is written in its place, if it may be of use.
+    fn written(
+        &self,
+        sorted: Sorted,
+        (destination, format): (Destination, Format),
+        vertices: Option<Destination>,
+    ) -> Result<Outcome, Failure> {
+        let points = sorted.order.summary().points;
+        let first = match vertices {
+            None => sorted.first_point,
+            Some(_) => 0,
+        };
+        let [mut outputs, mut beside] = [Outputs::default(), Outputs::default()];
+        let mut outcome = None;
+        let whole = |out: &mut Out<'_>, vertices: Option<&mut dyn Write>| {
+            let triangles = Triangles::new(out, format, first);
+            let written = Written {
+                triangles,
+                vertices: vertices.map(|vertices| vertices as &mut dyn Write),
+            };
+            let found = outcome.insert(self.streamed(sorted, Some(written)));
+            match found.is_kept() {
+                true => Ok(found.ended.is_ok()),
+                // The report says why.
+                false => Err(io::Error::other("the stream has failed")),
+            }
+        };
+        let mut of_vertices = Ok(());
+        let of_triangles = match vertices {
+            None => outputs.add_part(destination, |out| whole(out, None)),
+            Some(vertices) => outputs.add_part(destination, |out| {
+                let mut is_whole = false;
+                of_vertices = beside.add_part(vertices, |vertices| {
+                    is_whole = whole(out, Some(vertices))?;
+                    Ok(is_whole)
+                });
+                match of_vertices {
+                    Ok(()) => Ok(is_whole),
+                    Err(_) => Err(io::Error::other("the vertices are not written")),
+                }
+            }),
+        };
+        let written = of_vertices.and(of_triangles);
+        let Some(outcome) = outcome else {
+            written?;
+            unreachable!("what is written comes of a stream");
+        };
+        if outcome.is_kept() {
+            written?;
+            outputs.rewrite_beginning(&format.beginning(points, outcome.written))?;
+            outputs.append(beside);
+            outputs.finish()?;
+        }
+        Ok(outcome)
+    }
+
     /// Takes all vertices in order, and writes the triangles.
-    fn streamed(&self, mut sorted: Sorted, out: Option<&mut Numbers<'_, '_>>) -> Outcome {
-        let since = Instant::now();
-        let ended = self.swept(&mut sorted.order, out);
+    fn streamed(&self, mut sorted: Sorted, mut out: Option<Written<'_, '_>>) -> Outcome {
+        let summary = sorted.order.summary();
+        let mut since = Instant::now();
+        let begun = out.as_mut().map_or(Ok(()), |out| {
+            let points = || sorted.points().map_err(Trouble::Order);
+            out.triangles.begin(&summary, points)
+        });
+        let ended = begun.and_then(|()| {
+            since = Instant::now();
+            self.swept(&mut sorted.order, out.as_mut())
+        });
         Outcome {
             ended: ended.map_err(|trouble| trouble.numbered_from(sorted.first_edge)),
             sorting: sorted.order.statistics(),
             sweeping: since.elapsed(),
+            written: out.map_or(0, |out| out.triangles.written()),
         }
     }
 
     fn swept(
         &self,
         order: &mut sweep_cdt_external::SweepOrder,
-        mut out: Option<&mut Numbers<'_, '_>>,
+        out: Option<&mut Written<'_, '_>>,
     ) -> Result<StreamStats, Trouble> {
+        let (mut triangles, mut vertices) = match out {
+            Some(out) => (Some(&mut out.triangles), out.vertices.as_mut()),
+            None => (None, None),
+        };
+        let is_renumbered = vertices.is_some();
         let Summary { points, x, .. } = order.summary();
         let mut progress = Progress::new("sweeping");
         // What the closure meets cannot end the stream from there.
@@ -204,7 +285,7 @@ impl StreamCommand {
                 constrained,
             } = found
             {
-                if let Some(Err(error)) = out.as_mut().map(|out| out.write(corners)) {
+                if let Some(Err(error)) = triangles.as_mut().map(|out| out.write(corners)) {
                     *trouble = Some(Trouble::Out(error));
                 }
                 let mut verifier = verifier.borrow_mut();
@@ -228,21 +309,32 @@ impl StreamCommand {
         let mut most_alive = 0;
         let mut last: Option<([f64; 2], u64)> = None;
         while let Some(vertex) = order.next_vertex().map_err(Trouble::Order)? {
-            let (number, point) = (vertex.number, vertex.point);
+            let point = vertex.point;
+            let known = last.filter(|&(place, _)| is_one_place(place, point));
+            let number = match (is_renumbered, last) {
+                (false, _) => vertex.number,
+                (true, None) => 0,
+                // Equal points are one vertex.
+                (true, Some((_, before))) => before + u64::from(known.is_none()),
+            };
+            if known.is_none()
+                && let Some(out) = &mut vertices
+            {
+                let bytes = point.map(f64::to_le_bytes);
+                out.write_all(bytes.as_flattened()).map_err(Trouble::Out)?;
+            }
             stream.push(number, point).map_err(Trouble::Stream)?;
             let alive = stream.stats().most_alive.vertices;
             if self.window.is_none() && alive > most_alive && alive > most / (1 + SHARE) {
                 most_alive = alive;
                 stream = stream.window(most - alive);
             }
-            let first = match last {
-                Some((place, first)) if is_one_place(place, point) => first,
-                _ => number,
-            };
+            let first = known.map_or(number, |(_, first)| first);
             if let Some(verifier) = verifier.borrow_mut().as_mut() {
-                let judged = match first == number {
-                    true => verifier.vertex(number, point),
-                    false => verifier.duplicate(number, &point, first),
+                let judged = match known {
+                    None => verifier.vertex(number, point),
+                    Some(_) if is_renumbered => Ok(()),
+                    Some(_) => verifier.duplicate(number, &point, first),
                 };
                 judged.map_err(Trouble::Violation)?;
                 for &(edge, upper) in vertex.upper {

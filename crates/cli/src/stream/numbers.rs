@@ -1,12 +1,10 @@
 //! Triangles as raw numbers: three for each, little-endian, of 32 or 64 bits.
 
 use std::fs::File;
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, BufReader, Read};
 use std::path::Path;
 
 use crate::shared::failure::Failure;
-use crate::shared::files::FileArgument;
-use crate::shared::outputs::Out;
 
 /// How wide a number is.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -16,17 +14,12 @@ pub(super) enum Width {
 }
 
 impl Width {
-    fn of_path(path: &Path) -> Option<Width> {
+    pub(super) fn of_path(path: &Path) -> Option<Width> {
         match path.extension()?.to_str()? {
             "u32" => Some(Width::Four),
             "u64" => Some(Width::Eight),
             _ => None,
         }
-    }
-
-    /// Of an output; standard output gets numbers of 64 bits.
-    pub(super) fn of_output(file: &FileArgument) -> Result<Width, Failure> {
-        file.path().map_or(Ok(Width::Eight), Width::of_file)
     }
 
     fn of_file(path: &Path) -> Result<Width, Failure> {
@@ -42,35 +35,10 @@ impl Width {
     pub(super) fn holds(self, points: u64) -> Result<(), Failure> {
         if self == Width::Four && points > 1 << 32 {
             let message =
-                format!("{points} points have numbers of more than 32 bits: write a .u64");
+                format!("{points} points have numbers of more than 32 bits: write a .u64 or .ele");
             return Err(Failure::Usage(message));
         }
         Ok(())
-    }
-}
-
-/// Where triangles are written.
-pub(super) struct Numbers<'a, 'w> {
-    out: &'a mut Out<'w>,
-    width: Width,
-}
-
-impl<'a, 'w> Numbers<'a, 'w> {
-    pub(super) fn new(out: &'a mut Out<'w>, width: Width) -> Self {
-        Numbers { out, width }
-    }
-
-    pub(super) fn write(&mut self, corners: [u64; 3]) -> io::Result<()> {
-        match self.width {
-            Width::Eight => self
-                .out
-                .write_all(corners.map(u64::to_le_bytes).as_flattened()),
-            Width::Four => {
-                let narrow = |number| u32::try_from(number).unwrap_or(u32::MAX);
-                let narrow = corners.map(|number| narrow(number).to_le_bytes());
-                self.out.write_all(narrow.as_flattened())
-            }
-        }
     }
 }
 

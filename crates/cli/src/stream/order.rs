@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
-use sweep_cdt_external::{Error, InputFormat, Sorting, SweepOrder, open};
+use sweep_cdt_external::{Error, Input, InputFormat, Sorting, SweepOrder, open};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_parser};
@@ -35,8 +35,18 @@ pub(crate) struct SortArgs {
 /// An input that is sorted.
 pub(super) struct Sorted {
     pub(super) order: SweepOrder,
-    /// The number of the first edge in the file.
+    /// The number of the first point in the file, and of the first edge.
+    pub(super) first_point: u64,
     pub(super) first_edge: u64,
+    path: PathBuf,
+    format: InputFormat,
+}
+
+impl Sorted {
+    /// The points once more, as the input has them.
+    pub(super) fn points(&self) -> Result<Box<dyn Input>, Error> {
+        Ok(open(&self.path, self.format, None)?)
+    }
 }
 
 impl SortArgs {
@@ -107,9 +117,13 @@ impl SortArgs {
             Sorting::new(self.memory(), folder).sort_with(&mut *input, &mut |done, all| {
                 progress.show(share(done), share(all));
             })?;
+        let [first_point, first_edge] = input.first();
         Ok(Sorted {
             order,
-            first_edge: input.first()[1],
+            first_point,
+            first_edge,
+            path: path.to_owned(),
+            format,
         })
     }
 }

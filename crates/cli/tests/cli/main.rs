@@ -23,6 +23,7 @@ mod statistics;
 #[cfg(target_os = "linux")]
 mod stopped;
 mod stream;
+mod stream_outputs;
 mod stream_refused;
 mod stream_verify;
 mod terrain;

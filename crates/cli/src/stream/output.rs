@@ -1,0 +1,202 @@
+//! What a stream writes: raw numbers, or a file that says first how many triangles follow. That is known last, so the
+//! beginning is written again at the end, with as many bytes as before.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use sweep_cdt_external::{Input, Summary};
+
+use super::numbers::Width;
+use super::{Trouble, to_usize};
+use crate::shared::failure::Failure;
+use crate::shared::files::FileArgument;
+use crate::shared::outputs::{Destination, Out};
+use crate::shared::resources::Progress;
+
+/// How triangles are written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Format {
+    Numbers(Width),
+    /// Triangle's `.ele`.
+    Ele,
+    /// Stanford's binary format, which has the points too.
+    Ply,
+}
+
+impl Format {
+    /// Of an output; standard output gets numbers of 64 bits.
+    pub(super) fn of_output(file: &FileArgument) -> Result<Format, Failure> {
+        let Some(path) = file.path() else {
+            return Ok(Format::Numbers(Width::Eight));
+        };
+        let extension = path.extension().and_then(|extension| extension.to_str());
+        match extension {
+            Some("ele") => Ok(Format::Ele),
+            Some("ply") => Ok(Format::Ply),
+            _ => Width::of_path(path).map(Format::Numbers).ok_or_else(|| {
+                let name = path.display();
+                let message = format!(
+                    "{name} is no name for triangles of a stream: let it end in .u32, .u64, .ele or .ply"
+                );
+                Failure::Usage(message)
+            }),
+        }
+    }
+
+    /// Refuses what cannot be written so: to this place, or beside a file of vertices.
+    pub(super) fn suits(
+        self,
+        destination: &Destination,
+        has_vertices: bool,
+    ) -> Result<(), Failure> {
+        let message = match self {
+            Format::Ply if has_vertices => {
+                "a .ply has its vertices itself, as the input numbers them: let OUTPUT beside --vertices end in .u32, .u64 \
+                 or .ele"
+            }
+            Format::Ele | Format::Ply if !destination.is_file() => {
+                "a .ele or .ply begins with the number of triangles, which is known last: let OUTPUT be a file"
+            }
+            _ => return Ok(()),
+        };
+        Err(Failure::Usage(message.to_owned()))
+    }
+
+    /// Refuses numbers of points that do not fit.
+    pub(super) fn holds(self, points: u64) -> Result<(), Failure> {
+        match self {
+            Format::Ele => Ok(()),
+            Format::Ply => Width::Four.holds(points),
+            Format::Numbers(width) => width.holds(points),
+        }
+    }
+
+    /// The beginning of a file with so many triangles: for all counts as long.
+    pub(super) fn beginning(self, points: u64, triangles: u64) -> String {
+        // No count has more digits.
+        const DIGITS: usize = 20;
+        match self {
+            Format::Numbers(_) => String::new(),
+            Format::Ele => format!("{triangles:<DIGITS$} 3 0\n"),
+            Format::Ply => {
+                let count = triangles.to_string();
+                let rest = DIGITS - count.len();
+                format!(
+                    "ply\nformat binary_little_endian 1.0\ncomment triangulated by sweep-cdt{:rest$}\nelement vertex {points}\n\
+                     property double x\nproperty double y\nproperty double z\nelement face {count}\n\
+                     property list uchar uint vertex_indices\nend_header\n",
+                    ""
+                )
+            }
+        }
+    }
+}
+
+/// Where triangles are written.
+pub(super) struct Triangles<'a, 'w> {
+    out: &'a mut Out<'w>,
+    format: Format,
+    /// The number of the first point in the file.
+    first: u64,
+    written: u64,
+}
+
+impl<'a, 'w> Triangles<'a, 'w> {
+    pub(super) fn new(out: &'a mut Out<'w>, format: Format, first: u64) -> Self {
+        Triangles {
+            out,
+            format,
+            first,
+            written: 0,
+        }
+    }
+
+    /// How many there are so far.
+    pub(super) fn written(&self) -> u64 {
+        self.written
+    }
+
+    /// Writes what stands before the triangles; `input` has the points.
+    pub(super) fn begin(
+        &mut self,
+        summary: &Summary,
+        input: impl FnOnce() -> Result<Box<dyn Input>, Trouble>,
+    ) -> Result<(), Trouble> {
+        let beginning = self.format.beginning(summary.points, 0);
+        self.out
+            .write_all(beginning.as_bytes())
+            .map_err(Trouble::Out)?;
+        if self.format == Format::Ply {
+            self.write_points(&mut *input()?, summary.points)?;
+        }
+        Ok(())
+    }
+
+    /// Writes all points as the input has them, with a z of 0.
+    fn write_points(&mut self, input: &mut dyn Input, points: u64) -> Result<(), Trouble> {
+        let mut progress = Progress::new("writing points");
+        let mut some = Vec::new();
+        let mut done = 0;
+        loop {
+            some.clear();
+            input
+                .next_points(&mut some)
+                .map_err(|error| Trouble::Order(error.into()))?;
+            if some.is_empty() {
+                break;
+            }
+            for &[x, y] in &some {
+                let bytes = [x, y, 0.0].map(f64::to_le_bytes);
+                self.out
+                    .write_all(bytes.as_flattened())
+                    .map_err(Trouble::Out)?;
+            }
+            done += some.len() as u64;
+            progress.show(to_usize(done), to_usize(points));
+        }
+        if done == points {
+            return Ok(());
+        }
+        let name = input.name();
+        let message = format!("{name}: had {points} points, and has {done} now");
+        Err(Trouble::Out(io::Error::other(message)))
+    }
+
+    pub(super) fn write(&mut self, corners: [u64; 3]) -> io::Result<()> {
+        // Numbers that do not fit were refused.
+        let narrow = |number| u32::try_from(number).unwrap_or(u32::MAX);
+        let at = self.written;
+        self.written += 1;
+        match self.format {
+            Format::Numbers(Width::Eight) => {
+                let bytes = corners.map(u64::to_le_bytes);
+                self.out.write_all(bytes.as_flattened())
+            }
+            Format::Numbers(Width::Four) => {
+                let bytes = corners.map(|number| narrow(number).to_le_bytes());
+                self.out.write_all(bytes.as_flattened())
+            }
+            Format::Ply => {
+                let bytes = corners.map(|number| narrow(number).to_le_bytes());
+                self.out.write_all(&[3])?;
+                self.out.write_all(bytes.as_flattened())
+            }
+            Format::Ele => {
+                let [a, b, c] = corners.map(|number| number + self.first);
+                writeln!(self.out, "{} {a} {b} {c}", at + self.first)
+            }
+        }
+    }
+}
+
+/// The name that an output of vertices must have.
+pub(super) fn refuse_vertices(path: Option<&Path>) -> Result<(), Failure> {
+    match path {
+        Some(path) if path.extension().is_none_or(|extension| extension != "f64") => {
+            let name = path.display();
+            let message = format!("{name} is no name for vertices of a stream: let it end in .f64");
+            Err(Failure::Usage(message))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,160 @@
+//! What `sweep-cdt stream` writes beside raw numbers: files that say first how many triangles there are, and the vertices
+//! in the order of the sweep.
+
+use std::fs;
+
+use sweep_cdt_testing::Input;
+use tempfile::TempDir;
+
+use crate::stream::{expected, ran, set, triangles, write_both, write_raw};
+use crate::{FORMATS, folder, printed, text};
+
+/// Points with some that are equal, and edges.
+fn few() -> Input {
+    Input::parse(
+        "0 0, 9 1, 2 0, 4 8, 2 0, 7 7, 0 0, 1 5, 5 3, -3 2",
+        "0 3, 3 5, 6 1",
+    )
+}
+
+/// The numbers of a text, row by row.
+fn rows(text: &str) -> Vec<Vec<u64>> {
+    let row = |line: &str| {
+        let numbers = line.split_whitespace();
+        numbers
+            .map(|number| number.parse().expect("a number"))
+            .collect()
+    };
+    text.lines().map(row).collect()
+}
+
+/// The triangles of an `.ele` whose numbers begin with this one.
+fn elements(folder: &TempDir, name: &str, first: u64) -> Vec<[u64; 3]> {
+    let text = fs::read_to_string(folder.path().join(name)).expect("a file");
+    let rows = rows(&text);
+    assert_eq!(rows[0][1..], [3, 0]);
+    assert_eq!(rows[0][0], rows.len() as u64 - 1);
+    let corners = rows[1..].iter().zip(first..).map(|(row, number)| {
+        assert_eq!(row[0], number);
+        [1, 2, 3].map(|i| row[i] - first)
+    });
+    set(corners.collect())
+}
+
+#[test]
+fn elements_have_the_numbers_of_the_file() {
+    let folder = folder(&[]);
+    for (input, first) in [("ten.poly", 1), ("split.poly", 0), ("split.node", 0)] {
+        let from = format!("{FORMATS}/{input}");
+        assert_eq!(
+            printed(&ran(&folder, &format!("stream {from} -o t.ele"))),
+            ""
+        );
+        assert_eq!(elements(&folder, "t.ele", first), expected(&folder, &from));
+    }
+    let one = "4 2\n1 0 0\n2 2 2\n3 0 2\n4 2 0\n1\n1 1 2\n";
+    fs::write(folder.path().join("one.poly"), one).expect("a file");
+    assert_eq!(printed(&ran(&folder, "stream one.poly -o one.ele")), "");
+    assert_eq!(elements(&folder, "one.ele", 1), [[0, 1, 2], [0, 3, 1]]);
+    let verdict = ran(&folder, "verify one.poly one.ele --level canonical");
+    assert!(printed(&verdict).starts_with("correct: "));
+}
+
+#[test]
+fn a_ply_has_points_and_triangles() {
+    let folder = folder(&[]);
+    write_both(&folder, &few());
+    assert_eq!(
+        printed(&ran(
+            &folder,
+            "stream p.f64 --edges e.u64 --window 2 -o t.ply"
+        )),
+        ""
+    );
+    let bytes = fs::read(folder.path().join("t.ply")).expect("a file");
+    let spaces = " ".repeat(19);
+    let header = format!(
+        "ply\nformat binary_little_endian 1.0\ncomment triangulated by sweep-cdt{spaces}\nelement vertex 10\n\
+         property double x\nproperty double y\nproperty double z\nelement face 8\n\
+         property list uchar uint vertex_indices\nend_header\n"
+    );
+    assert_eq!(text(&bytes[..header.len()]), header);
+    let (points, faces) = bytes[header.len()..].split_at(10 * 24);
+    let (numbers, _) = points.as_chunks();
+    let numbers: Vec<f64> = numbers.iter().map(|&n| f64::from_le_bytes(n)).collect();
+    let points = few().points.into_iter();
+    assert_eq!(
+        numbers,
+        points.flat_map(|[x, y]| [x, y, 0.0]).collect::<Vec<_>>()
+    );
+    let (faces, rest) = faces.as_chunks::<13>();
+    assert!(rest.is_empty() && faces.iter().all(|face| face[0] == 3));
+    let corners: Vec<u8> = faces.iter().flat_map(|face| face[1..].to_vec()).collect();
+    assert_eq!(set(triangles(&corners, "u32")), expected(&folder, "p.json"));
+    let verdict = ran(&folder, "verify p.json t.ply --level canonical");
+    assert!(printed(&verdict).starts_with("correct: "));
+    // Without a triangle it is complete as well.
+    fs::write(folder.path().join("none.f64"), "").expect("a file");
+    assert_eq!(printed(&ran(&folder, "stream none.f64 -o none.ply")), "");
+    let none = fs::read(folder.path().join("none.ply")).expect("a file");
+    assert!(text(&none).ends_with(
+        "element vertex 0\nproperty double x\nproperty double y\nproperty double z\nelement face 0\nproperty list uchar \
+         uint vertex_indices\nend_header\n"
+    ));
+}
+
+#[test]
+fn vertices_come_in_the_order_of_the_sweep() {
+    let folder = folder(&[]);
+    write_both(&folder, &few());
+    let expected = expected(&folder, "p.json");
+    for settings in ["", "--check --window 1", "--check"] {
+        let made = ran(
+            &folder,
+            &format!("stream p.f64 --edges e.u64 {settings} -o t.u32 --vertices v.f64"),
+        );
+        assert_eq!(printed(&made).is_empty(), !settings.contains("--check"));
+        let vertices = fs::read(folder.path().join("v.f64")).expect("a file");
+        let (numbers, _) = vertices.as_chunks();
+        let numbers: Vec<f64> = numbers.iter().map(|&n| f64::from_le_bytes(n)).collect();
+        let (vertices, _) = numbers.as_chunks::<2>();
+        assert!(vertices.is_sorted_by(|a, b| (a[1], a[0]) < (b[1], b[0])));
+        assert_eq!(vertices.len(), 8);
+        // The first of equal points stands for them.
+        let points = few().points;
+        let first = |v: u64| {
+            let place = vertices[usize::try_from(v).expect("a number")];
+            points
+                .iter()
+                .position(|point| point.map(f64::to_bits) == place.map(f64::to_bits))
+                .expect("a point") as u64
+        };
+        let bytes = fs::read(folder.path().join("t.u32")).expect("a file");
+        let found = triangles(&bytes, "u32").into_iter();
+        assert_eq!(
+            set(found.map(|corners| corners.map(first)).collect()),
+            expected
+        );
+    }
+    write_raw(&folder, &Input::generated("uniform", 2000, 3));
+    let made = ran(&folder, "stream p.f64 -o t.ele --vertices v.f64");
+    assert_eq!(printed(&made), "");
+    let made = ran(&folder, "stream p.f64 -o t.u64 --vertices v.f64");
+    assert_eq!(printed(&made), "");
+    let verdict = ran(&folder, "verify --stream v.f64 t.u64 --level canonical");
+    assert!(printed(&verdict).starts_with("correct: "));
+    let bytes = fs::read(folder.path().join("t.u64")).expect("a file");
+    assert_eq!(elements(&folder, "t.ele", 0), set(triangles(&bytes, "u64")));
+}
+
+#[cfg(unix)]
+#[test]
+fn what_counts_first_needs_a_file() {
+    let folder = folder(&[]);
+    write_raw(&folder, &few());
+    for name in ["t.ele", "t.ply"] {
+        std::os::unix::fs::symlink("/dev/null", folder.path().join(name)).expect("a link");
+        let message = "a .ele or .ply begins with the number of triangles, which is known last: let OUTPUT be a file";
+        crate::outputs::assert_refused(&folder, &format!("stream p.f64 -o {name}"), message);
+    }
+}
