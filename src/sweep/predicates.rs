@@ -226,8 +226,11 @@ impl<'a> SweepPredicates<'a> {
             Less => false,
             Equal => {
                 probe.count(|c| c.cocircular += 1);
-                let of_side = self.first(a, b);
-                self.first(self.first(p, q), of_side) != of_side
+                if self.ties == Ties::Lowest {
+                    return !self.ends_at_lowest([p, a, b], q);
+                }
+                let of_side = self.leftmost(a, b);
+                self.leftmost(self.leftmost(p, q), of_side) != of_side
             }
         }
     }
@@ -276,21 +279,29 @@ impl<'a> SweepPredicates<'a> {
         self.vertices.heap_bytes() + self.near_ties.heap_bytes()
     }
 
-    /// At which of two vertices on one circle diagonals end rather than at the other.
-    fn first(&self, a: VertexId, b: VertexId) -> VertexId {
-        match self.ties {
-            Ties::Leftmost => match self.compare_x(a, b) {
-                Less => a,
-                Greater => b,
-                Equal => a.max(b),
-            },
-            Ties::Lowest => {
-                let inputs = [a, b].map(|v| self.vertices.input_index(v));
-                match self.points.compare_y(inputs) {
-                    Equal => b.max(a),
-                    _ => a.min(b),
-                }
-            }
+    /// The leftmost of two vertices, the upper one where x is equal.
+    fn leftmost(&self, a: VertexId, b: VertexId) -> VertexId {
+        match self.compare_x(a, b) {
+            Less => a,
+            Greater => b,
+            Equal => a.max(b),
         }
+    }
+
+    /// The lowest of two vertices, the right one where y is equal.
+    fn lowest(&self, a: VertexId, b: VertexId) -> VertexId {
+        let inputs = [a, b].map(|v| self.vertices.input_index(v));
+        match self.points.compare_y(inputs) {
+            Equal => b.max(a),
+            _ => b.min(a),
+        }
+    }
+
+    /// Whether the side `a`-`b` ends at the lowest of four vertices.
+    #[cold]
+    #[inline(never)]
+    fn ends_at_lowest(&self, [p, a, b]: [VertexId; 3], q: VertexId) -> bool {
+        let of_side = self.lowest(a, b);
+        self.lowest(self.lowest(p, q), of_side) == of_side
     }
 }
