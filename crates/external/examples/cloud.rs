@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     builder.transforms.z = millimetres;
     let mut writer = Writer::from_path(path, builder.into_header()?)?;
     // As many rows in each strip as make all of them a square.
-    let rows = ((count as f64).sqrt() as u64).max(1);
+    let rows = count.isqrt().max(1);
     let mut state: u64 = 1;
     // From -1 to 1 (xorshift).
     let mut random = || {
