@@ -19,6 +19,7 @@ use super::finality::Line;
 use super::stats::Alive;
 use super::swept::Swept;
 use super::window::{Origin, Window};
+use crate::ids::narrow;
 use crate::scalar::Scalar;
 
 /// What is passed on by a stream, by the caller's numbers.
@@ -102,6 +103,8 @@ struct Pass<'a, S> {
     line: Option<&'a Line<S>>,
     /// The sides of the border as seen from beyond, sorted, and whether they are edges or pieces of edges.
     border: Vec<([usize; 2], bool)>,
+    /// For each vertex where its sides of the border begin, and one number more.
+    border_of: Vec<u32>,
     /// The pieces of pending edges that the next window has, sorted.
     pieces: Vec<[usize; 2]>,
     /// Whether all that is alive waits for edges.
@@ -125,6 +128,13 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
             .map(|(&[u, v], origin)| ([v, u], origin.edge.is_some()))
             .collect();
         border.sort_unstable();
+        let mut border_of = Vec::with_capacity(window.points.len() + 1);
+        for (at, &([u, _], _)) in border.iter().enumerate() {
+            if border_of.len() <= u {
+                border_of.resize(u + 1, narrow(at));
+            }
+        }
+        border_of.resize(window.points.len() + 1, narrow(border.len()));
         let mut is_kept = vec![false; window.points.len()];
         for &v in &corridors.reached {
             is_kept[v] = true;
@@ -149,6 +159,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
             swept,
             line,
             border,
+            border_of,
             pieces,
             is_all_held: corridors.held.is_none(),
             is_kept,
@@ -197,8 +208,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         for t in 0..self.swept.len() {
             let corners = self.swept.triangle(t);
             let old = corners.iter().filter(|&&v| self.swept.is_old(v)).count();
-            let at_border = |side| self.seen_from_beyond(self.ends(t, side)).is_some();
-            if old >= 2 && (0..3).any(at_border) {
+            if old >= 2 && (0..3).any(|side| self.seen_from_beyond(t, side).is_some()) {
                 self.states[t] = State::Beyond;
                 found.push(t);
             }
@@ -208,9 +218,7 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
                 let Some(next) = self.swept.neighbor(t, side) else {
                     continue;
                 };
-                if self.states[next] != State::Beyond
-                    && self.seen_from_beyond(self.ends(t, side)).is_none()
-                {
+                if self.states[next] != State::Beyond && self.seen_from_beyond(t, side).is_none() {
                     self.states[next] = State::Beyond;
                     found.push(next);
                 }
@@ -224,12 +232,26 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         [corners[(side + 1) % 3], corners[(side + 2) % 3]]
     }
 
+    /// If this is a side of the border, and the triangle lies beyond it: whether it is an edge or a piece of one.
+    fn seen_from_beyond(&self, t: usize, side: usize) -> Option<bool> {
+        // The border's sides are edges of the window.
+        self.swept.is_constrained(t, side).then_some(())?;
+        self.on_border(self.ends(t, side))
+    }
+
+    /// If this is a side of the border, and the triangle lies within it: likewise.
+    fn seen_from_within(&self, t: usize, side: usize) -> Option<bool> {
+        self.swept.is_constrained(t, side).then_some(())?;
+        let [u, v] = self.ends(t, side);
+        self.on_border([v, u])
+    }
+
     /// If this is a side of the border, with what is final on its left: whether it is an edge or a piece of one.
-    fn seen_from_beyond(&self, ends: [usize; 2]) -> Option<bool> {
-        let is_old = ends.iter().all(|&v| self.swept.is_old(v));
-        let search = |ends| self.border.binary_search_by_key(ends, |&(ends, _)| ends);
-        let at = is_old.then(|| search(&ends))?.ok()?;
-        Some(self.border[at].1)
+    fn on_border(&self, [u, v]: [usize; 2]) -> Option<bool> {
+        let [from, to] = [u, u + 1].map(|u| self.border_of[u] as usize);
+        let sides = &self.border[from..to];
+        let at = sides.binary_search_by_key(&v, |&([_, v], _)| v).ok()?;
+        Some(sides[at].1)
     }
 
     /// Whether a side is an edge or a piece of one: a side of the border may be neither.
@@ -240,9 +262,8 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
 
     #[cold]
     fn is_more_than_border(&self, t: usize, side: usize) -> bool {
-        let [u, v] = self.ends(t, side);
-        let of_border = self.seen_from_beyond([u, v]);
-        let of_border = of_border.or_else(|| self.seen_from_beyond([v, u]));
+        let of_border = self.seen_from_beyond(t, side);
+        let of_border = of_border.or_else(|| self.seen_from_within(t, side));
         of_border.unwrap_or(true)
     }
 
@@ -308,8 +329,8 @@ impl<'a, S: Scalar + Clone> Pass<'a, S> {
         let [u, v] = self.ends(t, side);
         let is_constrained = self.will_be_constrained(t, side);
         let was_alive = match self.states[t] {
-            State::Beyond => self.seen_from_beyond([u, v]).is_some(),
-            _ => self.seen_from_beyond([v, u]).is_none(),
+            State::Beyond => self.seen_from_beyond(t, side).is_some(),
+            _ => self.seen_from_within(t, side).is_none(),
         };
         let is_alive = was_alive && !self.is_final_side([u, v]);
         if was_alive && !is_alive {
