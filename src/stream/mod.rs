@@ -59,9 +59,9 @@ use swept::{Steps, Swept};
 use window::Window;
 
 /// So many new vertices a window has at least, if the caller does not say, and so many for each vertex that is alive.
-/// An eighth of the vertices are then swept twice at most.
+/// At most an eighth of a window has then been swept before.
 const WINDOW: usize = 1 << 15;
-const SHARE: usize = 8;
+const SHARE: usize = 7;
 
 /// A triangulation of a stream; [`Triangulator::stream`] makes it.
 ///
@@ -129,7 +129,7 @@ impl<'p, F: FrontSearch + Clone> Triangulator<'p, F> {
 
 impl<'p, S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'p, S, O, F> {
     /// Each window gets so many new vertices, at least one, or as many as are alive if these are more. By default a window
-    /// gets 32,768, or eight times as many as are alive. Small windows take less memory and more time.
+    /// gets 32,768, or seven times as many as are alive. Small windows take less memory and more time.
     #[must_use]
     pub fn window(mut self, vertices: usize) -> Self {
         self.size = Some(vertices.max(1));

@@ -24,11 +24,11 @@ use order::{Sorted, is_one_place};
 use output::{Format, Triangles};
 pub(crate) use verify::verify_stream;
 
-/// So many bytes of memory a vertex takes, new or alive, while its window is triangulated (some 190 were measured). A
+/// So many bytes of memory a vertex takes, new or alive, while its window is triangulated (some 170 were measured). A
 /// window has at least as many new ones as are alive.
 const BYTES: u64 = 200;
 /// So many new vertices for each that is alive has a window whose size nobody gives.
-const SHARE: usize = 8;
+const SHARE: usize = 7;
 /// The bar moves each time that so many vertices have come.
 const STEP: u64 = 1 << 16;
 
@@ -55,7 +55,7 @@ pub(crate) struct StreamCommand {
     #[arg(long, value_name = "FILE", requires = "output")]
     vertices: Option<PathBuf>,
 
-    /// Triangulate in windows of so many new vertices [default: eight times as many as are alive]
+    /// Triangulate in windows of so many new vertices [default: seven times as many as are alive]
     #[arg(long, value_name = "N")]
     window: Option<NonZeroUsize>,
 
