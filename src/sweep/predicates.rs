@@ -5,7 +5,8 @@
 //! **Canonical rule.** Where four points lie on one circle, the side stays that ends at the leftmost of them (the upper
 //! one of two); the paper leaves this open. This is the sign of the in-circle test after each point, lifted to the
 //! paraboloid, is lowered by a symbolic amount, the leftmost one most of all (a pulling triangulation). So there is one
-//! Delaunay triangulation, and Lawson's flips still end.
+//! Delaunay triangulation, and Lawson's flips still end. Where a stream exchanges the coordinates of a window, the rule is
+//! exchanged with them ([`Ties::Lowest`]).
 
 use alloc::vec;
 use alloc::vec::Vec;

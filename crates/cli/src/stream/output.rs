@@ -189,7 +189,7 @@ impl<'a, 'w> Triangles<'a, 'w> {
     }
 }
 
-/// The name that an output of vertices must have.
+/// Refuses a name that tells no format of vertices.
 pub(super) fn refuse_vertices(path: Option<&Path>) -> Result<(), Failure> {
     match path {
         Some(path) if path.extension().is_none_or(|extension| extension != "f64") => {
