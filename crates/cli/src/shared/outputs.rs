@@ -122,7 +122,7 @@ fn write_to(
     contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>,
 ) -> Result<(), Failure> {
     let written = match place {
-        Place::Standard => write(&mut io::stdout().lock(), contents),
+        Place::Standard => write(&mut io::stdout(), contents),
         _ => OpenOptions::new()
             .write(true)
             .open(name)
@@ -133,7 +133,7 @@ fn write_to(
 
 /// Writes to a stream. A reader that has closed its end of it is no failure.
 fn write(
-    stream: &mut dyn Write,
+    stream: &mut (dyn Write + Send),
     contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>,
 ) -> io::Result<()> {
     let mut out = BufWriter::new(stream);

@@ -17,7 +17,7 @@ use tempfile::{Builder, TempPath};
 const BUFFER: usize = 1 << 18;
 
 /// The target to which contents are written.
-pub(crate) type Out<'w> = BufWriter<&'w mut dyn Write>;
+pub(crate) type Out<'w> = BufWriter<&'w mut (dyn Write + Send)>;
 
 /// A file without a name, and the path where it will be.
 pub(crate) struct Unnamed {
@@ -50,7 +50,7 @@ impl Unnamed {
         &mut self,
         contents: impl FnOnce(&mut Out<'_>) -> io::Result<()>,
     ) -> io::Result<()> {
-        let mut out = BufWriter::with_capacity(BUFFER, &mut self.file as &mut dyn Write);
+        let mut out = BufWriter::with_capacity(BUFFER, &mut self.file as &mut (dyn Write + Send));
         contents(&mut out)?;
         out.flush()?;
         drop(out);

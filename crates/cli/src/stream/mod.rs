@@ -1,5 +1,6 @@
 //! `sweep-cdt stream`: any number of points and edges in, the triangles out as they become final.
 
+mod beside;
 mod numbers;
 mod order;
 mod output;
@@ -8,17 +9,20 @@ mod verify;
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::sync::Mutex;
+use std::thread;
 use std::time::{Duration, Instant};
 
 use sweep_cdt::Triangulator;
 use sweep_cdt::stream::{Final, Stream, StreamError, StreamStats};
 use sweep_cdt::verify::{Level, StreamVerifier, StreamViolation};
-use sweep_cdt_external::{Statistics, Summary};
+use sweep_cdt_external::{Statistics, Summary, SweepOrder};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
 use crate::shared::outputs::{Destination, Out, Outputs, print, refuse_read, refuse_twice};
 use crate::shared::resources::Progress;
+use beside::Beside;
 pub(crate) use order::SortArgs;
 use order::{Sorted, is_one_place};
 use output::{Format, Triangles};
@@ -106,7 +110,10 @@ struct Outcome {
 
 /// Where triangles go, and vertices in the order of the sweep.
 struct Written<'a, 'w> {
-    triangles: Triangles<'a, 'w>,
+    triangles: &'a mut Out<'w>,
+    format: Format,
+    /// The number of the first point.
+    first: u64,
     vertices: Option<&'a mut dyn Write>,
 }
 
@@ -199,9 +206,10 @@ impl StreamCommand {
         let [mut outputs, mut beside] = [Outputs::default(), Outputs::default()];
         let mut outcome = None;
         let whole = |out: &mut Out<'_>, vertices: Option<&mut dyn Write>| {
-            let triangles = Triangles::new(out, format, first);
             let written = Written {
-                triangles,
+                triangles: out,
+                format,
+                first,
                 vertices: vertices.map(|vertices| vertices as &mut dyn Write),
             };
             let found = outcome.insert(self.streamed(sorted, Some(written)));
@@ -246,29 +254,53 @@ impl StreamCommand {
         let mut since = Instant::now();
         let begun = out.as_mut().map_or(Ok(()), |out| {
             let points = || sorted.points().map_err(Trouble::Order);
-            out.triangles.begin(&summary, points)
+            output::begin(out.triangles, out.format, &summary, points)
         });
+        let mut written = 0;
         let ended = begun.and_then(|()| {
             since = Instant::now();
-            self.swept(&mut sorted.order, out.as_mut())
+            match out {
+                None => self.swept(&mut sorted.order, None, None),
+                Some(out) => self.swept_beside(&mut sorted.order, out, &mut written),
+            }
         });
         Outcome {
             ended: ended.map_err(|trouble| trouble.numbered_from(sorted.first_edge)),
             sorting: sorted.order.statistics(),
             sweeping: since.elapsed(),
-            written: out.map_or(0, |out| out.triangles.written()),
+            written,
         }
+    }
+
+    /// Takes all vertices in order; a thread beside writes the triangles, and `written` says how many.
+    fn swept_beside(
+        &self,
+        order: &mut SweepOrder,
+        out: Written<'_, '_>,
+        written: &mut u64,
+    ) -> Result<StreamStats, Trouble> {
+        let shared = Mutex::new(out.triangles);
+        thread::scope(|scope| {
+            let beside = Beside::new(scope, &shared);
+            let mut triangles = Triangles::new(beside, out.format, out.first);
+            let ended = self.swept(order, Some(&mut triangles), out.vertices);
+            match (ended, triangles.finish()) {
+                // What is not written is of no use, whatever else has failed.
+                (Ok(_) | Err(Trouble::Stream(_)), Err(error)) => Err(Trouble::Out(error)),
+                (ended, count) => {
+                    *written = count.unwrap_or(0);
+                    ended
+                }
+            }
+        })
     }
 
     fn swept(
         &self,
-        order: &mut sweep_cdt_external::SweepOrder,
-        out: Option<&mut Written<'_, '_>>,
+        order: &mut SweepOrder,
+        mut triangles: Option<&mut Triangles<'_, '_, '_>>,
+        mut vertices: Option<&mut dyn Write>,
     ) -> Result<StreamStats, Trouble> {
-        let (mut triangles, mut vertices) = match out {
-            Some(out) => (Some(&mut out.triangles), out.vertices.as_mut()),
-            None => (None, None),
-        };
         let is_renumbered = vertices.is_some();
         let Summary { points, x, .. } = order.summary();
         let mut progress = Progress::new("sweeping");

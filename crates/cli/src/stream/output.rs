@@ -6,6 +6,7 @@ use std::path::Path;
 
 use sweep_cdt_external::{Input, Summary};
 
+use super::beside::Beside;
 use super::numbers::Width;
 use super::{Trouble, to_usize};
 use crate::shared::failure::Failure;
@@ -92,17 +93,60 @@ impl Format {
     }
 }
 
-/// Where triangles are written.
-pub(super) struct Triangles<'a, 'w> {
-    out: &'a mut Out<'w>,
+/// Writes what stands before the triangles; `input` has the points.
+pub(super) fn begin(
+    out: &mut Out<'_>,
+    format: Format,
+    summary: &Summary,
+    input: impl FnOnce() -> Result<Box<dyn Input>, Trouble>,
+) -> Result<(), Trouble> {
+    let beginning = format.beginning(summary.points, 0);
+    out.write_all(beginning.as_bytes()).map_err(Trouble::Out)?;
+    match format {
+        Format::Ply => write_points(out, &mut *input()?, summary.points),
+        Format::Numbers(_) | Format::Ele => Ok(()),
+    }
+}
+
+/// Writes all points as the input has them, with a z of 0.
+fn write_points(out: &mut Out<'_>, input: &mut dyn Input, points: u64) -> Result<(), Trouble> {
+    let mut progress = Progress::new("writing points");
+    let mut some = Vec::new();
+    let mut done = 0;
+    loop {
+        some.clear();
+        input
+            .next_points(&mut some)
+            .map_err(|error| Trouble::Order(error.into()))?;
+        if some.is_empty() {
+            break;
+        }
+        for &[x, y] in &some {
+            let bytes = [x, y, 0.0].map(f64::to_le_bytes);
+            out.write_all(bytes.as_flattened()).map_err(Trouble::Out)?;
+        }
+        done += some.len() as u64;
+        progress.show(to_usize(done), to_usize(points));
+    }
+    if done == points {
+        return Ok(());
+    }
+    let name = input.name();
+    let message = format!("{name}: had {points} points, and has {done} now");
+    Err(Trouble::Out(io::Error::other(message)))
+}
+
+/// Writes triangles.
+pub(super) struct Triangles<'s, 'a, 'w> {
+    out: Beside<'s, 'a, 'w>,
     format: Format,
     /// The number of the first point in the file.
     first: u64,
     written: u64,
 }
 
-impl<'a, 'w> Triangles<'a, 'w> {
-    pub(super) fn new(out: &'a mut Out<'w>, format: Format, first: u64) -> Self {
+impl<'s, 'a, 'w> Triangles<'s, 'a, 'w> {
+    pub(super) fn new(out: Beside<'s, 'a, 'w>, format: Format, first: u64) -> Self {
         Triangles {
             out,
             format,
@@ -111,55 +155,9 @@ impl<'a, 'w> Triangles<'a, 'w> {
         }
     }
 
-    /// How many there are so far.
-    pub(super) fn written(&self) -> u64 {
-        self.written
-    }
-
-    /// Writes what stands before the triangles; `input` has the points.
-    pub(super) fn begin(
-        &mut self,
-        summary: &Summary,
-        input: impl FnOnce() -> Result<Box<dyn Input>, Trouble>,
-    ) -> Result<(), Trouble> {
-        let beginning = self.format.beginning(summary.points, 0);
-        self.out
-            .write_all(beginning.as_bytes())
-            .map_err(Trouble::Out)?;
-        if self.format == Format::Ply {
-            self.write_points(&mut *input()?, summary.points)?;
-        }
-        Ok(())
-    }
-
-    /// Writes all points as the input has them, with a z of 0.
-    fn write_points(&mut self, input: &mut dyn Input, points: u64) -> Result<(), Trouble> {
-        let mut progress = Progress::new("writing points");
-        let mut some = Vec::new();
-        let mut done = 0;
-        loop {
-            some.clear();
-            input
-                .next_points(&mut some)
-                .map_err(|error| Trouble::Order(error.into()))?;
-            if some.is_empty() {
-                break;
-            }
-            for &[x, y] in &some {
-                let bytes = [x, y, 0.0].map(f64::to_le_bytes);
-                self.out
-                    .write_all(bytes.as_flattened())
-                    .map_err(Trouble::Out)?;
-            }
-            done += some.len() as u64;
-            progress.show(to_usize(done), to_usize(points));
-        }
-        if done == points {
-            return Ok(());
-        }
-        let name = input.name();
-        let message = format!("{name}: had {points} points, and has {done} now");
-        Err(Trouble::Out(io::Error::other(message)))
+    /// Waits until all are written, and returns how many there are.
+    pub(super) fn finish(self) -> io::Result<u64> {
+        self.out.finish().map(|()| self.written)
     }
 
     pub(super) fn write(&mut self, corners: [u64; 3]) -> io::Result<()> {
