@@ -124,6 +124,11 @@ impl<P: Probe> Delaunay<'_, P> {
         self.count_flip([side, twin], ends);
     }
 
+    /// Swaps side 2 of a triangle in a fan around its corner 0, which loses the triangle on the left. Returns that.
+    pub(super) fn flip_spoke(&mut self, t: TriangleId) -> TriangleId {
+        self.flip(HalfEdge::new(t, 2)).triangle()
+    }
+
     #[inline(always)]
     fn report_flip(&mut self, side: HalfEdge) {
         if self.is_observed() {
@@ -149,14 +154,14 @@ impl<P: Probe> Delaunay<'_, P> {
 
     /// Whether a side may and must be flipped.
     #[inline(always)]
-    fn is_illegal(&mut self, side: HalfEdge) -> bool {
+    pub(super) fn is_illegal(&mut self, side: HalfEdge) -> bool {
         let approx = self.predicates.approx(self.mesh.opposite(side));
         self.is_illegal_from(approx, side)
     }
 
     /// Whether a side may and must be flipped, where `approx` belongs to the vertex opposite.
     #[inline(always)]
-    fn is_illegal_from(&mut self, approx: [f64; 2], side: HalfEdge) -> bool {
+    pub(super) fn is_illegal_from(&mut self, approx: [f64; 2], side: HalfEdge) -> bool {
         let (record, i) = (self.mesh.get(side.triangle()), side.corner());
         let twin = record.twin(i);
         if twin.cannot_flip() {

@@ -1,6 +1,7 @@
 //! The triangles and the predicates: the part of the state that knows neither the front nor the edges. Legalization
 //! ([`legalization`]) and the filling of chains ([`fill`]) need no more; [`super`] adds the rest.
 mod cavity;
+mod fan;
 mod fill;
 mod legalization;
 mod pseudo_polygon;

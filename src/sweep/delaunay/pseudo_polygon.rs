@@ -22,8 +22,8 @@
 //! simple quadrilateral: edge, leg, side, leg. So each polygon is made of quadrilaterals that are glued leg to leg, a
 //! surface without holes, which may lie over itself: it need not be simple in the plane. If the angle at `u` within this
 //! surface is less than 360 degrees, then `u` lies outside or in the quadrilateral of `v` and `w`, and `u w v` is a
-//! triangle beside or in the surface. After the flips every triangle is counter-clockwise. Then all sides around `u`
-//! are legalized, and a triangulation of such a surface whose sides are locally Delaunay is the only one (the canonical
+//! triangle beside or in the surface. After the flips every triangle is counter-clockwise. Then the sides around
+//! `u` are legalized, and a triangulation of such a surface whose sides are locally Delaunay is the only one (the canonical
 //! rule). The last polygon is the pseudo-polygon, which lies in the plane. A hanging edge is two sides of the surface,
 //! and a vertex that the chain visits twice is two vertices of it, with two legs. No two neighbours lie at
 //! the same point: the last vertex between two visits has an angle of 360 degrees, and is not taken out.
@@ -33,10 +33,43 @@
 //! half of the vertices or more. Signs tell the angle: on which side of the leg each neighbour lies, and, where both are
 //! on one side, which of them is the nearer one in the turn around `u`.
 //!
-//! Cost: up to three orientation tests for each draw, expected two draws or fewer for each vertex. The flips that insert
-//! `u` are at most the sides of `u` in the polygon, and the vertex to insert is a random one of at least half of the
-//! vertices: expected O(1). The flips that follow where a triangle was turned over are few in every family measured, and
-//! have no proof here. (Shewchuk and Brown fill that fan again, by recursion.)
+//! Cost: up to three orientation tests for each draw, expected two draws or fewer for each vertex. A vertex makes fewer
+//! than ten new triangles, expected, whatever the chain is (below). They take at most one flip each, or two where the
+//! triangle `u w v` was turned over ([`super::fan`]): the flips are expected linear in what the edge pierces.
+//!
+//! # Why few triangles are new
+//!
+//! Let `t` be a triangle of the polygon with `u`, but not of the polygon without `u`. Either `u` is a corner of `t`, or
+//! `u` lies inside, and its two sides hide a vertex from `t` that lies in the open disk `D` of `t` or on its circle. In
+//! the second case let `K` be the part of the surface in `D` and around `t`. No vertex lies in `K`, so each side that
+//! bounds `K` crosses all of `D`: `K` is `D` without some caps, and convex. The hidden vertex is behind a side at `u`
+//! that bounds `K`, say `w-u` (`u-v` is the mirror image). Neither `w` nor `u` lies in `D`. Side `u-v` meets `D`, or
+//! `v` lies on the circle: if not, without `u` only side `w-v` would be seen behind `w-u`, and no vertex.
+//!
+//! *The leg of `v` does not meet `K`.* `K` lies on the left of the line from `w` to `u`, and `v` on the right. Suppose
+//! that the leg of `v` meets `K` in `B`. Then it passes the line, in `q`.
+//! - `q` is not on side `w-u`. For in the plane, too, legs do not cross, and if the leg of `v` crossed `w-u`, then `w`
+//!   would lie in the quadrilateral of `u` and `v` (the angle at `u` is less than 360 degrees), and the leg of `w`
+//!   could not get out to the edge. Likewise the leg of `w` does not cross `u-v`.
+//! - `q` is not beyond `w`. For then the leg of `w` would begin inside the triangle `v q u`, and could not leave it; or
+//!   it would begin on the left of the line, and meet the edge on the left of the leg of `v`, though `w` comes before
+//!   `v`.
+//! - So `q` is beyond `u`. If `u-v` meets `D` in `A`, then `A-B` lies in `D`, and passes the line between `u` and `q`,
+//!   as `A` comes before `u` on the way from `v`, and `B` after `q`. But `D` meets the line between `w` and `u` alone.
+//!   If `u-v` does not meet `D`, then `v` lies on the circle, so the leg lies in `D` from `v` to `B`, and passes the
+//!   line in `D`, that is on `w-u`: but `q` is not there.
+//!
+//! An end of the edge is its own leg, and does not lie in `K` either.
+//!
+//! *Five vertices for each triangle.* So `K` lies on the right of the leg of `v`, where `w` and `u` are. Suppose that
+//! `u'` with `w'` and `v'`, farther along the chain, hides a vertex from the same `t` in the same way. Side `w'-u'`
+//! bounds `K`, and so lies on the right of the leg of `v`: `u'` is `v`, and `w'` is `u`. But then `K` lies on the left
+//! of the line from `w` to `u` and touches `u-v`, on its right. So there is at most one such `u` for `t`, and one
+//! mirrored: `t` is new for these two and for its three corners.
+//!
+//! *Ten triangles for each vertex.* A polygon of `k` vertices between the ends of the edge has `k` triangles. `u` was
+//! drawn at random from those that can be taken out, `(k + 1) / 2` or more: no two that cannot are neighbours, and none
+//! is a neighbour of an end. So fewer than `5 k / (k / 2)` triangles are new, expected. As many go, less one.
 //!
 //! Differs from the paper: there the apex over the edge is picked by the empty circle, recursively.
 
@@ -48,7 +81,6 @@ use super::run::Run;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
-use crate::sweep::flip_limit::inexact_scalar;
 use crate::trace::Why;
 use core::mem::take;
 
@@ -108,36 +140,11 @@ impl<P: Probe> Delaunay<'_, P> {
     /// Legalizes after corner 0 of `t`, a triangle that may be turned over, has been inserted.
     fn settle(&mut self, t: TriangleId) {
         let [u, w, v] = self.mesh.get(t).vertices();
-        if self.orient2d([u, w, v]) != Greater {
-            self.turn_back(t);
-        } else {
+        if self.orient2d([u, w, v]) == Greater {
             self.flip_stack.push(HalfEdge::new(t, 0));
-        }
-        self.legalize();
-    }
-
-    /// Flips sides opposite corner 0 of `t` until no triangle around that vertex is turned over; all sides around it go
-    /// on the flip stack. The vertex stays corner 0 of all its triangles.
-    fn turn_back(&mut self, t: TriangleId) {
-        let mut at = t;
-        loop {
-            while self.orient2d(self.mesh.get(at).vertices()) != Greater {
-                if self.mesh.twin(HalfEdge::new(at, 0)).cannot_flip() {
-                    inexact_scalar();
-                }
-                self.flip_in_fan(at);
-            }
-            self.flip_stack.push(HalfEdge::new(at, 0));
-            let spoke = HalfEdge::new(at, 1);
-            let twin = self.mesh.twin(spoke);
-            if twin.is_border() {
-                return;
-            }
-            self.flip_stack.push(spoke);
-            at = twin.triangle();
-            if at == t {
-                inexact_scalar();
-            }
+            self.legalize();
+        } else {
+            self.legalize_turned_over(t);
         }
     }
 }

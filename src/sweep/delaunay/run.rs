@@ -12,6 +12,7 @@
 
 use alloc::vec::Vec;
 
+use super::fan::Fan;
 use crate::ids::{BorderId, narrow};
 
 /// Runs of at most this many corners are inserted in one round: they are near each other in any order.
@@ -54,6 +55,8 @@ pub(in crate::sweep) struct Run {
     next: Vec<u32>,
     /// The border half-edge from each position inserted to its next one.
     pub(super) borders: Vec<BorderId>,
+    /// Buffers of [`super::fan`].
+    pub(super) fan: Fan,
 }
 
 impl Run {

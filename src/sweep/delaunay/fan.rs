@@ -1,0 +1,149 @@
+//! The fan of a vertex `u` that a pseudo-polygon got, and whose triangle `u w v` was turned over
+//! ([`super::pseudo_polygon`]): how the triangles become Delaunay with few flips.
+//!
+//! ```text
+//!    r-----q                 r-----q          First the fan grows, until no triangle of it is turned over, and no
+//!     \   / \                 \     \         outer side, opposite `u`, is illegal. Then *spokes* are flipped that are
+//!      \ /   \       ->        \     \        illegal: spoke u-q becomes r-p, and the triangle p q r, an *ear*,
+//!       u-----p                u-----p        leaves the fan. Which ear leaves first decides how many flips follow:
+//!        spoke u-q             ear p q r      the one whose circle is farthest from `u`, measured by the power of `u`.
+//! ```
+//!
+//! Growing. The fan takes the triangles that must go, one flip each: those that the triangle `u w v` crosses, and those
+//! whose circle holds `u`. No other must go: on a straight line from `u` through triangles that are Delaunay, the power
+//! of `u` to their circles does not fall, so behind an outer side that is legal no circle holds `u`. So of the `n`
+//! triangles of the fan at the end, all are new, or give way to new ones in the same place, and `n - 1` flips have been
+//! made.
+//!
+//! Shrinking. Lift the vertices to the paraboloid, but `u` far below it: there the fan is right, as `u` sees all of it.
+//! Let `u` rise to its place. The fan is right until `u` reaches the plane of an ear, and right again when the spoke of
+//! that ear is flipped. An ear stays right, as `u` only rises farther above its plane. So each spoke is flipped at most
+//! once: at most `n - 1` flips. The ear whose plane is met first is the one of greatest power, at the place of `u`.
+//!
+//! The powers are rounded. Where rounding changes their order, and where they are equal, an ear may have to be undone.
+//! So the sides of all ears are legalized in the end: the result never depends on the order, and the bound on the flips
+//! holds where the order is right.
+//!
+//! Cost: fewer than `2 n` flips if the order is right, O(n log n) steps for the heap, but O(n) where no spoke is
+//! illegal. Differs from Shewchuk and Brown: they fill the fan again.
+use alloc::collections::BinaryHeap;
+use alloc::vec::Vec;
+use core::cmp::Ordering::Greater;
+use core::mem::take;
+
+use super::Delaunay;
+use crate::ids::{TriangleId, narrow};
+use crate::mesh::HalfEdge;
+use crate::observe::probe::Probe;
+use crate::sweep::flip_limit::inexact_scalar;
+
+/// The fan of a vertex, from left to right, and the ears that may leave it.
+#[derive(Debug, Default)]
+pub(super) struct Fan {
+    /// The triangles. Number `k` lies to the right of spoke `k`; spoke 0 is the first side.
+    triangles: Vec<TriangleId>,
+    /// For each spoke the spokes beside it.
+    prev: Vec<u32>,
+    next: Vec<u32>,
+    ears: BinaryHeap<Ear>,
+}
+
+/// An ear: the bits of a power that is not negative, the spoke, and the spokes that were beside it.
+type Ear = (u64, u32, [u32; 2]);
+
+impl<P: Probe> Delaunay<'_, P> {
+    /// Makes the triangles around corner 0 of `t` right, a triangle that was turned over.
+    pub(super) fn legalize_turned_over(&mut self, t: TriangleId) {
+        let mut fan = take(&mut self.run.fan);
+        self.grow_fan(&mut fan, t);
+        self.shrink_fan(&mut fan);
+        self.run.fan = fan;
+        self.legalize();
+    }
+
+    /// Flips sides opposite corner 0 of `t` until no triangle around that vertex is turned over, and no such side is
+    /// illegal. The vertex stays corner 0 of all its triangles.
+    fn grow_fan(&mut self, fan: &mut Fan, t: TriangleId) {
+        fan.triangles.clear();
+        let approx = self.predicates.approx(self.mesh.get(t).vertex(0));
+        let mut at = t;
+        loop {
+            while self.orient2d(self.mesh.get(at).vertices()) != Greater {
+                if self.mesh.twin(HalfEdge::new(at, 0)).cannot_flip() {
+                    inexact_scalar();
+                }
+                self.flip_in_fan(at);
+            }
+            while self.is_illegal_from(approx, HalfEdge::new(at, 0)) {
+                self.flip_in_fan(at);
+            }
+            fan.triangles.push(at);
+            let twin = self.mesh.twin(HalfEdge::new(at, 1));
+            if twin.is_border() {
+                break;
+            }
+            at = twin.triangle();
+            if at == t {
+                inexact_scalar();
+            }
+        }
+    }
+
+    /// Flips the spokes that are illegal, the ear of greatest power first. Sides of ears go on the flip stack.
+    fn shrink_fan(&mut self, fan: &mut Fan) {
+        let len = narrow(fan.triangles.len());
+        fan.prev.clear();
+        fan.prev.extend((0..len).map(|k| k.saturating_sub(1)));
+        fan.next.clear();
+        fan.next.extend(1..=len);
+        fan.ears.clear();
+        for spoke in 1..len {
+            self.push_ear(fan, spoke);
+        }
+        while let Some((_, spoke, beside)) = fan.ears.pop() {
+            let [prev, next] = beside;
+            let at = spoke as usize;
+            if beside != [fan.prev[at], fan.next[at]] {
+                continue;
+            }
+            let ear = self.flip_spoke(fan.triangles[at]);
+            self.flip_stack
+                .extend([0, 1, 2].map(|i| HalfEdge::new(ear, i)));
+            fan.triangles[prev as usize] = fan.triangles[at];
+            fan.next[prev as usize] = next;
+            if next < len {
+                fan.prev[next as usize] = prev;
+                self.push_ear(fan, next);
+            }
+            if prev > 0 {
+                self.push_ear(fan, prev);
+            }
+        }
+    }
+
+    /// Notes the ear of a spoke that is illegal.
+    fn push_ear(&mut self, fan: &mut Fan, spoke: u32) {
+        let at = spoke as usize;
+        let side = HalfEdge::new(fan.triangles[at], 2);
+        if self.is_illegal(side) {
+            let power = self.power_to_ear(side);
+            let beside = [fan.prev[at], fan.next[at]];
+            fan.ears.push((power.max(0.0).to_bits(), spoke, beside));
+        }
+    }
+
+    /// The power of `u` to the circle of the ear `p` `r` `q`, rounded; `side` is the spoke `u`-`q` of `u` `q` `r`.
+    fn power_to_ear(&self, side: HalfEdge) -> f64 {
+        let [r, u, q] = self.mesh.around(side);
+        let p = self.mesh.opposite(self.mesh.twin(side));
+        let [ux, uy] = self.predicates.approx(u);
+        let from_u = [p, r, q].map(|v| {
+            let [x, y] = self.predicates.approx(v);
+            [x - ux, y - uy]
+        });
+        let cross = |i: usize, j: usize| from_u[i][0] * from_u[j][1] - from_u[i][1] * from_u[j][0];
+        let square = |i: usize| from_u[i][0] * from_u[i][0] + from_u[i][1] * from_u[i][1];
+        let [pr, rq, qp] = [cross(0, 1), cross(1, 2), cross(2, 0)];
+        -(square(0) * rq + square(1) * qp + square(2) * pr) / (pr + rq + qp)
+    }
+}
