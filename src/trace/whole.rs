@@ -85,6 +85,7 @@ impl Trace {
     /// - a switch of a mixed part is missing;
     /// - an input edge has another number that is new too;
     /// - an edge that is the first part of another one is said to be all of it, or the other way round;
+    /// - an edge that equals an earlier one is said to equal another earlier one that has the same first part;
     /// - the names of the upper and the lower pseudo-polygon are swapped;
     /// - a triangle that either heuristic may make is said to be made by the other;
     /// - steps of one kind that do not touch each other come in another order.

@@ -128,14 +128,27 @@ fn judge_damaged(damage: &Damage, trace: &Trace, triangles: &[[usize; 3]]) {
                 ([Some(a), Some(b)], Kind::Doubled) => is_informal(a) || is_informal(b),
                 ([Some(a), _], Kind::Edited) => {
                     let edited = parsed.map(|trace| trace.events[damage.at[0] - 1]);
-                    let part = trace.events[damage.at[0]..].iter().find_map(end_of_part);
-                    edited.is_ok_and(|edited| may_stand_for(edited, a, part))
+                    let (before, after) = trace.events.split_at(damage.at[0] - 1);
+                    let part = after[1..].iter().find_map(end_of_part);
+                    edited.is_ok_and(|edited| {
+                        let are_repeated = [edited, a].iter().all(|edge| is_repeated(edge, before));
+                        may_stand_for(edited, a, part) || are_repeated
+                    })
                 }
                 _ => false,
             };
             assert!(is_harmless, "not noticed in {events} events: {damage:?}");
         }
     }
+}
+
+/// Whether this edge equals one of those before, which alone goes on below its first part.
+fn is_repeated(event: &Event, before: &[Event]) -> bool {
+    let ends = |event: &Event| match *event {
+        Event::Edge { upper, lower, .. } => Some([upper, lower]),
+        _ => None,
+    };
+    ends(event).is_some() && before.iter().any(|other| ends(other) == ends(event))
 }
 
 fn end_of_part(event: &Event) -> Option<Vertex> {
