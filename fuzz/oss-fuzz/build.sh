@@ -3,7 +3,8 @@
 # .clusterfuzzlite/Dockerfile, for ClusterFuzzLite. $SRC/sweep-cdt is the checkout; the default toolchain is a
 # nightly one (elsewhere: RUSTUP_TOOLCHAIN=nightly).
 cd "$SRC/sweep-cdt"
-cargo fuzz build --no-trace-compares
+# Crates of others are compiled without the counters of libFuzzer.
+RUSTC_WRAPPER="$PWD/fuzz/campaigns/rustc.sh" cargo fuzz build --release --no-trace-compares
 built=$(find fuzz/target -type d -path '*-linux-*/release' -print -quit)
 
 # The program that knows the targets. The flags of the fuzzing build are not for it.
