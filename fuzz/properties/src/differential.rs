@@ -19,12 +19,15 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
-use crate::reached;
+use crate::{reached, share};
 use sweep_cdt_testing::judge::{
     Asked, Claims, Fault, Numbers, Outcome, Question, Right, Wrong, ask, least,
 };
 use sweep_cdt_testing::peers::{PROGRAMS, Program};
 use sweep_cdt_testing::{Input, generators};
+
+/// One in so many answers is judged though it is the right one.
+const JUDGED: u64 = 4;
 
 /// The property for the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
@@ -40,10 +43,28 @@ pub fn test(bytes: &[u8]) {
     for (name, program, takes_edges) in PROGRAMS {
         if is_question(&input, takes_edges) {
             let outcome = asked(program, &question);
-            let fault = right.fault(&question, &outcome);
+            // What is the right answer itself needs no judge, who is asked now and then all the same.
+            let is_right = matches!(&outcome, Outcome::Triangles(list) if is_same(list, &right));
+            let fault = (!is_right || share::is_chosen(bytes, JUDGED))
+                .then(|| right.fault(&question, &outcome))
+                .flatten();
             count(name, (program, takes_edges), &question, outcome, fault);
         }
     }
+}
+
+/// Whether these are the right triangles, turned either way round.
+fn is_same(list: &[[usize; 3]], right: &Right) -> bool {
+    let sorted = |mut corners: [usize; 3]| {
+        corners.sort_unstable();
+        corners
+    };
+    let all = |list: &[[usize; 3]]| {
+        let mut list: Vec<[usize; 3]> = list.iter().copied().map(sorted).collect();
+        list.sort_unstable();
+        list
+    };
+    list.len() == right.inside.len() && all(list) == all(&right.inside)
 }
 
 fn asked(program: Program, question: &Question) -> Outcome {

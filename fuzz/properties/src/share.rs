@@ -5,10 +5,15 @@
 
 /// Whether these bytes are among the chosen ones, about one in so many.
 pub(crate) fn is_chosen(bytes: &[u8], one_in: u64) -> bool {
+    of(bytes).is_multiple_of(one_in)
+}
+
+/// A number that these bytes choose.
+pub(crate) fn of(bytes: &[u8]) -> u64 {
     // FNV-1a, whose low bits alone are poor.
     let mix = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3);
     let hash = bytes.iter().fold(0xcbf2_9ce4_8422_2325, mix);
-    (hash ^ hash >> 32).is_multiple_of(one_in)
+    hash ^ hash >> 32
 }
 
 #[test]

@@ -73,10 +73,14 @@ const TOKENS: [&str; 16] = [
     "18446744073709551615",
 ];
 
-/// The file in every format, each read back; with what reads it, and the vertices of a file that has
-/// none after a zero byte.
-pub(super) fn written<S: again::Exact>(file: &GraphFile<S>) -> Vec<(Reader, Vec<u8>)> {
-    again::write(file);
+/// The file in several formats, each read back; and one of these files, with what reads it, and the vertices of a file
+/// that has none after a zero byte.
+pub(super) fn written<S: again::Exact>(
+    file: &GraphFile<S>,
+    which: usize,
+    share: usize,
+) -> (Reader, Vec<u8>) {
+    again::write(file, share);
     let mut node = Vec::new();
     write_node(file, &mut node).expect("memory takes all that is written");
     let edges = edges(file);
@@ -86,25 +90,46 @@ pub(super) fn written<S: again::Exact>(file: &GraphFile<S>) -> Vec<(Reader, Vec<
         again::assert_reads(InputFormat::Poly, &whole, None, file);
     }
     again::assert_reads(InputFormat::Poly, &split, Some(&node), file);
-    let mut files = vec![
-        (Reader::Input(InputFormat::Poly), whole),
-        (
-            Reader::Input(InputFormat::Poly),
-            [split.as_slice(), &node].join(&0),
-        ),
-        (Reader::Input(InputFormat::Node), node.clone()),
-    ];
-    if let Ok(result) = triangulate(&file.graph.points, &file.graph.edges) {
-        let results = again::files(file, &result, &node);
-        files.push((Reader::Input(InputFormat::Json), results[1].1.clone()));
-        files.extend(results.map(|(format, bytes)| (Reader::Result(format), bytes)));
-        files.extend(RESULTS.map(|format| {
-            let text = again::result_text(format, file, &result);
-            (Reader::Result(format), text)
-        }));
-        files.extend(INPUTS.map(|format| (Reader::Input(format), again::graph_text(format, file))));
+    let Some(result) = triangulate(&file.graph.points, &file.graph.edges).ok() else {
+        return early(which % EARLY, whole, &split, node);
+    };
+    // The others are not written, which takes longer than all that is read.
+    let later = EARLY + 4;
+    match which % (later + RESULTS.len() + INPUTS.len()) {
+        which @ 0..EARLY => early(which, whole, &split, node),
+        which if which < later => {
+            let results = again::files(file, &result, &node);
+            match which - EARLY {
+                0 => (Reader::Input(InputFormat::Json), results[1].1.clone()),
+                which => {
+                    let (format, bytes) = results[which - 1].clone();
+                    (Reader::Result(format), bytes)
+                }
+            }
+        }
+        which => match RESULTS.get(which - later) {
+            Some(&format) => (
+                Reader::Result(format),
+                again::result_text(format, file, &result),
+            ),
+            None => {
+                let format = INPUTS[which - later - RESULTS.len()];
+                (Reader::Input(format), again::graph_text(format, file))
+            }
+        },
     }
-    files
+}
+
+/// How many files [`early`] chooses from.
+const EARLY: usize = 3;
+
+/// One of the files of points and edges alone.
+fn early(which: usize, whole: Vec<u8>, split: &[u8], node: Vec<u8>) -> (Reader, Vec<u8>) {
+    match which {
+        0 => (Reader::Input(InputFormat::Poly), whole),
+        1 => (Reader::Input(InputFormat::Poly), [split, &node].join(&0)),
+        _ => (Reader::Input(InputFormat::Node), node),
+    }
 }
 
 /// The edges as they stand in a `.poly`, markers and holes after them.

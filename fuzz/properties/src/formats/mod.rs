@@ -1,7 +1,7 @@
 //! No bytes make a reader panic, and what is read and written again reads the same.
 //!
 //! The first byte picks what the others are: a file of one of the formats as it stands, numbers, a trace,
-//! or an input that is written in every format, read back bit for bit, and read once more after some
+//! or an input that is written in some formats, read back bit for bit, and read once more after some
 //! damage; or a file that another program might have written. The judge is equality alone: of coordinates by their
 //! bits, of edges and triangles by index.
 
@@ -26,7 +26,7 @@ use sweep_cdt_formats::{
 use self::again::source;
 use self::files::{READERS, Reader};
 use crate::file::{File, json};
-use crate::reached;
+use crate::{reached, share};
 use sweep_cdt_testing::{Steps, generators};
 
 /// The first byte, but for half of its bits, of a file of which the second byte says who reads it.
@@ -46,7 +46,7 @@ enum Case {
     Foreign(Vec<u8>),
     /// An input that is traced.
     Traced(Pslg<f64>),
-    /// An input that is written in every format, with these numbers; one file is damaged.
+    /// An input that is written in several formats, with these numbers; one file is damaged.
     Written(Box<GraphFile<f64>>, Numbers, u8, [[u8; 4]; 3]),
 }
 
@@ -60,17 +60,18 @@ enum Numbers {
 
 /// The property for the bytes.
 pub fn test(bytes: &[u8]) {
+    let share = share::of(bytes) as usize;
     match Case::of(bytes) {
         Case::Nothing => {}
-        Case::File(reader, file) => try_reader(reader, &file),
+        Case::File(reader, file) => try_reader(reader, &file, share),
         Case::Traced(graph) => {
             sample(&graph);
             run_traced(&graph);
         }
         Case::Written(file, numbers, which, damage) => {
             sample(&file.graph);
-            let (reader, bytes) = written(&file, numbers, which, damage);
-            try_reader(reader, &bytes);
+            let (reader, bytes) = written(&file, numbers, which, damage, share);
+            try_reader(reader, &bytes, share);
         }
         // Reading is total but for a type that has no values.
         Case::Foreign(bytes) => foreign::judge(&mut Unstructured::new(&bytes)).unwrap_or_default(),
@@ -80,6 +81,7 @@ pub fn test(bytes: &[u8]) {
 /// The file, with the extension of its format, and the `.node` beside it; the input that is traced or written, and the
 /// file that is damaged, if it comes to that.
 pub fn files(bytes: &[u8]) -> Vec<File> {
+    let share = share::of(bytes) as usize;
     let input = |name: &str, graph: &Pslg<f64>| {
         let json = json(&graph.points, &graph.edges);
         (name.to_owned(), json.into_bytes())
@@ -92,7 +94,7 @@ pub fn files(bytes: &[u8]) -> Vec<File> {
         Case::Traced(graph) => vec![input("traced.json", &graph)],
         Case::Written(file, numbers, which, damage) => {
             let mut files = vec![input("written.json", &file.graph)];
-            let damaged = catch_unwind(|| written(&file, numbers, which, damage));
+            let damaged = catch_unwind(|| written(&file, numbers, which, damage, share));
             files
                 .extend(damaged.map_or_else(|_| Vec::new(), |(reader, file)| parts(reader, &file)));
             files
@@ -128,7 +130,7 @@ impl Case {
     }
 }
 
-/// A generated input: it is traced, or written in every format, read back, and once more with some damage.
+/// A generated input: it is traced, or written in several formats, read back, and once more with some damage.
 fn generated(style: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
     let which: u8 = bytes.arbitrary()?;
     let damage: [[u8; 4]; 3] = bytes.arbitrary()?;
@@ -182,19 +184,20 @@ fn generated(style: u8, bytes: &mut Unstructured<'_>) -> Result<Case> {
     Ok(Case::Written(Box::new(file), numbers, which, damage))
 }
 
-/// Writes the input in every format and reads it back; one of the files, damaged, and who reads it.
+/// Writes the input in several formats and reads it back; one of the files, damaged, and who reads it.
 fn written(
     file: &GraphFile<f64>,
     numbers: Numbers,
     which: u8,
     damage: [[u8; 4]; 3],
+    share: usize,
 ) -> (Reader, Vec<u8>) {
-    let files = match numbers {
-        Numbers::Doubles => files::written(file),
-        Numbers::Fractions(divisor) => files::written(&with_fractions(file, divisor)),
+    let which = usize::from(which);
+    let (reader, text) = match numbers {
+        Numbers::Doubles => files::written(file, which, share),
+        Numbers::Fractions(divisor) => files::written(&with_fractions(file, divisor), which, share),
     };
-    let (reader, text) = &files[usize::from(which) % files.len()];
-    (*reader, files::damaged(text, &damage))
+    (reader, files::damaged(&text, &damage))
 }
 
 fn sample(Pslg { points, edges, .. }: &Pslg<f64>) {
@@ -231,14 +234,14 @@ fn with_fractions(file: &GraphFile<f64>, divisor: &str) -> GraphFile<BigRational
 }
 
 /// Reads bytes, a zero byte of which ends the file and begins the `.node` beside it, if it is a text.
-fn try_reader(reader: Reader, bytes: &[u8]) {
+fn try_reader(reader: Reader, bytes: &[u8], share: usize) {
     let mut files = bytes.splitn(reader.parts(), |&byte| byte == 0).map(source);
     let main = files.next().expect("there is a first part");
     let node = files.next();
     match reader {
         Reader::Input(format) => match read(format, &main, node.as_ref()) {
-            Ok(Input::Doubles(file)) => again::write(&file),
-            Ok(Input::Rationals(file)) => again::write(&file),
+            Ok(Input::Doubles(file)) => again::write(&file, share),
+            Ok(Input::Rationals(file)) => again::write(&file, share),
             Err(error) => assert!(!error.to_string().is_empty()),
         },
         Reader::Result(format) => {
