@@ -290,34 +290,4 @@ mod tests {
             "{valid} valid and {wrong} wrong"
         );
     }
-
-    /// Teeth and gaps of random depth above an edge, and points close below it. Runs that are observed fill its
-    /// pseudo-polygons without fans.
-    #[test]
-    fn turned_over_triangles_give_the_result_of_the_plain_order() {
-        let mut state = 1_u32;
-        let mut below = |n: u32| {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 16) % n
-        };
-        for round in 0..60_u32 {
-            let teeth = 8 + 2 * round;
-            let mut points = vec![[0.0, 0.0], [4.0 * f64::from(teeth), 1.0]];
-            for i in 1..teeth {
-                let x = f64::from(4 * i);
-                let top = [2, 8, 100][below(3) as usize];
-                points.push([x + f64::from(below(3)), f64::from(2 + below(top))]);
-                points.push([x + f64::from(below(3)), -2.0 - f64::from(below(3))]);
-            }
-            let run = Triangulator::new().triangulate_with_stats(&points, &[[0, 1]]);
-            let run = run.expect("one edge crosses nothing");
-            let plain = Triangulator::new().observe(&points, &[[0, 1]], |_| {});
-            let plain = plain.expect("one edge crosses nothing").triangulation;
-            assert_eq!(
-                run.triangulation.canonical_triangles(),
-                plain.canonical_triangles(),
-                "{points:?}"
-            );
-        }
-    }
 }
