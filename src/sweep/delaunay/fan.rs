@@ -26,6 +26,7 @@
 //!
 //! Cost: fewer than `2 n` flips if the order is right, O(n log n) steps for the heap, but O(n) where no spoke is
 //! illegal. Differs from Shewchuk and Brown: they fill the fan again.
+
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
 use core::cmp::Ordering::Greater;
@@ -37,10 +38,10 @@ use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::sweep::flip_limit::inexact_scalar;
 
-/// The fan of a vertex, from left to right, and the ears that may leave it.
+/// The fan of a vertex, counter-clockwise around it, and the ears that may leave it.
 #[derive(Debug, Default)]
 pub(super) struct Fan {
-    /// The triangles. Number `k` lies to the right of spoke `k`; spoke 0 is the first side.
+    /// The triangles: number `k` follows spoke `k`, and spoke 0 is the first side.
     triangles: Vec<TriangleId>,
     /// For each spoke the spokes beside it.
     prev: Vec<u32>,

@@ -173,4 +173,30 @@ mod tests {
             assert_eq!(error.kind(), io::ErrorKind::StorageFull, "{room}");
         }
     }
+
+    #[test]
+    fn all_is_written_here_where_there_is_no_thread() {
+        let mut disk = Disk {
+            room: usize::MAX,
+            bytes: Vec::new(),
+        };
+        let mut buffered: Out<'_> = io::BufWriter::new(&mut disk);
+        let out = Mutex::new(&mut buffered);
+        let mut beside = Beside {
+            out: &out,
+            part: Vec::new(),
+            // Nobody takes what is passed on.
+            full: sync_channel(WAITING).0,
+            empty: channel().1,
+            thread: None,
+        };
+        let bytes: Vec<u8> = (0..200_000_u32).flat_map(u32::to_le_bytes).collect();
+        for some in bytes.chunks(12) {
+            beside.write_all(some).unwrap();
+        }
+        beside.finish().unwrap();
+        buffered.flush().unwrap();
+        drop(buffered);
+        assert!(disk.bytes == bytes);
+    }
 }

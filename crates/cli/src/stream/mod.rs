@@ -285,8 +285,10 @@ impl StreamCommand {
             let mut triangles = Triangles::new(beside, out.format, out.first);
             let ended = self.swept(order, Some(&mut triangles), out.vertices);
             match (ended, triangles.finish()) {
-                // What is not written is of no use, whatever else has failed.
-                (Ok(_) | Err(Trouble::Stream(_)), Err(error)) => Err(Trouble::Out(error)),
+                // Both would be kept, and are not all written.
+                (Ok(_) | Err(Trouble::Stream(StreamError::TooMuchAlive { .. })), Err(error)) => {
+                    Err(Trouble::Out(error))
+                }
                 (ended, count) => {
                     *written = count.unwrap_or(0);
                     ended
