@@ -3,8 +3,9 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
-use num_traits::{FromPrimitive, ToPrimitive};
+use num_traits::{FromPrimitive, One, ToPrimitive, Zero};
 use sweep_cdt::scalar::{Measure, Scalar, Stage};
 
 /// Points in another scalar, if it can hold all of their coordinates.
@@ -81,10 +82,15 @@ impl Sample for BigRational {
 /// A scalar that has nothing but the trait: not even `Clone` or `Debug`.
 pub struct Archetype(BigRational);
 
-impl Archetype {
-    fn minus(&self, other: &Archetype) -> BigRational {
-        &self.0 - &other.0
-    }
+/// Points over their common denominator, in whole numbers: one positive factor changes no turn and no circle, and fractions
+/// would be reduced after each step.
+fn whole<const N: usize>(points: [&[Archetype; 2]; N]) -> [[BigInt; 2]; N] {
+    let denominators = points.iter().flat_map(|p| p.iter()).map(|x| x.0.denom());
+    let common = denominators.fold(BigInt::one(), |common, x| match (&common % x).is_zero() {
+        true => common,
+        false => common.lcm(x),
+    });
+    points.map(|p| p.each_ref().map(|x| x.0.numer() * (&common / x.0.denom())))
 }
 
 impl Scalar for Archetype {
@@ -97,19 +103,20 @@ impl Scalar for Archetype {
     }
 
     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
-        let left = b[0].minus(&a[0]) * c[1].minus(&a[1]);
-        let sign = left.cmp(&(b[1].minus(&a[1]) * c[0].minus(&a[0])));
+        let [a, b, c] = whole([a, b, c]);
+        let left = (&b[0] - &a[0]) * (&c[1] - &a[1]);
+        let sign = left.cmp(&((&b[1] - &a[1]) * (&c[0] - &a[0])));
         (sign, Stage::Own)
     }
 
     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
-        let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [0, 1].map(|i| p[i].minus(&d[i])));
-        let lift = |x: &BigRational, y: &BigRational| x * x + y * y;
+        let [a, b, c, d] = whole([a, b, c, d]);
+        let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [0, 1].map(|i| &p[i] - &d[i]));
+        let lift = |x: &BigInt, y: &BigInt| x * x + y * y;
         let det = lift(&ax, &ay) * (&bx * &cy - &by * &cx)
             + lift(&bx, &by) * (&cx * &ay - &cy * &ax)
             + lift(&cx, &cy) * (&ax * &by - &ay * &bx);
-        let sign = det.cmp(&BigRational::from_integer(BigInt::ZERO));
-        (sign, Stage::Own)
+        (det.cmp(&BigInt::ZERO), Stage::Own)
     }
 }
 

@@ -1,9 +1,9 @@
 //! Other programs on the same input: where one differs from the exact oracle, it is wrong.
 //!
-//! The oracle passes our result first ([`Right::of`]), or the property fails. Then it judges the triangles of
-//! the other program by definition: they must fill the hull, have all edges and be Delaunay. Otherwise, or if
-//! that program panics or refuses the input, a fault is counted. The verifier of the crate must come to the same
-//! verdict, and so is tested on the results of others.
+//! What another program answers must fill the hull, have all edges and be Delaunay. Otherwise, or if that program panics
+//! or refuses the input, a fault is counted. The canonical triangles need no judge. The verifier of the crate judges all
+//! others. For one input in four the oracle judges everything by definition, our result first ([`Right::of`]), and the
+//! verifier must come to the same verdict: so it is tested on the results of others.
 //!
 //! Programs get only inputs that they may be expected to accept: numbers of moderate size, no points too
 //! close to each other, edges that have a length and do not cross. They run in this process, so one that
@@ -20,20 +20,23 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
 use crate::{reached, share};
+use sweep_cdt::triangulate;
 use sweep_cdt_testing::judge::{
     Asked, Claims, Fault, Numbers, Outcome, Question, Right, Wrong, ask, least,
 };
+use sweep_cdt_testing::oracle::lowest_first;
 use sweep_cdt_testing::peers::{PROGRAMS, Program};
 use sweep_cdt_testing::{Input, generators};
 
-/// One in so many answers is judged though it is the right one.
+/// For one in so many inputs the oracle judges all answers.
 const JUDGED: u64 = 4;
 
 /// The property for the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {
     let input = generators::input(bytes);
     reached::sample(&input);
-    let Ok(right) = Right::of(&Question::new(&input.points, &input.edges)) else {
+    let with_oracle = share::is_chosen(bytes, JUDGED);
+    let Some(right) = right(&input, with_oracle) else {
         return;
     };
     let points = &input.points;
@@ -43,28 +46,36 @@ pub fn test(bytes: &[u8]) {
     for (name, program, takes_edges) in PROGRAMS {
         if is_question(&input, takes_edges) {
             let outcome = asked(program, &question);
-            // What is the right answer itself needs no judge, who is asked now and then all the same.
-            let is_right = matches!(&outcome, Outcome::Triangles(list) if is_same(list, &right));
-            let fault = (!is_right || share::is_chosen(bytes, JUDGED))
-                .then(|| right.fault(&question, &outcome))
-                .flatten();
+            let fault = match &outcome {
+                _ if with_oracle => right.fault(&question, &outcome),
+                Outcome::Triangles(list) if is_same(list, &right) => None,
+                _ => right.fault_by_verifier(&question, &outcome),
+            };
             count(name, (program, takes_edges), &question, outcome, fault);
         }
     }
 }
 
-/// Whether these are the right triangles, turned either way round.
+/// The canonical triangles; nothing, if edges cross.
+fn right(Input { points, edges }: &Input, with_oracle: bool) -> Option<Right> {
+    if with_oracle {
+        return Right::of(&Question::new(points, edges)).ok();
+    }
+    let result = triangulate(points, edges).ok()?;
+    Some(Right {
+        inside: result.canonical_triangles(),
+        outside: Vec::new(),
+    })
+}
+
+/// Whether these are the right triangles, all turned the right way or all the other.
 fn is_same(list: &[[usize; 3]], right: &Right) -> bool {
-    let sorted = |mut corners: [usize; 3]| {
-        corners.sort_unstable();
-        corners
-    };
-    let all = |list: &[[usize; 3]]| {
-        let mut list: Vec<[usize; 3]> = list.iter().copied().map(sorted).collect();
+    let equals = |turn: fn([usize; 3]) -> [usize; 3]| {
+        let mut list: Vec<[usize; 3]> = list.iter().map(|&t| lowest_first(turn(t))).collect();
         list.sort_unstable();
-        list
+        list == right.inside
     };
-    list.len() == right.inside.len() && all(list) == all(&right.inside)
+    list.len() == right.inside.len() && (equals(|t| t) || equals(|[a, b, c]| [a, c, b]))
 }
 
 fn asked(program: Program, question: &Question) -> Outcome {

@@ -85,9 +85,26 @@ impl Right {
     /// # Panics
     /// If the verifier and the oracle disagree.
     pub fn fault(&self, question: &Question, outcome: &Outcome) -> Option<Fault> {
+        self.judged(question, outcome, Right::violation)
+    }
+
+    /// [`fault`](Right::fault) by the verifier alone, which takes a fraction of the time.
+    pub fn fault_by_verifier(&self, question: &Question, outcome: &Outcome) -> Option<Fault> {
+        self.judged(question, outcome, |right, question, triangles| {
+            let edges = question.all_edges();
+            right.verify(question, &edges, triangles).err()
+        })
+    }
+
+    fn judged(
+        &self,
+        question: &Question,
+        outcome: &Outcome,
+        judge: impl FnOnce(&Right, &Question, &[[usize; 3]]) -> Option<Fault>,
+    ) -> Option<Fault> {
         match outcome {
             Outcome::Failed(fault) => Some(fault.clone()),
-            Outcome::Triangles(triangles) => self.violation(question, triangles),
+            Outcome::Triangles(triangles) => judge(self, question, triangles),
             Outcome::After(_) => Some(Fault::new("unreadable", "there are no operations")),
             Outcome::Refused(reason) => {
                 let what = format!("the program says: {reason}");

@@ -58,7 +58,8 @@ pub fn canonical(result: &Triangulation, triangles: &[[usize; 3]]) -> Vec<[usize
     list
 }
 
-fn lowest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
+/// The corners in their order, the lowest number first.
+pub fn lowest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
     match a.min(b).min(c) {
         least if least == a => [a, b, c],
         least if least == b => [b, c, a],

@@ -19,7 +19,7 @@ mod numbers;
 pub mod refined;
 mod region;
 
-pub use answer::{Answer, boundary, canonical, check_links, found, sorted};
+pub use answer::{Answer, boundary, canonical, check_links, found, lowest_first, sorted};
 pub use check::{check, check_answer, check_found, firm_sides};
 pub use definition::{Verdict, crosses, exact_verdict, verdict};
 pub use graph::Graph;
