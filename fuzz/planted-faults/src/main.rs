@@ -18,7 +18,7 @@ use sweep_cdt_planted_faults::{CHOICE, Fault, copy, faults, root};
 use sweep_cdt_properties::{TARGETS, Target, seeds};
 
 /// Executions for each fault and target.
-const FEW: u64 = 10_000;
+const FEW: u64 = 4_000;
 /// Executions for a fault that is hard to find.
 const MANY: u64 = 100_000;
 
