@@ -15,7 +15,8 @@ properties unpack fuzz/target/seeds
 properties targets > fuzz/target/targets
 while read -r target max_len; do
     cp "$built/$target" "$OUT/"
-    printf '[libfuzzer]\nmax_len = %s\ntimeout = 25\nentropic = 0\nuse_counters = 0\n' "$max_len" > "$OUT/$target.options"
+    printf '[libfuzzer]\nmax_len = %s\ntimeout = 25\nentropic = 0\nuse_counters = 0\n' "$max_len" \
+        > "$OUT/$target.options"
     zip -q -j -r "$OUT/${target}_seed_corpus.zip" "fuzz/target/seeds/$target"
     if [ -f "fuzz/dictionaries/$target.dict" ]; then
         cp "fuzz/dictionaries/$target.dict" "$OUT/"
