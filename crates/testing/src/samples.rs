@@ -3,10 +3,11 @@
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
-use num_traits::{FromPrimitive, One, ToPrimitive, Zero};
+use num_traits::{FromPrimitive, ToPrimitive};
 use sweep_cdt::scalar::{Measure, Scalar, Stage};
+
+use crate::oracle::common_denominator;
 
 /// Points in another scalar, if it can hold all of their coordinates.
 pub fn convert<S: Sample>(points: &[[f64; 2]]) -> Option<Vec<[S; 2]>> {
@@ -85,11 +86,7 @@ pub struct Archetype(BigRational);
 /// Points over their common denominator, in whole numbers: one positive factor changes no turn and no circle, and fractions
 /// would be reduced after each step.
 fn whole<const N: usize>(points: [&[Archetype; 2]; N]) -> [[BigInt; 2]; N] {
-    let denominators = points.iter().flat_map(|p| p.iter()).map(|x| x.0.denom());
-    let common = denominators.fold(BigInt::one(), |common, x| match (&common % x).is_zero() {
-        true => common,
-        false => common.lcm(x),
-    });
+    let common = common_denominator(points.iter().flat_map(|p| p.iter()).map(|x| &x.0));
     points.map(|p| p.each_ref().map(|x| x.0.numer() * (&common / x.0.denom())))
 }
 

@@ -24,5 +24,5 @@ pub use check::{check, check_answer, check_found, firm_sides};
 pub use definition::{Verdict, crosses, exact_verdict, verdict};
 pub use graph::Graph;
 pub use naive::{is_exactly_right, is_right};
-pub use numbers::{Coordinate, Integers, Number, Point, integers};
+pub use numbers::{Coordinate, Integers, Number, Point, common_denominator, integers};
 pub use region::{Domain, Region, turns_left, windings};

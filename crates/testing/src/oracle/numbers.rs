@@ -107,19 +107,23 @@ impl Coordinate for f64 {
     }
 }
 
+/// The least common denominator of fractions.
+pub fn common_denominator<'a>(fractions: impl Iterator<Item = &'a BigRational>) -> BigInt {
+    fractions.fold(BigInt::one(), |product, x| {
+        match (&product % x.denom()).is_zero() {
+            true => product,
+            false => product.lcm(x.denom()),
+        }
+    })
+}
+
 impl Coordinate for BigRational {
     /// Multiplied by the least common denominator, and divided by the largest power of two that divides them all.
     ///
     /// What follows costs a few products of long integers. Fractions would be reduced after each step, which costs
     /// the square of their length.
     fn integers(points: &[Point<BigRational>]) -> Integers {
-        let coordinates = || points.iter().flatten();
-        let denominator = coordinates().fold(BigInt::one(), |product, x| {
-            match (&product % x.denom()).is_zero() {
-                true => product,
-                false => product.lcm(x.denom()),
-            }
-        });
+        let denominator = common_denominator(points.iter().flatten());
         let integer = |x: &BigRational| x.numer() * (&denominator / x.denom());
         let mut points: Vec<Point<BigInt>> =
             points.iter().map(|p| p.each_ref().map(integer)).collect();
