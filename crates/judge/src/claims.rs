@@ -32,7 +32,8 @@ pub(crate) struct ClaimArgs {
     #[arg(long, value_name = "N", default_value_t = 64)]
     most: usize,
     /// What it may refuse: equal-points, flat (all points on a line), points-on-edges, overlapping-edges,
-    /// edges-without-length, crossing-edges, touching-rings, flat-rings, overlapping-rings, rings-either-way
+    /// edges-without-length, crossing-edges, touching-rings, flat-rings, overlapping-rings, rings-either-way,
+    /// holes, straight-corners
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     refuses: Vec<Special>,
     /// What it is never asked; of the same list. Edges without length, crossing edges, flat and overlapping rings, and
@@ -42,6 +43,9 @@ pub(crate) struct ClaimArgs {
     /// What it is asked besides, and must answer; of the same list
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     answers: Vec<Special>,
+    /// Some of its triangles may run clockwise and others counter-clockwise
+    #[arg(long)]
+    mixed: bool,
 }
 
 impl ClaimArgs {
@@ -55,6 +59,7 @@ impl ClaimArgs {
             domain: self.domain.unwrap_or(claims.domain),
             level: self.level.unwrap_or(claims.level),
             most: self.most.min(64),
+            is_mixed: self.mixed,
             ..claims
         }
     }

@@ -257,6 +257,61 @@ fn refusals_count_where_they_are_not_declared() {
     );
 }
 
+/// A program that does without holes, or without straight corners, is asked many questions, and none that has them.
+#[test]
+fn rings_are_made_without_holes_and_straight_corners() {
+    for numbers in ["integers:10", "integers:20", "doubles"] {
+        let numbers = numbers.parse().expect("numbers");
+        let claims = Claims::of(Asked::Polygons).with_numbers(numbers);
+        for never in [Special::Holes, Special::StraightCorners] {
+            let mut asked = 0;
+            let mut has_met = false;
+            let mut answer = |question: &Question| {
+                asked += 1;
+                let specials = question.specials();
+                assert!(!specials.contains(&never), "{question:?}");
+                has_met |= !specials.is_empty();
+                inside(question)
+            };
+            let summary = campaign(&claims.clone().without(&[never]), 300, 1, &mut answer);
+            assert!(summary.faults.is_empty(), "{summary}");
+            assert!(asked > 100 && has_met, "{asked} questions\n{summary}");
+        }
+        // Without the claim such questions are asked.
+        let mut met = std::collections::BTreeSet::new();
+        let _ = campaign(&claims, 300, 1, |question: &Question| {
+            met.extend(question.specials());
+            inside(question)
+        });
+        let both = [Special::Holes, Special::StraightCorners];
+        assert!(both.iter().all(|special| met.contains(special)), "{met:?}");
+    }
+}
+
+/// Triangles that run either way are right only where that is claimed, and what else is wrong with them is found.
+#[test]
+fn mixed_triangles_are_right_where_they_are_claimed() {
+    let turned = |question: &Question| {
+        let mut triangles = inside(question)?;
+        triangles.iter_mut().step_by(2).for_each(|t| t.swap(0, 1));
+        Ok(triangles)
+    };
+    let claims = Claims::of(Asked::Edges).with_numbers(Numbers::integers(6));
+    let mixed = Claims {
+        is_mixed: true,
+        ..claims.clone()
+    };
+    assert!(!campaign(&claims, 200, 1, turned).faults.is_empty());
+    assert!(campaign(&mixed, 200, 1, turned).faults.is_empty());
+    let short = |question: &Question| {
+        turned(question).map(|mut triangles| {
+            triangles.pop();
+            triangles
+        })
+    };
+    assert!(!campaign(&mixed, 200, 1, short).faults.is_empty());
+}
+
 /// A program that forgets a removal is found by a sequence that removes one point.
 #[test]
 fn a_removal_that_is_forgotten_is_found() {

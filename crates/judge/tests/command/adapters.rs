@@ -142,6 +142,17 @@ fn planted_faults_are_found_and_made_small() {
             "{}",
             text(&again(fault).stdout)
         );
+        let thrice = judge(
+            folder.path(),
+            &[
+                "ask", &question, "--repeat", "3", "--", python, adapter, fault,
+            ],
+        );
+        let said = text(&thrice.stdout);
+        assert!(
+            said.contains("3 of 3: ") && thrice.status.code() == Some(1),
+            "{said}"
+        );
         assert_eq!(
             again("").status.code(),
             Some(0),

@@ -31,6 +31,7 @@ fn the_document_has_all_words() {
         "--refuses",
         "--never",
         "--answers",
+        "--mixed",
         "--timeout",
         "--output",
     ] {

@@ -13,7 +13,8 @@ use super::outcome::{Fault, Outcome};
 use super::question::{Operation, Question, Special};
 use super::right;
 use crate::names::{name_of, value_of};
-use crate::oracle::Domain;
+use crate::oracle::{Domain, turns_left};
+use crate::with_integers;
 
 /// The claims of a program.
 #[derive(Clone, Debug)]
@@ -32,6 +33,8 @@ pub struct Claims {
     pub refuses: Vec<Special>,
     /// What it is never asked.
     pub never: Vec<Special>,
+    /// Whether some of its triangles may run clockwise and others counter-clockwise.
+    pub is_mixed: bool,
 }
 
 /// What a program is asked.
@@ -111,6 +114,7 @@ impl Claims {
             most: 64,
             refuses: Vec::new(),
             never: Special::UNUSUAL.to_vec(),
+            is_mixed: false,
         }
     }
 
@@ -188,8 +192,30 @@ impl Claims {
     pub fn fault(&self, question: &Question, outcome: &Outcome) -> Option<Fault> {
         match outcome {
             Outcome::Refused(_) if self.may_refuse(question) => None,
+            _ if self.is_mixed => right::fault(question, &turned(question, outcome)),
             _ => right::fault(question, outcome),
         }
+    }
+}
+
+/// An answer whose triangles all run counter-clockwise, but for those without an area.
+fn turned(question: &Question, outcome: &Outcome) -> Outcome {
+    let turned = |triangles: &[[usize; 3]]| {
+        with_integers!(&question.points, |exact| {
+            let turned = |&[a, b, c]: &[usize; 3]| {
+                let corners: Option<Vec<_>> = [a, b, c].map(|v| exact.get(v)).into_iter().collect();
+                match corners.and_then(|corners| turns_left(&corners)) {
+                    Some(false) => [a, c, b],
+                    _ => [a, b, c],
+                }
+            };
+            triangles.iter().map(turned).collect()
+        })
+    };
+    match outcome {
+        Outcome::Triangles(triangles) => Outcome::Triangles(turned(triangles)),
+        Outcome::After(states) => Outcome::After(states.iter().map(|list| turned(list)).collect()),
+        Outcome::Refused(_) | Outcome::Failed(_) => outcome.clone(),
     }
 }
 
@@ -215,6 +241,7 @@ impl fmt::Display for Claims {
             level,
             numbers,
             most,
+            is_mixed,
             ..
         } = self;
         let (asked, domain, level) = (asked.name(), domain.name(), level.name());
@@ -222,6 +249,9 @@ impl fmt::Display for Claims {
             f,
             "--asked {asked} --domain {domain} --level {level} --numbers {numbers} --most {most}"
         )?;
+        if *is_mixed {
+            f.write_str(" --mixed")?;
+        }
         let names = |list: &[Special]| {
             let names: Vec<&str> = list.iter().map(|special| special.name()).collect();
             names.join(",")

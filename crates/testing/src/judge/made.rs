@@ -11,7 +11,7 @@ use std::collections::{BTreeSet, HashMap};
 use arbitrary::{Arbitrary, Result, Unstructured};
 
 use super::claims::{Asked, Claims};
-use super::question::{Operation, Question, Special};
+use super::question::{Operation, Question, Special, straight_corner};
 use crate::generators::{Rings, Shape, polygons, read_shape};
 use crate::oracle::Graph;
 use crate::with_integers;
@@ -127,6 +127,18 @@ fn with_polygons(
     let shape = Rings::ALL[usize::from(u8::arbitrary(bytes)?) % count];
     let may_touch = is_asked(Special::TouchingRings) && is_asked(Special::EqualPoints);
     (question.points, question.polygons) = polygons(shape, may_touch, claims.most, bytes)?;
+    if !is_asked(Special::Holes) {
+        question
+            .polygons
+            .iter_mut()
+            .for_each(|rings| rings.truncate(1));
+    }
+    if !is_asked(Special::StraightCorners) {
+        leave_out_straight_corners(question);
+    }
+    if !is_asked(Special::Holes) || !is_asked(Special::StraightCorners) {
+        leave_out_points(question);
+    }
     let style: u8 = bytes.arbitrary()?;
     if is_asked(Special::RingsEitherWay) && style & 1 == 1 {
         let rings = question.polygons.iter_mut().flatten();
@@ -139,6 +151,38 @@ fn with_polygons(
         add_flat_rings(question, &mut Random::new(style.into()));
     }
     Ok(shape.name())
+}
+
+/// Leaves out straight corners, and rings that have no others.
+fn leave_out_straight_corners(question: &mut Question) {
+    let Question {
+        points, polygons, ..
+    } = question;
+    with_integers!(points, |exact| {
+        for ring in polygons.iter_mut().flatten() {
+            while let Some(at) = straight_corner(ring, &exact) {
+                ring.remove(at);
+            }
+        }
+    });
+    polygons.retain_mut(|rings| {
+        let has_outline = rings.first().is_some_and(|ring| !ring.is_empty());
+        rings.retain(|ring| !ring.is_empty());
+        has_outline
+    });
+}
+
+/// Leaves out points that are on no ring.
+fn leave_out_points(question: &mut Question) {
+    let used: BTreeSet<usize> = question.rings().flatten().copied().collect();
+    let place = |v: &mut usize| *v = used.range(..*v).count();
+    question
+        .polygons
+        .iter_mut()
+        .flatten()
+        .flatten()
+        .for_each(place);
+    question.points = used.iter().map(|&v| question.points[v]).collect();
 }
 
 /// Holes of one or two points: at the place of a vertex, or between two vertices.

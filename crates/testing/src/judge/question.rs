@@ -111,6 +111,13 @@ pub fn ring_sides(ring: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
     (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])
 }
 
+/// The place in a ring of a corner that is on the line through the corners before and after it.
+pub(super) fn straight_corner<N: Number>(ring: &[usize], points: &[Point<N>]) -> Option<usize> {
+    let n = ring.len();
+    let corner = |at: usize| [n - 1, 0, 1].map(|step| &points[ring[(at + step) % n]]);
+    (0..n).find(|&at| turns_left(&corner(at)).is_none())
+}
+
 /// What may be special about a question, so that a program may refuse it, or does not say what it does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Special {
@@ -135,11 +142,15 @@ pub enum Special {
     OverlappingRings,
     /// An outline runs clockwise, or a hole counter-clockwise.
     RingsEitherWay,
+    /// A polygon has a hole.
+    Holes,
+    /// A ring has a corner on the line through the corners before and after it.
+    StraightCorners,
 }
 
 impl Special {
     /// All of them, and their names.
-    pub const ALL: [(Special, &str); 10] = [
+    pub const ALL: [(Special, &str); 12] = [
         (Special::EqualPoints, "equal-points"),
         (Special::Flat, "flat"),
         (Special::PointsOnEdges, "points-on-edges"),
@@ -150,6 +161,8 @@ impl Special {
         (Special::FlatRings, "flat-rings"),
         (Special::OverlappingRings, "overlapping-rings"),
         (Special::RingsEitherWay, "rings-either-way"),
+        (Special::Holes, "holes"),
+        (Special::StraightCorners, "straight-corners"),
     ];
 
     /// What is asked only of a program that says so: no triangulation is right, or programs differ in what it means.
@@ -219,6 +232,11 @@ impl<N: Number> Specials<'_, N> {
                 let mut runs = rings.iter().map(|ring| self.turn(ring)).enumerate();
                 runs.any(|(at, turn)| turn == Some(at > 0))
             }),
+            Special::Holes => self.question.polygons.iter().any(|rings| rings.len() > 1),
+            Special::StraightCorners => {
+                let mut rings = self.question.rings();
+                rings.any(|ring| straight_corner(ring, self.points).is_some())
+            }
         }
     }
 
