@@ -12,6 +12,8 @@ use crate::observe::stats::Stats;
 use crate::scalar::Scalar;
 use crate::session::Session;
 use crate::settings::{Algorithm, Heuristics, Settings, Ties};
+#[cfg(feature = "parallel")]
+use crate::sweep::BandProbe;
 use crate::sweep::{self, RunProbe, Scratch};
 #[cfg(feature = "parallel")]
 use crate::threads::has_threads;
@@ -161,21 +163,66 @@ impl<F: FrontSearch + Clone + Send> Triangulator<'_, F> {
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<Triangulation, Error> {
-        // Rayon panics where it cannot start its threads.
-        if has_threads() {
-            let most = rayon::current_num_threads();
-            let bands = self.bands.unwrap_or(most.min(points.len() / LEAST));
-            let bands = bands.min(points.len() / 2);
-            if bands > 1 {
-                let front = self.front.clone();
-                let structure = &mut move || Box::new(front.clone()) as _;
-                let result = sweep::run_in_bands(points, edges, self.settings, structure, bands);
-                if let Some(result) = result {
-                    return Ok(result);
-                }
+        match self.run_in_bands::<S, ()>(points, edges) {
+            Some((triangulation, ())) => Ok(triangulation),
+            None => self.triangulate(points, edges),
+        }
+    }
+
+    /// [`triangulate_parallel`](Triangulator::triangulate_parallel) with statistics.
+    ///
+    /// The counters are those of all bands together and of joining them; the most of something is the most of one band.
+    /// Sweeping is timed from the first band's start to the last one's end; finalization is what joins the bands. Where
+    /// one thread has begun anew, the statistics are its own.
+    ///
+    /// # Errors
+    /// See [`Error`]; the same as on one thread.
+    ///
+    /// ```
+    /// use sweep_cdt::Triangulator;
+    ///
+    /// let points: Vec<_> = (0..1000).map(|i| [i * i % 997, i]).collect();
+    /// let triangulator = Triangulator::new().bands(3);
+    /// let (all, stats) = triangulator.triangulate_parallel_with_stats(&points, &[[0, 999]])?;
+    /// assert_eq!(all.len() as u64, stats.counters.survived.sum());
+    /// # Ok::<(), sweep_cdt::Error>(())
+    /// ```
+    pub fn triangulate_parallel_with_stats<S: Scalar + Sync>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+    ) -> Result<(Triangulation, Stats), Error> {
+        match self.run_in_bands::<S, Observer<'_>>(points, edges) {
+            Some((triangulation, recorder)) => {
+                let stats = recorder.finish(points.len(), edges.len(), &triangulation);
+                Ok((triangulation, stats))
+            }
+            None => {
+                let run = self.triangulate_with_stats(points, edges)?;
+                Ok((run.triangulation, run.stats))
             }
         }
-        self.triangulate(points, edges)
+    }
+
+    /// `None` where one thread is to triangulate.
+    fn run_in_bands<S: Scalar + Sync, P: BandProbe>(
+        &self,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+    ) -> Option<(Triangulation, P::Counts)> {
+        // Rayon panics where it cannot start its threads.
+        if !has_threads() {
+            return None;
+        }
+        let most = rayon::current_num_threads();
+        let bands = self.bands.unwrap_or(most.min(points.len() / LEAST));
+        let bands = bands.min(points.len() / 2);
+        if bands < 2 {
+            return None;
+        }
+        let front = self.front.clone();
+        let structure = &mut move || Box::new(front.clone()) as _;
+        sweep::run_in_bands::<S, P>(points, edges, self.settings, structure, bands)
     }
 }
 

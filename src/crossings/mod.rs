@@ -6,10 +6,10 @@
 //! vertices, overlap or have no length are no errors, and are not listed.
 //!
 //! Cost: O((n + k) log n) for n edges, k pairs of which have upright boxes that meet, if these are at most 16 for each
-//! edge and crossing. If there are more, as in a hatch, a sweep line tells whether edges meet at all. If so, they go into
-//! a triangulation, but for a *rest* that would cross others there. The rest is searched by boxes again, to the end if it is nearly all. Each crossing takes half a
-//! microsecond more, and 80 bytes if it is one of doubles. Its point in fractions takes some 20 microseconds, and is
-//! computed when it is asked for.
+//! edge and crossing. If there are more, as in a hatch, a sweep line tells whether edges meet at all. If so, they go
+//! into a triangulation, but for a *rest* that would cross others there. The rest is searched by boxes again, to the end
+//! if it is nearly all. Each crossing takes half a microsecond more, and 80 bytes if it is one of doubles. Its point in
+//! fractions takes some 20 microseconds, and is computed when it is asked for.
 
 // The pairs are found in `find`, edges split in `split`; the other files are for both, but `cells` for `split` alone.
 

@@ -159,6 +159,19 @@ impl Recorder {
         }
     }
 
+    /// Adds what a band counted. Its triangles come after the first `triangles`, and its times are those of all bands.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn add_band(&mut self, mut band: Recorder, triangles: usize) {
+        band.end_legalization();
+        self.stats.counters.add(&mut band.stats.counters);
+        self.stats.is_divided |= band.stats.is_divided;
+        self.stats.memory += band.stats.memory;
+        self.causes.resize(triangles, Cause::DivideAndConquer);
+        self.causes.append(&mut band.causes);
+        let counters = &self.stats.counters;
+        (self.tests_before, self.flips_before) = (counters.legalization_tests, counters.flips);
+    }
+
     pub(crate) fn finish(self, points: usize, edges: usize, result: &Triangulation) -> Stats {
         Stats {
             points,

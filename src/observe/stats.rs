@@ -172,6 +172,22 @@ impl ByCause {
             + self.divide_and_conquer
     }
 
+    #[cfg(feature = "parallel")]
+    fn all(&mut self) -> [&mut u64; 10] {
+        [
+            &mut self.first,
+            &mut self.middle,
+            &mut self.left,
+            &mut self.narrow_corners,
+            &mut self.basins,
+            &mut self.pockets,
+            &mut self.pseudo_polygons,
+            &mut self.hull,
+            &mut self.divide_and_conquer,
+            &mut self.flips,
+        ]
+    }
+
     /// All triangles.
     #[must_use]
     pub fn sum(&self) -> u64 {
@@ -213,6 +229,48 @@ impl Counters {
         mean(self.front_lengths, self.point_events)
     }
 
+    /// Adds the counters of another part of the run.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn add(&mut self, other: &mut Counters) {
+        for (sum, other) in self.sums().zip(other.sums()) {
+            *sum += *other;
+        }
+        self.most_tests = self.most_tests.max(other.most_tests);
+        self.most_flips = self.most_flips.max(other.most_flips);
+        self.longest_front = self.longest_front.max(other.longest_front);
+    }
+
+    /// All counters but those of the most of something.
+    #[cfg(feature = "parallel")]
+    fn sums(&mut self) -> impl Iterator<Item = &mut u64> {
+        [
+            &mut self.orient2d_filtered,
+            &mut self.orient2d_integers,
+            &mut self.orient2d_expansions,
+            &mut self.orient2d_big,
+            &mut self.orient2d_own,
+            &mut self.in_circle_filtered,
+            &mut self.in_circle_integers,
+            &mut self.in_circle_expansions,
+            &mut self.in_circle_big,
+            &mut self.in_circle_own,
+            &mut self.symbolic,
+            &mut self.cocircular,
+            &mut self.legalization_tests,
+            &mut self.flips,
+            &mut self.front_steps,
+            &mut self.point_events,
+            &mut self.front_lengths,
+            &mut self.left_cases,
+            &mut self.edges_present,
+            &mut self.edges_inserted,
+            &mut self.pierced,
+        ]
+        .into_iter()
+        .chain(self.made.all())
+        .chain(self.survived.all())
+    }
+
     pub(crate) fn count_orient2d(&mut self, stage: Stage) {
         *match stage {
             Stage::Integers => &mut self.orient2d_integers,
@@ -235,4 +293,31 @@ impl Counters {
 /// A mean; 0 of nothing.
 fn mean(sum: u64, count: u64) -> f64 {
     sum as f64 / count.max(1) as f64
+}
+
+#[cfg(all(test, feature = "parallel"))]
+mod tests {
+    use alloc::format;
+    use alloc::vec::Vec;
+
+    use super::Counters;
+
+    /// The counters of two bands are added up, all but the most of something.
+    #[test]
+    fn all_counters_are_added_up() {
+        let mut band = Counters {
+            most_tests: 7,
+            most_flips: 7,
+            longest_front: 7,
+            ..Counters::default()
+        };
+        band.sums().for_each(|counter| *counter = 1);
+        let mut both = band;
+        both.add(&mut band);
+        let text = format!("{both:?}");
+        let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let numbers: Vec<u64> = words.filter_map(|word| word.parse().ok()).collect();
+        let of = |number| numbers.iter().filter(|&&other| other == number).count();
+        assert_eq!((of(7), of(2)), (3, numbers.len() - 3), "{text}");
+    }
 }

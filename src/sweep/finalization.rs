@@ -53,7 +53,9 @@ impl<P: Probe> Sweep<'_, P> {
     /// Returns the triangulation, whose hull is complete, with the probe.
     pub(super) fn finalize(mut self, scratch: &mut Scratch) -> (Triangulation, P) {
         let bytes = self.heap_bytes();
-        self.delaunay.probe.record(|r| r.stats.memory = bytes);
+        self.delaunay
+            .probe
+            .record(|r| r.stats.memory = r.stats.memory.max(bytes));
         let mut hull = take(&mut scratch.hull);
         hull.clear();
         let mut artificial = take(&mut scratch.artificial);

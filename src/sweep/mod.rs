@@ -70,7 +70,7 @@ use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 use crate::triangulation::edge_chains::EdgeChainBuilder;
 #[cfg(feature = "parallel")]
-pub(crate) use bands::run as run_in_bands;
+pub(crate) use bands::{BandProbe, run as run_in_bands};
 use deferred_edges::DeferredEdges;
 use delaunay::{ChainVertex, Delaunay};
 use edges::Edges;

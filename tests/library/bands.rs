@@ -255,3 +255,52 @@ fn refused_inputs() {
     let error = triangulator.bands(3).triangulate_parallel(&points, &[]);
     assert_eq!(error.err(), Some(Error::NonFiniteCoordinate { vertex: 40 }));
 }
+
+/// The counters of all bands, and what of them survives, are those of the whole result.
+#[test]
+fn statistics() {
+    let points = Random::new(4).points(2000);
+    let contours = data::contours();
+    let inputs = [
+        (points.clone(), vec![]),
+        (points.clone(), vec![[0, 1]]),
+        (contours.points, contours.edges),
+    ];
+    for (points, edges) in &inputs {
+        let one = Triangulator::new().triangulate_with_stats(points, edges);
+        let one = one.expect("valid");
+        for bands in BANDS {
+            let all = Triangulator::new()
+                .bands(bands)
+                .triangulate_parallel_with_stats(points, edges);
+            let (all, stats) = all.expect("valid");
+            assert!(
+                !all.triangles().eq(one.triangulation.triangles()),
+                "one sweep"
+            );
+            assert_eq!(
+                all.canonical_triangles(),
+                one.triangulation.canonical_triangles()
+            );
+            assert_eq!((stats.triangles, stats.edges), (all.len(), edges.len()));
+            let (counters, of_one) = (stats.counters, one.stats.counters);
+            assert_eq!(counters.survived.sum(), all.len() as u64);
+            // The first vertex of each band joins no front.
+            let firsts = bands as u64 - 1;
+            assert_eq!(counters.point_events + firsts, of_one.point_events);
+            assert!(counters.made.divide_and_conquer > 0, "gaps are closed");
+            assert!(counters.longest_front <= of_one.longest_front);
+            assert!(stats.memory > 0 && !stats.is_divided);
+        }
+    }
+    // One band is one sweep, and so is what bands cannot do.
+    let triangulator = Triangulator::new().bands(1);
+    let one = triangulator.triangulate_parallel_with_stats(&points, &[]);
+    let whole = triangulator.triangulate_with_stats(&points, &[]);
+    let (one, whole) = (one.expect("valid"), whole.expect("valid"));
+    assert_eq!(one.1.counters, whole.stats.counters);
+    let wrong = triangulator
+        .bands(3)
+        .triangulate_parallel_with_stats(&points, &[[7, 2000]]);
+    assert!(wrong.is_err());
+}

@@ -6,7 +6,7 @@
 use std::path::Path;
 use std::time::Instant;
 
-use sweep_cdt::{Algorithm, Triangulator};
+use sweep_cdt::{Algorithm, Counters, Error, Stats, Triangulator};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::families::{self, Order};
 
@@ -113,29 +113,38 @@ fn measure(input: &Input) -> Row {
         divide: 0.0,
         bands: 0.0,
     };
-    for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
-        let triangulator = Triangulator::new().algorithm(algorithm);
-        let counters = |edges| {
-            let run = triangulator.triangulate_with_stats(&input.points, edges);
-            run.expect("edges that do not cross").stats.counters
-        };
-        let [with, without] = [&input.edges[..], &[]].map(counters);
+    let auto = Triangulator::new();
+    let divide = auto.clone().algorithm(Algorithm::DivideAndConquer);
+    let in_bands = Triangulator::new().bands(2);
+    type Counted<'c> = &'c dyn Fn(&[[usize; 2]]) -> Counters;
+    let counted: [Counted<'_>; 3] = [
+        &|edges| counters(auto.triangulate_with_stats(&input.points, edges).map(|run| run.stats)),
+        &|edges| counters(divide.triangulate_with_stats(&input.points, edges).map(|run| run.stats)),
+        &|edges| {
+            let result = in_bands.triangulate_parallel_with_stats(&input.points, edges);
+            counters(result.map(|(_, stats)| stats))
+        },
+    ];
+    for count in counted {
+        let [with, without] = [&input.edges[..], &[]].map(count);
         row.pierced = row.pierced.max(with.pierced as f64 / n);
         let flips = with.flips.saturating_sub(without.flips) as f64;
         row.flips = row.flips.max(flips / (with.pierced as f64).max(n));
-        let time = timed(&|| {
+    }
+    let one = |triangulator: &Triangulator<'_>| {
+        timed(&|| {
             let result = triangulator.triangulate(&input.points, &input.edges);
             result.expect("edges that do not cross");
-        });
-        match algorithm {
-            Algorithm::DivideAndConquer => row.divide = time,
-            _ => row.default = time,
-        }
-    }
+        })
+    };
+    (row.default, row.divide) = (one(&auto), one(&divide));
     row.bands = timed(&|| {
-        let triangulator = Triangulator::new().bands(2);
-        let result = triangulator.triangulate_parallel(&input.points, &input.edges);
+        let result = in_bands.triangulate_parallel(&input.points, &input.edges);
         result.expect("edges that do not cross");
     });
     row
+}
+
+fn counters(stats: Result<Stats, Error>) -> Counters {
+    stats.expect("edges that do not cross").counters
 }

@@ -12,12 +12,13 @@
 use super::super::Sweep;
 use super::partition::Edge;
 use crate::error::Error;
+use crate::observe::probe::Probe;
 use alloc::vec::Vec;
 
 /// Triangles searched beyond two for each vertex: some triangles of the first vertices are made late.
 const MORE: usize = 1 << 16;
 
-impl Sweep<'_, ()> {
+impl<P: Probe> Sweep<'_, P> {
     /// Inserts edges whose ends are numbered in the whole, each down to the first vertex on it. `starts` has the first
     /// vertex and the first triangle of each band but the lowest, in which no such edge has its upper end.
     pub(super) fn insert_across(

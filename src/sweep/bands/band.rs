@@ -8,6 +8,7 @@ use super::super::divide_and_conquer::SubTriangulation;
 use super::super::initialization::begin;
 use super::super::scratch::Scratch;
 use super::super::vertices::Vertices;
+use super::BandProbe;
 use super::partition::Edge;
 use crate::error::Error;
 use crate::front::{FrontSearch, Search};
@@ -32,11 +33,12 @@ pub(super) struct Band<'f> {
 
 /// A band after the sweep. Vertices and triangles are numbered within the band.
 #[derive(Debug)]
-pub(super) struct Swept {
+pub(super) struct Swept<C> {
     pub(super) vertices: Vertices,
     pub(super) mesh: Mesh,
     pub(super) part: SubTriangulation,
     pub(super) chains: EdgeChainBuilder,
+    pub(super) counts: C,
 }
 
 /// The input: what all bands share.
@@ -50,7 +52,7 @@ pub(super) struct Shared<'a> {
 
 impl Shared<'_> {
     /// Triangulates a band of at least two vertices with the edges within it.
-    pub(super) fn sweep(
+    pub(super) fn sweep<P: BandProbe>(
         &self,
         Band {
             vertices,
@@ -59,7 +61,7 @@ impl Shared<'_> {
             mut search,
         }: Band<'_>,
         settings: Settings<'_>,
-    ) -> Result<Swept, Error> {
+    ) -> Result<Swept<P::Counts>, Error> {
         let n = vertices.len();
         let mut scratch = Scratch::default();
         if first == 0 {
@@ -75,10 +77,12 @@ impl Shared<'_> {
             chains,
             settings,
             Search::with(&mut *search),
-            (),
+            P::default(),
             &mut scratch,
         );
         sweep.triangulate(settings)?;
+        let bytes = sweep.heap_bytes();
+        sweep.delaunay.probe.record(|r| r.stats.memory = bytes);
         let part = sweep.enclose(n, VertexId::at(self.outside.index() - first));
         let mut vertices = sweep.delaunay.predicates.vertices;
         vertices.approx.truncate(n);
@@ -87,6 +91,7 @@ impl Shared<'_> {
             mesh: sweep.delaunay.mesh,
             part,
             chains: sweep.chains,
+            counts: sweep.delaunay.probe.counts(),
         })
     }
 }

@@ -11,6 +11,7 @@ use super::super::divide_and_conquer::MergeMode;
 use super::super::flip_limit::FlipLimit;
 use super::super::predicates::SweepPredicates;
 use super::super::scratch::Scratch;
+use super::BandProbe;
 use super::band::Swept;
 use super::partition::Edge;
 use crate::front::{Front, Search};
@@ -21,23 +22,26 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 /// Joins two bands or more into a sweep whose hull is complete. `None` after too many flips, or where an edge is wrong.
-pub(super) fn join<'a>(
+pub(super) fn join<'a, P: BandProbe>(
     points: &'a dyn ExactPoints,
-    bands: Vec<Swept>,
+    bands: Vec<Swept<P::Counts>>,
     crossing: Vec<Edge>,
     settings: Settings<'_>,
     search: Search<'a>,
-) -> Option<Sweep<'a, ()>> {
+    mut probe: P,
+) -> Option<Sweep<'a, P>> {
     let mut bands = bands.into_iter();
     let lowest = bands.next().expect("there are two bands");
     let (mut mesh, mut vertices, mut chains) = (lowest.mesh, lowest.vertices, lowest.chains);
     let (mut n, mut triangles) = (vertices.len(), mesh.len());
+    probe.add(lowest.counts, 0);
     let mut parts = vec![lowest.part];
     let (mut starts, mut meshes, mut others) = (Vec::new(), Vec::new(), Vec::new());
     for band in bands {
         starts.push((n, triangles));
         parts.push(band.part.moved(narrow(triangles)));
         chains.append(band.chains).ok()?;
+        probe.add(band.counts, triangles);
         n += band.vertices.len();
         triangles += band.mesh.len();
         meshes.push(band.mesh);
@@ -64,7 +68,7 @@ pub(super) fn join<'a>(
     let mut delaunay = Delaunay::new(
         SweepPredicates::new(points, vertices),
         true,
-        (),
+        probe,
         &mut scratch,
     );
     let mode = if chains.is_empty() {

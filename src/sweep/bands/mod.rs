@@ -19,12 +19,15 @@ use alloc::vec::Vec;
 
 use rayon::prelude::*;
 
+use super::RunProbe;
 use super::initialization::LIMIT;
 use super::scratch::Scratch;
 use super::vertices::ApproxPoints;
 use crate::front::Search;
 use crate::ids::VertexId;
 use crate::memory::{has_room, of_bands};
+use crate::observe::probe::Observer;
+use crate::observe::recorder::{Phase, Recorder};
 use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::{Algorithm, Heuristics, Settings, Ties};
 use crate::threads::in_pool;
@@ -38,14 +41,15 @@ const MOST: usize = 256;
 const MANY_ACROSS: usize = 10_000;
 
 /// Triangulates in `bands` bands, at least two, each with a search structure of its own, on the current rayon pool and
-/// without reports of progress. `None` where only [`super::run`] can say what is wrong, or is as fast.
-pub(crate) fn run<'f, S: Scalar + Sync>(
+/// without reports of progress. Returns the result with the counts. `None` where only [`super::run`] can say what is
+/// wrong, or is as fast.
+pub(crate) fn run<'f, S: Scalar + Sync, P: BandProbe>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     settings: Settings<'_>,
     structure: &mut (dyn FnMut() -> Structure<'f> + Send),
     bands: usize,
-) -> Option<Triangulation> {
+) -> Option<(Triangulation, P::Counts)> {
     // All bands together have a few triangles more than one sweep. One sweep may have room where they have none.
     let is_large = points.len() + bands > LIMIT || edges.len() > LIMIT;
     if is_large || !has_room(of_bands(points.len(), edges.len())) {
@@ -56,24 +60,99 @@ pub(crate) fn run<'f, S: Scalar + Sync>(
     // All else runs on threads of the pool. Otherwise this thread would wake them for each step, and some systems start
     // a woken thread on the core of the thread that woke it.
     in_pool(&mut || {
+        let mut probe = P::default();
+        probe.begin(Phase::Initialization);
         let partition = ApproxPoints::new_parallel(points)
             .map(|located| Partition::new(&located, bands.min(MOST)));
         if let Ok(partition) = partition {
-            result = sweep_bands(&points, points.len(), partition, edges, choice, structure);
+            let given = Given {
+                points: &points,
+                count: points.len(),
+                edges,
+                choice,
+                structure,
+            };
+            result = probe.sweep_bands(given, partition);
         }
     });
     result
 }
 
-/// Sweeps the bands with their edges, and joins them.
-fn sweep_bands<'f>(
-    points: &(dyn ExactPoints + Sync),
+/// What a run in bands is given: the points and how many they are, the edges, the settings, and what makes the search
+/// structure of each band.
+pub(crate) struct Given<'a, 'f> {
+    points: &'a (dyn ExactPoints + Sync),
     count: usize,
+    edges: &'a [[usize; 2]],
+    choice: (Algorithm, Heuristics),
+    structure: &'a mut (dyn FnMut() -> Structure<'f> + Send),
+}
+
+/// A probe of one band or of all, for which [`sweep_bands`] is compiled in this crate.
+pub(crate) trait BandProbe: RunProbe + Default {
+    /// What a band's thread sends to the one that joins the bands.
+    type Counts: Send;
+
+    fn counts(self) -> Self::Counts;
+
+    /// Adds the counts of a band whose triangles come after the first `triangles` of all bands.
+    fn add(&mut self, counts: Self::Counts, triangles: usize);
+
+    /// Calls [`sweep_bands`].
+    fn sweep_bands(
+        self,
+        given: Given<'_, '_>,
+        partition: Partition,
+    ) -> Option<(Triangulation, Self::Counts)>;
+}
+
+macro_rules! band_probe {
+    ($probe:ty, $counts:ty, $($methods:tt)*) => {
+        impl BandProbe for $probe {
+            type Counts = $counts;
+
+            $($methods)*
+
+            #[inline(never)]
+            fn sweep_bands(
+                self,
+                given: Given<'_, '_>,
+                partition: Partition,
+            ) -> Option<(Triangulation, Self::Counts)> {
+                sweep_bands(given, partition, self)
+            }
+        }
+    };
+}
+
+band_probe! { (), (),
+    fn counts(self) {}
+
+    fn add(&mut self, (): (), _triangles: usize) {}
+}
+
+band_probe! { Observer<'_>, Recorder,
+    fn counts(self) -> Recorder {
+        self.recorder
+    }
+
+    fn add(&mut self, counts: Recorder, triangles: usize) {
+        self.recorder.add_band(counts, triangles);
+    }
+}
+
+/// Sweeps the bands with their edges, and joins them.
+fn sweep_bands<P: BandProbe>(
+    Given {
+        points,
+        edges,
+        count,
+        choice: (algorithm, heuristics),
+        structure,
+    }: Given<'_, '_>,
     partition: Partition,
-    edges: &[[usize; 2]],
-    (algorithm, heuristics): (Algorithm, Heuristics),
-    structure: &mut (dyn FnMut() -> Structure<'f> + Send),
-) -> Option<Triangulation> {
+    mut probe: P,
+) -> Option<(Triangulation, P::Counts)> {
     let settings = || Settings {
         algorithm,
         heuristics,
@@ -103,16 +182,18 @@ fn sweep_bands<'f>(
             search: structure(),
         })
         .collect();
-    let sweep = |band| shared.sweep(band, settings());
-    let swept: Vec<Swept> = sorted
+    probe.begin(Phase::Sweeping);
+    let sweep = |band| shared.sweep::<P>(band, settings());
+    let swept: Vec<Swept<P::Counts>> = sorted
         .into_par_iter()
         .map(sweep)
         .collect::<Result<_, _>>()
         .ok()?;
     drop(shared);
+    probe.begin(Phase::Finalization);
     let mut search = structure();
     let search = Search::with(&mut *search);
-    let sweep = join::join(points, swept, edges.crossing, settings(), search)?;
-    let (triangulation, ..) = sweep.finalize(&mut Scratch::default());
-    Some(triangulation)
+    let sweep = join::join(points, swept, edges.crossing, settings(), search, probe)?;
+    let (triangulation, probe) = sweep.finalize(&mut Scratch::default());
+    Some((triangulation, probe.counts()))
 }

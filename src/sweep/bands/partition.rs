@@ -16,7 +16,7 @@ use crate::threads::on_all_cores;
 
 /// The vertices of each band, from the lowest to the highest.
 #[derive(Debug)]
-pub(super) struct Partition {
+pub(crate) struct Partition {
     pub(super) bands: Vec<Vertices>,
     /// For each band the rank of its first vertex in the whole; then the number of all vertices.
     pub(super) first: Vec<usize>,
