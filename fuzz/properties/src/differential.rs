@@ -7,7 +7,8 @@
 //!
 //! Programs get only inputs that they may be expected to accept: numbers of moderate size, no points too
 //! close to each other, edges that have a length and do not cross. They run in this process, so one that
-//! overflows the stack or does not return ends the campaign, which keeps the input.
+//! overflows the stack or does not return ends the campaign, which keeps the input. Of `cdt` it is known that its hull
+//! goes round a bucket of points for ever. It answers on a thread of its own, and is not asked again after that.
 //!
 //! With the environment variable `SWEEP_CDT_PEER_FAULTS` set to a folder, each process writes there from time
 //! to time how many faults of each kind it has found, and for the first inputs of each kind a row of the table
@@ -17,7 +18,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, OnceLock};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, OnceLock, mpsc};
+use std::thread;
+use std::time::Duration;
 
 use crate::{reached, share};
 use sweep_cdt::triangulate;
@@ -44,8 +48,9 @@ pub fn test(bytes: &[u8]) {
     let edges: Vec<[usize; 2]> = input.edges.iter().filter(has_length).copied().collect();
     let question = Question::new(points, &edges);
     for (name, program, takes_edges) in PROGRAMS {
-        if is_question(&input, takes_edges) {
-            let outcome = asked(program, &question);
+        if is_question(&input, takes_edges)
+            && let Some(outcome) = asked(name, program, &question)
+        {
             let fault = match &outcome {
                 _ if with_oracle => right.fault(&question, &outcome),
                 Outcome::Triangles(list) if is_same(list, &right) => None,
@@ -78,11 +83,36 @@ fn is_same(list: &[[usize; 3]], right: &Right) -> bool {
     list.len() == right.inside.len() && (equals(|t| t) || equals(|[a, b, c]| [a, c, b]))
 }
 
-fn asked(program: Program, question: &Question) -> Outcome {
-    ask(question, &mut |question: &Question| {
-        program(&question.points, &question.edges)
-    })
+/// What a program answers; nothing, if it is one that has hung before.
+fn asked(name: &str, program: Program, question: &Question) -> Option<Outcome> {
+    let answer = move |question: &Question| {
+        ask(question, &mut |question: &Question| {
+            program(&question.points, &question.edges)
+        })
+    };
+    if name != HANGS {
+        return Some(answer(question));
+    }
+    static HAS_HUNG: AtomicBool = AtomicBool::new(false);
+    if HAS_HUNG.load(Ordering::Relaxed) {
+        return None;
+    }
+    let (sender, receiver) = mpsc::channel();
+    let question = question.clone();
+    // The thread that hangs ends with the process.
+    thread::spawn(move || {
+        let _ = sender.send(answer(&question));
+    });
+    Some(receiver.recv_timeout(PATIENCE).unwrap_or_else(|_| {
+        HAS_HUNG.store(true, Ordering::Relaxed);
+        let what = format!("no answer within {} s", PATIENCE.as_secs());
+        Outcome::Failed(Fault::new("hang", what))
+    }))
 }
+
+/// The program that may never return, and how long it is waited for.
+const HANGS: &str = "cdt";
+const PATIENCE: Duration = Duration::from_secs(3);
 
 /// Whether a program may be expected to accept this.
 ///
@@ -142,7 +172,7 @@ fn count(
             outcome,
             fault,
         };
-        let least = small(program, takes_edges, wrong);
+        let least = small(name, program, takes_edges, wrong);
         let _ = show(folder, name, name_of_fault, &least);
     }
     if counts.values().sum::<u64>() % WRITE == 1 {
@@ -154,20 +184,21 @@ fn count(
     }
 }
 
-/// A small input with the same fault.
-fn small(program: Program, takes_edges: bool, wrong: Wrong) -> Input {
+/// A small input with the same fault; of a hang the input itself.
+fn small(name: &str, program: Program, takes_edges: bool, wrong: Wrong) -> Input {
     let asked_for = if takes_edges {
         Asked::Edges
     } else {
         Asked::Points
     };
+    let not_asked = || Outcome::Failed(Fault::new("not asked", ""));
     let [least_size, most] = sizes(takes_edges);
     let claims = Claims::of(asked_for).with_numbers(Numbers::doubles(least_size, most));
     let Question { points, edges, .. } = least(&claims, wrong, &mut |question| {
         let Question { points, edges, .. } = question.clone();
         match is_question(&Input { points, edges }, takes_edges) {
-            true => asked(program, question),
-            false => Outcome::Failed(Fault::new("not asked", "")),
+            true => asked(name, program, question).unwrap_or_else(not_asked),
+            false => not_asked(),
         }
     })
     .question;

@@ -212,6 +212,7 @@ fn file<S: Coordinate>(
 ) -> Result<GraphFile<S>, ReadError> {
     let mut columns = columns(format, &content.vertices)?;
     columns.extend(markers(&content));
+    let is_marked = content.markers.iter().any(|&marker| marker != 0);
     let file = GraphFile {
         columns,
         numbering: Numbering {
@@ -220,7 +221,11 @@ fn file<S: Coordinate>(
             hole: content.holes.first,
             region: content.regions.first,
         },
-        edge_markers: content.markers,
+        edge_markers: if is_marked {
+            content.markers
+        } else {
+            Vec::new()
+        },
         polygons: content.polygons,
         edge_features: content.features,
         faces: content.faces,

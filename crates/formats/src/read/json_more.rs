@@ -95,12 +95,7 @@ pub(super) fn read<'a>(source: &'a Source, mut edges: Edges<'a>) -> Result<Edges
             "edge_markers" | "segment_markers" => {
                 let count = edges.edges.len();
                 let what = format!("a list of {count} whole numbers, one for each edge");
-                let markers = markers(piece, count).ok_or_else(|| fault(&what))?;
-                edges.markers = if markers.iter().all(|&marker| marker == 0) {
-                    Vec::new()
-                } else {
-                    markers
-                };
+                edges.markers = markers(piece, count).ok_or_else(|| fault(&what))?;
             }
             "vertex_attributes" | "point_attributes" => {
                 let rows: Option<Vec<Vec<&RawValue>>> = list(piece);

@@ -16,9 +16,6 @@ pub(super) fn mesh<'a>(
     remarks: Remarks,
 ) -> Result<Mesh<'a>, ReadError> {
     // Groups that are all 0 are none.
-    if cells.markers.iter().all(|&marker| marker == 0) {
-        cells.markers.clear();
-    }
     if cells.regions.iter().all(|&region| region == 0.0) {
         cells.regions.clear();
     }

@@ -77,9 +77,7 @@ pub(super) fn read_poly<'a>(
     let (edges, markers) = if has_markers {
         let row = |line: &mut Line<'_>| Ok((ends(line)?, marker(line)?));
         let rows = records.read(&mut lines, &mut first, row)?;
-        let (edges, markers): (Vec<_>, Vec<i64>) = rows.into_iter().unzip();
-        let is_marked = markers.iter().any(|&marker| marker != 0);
-        (edges, if is_marked { markers } else { Vec::new() })
+        rows.into_iter().unzip()
     } else {
         (records.read(&mut lines, &mut first, ends)?, Vec::new())
     };
