@@ -12,7 +12,7 @@
 //! * `location`: where points lie, and what is around a vertex. `input`: points and edges in other forms.
 //!   `serialized`: results as data.
 //! * `statistics`: what a run reports of itself and its progress. `fronts`: the steps that search structures
-//!   leave. `bands`: the sweep on all cores.
+//!   leave. `bands`: the sweep on all cores. `picture`: the one of the documentation.
 //! * `scalars`, `domain` and `verify`: the exact predicates, what is inside, and the verifier.
 //!
 //! `SWEEP_CDT_CASES` sets how many random inputs are tried, `SWEEP_CDT_SEED` where they begin,
@@ -33,6 +33,7 @@ mod input;
 mod limits;
 mod location;
 mod order;
+mod picture;
 mod random;
 mod runs;
 #[path = "../scalars/mod.rs"]
