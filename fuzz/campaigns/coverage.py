@@ -1,6 +1,7 @@
 """Measures which regions of `src/` the corpora reach.
 
-The program of `fuzz/properties` is built with the instrumentation of rustc and runs every property on its corpus and
+The program of `fuzz/properties` is built with the instrumentation of rustc, and with the limits of a fuzz target (`--cfg
+fuzzing`), beyond which small inputs take paths of large ones. It runs every property on its corpus and
 seeds. It is the same program that shows what bytes stand for, so there is one build for both, after the fuzzing.
 """
 
@@ -13,7 +14,7 @@ from . import processes
 from .processes import FUZZ
 
 # Modules whose coverage is measured; the report lists every file of them.
-COVERED = ["sweep/", "front/", "mesh/", "scalar/", "verify/", "bucket.rs"]
+COVERED = ["sweep/", "front/", "mesh/", "scalar/", "verify/", "stream/", "crossings/", "triangulation/", "trace/", "bucket.rs"]
 # The target folder of the instrumented program, and the program.
 FOLDER = FUZZ / "target/coverage"
 PROGRAM = FOLDER / "release/sweep-cdt-properties"
@@ -23,7 +24,7 @@ PROPERTIES = ["env", f"LLVM_PROFILE_FILE={os.devnull}", PROGRAM]
 
 def build(seconds=None):
     """Builds the program, with the messages of cargo, in so many seconds at most."""
-    environment = {**os.environ, "RUSTFLAGS": "-C instrument-coverage", "CARGO_TARGET_DIR": str(FOLDER),
+    environment = {**os.environ, "RUSTFLAGS": "-C instrument-coverage --cfg fuzzing", "CARGO_TARGET_DIR": str(FOLDER),
                    "LLVM_PROFILE_FILE": os.devnull}
     processes.must(["cargo", "build", "--release", "-p", "sweep-cdt-properties"], shown=True, env=environment,
                    seconds=seconds)
