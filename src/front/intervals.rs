@@ -32,13 +32,13 @@ impl Default for Intervals {
 }
 
 /// One of this many points of the sample may be far away at either end.
-const OUTERMOST: usize = 64;
+const OUTERMOST: usize = if cfg!(fuzzing) { 8 } else { 64 };
 /// Quantiles are taken if the [crowding](Intervals::crowding) is at least this.
 const CROWDED: usize = 4;
 /// A smaller sample is not cut into slabs.
 const FEW: usize = 4 * SLAB;
 /// How many points of the sample, one above the other, are a slab.
-const SLAB: usize = 64;
+const SLAB: usize = if cfg!(fuzzing) { 4 } else { 64 };
 /// How many times as many equal intervals there are at most.
 const FINEST: usize = 8;
 

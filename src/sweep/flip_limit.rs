@@ -22,7 +22,7 @@ const FOR_CORNER: u64 = 4;
 /// Flips that the budget grants for each vertex when the hull is completed: to begin anew so late costs more.
 const FOR_HULL: u64 = 2;
 /// Flips in the reserve beyond half a flip for each vertex.
-const RESERVE: u64 = 1000;
+const RESERVE: u64 = if cfg!(fuzzing) { 4 } else { 1000 };
 /// Flips for each vertex that are no excess.
 const COMMON: u64 = 4;
 /// The excess brings the paper's heuristics beyond the reserve divided by this: a later change helps less.

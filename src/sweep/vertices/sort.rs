@@ -24,7 +24,7 @@ use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
 
 /// The mean number of points in a bucket, and the largest number of buckets.
-const BUCKET: usize = 256;
+const BUCKET: usize = if cfg!(fuzzing) { 8 } else { 256 };
 const BUCKETS: usize = 1024;
 /// At most so many points in no row are sorted by comparison although there is a way without branches.
 const VERY_FEW: usize = 5;

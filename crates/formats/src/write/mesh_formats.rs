@@ -225,9 +225,11 @@ fn write_elements<const N: usize>(
     })
 }
 
-/// A name as one word.
+/// A name as one word, without `#`, after which many readers take the rest of a line for a comment.
 fn word(name: &str) -> String {
-    let word = name.split_whitespace().collect::<Vec<_>>().join("_");
+    let parts = name.split(|c: char| c.is_whitespace() || c == '#');
+    let parts: Vec<&str> = parts.filter(|part| !part.is_empty()).collect();
+    let word = parts.join("_");
     if word.is_empty() {
         "unnamed".to_owned()
     } else {
