@@ -1,8 +1,8 @@
 """Measures which regions of `src/` the corpora reach.
 
-The program of `fuzz/properties` is built with the instrumentation of rustc, and with the limits of a fuzz target (`--cfg
-fuzzing`), beyond which small inputs take paths of large ones. It runs every property on its corpus and
-seeds. It is the same program that shows what bytes stand for, so there is one build for both, after the fuzzing.
+The program of `fuzz/properties` is built with the instrumentation of rustc, and with the small limits of a fuzz target
+(`--cfg fuzzing`), with which small inputs take the paths of large ones. It runs every property on its corpus and seeds.
+It also shows what bytes stand for, so there is one build for both, after the fuzzing.
 """
 
 import concurrent.futures
@@ -14,7 +14,8 @@ from . import processes
 from .processes import FUZZ
 
 # Modules whose coverage is measured; the report lists every file of them.
-COVERED = ["sweep/", "front/", "mesh/", "scalar/", "verify/", "stream/", "crossings/", "triangulation/", "trace/", "bucket.rs"]
+COVERED = ["sweep/", "front/", "mesh/", "scalar/", "verify/", "stream/", "crossings/", "triangulation/", "trace/",
+           "bucket.rs"]
 # The target folder of the instrumented program, and the program.
 FOLDER = FUZZ / "target/coverage"
 PROGRAM = FOLDER / "release/sweep-cdt-properties"

@@ -293,7 +293,7 @@ fn statistics() {
             assert!(stats.memory > 0 && !stats.is_divided);
         }
     }
-    // One band is one sweep, and so is what bands cannot do.
+    // One band is one sweep. What is refused without statistics is refused with them.
     let triangulator = Triangulator::new().bands(1);
     let one = triangulator.triangulate_parallel_with_stats(&points, &[]);
     let whole = triangulator.triangulate_with_stats(&points, &[]);
