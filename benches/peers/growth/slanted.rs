@@ -118,8 +118,19 @@ fn measure(input: &Input) -> Row {
     let in_bands = Triangulator::new().bands(2);
     type Counted<'c> = &'c dyn Fn(&[[usize; 2]]) -> Counters;
     let counted: [Counted<'_>; 3] = [
-        &|edges| counters(auto.triangulate_with_stats(&input.points, edges).map(|run| run.stats)),
-        &|edges| counters(divide.triangulate_with_stats(&input.points, edges).map(|run| run.stats)),
+        &|edges| {
+            counters(
+                auto.triangulate_with_stats(&input.points, edges)
+                    .map(|run| run.stats),
+            )
+        },
+        &|edges| {
+            counters(
+                divide
+                    .triangulate_with_stats(&input.points, edges)
+                    .map(|run| run.stats),
+            )
+        },
         &|edges| {
             let result = in_bands.triangulate_parallel_with_stats(&input.points, edges);
             counters(result.map(|(_, stats)| stats))
