@@ -59,7 +59,7 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
     /// The constrained Delaunay triangulation of `points` with `edges`. The next call overwrites it; clone it to keep.
     ///
     /// # Errors
-    /// See [`Error`]. The call after an error allocates most of the memory anew.
+    /// See [`Error`]. The session keeps its memory then, too.
     pub fn triangulate<S: Scalar>(
         &mut self,
         points: &[[S; 2]],
@@ -90,12 +90,14 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
                 events: steps,
                 ..Observer::default()
             };
-            sweep::run(points, edges, settings, &mut search, probe, scratch)?.0
+            let run = sweep::run(points, edges, settings, &mut search, probe, scratch);
+            run.map(|(result, _)| result)
         } else {
-            sweep::run(points, edges, settings, &mut search, (), scratch)?.0
+            let run = sweep::run(points, edges, settings, &mut search, (), scratch);
+            run.map(|(result, ())| result)
         };
         self.search = Some(search);
-        Ok(self.result.insert(result))
+        Ok(self.result.insert(result?))
     }
 
     /// The triangles inside by a [`FillRule`], in canonical order: those that [`Triangulation::interior`] finds in the

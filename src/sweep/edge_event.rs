@@ -49,11 +49,11 @@ impl<P: Probe> Sweep<'_, P> {
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
         let leftmost = self.leftmost(upper);
         if !self.find_sides(upper, leftmost) {
-            let mut list = take(&mut self.list);
+            let mut list = take(self.list);
             list.clear();
             list.extend_from_slice(self.edges.at(upper));
             let inserted = self.insert_edges(upper, &mut list, leftmost);
-            self.list = list;
+            *self.list = list;
             return inserted;
         }
         for k in 0..self.traversed.present.len() {

@@ -26,7 +26,6 @@ use core::mem::take;
 
 use super::Sweep;
 use super::flip_limit::inexact_scalar;
-use super::scratch::Scratch;
 use crate::ids::{BorderId, TriangleId, narrow};
 use crate::mesh::{HalfEdge, Triangle};
 use crate::observe::probe::Probe;
@@ -50,15 +49,14 @@ impl<P: Probe> Sweep<'_, P> {
         }
     }
 
-    /// Returns the triangulation, whose hull is complete, with the probe.
-    pub(super) fn finalize(mut self, scratch: &mut Scratch) -> (Triangulation, P) {
+    /// Returns the triangulation, whose hull is complete.
+    pub(super) fn finalize(&mut self) -> Triangulation {
         let bytes = self.heap_bytes();
         self.delaunay
             .probe
             .record(|r| r.stats.memory = r.stats.memory.max(bytes));
-        let mut hull = take(&mut scratch.hull);
+        let (mut hull, mut artificial) = (take(self.hull), take(self.artificial));
         hull.clear();
-        let mut artificial = take(&mut scratch.artificial);
         artificial.clear();
         artificial.extend_from_slice(self.delaunay.mesh.unused());
         self.list_hull(&mut hull, &mut artificial);
@@ -82,21 +80,8 @@ impl<P: Probe> Sweep<'_, P> {
             chains: take(&mut self.chains).finish(),
         };
         self.delaunay.probe.begin(Phase::Finished);
-        if scratch.is_kept {
-            scratch.artificial = artificial;
-            scratch.mesh = self.delaunay.mesh;
-            scratch.vertices.approx = self.delaunay.predicates.vertices.approx;
-            scratch.flip_stack = self.delaunay.flip_stack;
-            scratch.run = self.delaunay.run;
-            scratch.polygons = self.delaunay.polygons;
-            scratch.edges = self.edges;
-            scratch.front = Some(self.front);
-            scratch.list = self.list;
-            scratch.traversed = self.traversed;
-            scratch.chain = self.chain;
-            scratch.vertex_triangles = self.vertex_triangles;
-        }
-        (result, self.delaunay.probe)
+        *self.artificial = artificial;
+        result
     }
 
     /// Lists the hull counter-clockwise from the leftmost vertex, and the artificial triangles; closes the upper hull.

@@ -102,8 +102,7 @@ impl<P: Probe> Sweep<'_, P> {
     /// When the part that begins at `from` and leads towards `lower` is inserted first: by an edge that ends there, or by
     /// one that is pending there.
     fn moment(&mut self, from: VertexId, lower: VertexId) -> Moment {
-        for k in 0..self.edges.at(from).len() {
-            let (end, _) = self.edges.at(from)[k];
+        for &(end, _) in self.edges.at(from) {
             if end != from && self.delaunay.orient2d([from, lower, end]) == Equal {
                 return Moment::EdgeEvent(from);
             }

@@ -6,28 +6,25 @@ use alloc::sync::Arc;
 use core::mem::take;
 
 use super::Sweep;
-use super::delaunay::Delaunay;
-use super::predicates::SweepPredicates;
-use super::scratch::Scratch;
+use super::scratch::{Held, Lent, Scratch};
 use super::vertices::ApproxPoints;
-use super::vertices::Vertices;
 use crate::error::Error;
-use crate::front::{FrontInput, Search};
+use crate::front::{Front, FrontInput, Search};
 use crate::ids::{BorderId, VertexId, narrow};
 use crate::memory::{expect_room, of_triangulation};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::{Algorithm, Settings};
+use crate::settings::Settings;
 use crate::trace::{Event, Why};
 use crate::triangulation::edge_chains::EdgeChainBuilder;
 
-/// Sorts and merges the points, and lists the edges at their upper ends in `scratch`.
+/// Sorts and merges the points, and lists the edges at their upper ends, all in `scratch`.
 pub(super) fn initialize<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     scratch: &mut Scratch,
-) -> Result<(Vertices, EdgeChainBuilder), Error> {
+) -> Result<EdgeChainBuilder, Error> {
     // Too many vertices or edges, or wrong ones, are refused.
     if points.len() > LIMIT {
         return Err(Error::TooManyPoints {
@@ -42,48 +39,45 @@ pub(super) fn initialize<S: Scalar>(
         });
     }
     // What earlier runs have left is there.
-    if scratch.vertices.approx.capacity() < points.len() {
+    if scratch.held.vertices.approx.capacity() < points.len() {
         expect_room(of_triangulation(points.len(), edges.len()))?;
     }
     let approx = ApproxPoints::new(points)?;
-    let memory = take(&mut scratch.vertices);
     let inputs = 0..narrow(points.len());
-    let vertices = Vertices::new(&approx, inputs, memory, &mut scratch.sort);
-    drop(approx);
-    let mut ends = take(&mut scratch.ends);
     scratch
-        .edges
-        .set(&vertices, points.len(), edges, &mut ends)?;
+        .held
+        .vertices
+        .set(&approx, inputs, &mut scratch.sort);
+    drop(approx);
+    scratch.lent.edges.set(
+        &scratch.held.vertices,
+        points.len(),
+        edges,
+        &mut scratch.ends,
+    )?;
     scratch.initialized();
-    Ok((vertices, EdgeChainBuilder::new(Arc::new(ends))))
+    Ok(EdgeChainBuilder::new(Arc::new(take(&mut scratch.ends))))
 }
 
-/// The state with the first triangle of `vertices`; `scratch` lists their edges.
+/// The state with the first triangle of the vertices in `held`, with the edges in `lent`.
 pub(super) fn begin<'a, P: Probe>(
     points: &'a dyn ExactPoints,
-    vertices: Vertices,
     chains: EdgeChainBuilder,
     settings: Settings<'_>,
     mut search: Search<'a>,
     probe: P,
-    scratch: &mut Scratch,
+    mut held: Held,
+    lent: &'a mut Lent,
 ) -> Sweep<'a, P> {
-    search.begin(FrontInput::new(&vertices.approx));
+    search.begin(FrontInput::new(&held.vertices.approx));
     // Each vertex has a border half-edge: the segment of the front that starts there.
-    let n = vertices.len();
-    scratch.mesh.begin(2 * n + 2, n + 2);
-    let predicates = SweepPredicates::new(points, vertices).with_ties(settings.ties);
-    let has_budget = settings.algorithm == Algorithm::Auto;
-    let delaunay = Delaunay::new(predicates, has_budget, probe, scratch);
-    let front = scratch.take_front(n);
-    let mut sweep = Sweep::new(
-        delaunay,
-        front,
-        chains,
-        settings.heuristics,
-        search,
-        scratch,
-    );
+    let n = held.vertices.len();
+    held.mesh.begin(2 * n + 2, n + 2);
+    match &mut held.front {
+        Some(front) => front.begin(n),
+        None => held.front = Some(Front::new(n)),
+    }
+    let mut sweep = Sweep::new(points, chains, settings, search, probe, held, lent);
     sweep.report_order(n);
     if n > 0 {
         sweep.first_triangle();

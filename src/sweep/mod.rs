@@ -61,7 +61,7 @@ use core::mem::take;
 
 use crate::error::Error;
 use crate::front::{Front, FrontNode, FrontSearch, Search};
-use crate::ids::{BorderId, VertexId};
+use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::observe::probe::{Observer, Probe};
 use crate::observe::recorder::{Phase, Recorder};
 use crate::scalar::{ExactPoints, Scalar};
@@ -77,10 +77,11 @@ use edges::Edges;
 use flip_limit::FlipLimit;
 use pending_edges::{PendingEdges, VertexTriangles};
 pub(crate) use polygon::{PolygonScratch, triangulate_rings};
+use predicates::SweepPredicates;
 pub(crate) use scratch::Scratch;
+use scratch::{Held, Lent};
 pub(crate) use separate::{Separated, separate};
 use traversal::Traversed;
-use vertices::Vertices;
 
 /// How many point events pass between two looks at the budget of flips, and between two reports of progress.
 const CHECK: u32 = 16;
@@ -99,9 +100,9 @@ pub(crate) fn run<S: Scalar, P: RunProbe>(
     scratch: &mut Scratch,
 ) -> Result<(Triangulation, P), Error> {
     probe.begin(Phase::Initialization);
-    let (vertices, chains) = initialization::initialize(points, edges, scratch)?;
+    let chains = initialization::initialize(points, edges, scratch)?;
     let search = Search::with(search);
-    P::triangulate(&points, vertices, chains, settings, search, probe, scratch)
+    P::triangulate(&points, chains, settings, search, probe, scratch)
 }
 
 /// A probe for which [`triangulate`] is compiled in this crate.
@@ -109,12 +110,11 @@ pub(crate) trait RunProbe: Probe + Sized {
     /// Calls [`triangulate`].
     fn triangulate<'a>(
         points: &'a dyn ExactPoints,
-        vertices: Vertices,
         chains: EdgeChainBuilder,
         settings: Settings<'_>,
         search: Search<'a>,
         probe: Self,
-        scratch: &mut Scratch,
+        scratch: &'a mut Scratch,
     ) -> Result<(Triangulation, Self), Error>;
 }
 
@@ -125,14 +125,13 @@ macro_rules! run_probe {
                 #[inline(never)]
                 fn triangulate<'a>(
                     points: &'a dyn ExactPoints,
-                    vertices: Vertices,
                     chains: EdgeChainBuilder,
                     settings: Settings<'_>,
                     search: Search<'a>,
                     probe: Self,
-                    scratch: &mut Scratch,
+                    scratch: &'a mut Scratch,
                 ) -> Result<(Triangulation, Self), Error> {
-                    triangulate(points, vertices, chains, settings, search, probe, scratch)
+                    triangulate(points, chains, settings, search, probe, scratch)
                 }
             }
         )*
@@ -141,21 +140,30 @@ macro_rules! run_probe {
 
 run_probe!((), Observer<'_>);
 
-/// Triangulates the vertices of these points with the edges that `scratch` lists.
+/// Triangulates the vertices and edges that are in `scratch`.
 #[inline(always)]
 fn triangulate<'a, P: Probe>(
     points: &'a dyn ExactPoints,
-    vertices: Vertices,
     chains: EdgeChainBuilder,
     settings: Settings<'_>,
     search: Search<'a>,
     probe: P,
-    scratch: &mut Scratch,
+    scratch: &'a mut Scratch,
 ) -> Result<(Triangulation, P), Error> {
-    let mut sweep =
-        initialization::begin(points, vertices, chains, settings, search, probe, scratch);
-    sweep.triangulate(settings)?;
-    Ok(sweep.finalize(scratch))
+    let held = take(&mut scratch.held);
+    let lent = &mut scratch.lent;
+    let mut sweep = initialization::begin(points, chains, settings, search, probe, held, lent);
+    let result = sweep.triangulate(settings).map(|()| sweep.finalize());
+    let chains = take(&mut sweep.chains);
+    let (held, probe) = sweep.give_back();
+    scratch.held = held;
+    match result {
+        Ok(triangulation) => Ok((triangulation, probe)),
+        Err(error) => {
+            scratch.ends = chains.finish().into_ends();
+            Err(error)
+        }
+    }
 }
 
 /// A vertex that is being added, with its approximations, which are looked up once.
@@ -172,47 +180,67 @@ struct Sweep<'a, P> {
     front: Front,
     search: Search<'a>,
     heuristics: Heuristics,
-    edges: Edges,
+    edges: &'a Edges,
     /// For the result: the vertices along each edge inserted so far.
     chains: EdgeChainBuilder,
     pending: PendingEdges,
     deferred: DeferredEdges,
     /// A triangle of each vertex, once the hull is complete.
-    vertex_triangles: VertexTriangles,
+    vertex_triangles: &'a mut VertexTriangles,
     /// A buffer: lower ends and input indices of the edges being inserted.
-    list: Vec<(VertexId, u32)>,
+    list: &'a mut Vec<(VertexId, u32)>,
     traversed: Traversed,
     /// A buffer: the nodes of the front being filled.
-    chain: Vec<ChainVertex>,
+    chain: &'a mut Vec<ChainVertex>,
+    /// Buffers of the finalization: the hull, and the artificial triangles.
+    hull: &'a mut Vec<u32>,
+    artificial: &'a mut Vec<TriangleId>,
 }
 
 impl<'a, P: Probe> Sweep<'a, P> {
-    /// The state with these triangles, an empty front, and the edges that `scratch` lists.
+    /// The state with the vertices, triangles and front of `held` and the edges of `lent`.
     fn new(
-        delaunay: Delaunay<'a, P>,
-        front: Front,
+        points: &'a dyn ExactPoints,
         chains: EdgeChainBuilder,
-        heuristics: Heuristics,
+        settings: Settings<'_>,
         search: Search<'a>,
-        scratch: &mut Scratch,
+        probe: P,
+        held: Held,
+        lent: &'a mut Lent,
     ) -> Self {
-        let mut vertex_triangles = take(&mut scratch.vertex_triangles);
-        vertex_triangles.clear();
+        let predicates = SweepPredicates::new(points, held.vertices).with_ties(settings.ties);
+        let has_budget = settings.algorithm == Algorithm::Auto;
+        let delaunay = Delaunay::new(held.mesh, predicates, has_budget, probe, &mut lent.delaunay);
         let deferred = DeferredEdges::new(&delaunay);
+        lent.vertex_triangles.clear();
         Sweep {
             delaunay,
-            front,
+            front: held.front.expect("a front for these vertices"),
             search,
-            heuristics,
-            edges: take(&mut scratch.edges),
+            heuristics: settings.heuristics,
+            edges: &lent.edges,
             chains,
             pending: PendingEdges::new(),
             deferred,
-            vertex_triangles,
-            list: take(&mut scratch.list),
-            traversed: take(&mut scratch.traversed),
-            chain: take(&mut scratch.chain),
+            vertex_triangles: &mut lent.vertex_triangles,
+            list: &mut lent.list,
+            traversed: held.traversed,
+            chain: &mut lent.chain,
+            hull: &mut lent.hull,
+            artificial: &mut lent.artificial,
         }
+    }
+
+    /// Ends, and returns what the state held, with the probe.
+    fn give_back(self) -> (Held, P) {
+        let delaunay = self.delaunay;
+        let held = Held {
+            vertices: delaunay.predicates.vertices,
+            mesh: delaunay.mesh,
+            front: Some(self.front),
+            traversed: self.traversed,
+        };
+        (held, delaunay.probe)
     }
 
     /// The heuristics of the next point event: the caller's, or the paper's where these flip too much.
@@ -275,7 +303,7 @@ impl<'a, P: Probe> Sweep<'a, P> {
         }
 
         let kept = self.delaunay.mesh.border_count();
-        self.delaunay.fill(&mut self.chain, why);
+        self.delaunay.fill(self.chain, why);
         self.delaunay.legalize();
         self.delaunay.mesh.truncate_borders(kept);
 

@@ -15,6 +15,7 @@
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater, Less};
+use core::mem::take;
 
 use super::Sweep;
 use super::delaunay::Random;
@@ -22,7 +23,6 @@ use super::flip_limit::inexact_scalar;
 use super::initialization::{begin, initialize};
 use super::scratch::Scratch;
 use super::traversal::{CrossedSide, Departure};
-use super::vertices::Vertices;
 use crate::error::Error;
 use crate::front::{HashTable, Search};
 use crate::ids::VertexId;
@@ -46,19 +46,18 @@ pub(crate) fn separate<S: Scalar>(
     most: usize,
 ) -> Result<Option<Separated>, Error> {
     let scratch = &mut Scratch::default();
-    let (vertices, chains) = initialize(points, edges, scratch)?;
-    Ok(separate_vertices(&points, vertices, chains, most, scratch))
+    let chains = initialize(points, edges, scratch)?;
+    Ok(separate_vertices(&points, chains, most, scratch))
 }
 
 #[inline(never)]
 fn separate_vertices(
     points: &dyn ExactPoints,
-    vertices: Vertices,
     chains: EdgeChainBuilder,
     most: usize,
     scratch: &mut Scratch,
 ) -> Option<Separated> {
-    if vertices.len() == 0 {
+    if scratch.held.vertices.len() == 0 {
         return Some(Separated::default());
     }
     let settings = Settings {
@@ -69,7 +68,8 @@ fn separate_vertices(
     };
     let mut front = HashTable::default();
     let search = Search::with(&mut front);
-    let mut sweep = begin(points, vertices, chains, settings, search, (), scratch);
+    let (held, lent) = (take(&mut scratch.held), &mut scratch.lent);
+    let mut sweep = begin(points, chains, settings, search, (), held, lent);
     sweep.divide_and_conquer_points(0);
     sweep.deferred.allow_all();
     sweep.separate(most)

@@ -3,10 +3,11 @@
 use alloc::boxed::Box;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
+use core::mem::take;
 
 use super::super::divide_and_conquer::SubTriangulation;
 use super::super::initialization::begin;
-use super::super::scratch::Scratch;
+use super::super::scratch::{Held, Lent};
 use super::super::vertices::Vertices;
 use super::BandProbe;
 use super::partition::Edge;
@@ -63,35 +64,41 @@ impl Shared<'_> {
         settings: Settings<'_>,
     ) -> Result<Swept<P::Counts>, Error> {
         let n = vertices.len();
-        let mut scratch = Scratch::default();
+        let mut held = Held {
+            vertices,
+            ..Held::default()
+        };
         if first == 0 {
             // Room for the triangles of the other bands, too.
-            scratch.mesh.reserve(2 * self.outside.index());
+            held.mesh.reserve(2 * self.outside.index());
         }
-        scratch.edges.list(n, edges.iter().flatten().copied());
+        let mut lent = Lent::default();
+        lent.edges.list(n, edges.iter().flatten().copied());
         drop(edges);
         let chains = EdgeChainBuilder::new(Arc::clone(&self.inputs));
+        let (search, probe) = (Search::with(&mut *search), P::default());
         let mut sweep = begin(
             self.points,
-            vertices,
             chains,
             settings,
-            Search::with(&mut *search),
-            P::default(),
-            &mut scratch,
+            search,
+            probe,
+            held,
+            &mut lent,
         );
         sweep.triangulate(settings)?;
         let bytes = sweep.heap_bytes();
         sweep.delaunay.probe.record(|r| r.stats.memory = bytes);
         let part = sweep.enclose(n, VertexId::at(self.outside.index() - first));
-        let mut vertices = sweep.delaunay.predicates.vertices;
-        vertices.approx.truncate(n);
+        let chains = take(&mut sweep.chains);
+        let (mut held, probe) = sweep.give_back();
+        held.vertices.approx.truncate(n);
         Ok(Swept {
-            vertices,
-            mesh: sweep.delaunay.mesh,
+            vertices: held.vertices,
+            mesh: held.mesh,
             part,
-            chains: sweep.chains,
-            counts: sweep.delaunay.probe.counts(),
+            chains,
+            counts: probe.counts(),
         })
     }
 }

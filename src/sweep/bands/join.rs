@@ -6,18 +6,16 @@
 //! O(h) for each gap between hulls of h vertices, and flips up to a budget ([`super::super::flip_limit`]).
 
 use super::super::Sweep;
-use super::super::delaunay::Delaunay;
 use super::super::divide_and_conquer::MergeMode;
 use super::super::flip_limit::FlipLimit;
-use super::super::predicates::SweepPredicates;
-use super::super::scratch::Scratch;
+use super::super::scratch::{Held, Lent};
 use super::BandProbe;
 use super::band::Swept;
 use super::partition::Edge;
 use crate::front::{Front, Search};
 use crate::ids::narrow;
 use crate::scalar::ExactPoints;
-use crate::settings::Settings;
+use crate::settings::{Algorithm, Settings};
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -29,6 +27,7 @@ pub(super) fn join<'a, P: BandProbe>(
     settings: Settings<'_>,
     search: Search<'a>,
     mut probe: P,
+    lent: &'a mut Lent,
 ) -> Option<Sweep<'a, P>> {
     let mut bands = bands.into_iter();
     let lowest = bands.next().expect("there are two bands");
@@ -61,17 +60,19 @@ pub(super) fn join<'a, P: BandProbe>(
             Front::new(n)
         },
     );
-    let mut scratch = Scratch {
+    let held = Held {
+        vertices,
         mesh,
-        ..Scratch::default()
+        front: Some(front),
+        ..Held::default()
     };
-    let mut delaunay = Delaunay::new(
-        SweepPredicates::new(points, vertices),
-        true,
-        probe,
-        &mut scratch,
-    );
-    let mode = if chains.is_empty() {
+    let settings = Settings {
+        algorithm: Algorithm::Auto,
+        ..settings
+    };
+    let mut sweep = Sweep::new(points, chains, settings, search, probe, held, lent);
+    let delaunay = &mut sweep.delaunay;
+    let mode = if sweep.chains.is_empty() {
         MergeMode::Delete
     } else {
         MergeMode::Stitch
@@ -85,14 +86,6 @@ pub(super) fn join<'a, P: BandProbe>(
         return None;
     }
     delaunay.flip_limit = FlipLimit::new(n, false);
-    let mut sweep = Sweep::new(
-        delaunay,
-        front,
-        chains,
-        settings.heuristics,
-        search,
-        &mut scratch,
-    );
     sweep.hand_over(part.first);
     sweep.insert_across(crossing, &starts).ok()?;
     sweep.insert_pending().ok()?;

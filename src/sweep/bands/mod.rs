@@ -21,7 +21,7 @@ use rayon::prelude::*;
 
 use super::RunProbe;
 use super::initialization::LIMIT;
-use super::scratch::Scratch;
+use super::scratch::Lent;
 use super::vertices::ApproxPoints;
 use crate::front::Search;
 use crate::ids::VertexId;
@@ -191,9 +191,19 @@ fn sweep_bands<P: BandProbe>(
         .ok()?;
     drop(shared);
     probe.begin(Phase::Finalization);
-    let mut search = structure();
+    let (mut lent, mut search) = (Lent::default(), structure());
     let search = Search::with(&mut *search);
-    let sweep = join::join(points, swept, edges.crossing, settings(), search, probe)?;
-    let (triangulation, probe) = sweep.finalize(&mut Scratch::default());
+    let crossing = edges.crossing;
+    let mut sweep = join::join(
+        points,
+        swept,
+        crossing,
+        settings(),
+        search,
+        probe,
+        &mut lent,
+    )?;
+    let triangulation = sweep.finalize();
+    let (_, probe) = sweep.give_back();
     Some((triangulation, probe.counts()))
 }

@@ -47,7 +47,8 @@ impl Partition {
                 vertices.reserve(located.points.len());
             }
             let inputs = inputs.iter().copied();
-            Vertices::new(located, inputs, vertices, &mut SortBuffers::default())
+            vertices.set(located, inputs, &mut SortBuffers::default());
+            vertices
         });
         let mut bands: Vec<Vertices> = Vec::new();
         for vertices in sorted {

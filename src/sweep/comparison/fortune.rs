@@ -123,7 +123,7 @@ impl<P: Probe> Delaunay<'_, P> {
             let corner = corner.map(|(vertex, border)| ChainVertex { vertex, border });
             let border = self.fill_ear(corner, Why::Point);
             // All sides are tested at the end.
-            self.flip_stack.clear();
+            self.clear_stack();
             for neighbor in line.remove(arc, border) {
                 self.foresee(neighbor, line, events);
             }

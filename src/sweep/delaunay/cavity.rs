@@ -138,7 +138,7 @@ impl<P: Probe> Delaunay<'_, P> {
         traversed: &Traversed,
     ) -> [HalfEdge; 2] {
         let kept = self.mesh.border_count();
-        let mut polygons = take(&mut self.polygons);
+        let mut polygons = take(self.polygons);
         let Polygons { right, left, seams } = &mut polygons;
         seams.begin(&traversed.pierced);
         self.border(right, traversed.right.iter(), to, seams);
@@ -150,7 +150,7 @@ impl<P: Probe> Delaunay<'_, P> {
         self.fill_polygon(right, right_polygon);
         self.close_seams(seams);
         let sides = [left, right].map(|chain| self.mesh.border_twin(chain.corners[0].border));
-        self.polygons = polygons;
+        *self.polygons = polygons;
         self.mesh.truncate_borders(kept);
         sides
     }

@@ -9,51 +9,78 @@ mod run;
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
-use core::mem::take;
 
 use super::flip_limit::FlipLimit;
 use super::predicates::SweepPredicates;
-use super::scratch::Scratch;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
 use crate::observe::probe::Probe;
 use crate::trace::{Event, Vertex, Why};
-pub(super) use cavity::Polygons;
+use cavity::Polygons;
 pub(super) use fill::ChainVertex;
-pub(super) use run::{Random, Run};
+pub(super) use run::Random;
+use run::Run;
 
-/// Triangles, predicates, and the sides that legalization still has to test.
+/// The memory of legalization and filling.
+#[derive(Debug, Default)]
+pub(super) struct Buffers {
+    flip_stack: Vec<HalfEdge>,
+    run: Run,
+    polygons: Polygons,
+}
+
+/// Triangles, predicates, and the sides that legalization still has to test. The whole sweep uses
+/// the first four fields; the others are this folder's own.
 #[derive(Debug)]
 pub(super) struct Delaunay<'a, P> {
     pub(super) mesh: Mesh,
     pub(super) predicates: SweepPredicates<'a>,
-    pub(super) flip_stack: Vec<HalfEdge>,
     pub(super) flip_limit: FlipLimit,
-    /// Buffers of [`Delaunay::insert_run`].
-    pub(super) run: Run,
-    /// Buffers of [`Delaunay::replace_pierced`].
-    pub(super) polygons: Polygons,
     pub(super) probe: P,
+    flip_stack: &'a mut Vec<HalfEdge>,
+    /// Of [`Delaunay::insert_run`].
+    run: &'a mut Run,
+    /// Of [`Delaunay::replace_pierced`].
+    polygons: &'a mut Polygons,
 }
 
 impl<'a, P: Probe> Delaunay<'a, P> {
-    /// The triangles of `scratch`, with the predicates of their vertices. `has_budget` if the work may be abandoned.
+    /// The triangles of `mesh`, with the predicates of their vertices. `has_budget` if the work may be abandoned.
     pub(super) fn new(
+        mesh: Mesh,
         predicates: SweepPredicates<'a>,
         has_budget: bool,
         probe: P,
-        scratch: &mut Scratch,
+        buffers: &'a mut Buffers,
     ) -> Self {
         let flip_limit = FlipLimit::new(predicates.vertices.len(), has_budget);
+        let Buffers {
+            flip_stack,
+            run,
+            polygons,
+        } = buffers;
+        // A panic of the caller's scalar leaves sides there.
+        flip_stack.clear();
         Delaunay {
-            mesh: take(&mut scratch.mesh),
+            mesh,
             predicates,
-            flip_stack: take(&mut scratch.flip_stack),
             flip_limit,
-            run: take(&mut scratch.run),
-            polygons: take(&mut scratch.polygons),
             probe,
+            flip_stack,
+            run,
+            polygons,
         }
+    }
+
+    /// Forgets the sides on the flip stack.
+    #[cfg(feature = "comparison")]
+    pub(super) fn clear_stack(&mut self) {
+        self.flip_stack.clear();
+    }
+
+    /// Puts sides on the flip stack.
+    pub(super) fn stack(&mut self, sides: impl IntoIterator<Item = HalfEdge>) {
+        self.flip_stack.extend(sides);
     }
 
     #[inline(always)]

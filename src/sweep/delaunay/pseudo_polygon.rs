@@ -96,9 +96,9 @@ impl<P: Probe> Delaunay<'_, P> {
         if len <= SHORT || self.is_observed() {
             return false;
         }
-        let mut run = take(&mut self.run);
+        let mut run = take(self.run);
         let is_drawn = self.draw_pseudo_polygon(&mut run, chain);
-        self.run = run;
+        *self.run = run;
         if !is_drawn {
             return false;
         }
@@ -180,13 +180,15 @@ mod tests {
     /// Makes all triangles of a fan right, none of which is turned over. Returns how many leave it.
     fn leave_fan(points: &[[f64; 2]]) -> usize {
         let mut scratch = Scratch::default();
-        let (vertices, _) = initialize(points, &[], &mut scratch).expect("points");
+        initialize(points, &[], &mut scratch).expect("points");
+        let Scratch { held, mut lent, .. } = scratch;
+        let vertices = held.vertices;
         let mut number = vec![VertexId::at(0); points.len()];
         for (rank, &input) in vertices.input.iter().enumerate() {
             number[input as usize] = VertexId::at(rank);
         }
         let predicates = SweepPredicates::new(&points, vertices);
-        let mut delaunay = Delaunay::new(predicates, true, (), &mut scratch);
+        let mut delaunay = Delaunay::new(held.mesh, predicates, true, (), &mut lent.delaunay);
         delaunay.mesh.begin(points.len(), 0);
         let mut first = None;
         let mut spoke = HalfEdge::border(delaunay.mesh.add_border());

@@ -124,7 +124,7 @@ impl<P: Probe> Delaunay<'_, P> {
         let outer = if is_right { gap.right } else { gap.left };
         self.probe.record(|r| r.merged(outer.triangle()));
         if gap.mode == MergeMode::Stitch {
-            self.flip_stack.extend([outer, gap.base]);
+            self.stack([outer, gap.base]);
         }
         if is_right {
             let next = self.before(gap.right);

@@ -167,9 +167,9 @@ mod tests {
         let mut scratch = Scratch::default();
         let mut front = HashTable::default();
         let front = Search::with(&mut front);
-        let sorted = initialize(points, &[], &mut scratch);
-        let (vertices, chains) = sorted.expect("valid points");
-        let mut sweep = begin(&points, vertices, chains, SETTINGS, front, (), &mut scratch);
+        let chains = initialize(points, &[], &mut scratch).expect("valid points");
+        let Scratch { held, mut lent, .. } = scratch;
+        let mut sweep = begin(&points, chains, SETTINGS, front, (), held, &mut lent);
         for v in (1..swept).map(VertexId::at) {
             sweep.point_event(v);
         }
@@ -177,8 +177,7 @@ mod tests {
             sweep.complete_hull();
         }
         sweep.divide_and_conquer(swept).expect("no edges");
-        let (triangulation, ()) = sweep.finalize(&mut scratch);
-        triangulation
+        sweep.finalize()
     }
 
     fn check(points: &[[f64; 2]]) {

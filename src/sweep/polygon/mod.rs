@@ -46,7 +46,7 @@ use super::delaunay::Delaunay;
 use super::initialization::LIMIT;
 use super::predicates::SweepPredicates;
 use super::scratch::Scratch;
-use super::vertices::{ApproxPoints, Vertices};
+use super::vertices::ApproxPoints;
 use crate::ids::{TriangleId, VertexId, narrow};
 use crate::scalar::{ExactPoints, Scalar};
 use crate::triangulation::canonical::{CanonicalBuffers, canonical_into};
@@ -83,34 +83,32 @@ pub(crate) fn triangulate_rings<S: Scalar>(
     let Ok(approx) = ApproxPoints::new(points) else {
         return false;
     };
-    let memory = take(&mut scratch.vertices);
     let inputs = 0..narrow(points.len());
-    let vertices = Vertices::new(&approx, inputs, memory, &mut scratch.sort);
+    scratch
+        .held
+        .vertices
+        .set(&approx, inputs, &mut scratch.sort);
     drop(approx);
-    if !vertices.duplicates.is_empty() {
-        scratch.vertices = vertices;
-        return false;
-    }
-    sweep(&points, vertices, directed, scratch, polygon)
+    scratch.held.vertices.duplicates.is_empty() && sweep(&points, directed, scratch, polygon)
 }
 
-/// Sweeps these vertices, of which none are duplicates. Compiled once, whatever the scalar.
+/// Sweeps the vertices in `scratch`, of which none are duplicates. Compiled once, whatever the scalar.
 #[inline(never)]
 fn sweep(
     points: &dyn ExactPoints,
-    vertices: Vertices,
     directed: bool,
-    scratch: &mut Scratch,
+    Scratch { held, lent, .. }: &mut Scratch,
     polygon: &mut PolygonScratch,
 ) -> bool {
+    let (vertices, mut mesh) = (take(&mut held.vertices), take(&mut held.mesh));
     let n = vertices.len();
     polygon.rings.rank(&vertices);
     polygon.status.begin(n);
     polygon.chains.clear();
-    scratch.mesh.begin(n, 0);
+    mesh.begin(n, 0);
     let predicates = SweepPredicates::new(points, vertices);
     let mut sweep = PolygonSweep {
-        delaunay: Delaunay::new(predicates, true, (), scratch),
+        delaunay: Delaunay::new(mesh, predicates, true, (), &mut lent.delaunay),
         rings: &polygon.rings,
         status: &mut polygon.status,
         chains: &mut polygon.chains,
@@ -125,11 +123,7 @@ fn sweep(
         let (list, buffers) = (&mut polygon.triangles, &mut polygon.canonical);
         canonical_into(list, delaunay.mesh.len(), inputs, buffers);
     }
-    scratch.mesh = delaunay.mesh;
-    scratch.vertices = delaunay.predicates.vertices;
-    scratch.flip_stack = delaunay.flip_stack;
-    scratch.run = delaunay.run;
-    scratch.polygons = delaunay.polygons;
+    (held.vertices, held.mesh) = (delaunay.predicates.vertices, delaunay.mesh);
     is_done
 }
 

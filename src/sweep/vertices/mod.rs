@@ -116,33 +116,26 @@ pub(crate) struct Vertices {
 }
 
 impl Vertices {
-    /// Sorts and merges the points `inputs`, ascending and of checked number. Reuses arrays of `vertices`, `buffers`.
-    pub(super) fn new<S: Scalar>(
+    /// Becomes the points `inputs`, ascending and of checked number, sorted and merged. Keeps the arrays.
+    pub(super) fn set<S: Scalar>(
+        &mut self,
         approx: &ApproxPoints<'_, S>,
         inputs: impl ExactSizeIterator<Item = u32> + Clone,
-        mut vertices: Vertices,
         buffers: &mut SortBuffers,
-    ) -> Vertices {
+    ) {
         let points = approx.points;
-        vertices.scale = approx.scale;
+        self.scale = approx.scale;
         // Two calls, so that the sort need not ask for each point where its doubles are.
         match &approx.stored[..] {
             [] => sort::sort(
                 points,
                 inputs,
                 |i| doubles(&points[i as usize]),
-                &mut vertices,
+                self,
                 buffers,
             ),
-            stored => sort::sort(
-                points,
-                inputs,
-                |i| stored[i as usize],
-                &mut vertices,
-                buffers,
-            ),
+            stored => sort::sort(points, inputs, |i| stored[i as usize], self, buffers),
         }
-        vertices
     }
 
     /// Makes room for `points` points and the two artificial ones.
