@@ -20,6 +20,7 @@ mod measure;
 mod plot;
 mod programs;
 mod report;
+mod serve;
 
 use std::fs;
 use std::path::PathBuf;
@@ -61,9 +62,14 @@ struct Arguments {
     cell: Option<Cell>,
 }
 
-/// The tasks of the processes of the benchmark.
+/// The tasks of one process.
 #[derive(Subcommand)]
 enum Cell {
+    /// Answers the questions of sweep-cdt-judge by one crate, line by line.
+    Serve {
+        /// The crate: spade, delaunator, cdt, ghx, "cdt inside", ...
+        program: String,
+    },
     /// Runs one program on one data set.
     #[command(hide = true)]
     Cell {
@@ -76,14 +82,17 @@ enum Cell {
 
 fn main() {
     let arguments = Arguments::parse();
-    if let Some(Cell::Cell {
-        program,
-        input,
-        calls,
-        answer,
-    }) = arguments.cell
-    {
-        return programs::run(&program, &input, calls, answer.as_deref());
+    match arguments.cell {
+        Some(Cell::Cell {
+            program,
+            input,
+            calls,
+            answer,
+        }) => return programs::run(&program, &input, calls, answer.as_deref()),
+        Some(Cell::Serve { program }) => {
+            return serve::serve(&program).expect("questions as lines of JSON");
+        }
+        None => {}
     }
     let folder = tempfile::tempdir().expect("a folder for temporary files");
     let programs = programs::all(folder.path(), &arguments.python);

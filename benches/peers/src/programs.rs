@@ -28,16 +28,30 @@ pub(crate) struct Program {
 }
 
 /// Triangulates an input, or says why not.
-type Call = fn(&Input, &mut Stopwatch) -> Answer;
+pub(crate) type Call = fn(&Input, &mut Stopwatch) -> Answer;
 
 /// A crate behind one signature.
-struct Crate {
+pub(crate) struct Crate {
     name: &'static str,
-    package: &'static str,
+    pub(crate) package: &'static str,
     kinds: &'static [Kind],
-    is_inside: bool,
+    pub(crate) is_inside: bool,
     is_exact: bool,
-    call: Call,
+    pub(crate) call: Call,
+}
+
+impl Crate {
+    /// The crate of this name; ends the process where there is none.
+    pub(crate) fn named(name: &str) -> &'static Crate {
+        CRATES
+            .iter()
+            .find(|entry| entry.name == name)
+            .unwrap_or_else(|| {
+                let names = CRATES.map(|entry| entry.name).join(", ");
+                eprintln!("no crate is called {name}; there are {names}");
+                std::process::exit(2)
+            })
+    }
 }
 
 const ALL: &[Kind] = &[Kind::Points, Kind::Edges, Kind::Polygons];
@@ -93,7 +107,7 @@ pub(crate) fn all(folder: &Path, python: &Path) -> Vec<Program> {
 }
 
 /// The version of a package in Cargo.lock.
-fn locked_version(package: &str) -> String {
+pub(crate) fn locked_version(package: &str) -> String {
     let name = format!("name = \"{package}\"");
     let mut lines = include_str!("../Cargo.lock").lines();
     lines.find(|&line| line == name).expect("a dependency");
@@ -103,8 +117,7 @@ fn locked_version(package: &str) -> String {
 
 /// Runs a crate on a data set, so many times: what a process does. The answer is the last one.
 pub(crate) fn run(name: &str, input: &Path, calls: usize, answer: Option<&Path>) {
-    let entry = CRATES.iter().find(|entry| entry.name == name);
-    let call = entry.expect("a program").call;
+    let call = Crate::named(name).call;
     let inputs = binary::read_inputs(input).expect("a data set");
     let mut stopwatch = Stopwatch::default();
     let (mut lines, mut triangles) = (String::new(), Vec::new());
