@@ -6,8 +6,8 @@ It also shows what bytes stand for, so there is one build for both, after the fu
 """
 
 import concurrent.futures
+import json
 import os
-import re
 import shutil
 
 from . import processes
@@ -16,6 +16,8 @@ from .processes import FUZZ
 # Modules whose coverage is measured; the report lists every file of them.
 COVERED = ["sweep/", "front/", "mesh/", "scalar/", "verify/", "stream/", "crossings/", "triangulation/", "trace/",
            "bucket.rs"]
+# The kind of a region that is code, in what llvm-cov exports.
+CODE = 0
 # The target folder of the instrumented program, and the program.
 FOLDER = FUZZ / "target/coverage"
 PROGRAM = FOLDER / "release/sweep-cdt-properties"
@@ -53,11 +55,27 @@ def measure(targets, jobs, tools, out):
     merged = profile / "all.profdata"
     processes.must([tools[0], "merge", "-sparse", *raw, "-o", merged])
     source = FUZZ.parent / "src"
-    sources = [path for path in sorted(source.rglob("*.rs"))
-               if any(str(path.relative_to(source)).startswith(part) for part in COVERED)]
-    text = processes.must([tools[1], "report", PROGRAM, f"-instr-profile={merged}", *sources])
+    sources = [path for path in sorted(source.rglob("*.rs")) if is_covered(os.path.relpath(path, source))]
+    merged = f"-instr-profile={merged}"
     (out / "coverage.txt").write_text(
-        processes.must([tools[1], "show", PROGRAM, f"-instr-profile={merged}", "-show-instantiations=false",
-                        "-show-regions", *sources]))
-    rows = re.findall(r"^(\S+\.rs|TOTAL)\s+(\d+)\s+(\d+)\s", text, re.M)
-    return [(name, int(regions), int(missed)) for name, regions, missed in rows]
+        processes.must([tools[1], "show", PROGRAM, merged, "-show-instantiations=false", "-show-regions", *sources]))
+    rows = count(json.loads(processes.must([tools[1], "export", PROGRAM, merged])), source)
+    return [*rows, ("TOTAL", sum(regions for _, regions, _ in rows), sum(missed for _, _, missed in rows))]
+
+
+def is_covered(name):
+    """Whether the coverage of this file of `src/` is measured."""
+    return any(name.startswith(part) for part in COVERED)
+
+
+def count(exported, source):
+    """File, regions and missed regions, out of what llvm-cov exports. A region of a generic function counts once, and is
+    reached if it is for any type."""
+    reached = {}
+    for function in exported["data"][0]["functions"]:
+        names = [os.path.relpath(file, source) for file in function["filenames"]]
+        for *place, executions, file, _, kind in function["regions"]:
+            if kind == CODE and is_covered(names[file]):
+                regions = reached.setdefault(names[file], {})
+                regions[tuple(place)] = regions.get(tuple(place), False) or executions > 0
+    return [(name, len(regions), list(regions.values()).count(False)) for name, regions in sorted(reached.items())]

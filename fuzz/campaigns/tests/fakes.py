@@ -110,7 +110,10 @@ exit 0
 '''
 
 LLVM = '''#!/bin/sh
-[ "$1" = report ] && echo "sweep/mod.rs 10 1 90%"
+file="$(cd "$FAKE_FUZZ/.." && pwd)/src/sweep/mod.rs"
+region() { echo "{\\"filenames\\": [\\"$file\\"], \\"regions\\": [[$1, 1, $1, 9, $2, 0, 0, 0], [1, 1, 9, 9, 0, 0, 0, 1]]}"; }
+# One function for two types, of which one reaches it, and one that is missed.
+[ "$1" = export ] && echo "{\\"data\\": [{\\"functions\\": [$(region 3 7), $(region 3 0), $(region 5 0)]}]}"
 exit 0
 '''
 

@@ -18,7 +18,7 @@ class Campaigns(unittest.TestCase):
             self.assertEqual({name for name, _ in place.slices()}, set(names))
             self.assertRegex(text, "fuzzing 0:0[567]")
             self.assertIn("-max_len=108", place.slices()[0][1])
-            self.assertIn("| sweep/mod.rs | 10 | 1 | 90.00 % |", place.report())
+            self.assertIn("| sweep/mod.rs | 2 | 1 | 50.00 % |", place.report())
             self.assertIn("| **inputs looked at** | 0 | 0 | 0 | 0 | 0 |", place.report())
 
     def test_a_target_that_loads_its_seeds_for_long_does_not_take_the_time_of_others(self):
