@@ -13,7 +13,7 @@ use crate::summary::{Statistics, Summary};
 pub struct Vertex<'a> {
     /// The number of the point in the input, from 0.
     pub number: u64,
-    /// Its x and y.
+    /// The x and y of the vertex.
     pub point: [f64; 2],
     /// The edges whose lower end it is, in the order of their numbers: the number of each in the input, from 0, and its
     /// upper end. Of equal points the first one has them.

@@ -15,7 +15,7 @@ use super::partition::Edge;
 use crate::front::{Front, Search};
 use crate::ids::narrow;
 use crate::scalar::ExactPoints;
-use crate::settings::{Algorithm, Settings};
+use crate::settings::Settings;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -66,12 +66,10 @@ pub(super) fn join<'a, P: BandProbe>(
         front: Some(front),
         ..Held::default()
     };
-    let settings = Settings {
-        algorithm: Algorithm::Auto,
-        ..settings
-    };
     let mut sweep = Sweep::new(points, chains, settings, search, probe, held, lent);
     let delaunay = &mut sweep.delaunay;
+    // Whatever the algorithm, joining is given up where it flips too much.
+    delaunay.flip_limit = FlipLimit::new(n, true);
     let mode = if sweep.chains.is_empty() {
         MergeMode::Delete
     } else {
