@@ -56,10 +56,10 @@ def measure(targets, jobs, tools, out):
     processes.must([tools[0], "merge", "-sparse", *raw, "-o", merged])
     source = FUZZ.parent / "src"
     sources = [path for path in sorted(source.rglob("*.rs")) if is_covered(os.path.relpath(path, source))]
-    merged = f"-instr-profile={merged}"
+    measured = [PROGRAM, f"-instr-profile={merged}"]
     (out / "coverage.txt").write_text(
-        processes.must([tools[1], "show", PROGRAM, merged, "-show-instantiations=false", "-show-regions", *sources]))
-    rows = count(json.loads(processes.must([tools[1], "export", PROGRAM, merged])), source)
+        processes.must([tools[1], "show", *measured, "-show-instantiations=false", "-show-regions", *sources]))
+    rows = count(json.loads(processes.must([tools[1], "export", *measured])), source)
     return [*rows, ("TOTAL", sum(regions for _, regions, _ in rows), sum(missed for _, _, missed in rows))]
 
 

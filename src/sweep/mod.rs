@@ -160,7 +160,7 @@ fn triangulate<'a, P: Probe>(
     match result {
         Ok(triangulation) => Ok((triangulation, probe)),
         Err(error) => {
-            scratch.ends = chains.finish().into_ends();
+            scratch.ends = chains.into_ends();
             Err(error)
         }
     }

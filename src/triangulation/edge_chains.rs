@@ -76,6 +76,11 @@ impl EdgeChainBuilder {
         Ok(())
     }
 
+    /// The ends of the edges alone, where there is no result.
+    pub(crate) fn into_ends(self) -> Vec<[u32; 2]> {
+        Arc::unwrap_or_clone(self.ends)
+    }
+
     pub(crate) fn finish(mut self) -> EdgeChains {
         // A stable sort: the vertices of each edge stay in order.
         self.passed.sort_by_key(|&(edge, _)| edge);

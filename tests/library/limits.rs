@@ -5,6 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use sweep_cdt::interior::FillRule;
 use sweep_cdt::scalar::{Measure, Scalar, Stage};
 use sweep_cdt::verify::{Violation, verify};
 use sweep_cdt::{Algorithm, Error, Triangulation, Triangulator, triangulate};
@@ -223,16 +224,20 @@ impl<const KIND: u8> Scalar for Wrong<KIND> {
     }
 }
 
-/// Triangulates small inputs; `collapsed` coordinates are so near each other that the filter decides
+/// Points whose doubles are approximations for the filter, which cannot separate them.
+fn collapsed<const KIND: u8>(seed: u64) -> Vec<[Wrong<KIND>; 2]> {
+    let random = &mut Random::new(seed);
+    (0..30)
+        .map(|_| [0, 1].map(|_| Wrong(1.0 + random.integer(40) * f64::EPSILON)))
+        .collect()
+}
+
+/// Triangulates small inputs; [`collapsed`] coordinates are so near each other that the filter decides
 /// nothing. Returns how many runs ended in a panic that blames the scalar.
 fn blamed<const KIND: u8>(algorithm: Algorithm) -> usize {
     let mut blamed = 0;
     for seed in 0..40 {
-        let random = &mut Random::new(seed);
-        // Their doubles are approximations for the filter, which cannot separate them.
-        let points: Vec<[Wrong<KIND>; 2]> = (0..30)
-            .map(|_| [0, 1].map(|_| Wrong(1.0 + random.integer(40) * f64::EPSILON)))
-            .collect();
+        let points = collapsed::<KIND>(seed);
         let edges = [[0, 1], [2, 3], [4, 5]];
         let run = Triangulator::new().algorithm(algorithm);
         let result = catch_unwind(AssertUnwindSafe(|| {
@@ -268,4 +273,46 @@ fn every_run_ends() {
         all += blamed.iter().sum::<usize>();
     }
     assert!(all > 0, "no scalar was blamed");
+}
+
+/// The memory of a session is whatever the panic of a scalar left in it.
+#[test]
+fn a_session_goes_on_after_a_panic() {
+    let others = ALGORITHMS.iter().map(|&(_, algorithm)| algorithm);
+    for algorithm in [Algorithm::Auto, Algorithm::Sweep]
+        .into_iter()
+        .chain(others)
+    {
+        let mut session = Triangulator::new().algorithm(algorithm).session();
+        let (mut panics, edges) = (0, [[0, 1], [2, 3], [4, 5]]);
+        for seed in 0..40 {
+            let wrong = collapsed::<RANDOM>(seed);
+            let run = || session.triangulate(&wrong, &edges).is_ok();
+            panics += usize::from(catch_unwind(AssertUnwindSafe(run)).is_err());
+
+            // Few points, so that the panic leaves numbers that are none of theirs.
+            let points: Vec<[f64; 2]> = wrong[..7]
+                .iter()
+                .map(|point| [0, 1].map(|axis| (point[axis].0 - 1.0) / f64::EPSILON))
+                .collect();
+            let lists = |result: &Triangulation| result.canonical_triangles();
+            let result = session.triangulate(&points, &edges).map(lists);
+            let expected = triangulate(&points, &edges).map(|result| lists(&result));
+            assert_eq!(result, expected, "{algorithm:?}, seed {seed}");
+
+            // Nor does a polygon, of which the inside alone is triangulated, keep what a panic left.
+            let ring: Vec<[usize; 2]> = (0..30).map(|v| [v, (v + 1) % 30]).collect();
+            let run = || {
+                session
+                    .triangulate_inside(&wrong, &ring, FillRule::EvenOdd)
+                    .is_ok()
+            };
+            panics += usize::from(catch_unwind(AssertUnwindSafe(run)).is_err());
+            let (square, sides) = ([[0, 0], [4, 0], [5, 4], [0, 4]], &ring[..3]);
+            let sides = [sides, &[[3, 0]]].concat();
+            let inside = session.triangulate_inside(&square, &sides, FillRule::EvenOdd);
+            assert_eq!(inside, Ok(&[[0, 1, 3], [1, 2, 3]][..]));
+        }
+        assert!(panics > 0, "{algorithm:?}: no scalar was blamed");
+    }
 }

@@ -59,7 +59,7 @@ impl<'a, P: Probe> Delaunay<'a, P> {
             run,
             polygons,
         } = buffers;
-        // A panic of the caller's scalar leaves sides there.
+        // A panic of the caller's scalar may have left sides there.
         flip_stack.clear();
         Delaunay {
             mesh,
