@@ -1,8 +1,9 @@
 //! Check 1: all coordinates are finite and all indices in range. What is in range is renumbered.
-//! Each distinct point gets a rank, in the order in which the triangles name points first, so that vertices of
-//! neighbouring triangles are near each other in memory. Equal points are found by a sort of hashes of the approximated
-//! coordinates, which are equal too. Only points of equal hashes, few but for duplicates, are compared exactly.
-//! Cost: one sort of 64-bit numbers.
+//! The points are sorted by the first bits of y, and exactly where these are equal. So equal points are neighbours.
+//! Triangles are then taken by their lowest corner, whatever their order in the caller's list, and each distinct point
+//! gets a rank, in the order in which these triangles name points first. So what the checks visit together is together in
+//! memory. Violations get the caller's numbers back at the end.
+//! Cost: a sort of n numbers of 64 bits and one by counting of the triangles; O(n log n) where many y begin alike.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -10,6 +11,7 @@ use core::cmp::Ordering;
 
 use super::declared::DeclaredBoundary;
 use super::report::Record;
+use super::sides::grouped;
 use super::soup::{LIMIT, REJECTED, Soup, SoupPredicates};
 use super::violation::Violation;
 use crate::scalar::{NearTies, Scalar, recenter};
@@ -23,6 +25,8 @@ pub(super) struct Ranked<'a, S> {
     pub(super) domain: Option<DeclaredBoundary>,
     /// Vertices of this rank and above are in no triangle.
     pub(super) used: u32,
+    /// For each triangle of the soup its number in the caller's list.
+    pub(super) numbers: Vec<u32>,
 }
 
 /// Reads the caller's arrays; `None` if they are too large to be numbered.
@@ -45,8 +49,10 @@ pub(super) fn read<'a, S: Scalar>(
     }
 
     // The triangles come first: ranks follow the order in which they name the points.
-    let mut ranks = Ranks::new(points, added_from, record);
-    let triangles = ranks.read_triangles(triangles, record);
+    let (mut ranks, places) = Ranks::new(points, added_from, record);
+    let numbers = from_below(triangles, &places);
+    drop(places);
+    let triangles = ranks.read_triangles(triangles, &numbers, record);
     let used = ranks.given_out();
     // Then the points that are in no triangle.
     for v in 0..points.len() {
@@ -66,6 +72,7 @@ pub(super) fn read<'a, S: Scalar>(
         edges,
         domain,
         used,
+        numbers,
     })
 }
 
@@ -86,7 +93,12 @@ const NEW: u32 = u32::MAX - 1;
 const NOT_FINITE: u32 = u32::MAX;
 
 impl<'a, S: Scalar> Ranks<'a, S> {
-    fn new(points: &'a [[S; 2]], added_from: usize, record: &mut Record) -> Ranks<'a, S> {
+    /// No ranks yet, and for each point its place from below.
+    fn new(
+        points: &'a [[S; 2]],
+        added_from: usize,
+        record: &mut Record,
+    ) -> (Ranks<'a, S>, Vec<u32>) {
         let mut rank = vec![NEW; points.len()];
         let mut approximations = Vec::with_capacity(points.len());
         for (vertex, (point, rank)) in points.iter().zip(&mut rank).enumerate() {
@@ -102,7 +114,7 @@ impl<'a, S: Scalar> Ranks<'a, S> {
         }
         let is_finite = |v: u32| rank[v as usize] == NEW;
         let scale = recenter(points, &mut approximations);
-        let representative = representatives(points, &approximations, is_finite);
+        let (places, representative) = sort(points, &approximations, is_finite);
         let predicates = SoupPredicates {
             points,
             added_from,
@@ -111,16 +123,24 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             approx: Vec::with_capacity(points.len()),
             near_ties: NearTies::default(),
         };
-        Ranks {
+        let ranks = Ranks {
             predicates,
             rank,
             representative,
             approximations,
-        }
+        };
+        (ranks, places)
     }
 
-    fn read_triangles(&mut self, triangles: &[[usize; 3]], record: &mut Record) -> Vec<[u32; 3]> {
-        let ranked = triangles.iter().enumerate().map(|(triangle, &corners)| {
+    /// The triangles by rank, in the order of `numbers`.
+    fn read_triangles(
+        &mut self,
+        triangles: &[[usize; 3]],
+        numbers: &[u32],
+        record: &mut Record,
+    ) -> Vec<[u32; 3]> {
+        let ranked = numbers.iter().enumerate().map(|(triangle, &number)| {
+            let corners = triangles[number as usize];
             if let Some(vertex) = self.out_of_range(&corners) {
                 record
                     .findings
@@ -202,51 +222,80 @@ impl<'a, S: Scalar> Ranks<'a, S> {
     }
 }
 
-/// For each point the lowest index of a point equal to it; `None` if all differ. Compares only finite points.
-fn representatives<S: Scalar>(
+/// Sorts the finite points from below. Returns for each point its place, and the lowest index of a point equal to it;
+/// `None` if all differ.
+fn sort<S: Scalar>(
     points: &[[S; 2]],
     approximations: &[[f64; 2]],
     is_finite: impl Fn(u32) -> bool,
-) -> Option<Vec<u32>> {
+) -> (Vec<u32>, Option<Vec<u32>>) {
     let count = u32::try_from(points.len()).expect("the size was checked");
-    // A key is a hash, with the index of the point in its low bits.
+    // A key is the beginning of y, with the index of the point in its low bits.
     let low_bits = u64::from(count.next_power_of_two()) * 2 - 1;
     let mut keys: Vec<u64> = (0..count)
         .filter(|&v| is_finite(v))
-        .map(|v| hash(approximations[v as usize]) & !low_bits | u64::from(v))
+        .map(|v| ascending(approximations[v as usize][1]) & !low_bits | u64::from(v))
         .collect();
     keys.sort_unstable();
 
-    let same_hash = |a: &u64, b: &u64| a & !low_bits == b & !low_bits;
+    let same_y = |a: &u64, b: &u64| a & !low_bits == b & !low_bits;
     let order = |&a: &u32, &b: &u32| {
-        let (p, q) = (&points[a as usize], &points[b as usize]);
-        p[0].compare(&q[0]).then_with(|| p[1].compare(&q[1]))
+        let by_approx = {
+            let [p, q] = [a, b].map(|v| approximations[v as usize].map(ascending));
+            p[1].cmp(&q[1]).then(p[0].cmp(&q[0]))
+        };
+        let exact = |axis: usize| {
+            let [p, q] = [a, b].map(|v| &points[v as usize][axis]);
+            p.compare(q)
+        };
+        by_approx.then_with(|| exact(1)).then_with(|| exact(0))
     };
+    let mut places = vec![0; points.len()];
     let mut found: Option<Vec<u32>> = None;
-    for group in keys.chunk_by(same_hash).filter(|group| group.len() > 1) {
+    let mut group = Vec::new();
+    let mut place = 0;
+    for keys in keys.chunk_by(same_y) {
+        group.clear();
         let index = |key: &u64| u32::try_from(key & low_bits).expect("an index");
-        let mut group: Vec<u32> = group.iter().map(index).collect();
-        group.sort_by(order);
-        for equal in group.chunk_by(|a, b| order(a, b) == Ordering::Equal) {
-            if equal.len() > 1 {
-                let all = found.get_or_insert_with(|| (0..count).collect());
-                // The sort is stable, so the lowest index comes first.
-                for &v in equal {
-                    all[v as usize] = equal[0];
+        group.extend(keys.iter().map(index));
+        if group.len() > 1 {
+            group.sort_by(order);
+            for equal in group.chunk_by(|a, b| order(a, b) == Ordering::Equal) {
+                if equal.len() > 1 {
+                    let all = found.get_or_insert_with(|| (0..count).collect());
+                    // The sort is stable, so the lowest index comes first.
+                    for &v in equal {
+                        all[v as usize] = equal[0];
+                    }
                 }
             }
         }
+        for &v in &group {
+            places[v as usize] = place;
+            place += 1;
+        }
     }
-    found
+    (places, found)
 }
 
-/// Mixes two doubles. Zeros of both signs give the same hash.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "folds both halves into one"
-)]
-fn hash([x, y]: [f64; 2]) -> u64 {
-    let [x, y] = [x + 0.0, y + 0.0].map(f64::to_bits);
-    let product = u128::from(x ^ 0x9e37_79b9_7f4a_7c15) * u128::from(y ^ 0xd1b5_4a32_d192_ed03);
-    (product >> 64) as u64 ^ product as u64
+/// The numbers of the triangles by the lowest of their corners, which have these places; those with a corner out of range
+/// first.
+fn from_below(triangles: &[[usize; 3]], places: &[u32]) -> Vec<u32> {
+    let lowest = |corners: &[usize; 3]| {
+        let places = corners.map(|v| places.get(v).copied().unwrap_or(0));
+        places.into_iter().min().unwrap_or(0)
+    };
+    let numbers = || {
+        (0..)
+            .zip(triangles)
+            .map(|(t, corners)| (lowest(corners), t))
+    };
+    grouped(numbers, places.len().max(1)).1
+}
+
+/// A number that is greater for a greater double, and equal for zeros of both signs.
+fn ascending(x: f64) -> u64 {
+    let bits = (x + 0.0).to_bits();
+    let is_negative = bits >> 63 == 1;
+    if is_negative { !bits } else { bits | 1 << 63 }
 }

@@ -26,20 +26,25 @@ pub(super) fn check<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     regions: Regions<'_>,
+    numbers: &[u32],
     record: &mut Record,
 ) {
     if record.findings.reached() < Some(Level::Constrained) {
         return;
     }
     let (faces, count) = faces(soup, sides);
+    let mut face_of = vec![0; faces.len()];
+    for (&number, &face) in numbers.iter().zip(&faces) {
+        face_of[number as usize] = face;
+    }
     let mut wanted = vec![0.0; count];
     for &(triangle, attribute) in regions.seeds {
-        if let Some(&face) = faces.get(triangle) {
+        if let Some(&face) = face_of.get(triangle) {
             wanted[face] = attribute;
         }
     }
-    for (triangle, &face) in faces.iter().enumerate() {
-        if regions.attributes.get(triangle) != Some(&wanted[face]) {
+    for (triangle, (&number, &face)) in numbers.iter().zip(&faces).enumerate() {
+        if regions.attributes.get(number as usize) != Some(&wanted[face]) {
             record.findings.add(Violation::WrongRegion { triangle });
         }
     }

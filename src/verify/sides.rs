@@ -149,7 +149,7 @@ fn buckets<S: Scalar>(soup: &Soup<'_, S>) -> (Vec<u32>, Vec<u64>) {
 }
 
 /// Counting sort by vertex: where the values of each vertex begin, and all values.
-fn grouped<T, I>(pairs: impl Fn() -> I, vertices: usize) -> (Vec<u32>, Vec<T>)
+pub(super) fn grouped<T, I>(pairs: impl Fn() -> I, vertices: usize) -> (Vec<u32>, Vec<T>)
 where
     T: Copy + Default,
     I: Iterator<Item = (u32, T)>,

@@ -224,6 +224,7 @@ impl<'a> Verifier<'a> {
             edges,
             mut domain,
             used,
+            numbers,
         } = ranked;
         if self.clockwise {
             turns::reverse_if_clockwise(&mut soup, &mut record);
@@ -240,8 +241,9 @@ impl<'a> Verifier<'a> {
         edges::check(&soup, &mut sides, &edges, &mut record);
         delaunay::check::<S, C>(&soup, &sides, &progress, &mut record);
         if let Some(regions) = self.regions {
-            regions::check(&soup, &sides, regions, &mut record);
+            regions::check(&soup, &sides, regions, &numbers, &mut record);
         }
+        record.findings.renumber(&numbers);
         record.answer()
     }
 }

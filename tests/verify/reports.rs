@@ -173,11 +173,11 @@ fn both_triangles_of_a_side_given_twice() {
     let list = verify(&points, &[], &triangles).unwrap_err().list;
     let expected = [
         ([0, 1], [0, 1]),
-        ([1, 0], [2, 3]),
-        ([2, 0], [0, 1]),
-        ([0, 3], [2, 3]),
         ([1, 2], [0, 1]),
+        ([2, 0], [0, 1]),
+        ([1, 0], [2, 3]),
         ([3, 1], [2, 3]),
+        ([0, 3], [2, 3]),
     ];
     let repeated = |(side, triangles)| Violation::RepeatedSide { side, triangles };
     assert_eq!(list, expected.map(repeated));

@@ -9,6 +9,8 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 use std::time::Duration;
 
 use pyo3::prelude::*;
@@ -77,15 +79,25 @@ pub(crate) fn call<T: Send>(
 
 type Done<T> = Result<T, Box<dyn Any + Send>>;
 
-/// Works on another thread. Returns what came of it, and the exception of a signal.
+/// Works on another thread; on this one where none can be made. Returns what came of it, and the exception of a signal.
 fn watched<T: Send>(watch: &Watch, work: impl FnOnce() -> T + Send) -> (Done<T>, Option<PyErr>) {
-    std::thread::scope(|scope| {
+    let waiting = Mutex::new(Some(work));
+    let work = &|| {
+        let mut waiting = waiting.lock().unwrap_or_else(PoisonError::into_inner);
+        let work = waiting.take().expect("the work is done once");
+        drop(waiting);
+        work()
+    };
+    thread::scope(|scope| {
         let (sender, receiver) = mpsc::channel::<()>();
-        let worker = scope.spawn(move || {
+        let worker = thread::Builder::new().spawn_scoped(scope, move || {
             // Dropped at the end, however that comes.
             let _sender = sender;
             work()
         });
+        let Ok(worker) = worker else {
+            return (catch_unwind(AssertUnwindSafe(work)), None);
+        };
         let mut signal = None;
         while receiver.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
             if signal.is_none()

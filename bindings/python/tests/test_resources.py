@@ -5,6 +5,7 @@ import gc
 import os
 import pathlib
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -128,3 +129,26 @@ def test_a_signal_ends_a_long_call(name):
         signal.signal(signal.SIGPROF, before)
     # The work did not go on to its end.
     assert part < 0.8 * whole
+
+
+# The limit on processes does not hold for root, so the call is made as nobody.
+WITHOUT_THREADS = """
+import os, resource
+import numpy as np
+import sweep_cdt
+points = np.random.default_rng(1).random((30_000, 2))
+if os.getuid() == 0:
+    os.setgroups([])
+    os.setgid(65534)
+    os.setuid(65534)
+resource.setrlimit(resource.RLIMIT_NPROC, (0, 0))
+counts = [len(sweep_cdt.triangulate(points, threads=threads).simplices) for threads in (1, 2)]
+assert counts[0] == counts[1] > 59_000, counts
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the limit on processes is that of Linux")
+def test_one_thread_does_the_work_where_none_can_be_made():
+    run = [sys.executable, "-c", WITHOUT_THREADS]
+    done = subprocess.run(run, capture_output=True, text=True, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+    assert done.returncode == 0, done.stderr

@@ -158,7 +158,7 @@ impl Triangulate {
             return Err(Failure::Usage(message));
         }
         if let Some(threads) = self.threads {
-            limit_threads(threads)?;
+            limit_threads(threads);
         }
         let mut read = self.reading.files();
         let input = self.input.read(&mut read, |_| ())?;

@@ -1,6 +1,7 @@
 //! `sweep-cdt verify`: is it a constrained Delaunay triangulation?
 
 use std::io::{self, Write};
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -21,6 +22,7 @@ use crate::shared::failure::{Failure, way_out};
 use crate::shared::files::ReadingArgs;
 use crate::shared::inside::{Inside, answer};
 use crate::shared::outputs::{Destination, Outputs, refuse_read, refuse_twice};
+use crate::shared::resources::limit_threads;
 use crate::shared::verification::{self, violations};
 use crate::stream::{SortArgs, verify_stream};
 
@@ -104,6 +106,10 @@ pub(crate) struct Verify {
     #[arg(long, value_name = "N", default_value_t = 20)]
     limit: usize,
 
+    /// Threads to work on [default: as many as there are cores]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+
     /// Print below each figure of the report what it is
     #[arg(long, conflicts_with = "json")]
     explain: bool,
@@ -138,7 +144,7 @@ pub(crate) struct Verify {
     #[arg(
         long,
         conflicts_with_all = ["input_format", "result_format", "faces", "height_property", "strict", "unpacked_limit",
-            "scalar", "domain", "clockwise", "tolerance", "by_number", "steiner", "max_depth", "limit", "explain", "json",
+            "scalar", "domain", "clockwise", "tolerance", "by_number", "steiner", "max_depth", "limit", "threads", "explain", "json",
             "svg", "geojson", "record", "write_certificate"],
     )]
     stream: bool,
@@ -228,14 +234,22 @@ impl Verify {
                 .chain(&certificate)
         };
         refuse_twice([&standard].into_iter().chain(written()))?;
+        if let Some(threads) = self.threads {
+            limit_threads(threads);
+        }
         let mut read = self.reading.files();
+        // Only the record names the files by their sums, which take longer than the verdict.
+        let has_record = self.json || self.record.is_some();
+        let note = |list: &mut Vec<Fingerprint>, source: &_| {
+            list.extend(has_record.then(|| Fingerprint::of(source)));
+        };
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
         let mut input = self
             .input
-            .read(&mut read, |source| of_input.push(Fingerprint::of(source)))?;
+            .read(&mut read, |source| note(&mut of_input, source))?;
         let result = self
             .result
-            .load(&mut read, |source| of_result.push(Fingerprint::of(source)))?;
+            .load(&mut read, |source| note(&mut of_result, source))?;
         refuse_read(&read, written())?;
         let own = self.with_added(&mut input, &result)?;
         let run = Run {

@@ -11,8 +11,6 @@ use std::time::{Duration, Instant};
 
 use rayon::ThreadPoolBuilder;
 
-use super::failure::Failure;
-
 /// Whether so many bytes can be allocated.
 pub(crate) fn has_room(bytes: u64) -> bool {
     room().is_none_or(|room| bytes <= room)
@@ -40,11 +38,10 @@ fn room() -> Option<u64> {
 const MOST_THREADS: usize = 256;
 
 /// Starts so many threads for all that follows, or the most that are of use. Nothing may have been done on several
-/// threads yet.
-pub(crate) fn limit_threads(threads: NonZeroUsize) -> Result<(), Failure> {
+/// threads yet. Where the system gives none, one does the work.
+pub(crate) fn limit_threads(threads: NonZeroUsize) {
     let pool = ThreadPoolBuilder::new().num_threads(threads.get().min(MOST_THREADS));
-    pool.build_global()
-        .map_err(|error| Failure::Error(format!("--threads {threads}: {error}")))
+    drop(pool.build_global());
 }
 
 /// Work that takes less time shows no bar.

@@ -324,6 +324,7 @@ fn a_run_that_cannot_make_threads_ends_well() {
     let run = |arguments: &str| run(&words, arguments);
     for arguments in [
         "triangulate a.json -o a.svg --stats",
+        "triangulate a.json -o a.svg --threads 2",
         "trace a.json -o a.txt",
     ] {
         let output = run(arguments);

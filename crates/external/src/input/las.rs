@@ -2,18 +2,28 @@
 //!
 //! A file holds whole numbers of 32 bits, and for each axis a scale and an offset. A coordinate is the double that the
 //! crate makes of them.
+//!
+//! The points of a `.laz` are packed in chunks, which a table lists. The crates allocate what the table says, so it is
+//! compared with the length of the file before. Chunks are unpacked whole, on all cores. Without threads, and where a
+//! chunk would take much memory, points are unpacked one after the other instead.
 
-use std::io::BufReader;
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
-use las::{PointData, PointDataBuilder, Reader};
+use las::{Header, LazParallelism, PointData, PointDataBuilder, Reader, ReaderOptions};
+use laz::laszip::ChunkTable;
+use sweep_cdt::threads::has_threads;
 use sweep_cdt_formats::ReadError;
 
+use crate::error::reason;
 use crate::input::Input;
 use crate::input::file::InputFile;
 
 /// How many points are read at once: a few chunks of a `.laz`, which are unpacked on all cores.
 const POINTS: u64 = 1 << 18;
+
+/// The most bytes that a chunk which is unpacked whole may take.
+const CHUNK: u64 = 1 << 26;
 
 /// A point cloud.
 pub(super) struct Cloud {
@@ -27,7 +37,15 @@ pub(super) struct Cloud {
 impl Cloud {
     pub(super) fn open(path: &Path) -> Result<Cloud, ReadError> {
         let file = InputFile::open(path)?;
-        let reader = Reader::new(BufReader::new(file.handle()?));
+        let mut read = BufReader::new(file.handle()?);
+        let chunk = largest_chunk(&mut read, file.length).map_err(|why| file.error(why))?;
+        let parallelism = match chunk <= CHUNK && has_threads() {
+            true => LazParallelism::Yes,
+            false => LazParallelism::No,
+        };
+        let options = ReaderOptions::default().with_laz_parallelism(parallelism);
+        read.rewind().map_err(|error| file.error(reason(&error)))?;
+        let reader = Reader::with_options(read, options);
         let reader = reader.map_err(|error| file.error(error.to_string()))?;
         let header = reader.header();
         let (points, count) = (
@@ -42,6 +60,57 @@ impl Cloud {
             count,
         })
     }
+}
+
+/// The bytes of the points of the largest chunk; 0 where nothing is packed. Refuses a table of chunks with more than the
+/// file has room for.
+fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u64, String> {
+    let header = Header::new(&mut *read).map_err(|error| error.to_string())?;
+    if !header.point_format().is_compressed {
+        return Ok(0);
+    }
+    let vlr = header.laz_vlr().map_err(|error| error.to_string())?;
+    let (begin, table, count) = table_of_chunks(read).map_err(|error| error.to_string())?;
+    let room = table.saturating_sub(begin);
+    if table > length || u64::from(count) > room {
+        return Err(format!(
+            "its table of chunks has {count} entries, and there is no room for so many in its {length} bytes"
+        ));
+    }
+    let chunks = read
+        .seek(SeekFrom::Start(begin))
+        .map_err(|error| error.to_string())
+        .and_then(|_| ChunkTable::read_from(read, &vlr).map_err(|error| error.to_string()))?;
+    let chunks: &[_] = chunks.as_ref();
+    let packed = chunks.iter().map(|chunk| u128::from(chunk.byte_count));
+    if packed.sum::<u128>() > u128::from(room) {
+        return Err(format!("its chunks are longer than its {length} bytes"));
+    }
+    let points = chunks.iter().map(|chunk| chunk.point_count).max();
+    Ok(points.unwrap_or(0).saturating_mul(vlr.items_size()))
+}
+
+/// Where the points begin, where the table of chunks begins, and how many entries it has. Its place stands before the
+/// points, or, where that is not known when they are written, at the end.
+fn table_of_chunks(read: &mut (impl Read + Seek)) -> io::Result<(u64, u64, u32)> {
+    let begin = read.stream_position()?;
+    let mut table = next_place(read)?;
+    if table <= begin {
+        read.seek(SeekFrom::End(-8))?;
+        table = next_place(read)?;
+    }
+    read.seek(SeekFrom::Start(table))?;
+    let mut bytes = [0; 8];
+    read.read_exact(&mut bytes)?;
+    let [_, _, _, _, count @ ..] = bytes;
+    Ok((begin, table, u32::from_le_bytes(count)))
+}
+
+/// The next eight bytes as a place in the file, or 0.
+fn next_place(read: &mut impl Read) -> io::Result<u64> {
+    let mut bytes = [0; 8];
+    read.read_exact(&mut bytes)?;
+    Ok(u64::try_from(i64::from_le_bytes(bytes)).unwrap_or(0))
 }
 
 impl Input for Cloud {

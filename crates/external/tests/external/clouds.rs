@@ -67,3 +67,35 @@ fn clouds_that_are_cut_off_are_refused() {
         }
     }
 }
+
+/// What a table of chunks says is compared with the length of the file: one entry is 16 bytes of memory. Found by review:
+/// 606 and 811 bytes, which the crates took for 68 GB and 2 GB.
+#[test]
+fn a_table_of_chunks_is_believed_as_far_as_the_file_is_long() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    for name in ["chunks_68gb.laz", "chunks_2gb.laz"] {
+        let error = open(&folder.join(name), InputFormat::Laz, None).err();
+        let error = error.expect("there is no room").to_string();
+        assert!(error.contains("table of chunks"), "{error}");
+    }
+}
+
+/// The same with the counts of a right file, which are made larger one by one.
+#[test]
+fn counts_of_chunks_are_checked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.laz");
+    write(&path, true);
+    let mut bytes = fs::read(&path).expect("a file");
+    let begin = u32::from_le_bytes(bytes[96..100].try_into().expect("four bytes")) as usize;
+    let table = u64::from_le_bytes(bytes[begin..begin + 8].try_into().expect("eight bytes"));
+    let count = usize::try_from(table).expect("a place") + 4;
+    for wrong in [bytes.len(), 1 << 27, usize::MAX] {
+        let wrong = u32::try_from(wrong).unwrap_or(u32::MAX);
+        bytes[count..count + 4].copy_from_slice(&wrong.to_le_bytes());
+        fs::write(&path, &bytes).expect("a file");
+        let error = open(&path, InputFormat::Laz, None).err();
+        let error = error.expect("there is no room").to_string();
+        assert!(error.contains("table of chunks"), "{error}");
+    }
+}

@@ -7,8 +7,7 @@
 //! of the file must be one vertex of the input, rounded ([`Rule`]), and no other one. Of two that are possible none is
 //! taken, and the nearest vertex is never taken for the right one.
 //!
-//! Cost: one sort of the input's points, and a binary search for each vertex of the file; of rounded ones
-//! what [`Nearby`] takes.
+//! Cost: a sort of the input's points and one of the vertices of the file; of rounded ones what [`Nearby`] takes.
 
 use std::cmp::Ordering;
 
@@ -315,16 +314,41 @@ fn refuse_non_finite<S: Scalar>(
 
 /// For each of `points` the lowest position in `among` of an equal point. All of `points` are finite.
 pub(super) fn find<S: Scalar>(points: &[[S; 2]], among: &[[S; 2]]) -> Vec<Option<usize>> {
-    let mut sorted: Vec<usize> = (0..among.len()).filter(|&v| is_finite(&among[v])).collect();
-    sorted.sort_by(|&v, &w| order(&among[v], &among[w]));
-    let place = |point: &[S; 2]| {
-        let at = sorted.partition_point(|&v| order(&among[v], point).is_lt());
-        sorted
-            .get(at)
-            .copied()
-            .filter(|&v| order(&among[v], point).is_eq())
-    };
-    points.iter().map(place).collect()
+    let among_sorted = sorted(among);
+    let mut found = vec![None; points.len()];
+    let mut first = 0;
+    for (approx, at) in sorted(points) {
+        let point = &points[at];
+        let is_before = |&(other, v): &([f64; 2], usize)| {
+            let by_approx = by_approx(&other, &approx);
+            by_approx.then_with(|| order(&among[v], point)).is_lt()
+        };
+        while among_sorted.get(first).is_some_and(is_before) {
+            first += 1;
+        }
+        let candidate = among_sorted.get(first).map(|&(_, v)| v);
+        found[at] = candidate.filter(|&v| order(&among[v], point).is_eq());
+    }
+    found
+}
+
+/// The finite points by x, then y, with their approximations, which decide nearly always; of equal ones the first first.
+fn sorted<S: Scalar>(points: &[[S; 2]]) -> Vec<([f64; 2], usize)> {
+    let finite = points.iter().enumerate().filter(|(_, p)| is_finite(p));
+    let mut sorted: Vec<([f64; 2], usize)> = finite
+        .map(|(v, point)| (point.each_ref().map(S::approx), v))
+        .collect();
+    sorted.sort_unstable_by(|&(p, v), &(q, w)| {
+        by_approx(&p, &q)
+            .then_with(|| order(&points[v], &points[w]))
+            .then(v.cmp(&w))
+    });
+    sorted
+}
+
+/// The order of approximations, which are never NaN.
+fn by_approx(p: &[f64; 2], q: &[f64; 2]) -> Ordering {
+    p.partial_cmp(q).unwrap_or(Ordering::Equal)
 }
 
 fn order<S: Scalar>(p: &[S; 2], q: &[S; 2]) -> Ordering {
