@@ -181,7 +181,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
 }
 
 /// The ends of a side with their places, the lower one first.
-fn lower_first<'p, S: Scalar>([u, v]: [u64; 2], [p, q]: [&'p [S; 2]; 2]) -> [(u64, &'p [S; 2]); 2] {
+fn lower_first<S: Scalar>([u, v]: [u64; 2], [p, q]: [&[S; 2]; 2]) -> [(u64, &[S; 2]); 2] {
     match upward(p, q) {
         Ordering::Less => [(u, p), (v, q)],
         _ => [(v, q), (u, p)],
