@@ -4,12 +4,12 @@
 
 use sweep_cdt::front::AnyFront;
 use sweep_cdt::stream::{Final, Stream, StreamError};
-use sweep_cdt::verify::{StreamVerifier, StreamViolation};
+use sweep_cdt::verify::{Level, StreamVerifier, StreamViolation};
 use sweep_cdt::{Error, Triangulator, triangulate};
 use sweep_cdt_testing::data::Hard;
-use sweep_cdt_testing::generators::{medium, small};
+use sweep_cdt_testing::generators::{drop_crossings, medium, small};
 use sweep_cdt_testing::oracle::{crosses, found};
-use sweep_cdt_testing::streams::{Altered, Streaming, streamed};
+use sweep_cdt_testing::streams::{Altered, Feeding, Streaming, streamed};
 use sweep_cdt_testing::{Input, Random, families};
 
 /// Tries windows of several sizes, with and without the range of x.
@@ -104,22 +104,67 @@ fn families_are_as_in_memory() {
         let input = (family.member)(200);
         assert_as_in_memory(&input, &[16]);
         let result = triangulate(&input.points, &input.edges).expect(family.name);
-        Altered::right(&input.points, &input.edges, &result).assert_verdict();
+        let right = Altered::right(&input.points, &input.edges, &result);
+        right.assert_verdict(Level::Canonical, Feeding::AsNamed);
+        let shuffled = right.shuffled(&mut Random::new(1));
+        shuffled.assert_verdict(Level::Canonical, Feeding::Before);
     }
 }
 
-/// The verifier of streams accepts right lists of triangles, and of altered ones those that the verifier accepts.
+/// The verifier of streams accepts right lists of triangles, and of altered ones those that the verifier accepts: at each
+/// level, in any order.
 #[test]
-fn the_verifier_of_streams_knows_right_from_wrong() {
-    for seed in 0..2000 {
+fn both_verifiers_have_one_verdict() {
+    for seed in 0..500 {
         let random = &mut Random::new(seed);
         let Input { points, edges } = small(random);
         if let Ok(result) = triangulate(&points, &edges) {
-            Altered::right(&points, &edges, &result).assert_verdict();
+            let right = Altered::right(&points, &edges, &result);
+            assert_one_verdict(&right, random);
             for _ in 0..4 {
-                Altered::wrong(&points, &edges, &result, random).assert_verdict();
+                let altered = Altered::wrong(&points, &edges, &result, random);
+                assert_one_verdict(&altered, random);
             }
         }
+    }
+}
+
+/// The verdict on triangles in the order of the result, and in another one.
+fn assert_one_verdict(altered: &Altered<'_>, random: &mut Random) {
+    for level in Level::ALL {
+        let feeding = random.pick(&Feeding::ALL);
+        altered.assert_verdict(level, feeding);
+        altered
+            .clone()
+            .shuffled(random)
+            .assert_verdict(level, feeding);
+    }
+}
+
+/// Edges from one side of a lattice to the other, through all vertices between, whose ends are points that occur twice.
+#[test]
+fn edges_through_many_vertices_may_be_taken_in_any_order() {
+    for seed in 0..20 {
+        let random = &mut Random::new(seed);
+        let size = 3 + random.below(8);
+        let place = |v: usize| [v % size, v / size].map(|x| x as f64);
+        let mut points: Vec<[f64; 2]> = (0..size * size).map(place).collect();
+        points.extend((0..size).map(place));
+        let last = size * (size - 1);
+        let mut edges: Vec<[usize; 2]> = Vec::new();
+        for _ in 0..random.below(2 * size) {
+            let (along, a, b) = (random.below(size), random.below(size), random.below(size));
+            edges.push(match random.below(4) {
+                0 => [size * a + along, size * b + along],
+                1 => [size * size + along, last + along],
+                2 => [size * along + a, size * along + b],
+                _ => [size * a, last + a],
+            });
+        }
+        drop_crossings(&points, &mut edges);
+        let result = triangulate(&points, &edges).expect("edges that do not cross");
+        let right = Altered::right(&points, &edges, &result);
+        assert_one_verdict(&right, random);
     }
 }
 
@@ -138,6 +183,87 @@ fn an_edge_must_end_at_a_vertex() {
     let broken = StreamViolation::BrokenEdge { edge: 7, vertex: 0 };
     assert_eq!(verdict([2, 0]), Err(broken));
     assert!(verdict([4, 0]).is_ok());
+}
+
+/// What the verifier of streams could not decide later, it refuses at once.
+#[test]
+fn edges_come_before_triangles_at_their_lower_ends_and_above() {
+    let with_square = || {
+        let mut verifier = StreamVerifier::new();
+        for (number, point) in (0..).zip([[0, 0], [4, 0], [4, 4], [0, 4], [2, 9], [3, 4]]) {
+            verifier.vertex(number, point).expect("a vertex");
+        }
+        verifier.triangle([0, 1, 3], None).expect("a triangle");
+        verifier
+    };
+    // Vertex 3 is the highest corner. Vertex 5 is farther right.
+    for from in [0, 1, 3] {
+        let late = StreamViolation::LateEdge { edge: 7 };
+        assert_eq!(with_square().edge(7, from, [2, 9]), Err(late), "{from}");
+    }
+    assert_eq!(with_square().edge(7, 5, [2, 9]), Ok(()));
+    let late = StreamViolation::LateEdge { edge: 7 };
+    let tiling = with_square().level(Level::Tiling).edge(7, 0, [2, 9]);
+    assert_eq!(tiling, Err(late));
+}
+
+/// A duplicate is named like the vertex that it equals, until triangles go all the way round both.
+#[test]
+fn duplicates_are_named_and_forgotten_with_their_vertex() {
+    let mut verifier = StreamVerifier::new();
+    for (number, point) in (0..).zip([[0, 0], [4, 0], [4, 4], [0, 4], [2, 1]]) {
+        verifier.vertex(number, point).expect("a vertex");
+    }
+    verifier.duplicate(5, &[2, 1], 4).expect("a duplicate");
+    verifier
+        .duplicate(6, &[2, 1], 5)
+        .expect("one of a duplicate");
+    verifier.edge(9, 0, [4, 0]).expect("an edge");
+    verifier.edge(8, 6, [4, 4]).expect("an edge of a duplicate");
+    let repeated = StreamViolation::RepeatedVertex { vertex: 6 };
+    assert_eq!(verifier.vertex(6, [9, 9]), Err(repeated));
+    for corners in [[0, 1, 6], [1, 2, 4], [2, 3, 5]] {
+        verifier.triangle(corners, None).expect("a triangle");
+    }
+    assert!([4, 5, 6].iter().all(|&number| verifier.has_vertex(number)));
+    verifier
+        .triangle([6, 3, 0], None)
+        .expect("the last triangle");
+    assert!(![4, 5, 6].iter().any(|&number| verifier.has_vertex(number)));
+    let unknown = StreamViolation::UnknownVertex { vertex: 5 };
+    assert_eq!(verifier.duplicate(7, &[2, 1], 5), Err(unknown));
+    let report = verifier.finish().expect("a right result");
+    assert_eq!((report.vertices, report.most_vertices), (7, 7));
+}
+
+/// Vertices are forgotten as soon as triangles go round them: of a lattice in rows, two rows and the hull are kept, and
+/// edges that pass all of it change nothing.
+#[test]
+fn what_is_kept_is_the_width_of_the_stream() {
+    let size = 40_u64;
+    let place = |v: u64| [v % size, v / size].map(|x| i64::try_from(x).expect("a small number"));
+    for has_edges in [false, true] {
+        let mut verifier = StreamVerifier::new();
+        let mut most = 0;
+        for v in 0..size * size {
+            verifier.vertex(v, place(v)).expect("a vertex");
+            if has_edges && v < size {
+                let upper = place(size * (size - 1) + v);
+                verifier.edge(v, v, upper).expect("an upright edge");
+            }
+            if v > size && v % size > 0 {
+                // The left, upper corner of each square is an end of its diagonal.
+                let [a, b, c, d] = [v - size - 1, v - size, v, v - 1];
+                for corners in [[a, b, d], [b, c, d]] {
+                    verifier.triangle(corners, None).expect("a triangle");
+                }
+            }
+            let kept = (0..=v).filter(|&v| verifier.has_vertex(v)).count();
+            most = most.max(kept);
+        }
+        assert!(most <= 5 * 40, "{most}");
+        assert!(verifier.finish().is_ok());
+    }
 }
 
 /// Two edges meet at a vertex that comes after both have begun.

@@ -193,23 +193,34 @@ fn chain<S: Sample>(points: &[[S; 2]], of: &[usize], [u, v]: [usize; 2]) -> Vec<
 #[derive(Clone, Debug)]
 pub struct Altered<'a> {
     points: &'a [[f64; 2]],
-    edges: &'a [[usize; 2]],
+    /// Those that the triangles are judged with.
+    edges: Vec<[usize; 2]>,
     result: &'a Triangulation,
     /// Corners, and whether the side opposite each is constrained.
     triangles: Vec<([usize; 3], [bool; 3])>,
 }
 
+/// When the verifier of streams is given vertices and edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Feeding {
+    /// Before the triangles, in the order of the input.
+    Before,
+    /// In the order of the sweep, as far as a triangle names them.
+    AsNamed,
+}
+
+impl Feeding {
+    /// Both ways.
+    pub const ALL: [Feeding; 2] = [Feeding::Before, Feeding::AsNamed];
+}
+
 impl<'a> Altered<'a> {
     /// The result itself.
-    pub fn right(
-        points: &'a [[f64; 2]],
-        edges: &'a [[usize; 2]],
-        result: &'a Triangulation,
-    ) -> Self {
+    pub fn right(points: &'a [[f64; 2]], edges: &[[usize; 2]], result: &'a Triangulation) -> Self {
         let sides = |t| [0, 1, 2].map(|side| result.is_constrained(t, side));
         Altered {
             points,
-            edges,
+            edges: edges.to_vec(),
             result,
             triangles: (0..result.len())
                 .map(|t| (result.triangle(t), sides(t)))
@@ -220,7 +231,7 @@ impl<'a> Altered<'a> {
     /// The result with some change, after which it may still be right.
     pub fn wrong(
         points: &'a [[f64; 2]],
-        edges: &'a [[usize; 2]],
+        edges: &[[usize; 2]],
         result: &'a Triangulation,
         random: &mut Random,
     ) -> Self {
@@ -231,101 +242,153 @@ impl<'a> Altered<'a> {
         altered
     }
 
+    /// The triangles in another order, each from another corner, with any of equal points.
+    #[must_use]
+    pub fn shuffled(mut self, random: &mut Random) -> Self {
+        let mut equal = vec![Vec::new(); self.points.len()];
+        for v in 0..self.points.len() {
+            equal[self.result.representative(v)].push(v);
+        }
+        random.shuffle(&mut self.triangles);
+        for (corners, marks) in &mut self.triangles {
+            let by = random.below(3);
+            corners.rotate_left(by);
+            marks.rotate_left(by);
+            *corners = corners.map(|v| random.pick(&equal[self.result.representative(v)]));
+        }
+        self
+    }
+
     fn change(&mut self, random: &mut Random) {
+        let any = |random: &mut Random| random.below(self.points.len());
         let list = &mut self.triangles;
         let (t, side) = (random.below(list.len()), random.below(3));
         let twin = self.result.neighbor(t, side).map(|next| {
             let back = (0..3).find(|&side| self.result.neighbor(next, side) == Some(t));
             (next, back.expect("neighbors of each other"))
         });
-        match (random.below(8), twin) {
+        match (random.below(11), twin) {
             (0, _) => drop(list.swap_remove(t)),
             (1, _) => list.push(list[t]),
             (2, _) => list[t].0.swap(0, 1),
             (3, _) => list[t].1[side] ^= true,
-            (4, _) => {
-                let other = random.below(self.points.len());
-                list[t].0[side] = self.result.representative(other);
-            }
+            (4, _) => list[t].0[side] = self.result.representative(any(random)),
             (5, _) => list[t].0 = list[random.below(list.len())].0,
             (6, Some((next, back))) => {
                 list[t].1[side] ^= true;
                 list[next].1[back] ^= true;
             }
             (6, None) => list[t].1[side] ^= true,
-            // The side is flipped, whether that leaves two triangles or not.
-            (_, Some((next, back))) => {
+            (7, _) => self.edges.push([any(random), any(random)]),
+            (8, _) if !self.edges.is_empty() => {
+                let edge = random.below(self.edges.len());
+                self.edges.swap_remove(edge);
+            }
+            // The side is flipped, whether that leaves two triangles or not. One time in three the new one is an edge.
+            (change, Some((next, back))) => {
                 let [(a, of_a), (b, of_b)] = [list[t], list[next]];
                 let turned = |i: usize, k: usize| (i + k) % 3;
                 let (u, v) = (a[turned(side, 1)], a[turned(side, 2)]);
                 let (apex, other) = (a[side], b[back]);
+                let is_edge = change == 9;
                 list[t] = (
                     [apex, u, other],
-                    [of_b[turned(back, 1)], false, of_a[turned(side, 2)]],
+                    [of_b[turned(back, 1)], is_edge, of_a[turned(side, 2)]],
                 );
                 list[next] = (
                     [apex, other, v],
-                    [of_b[turned(back, 2)], of_a[turned(side, 1)], false],
+                    [of_b[turned(back, 2)], of_a[turned(side, 1)], is_edge],
                 );
+                if is_edge {
+                    self.edges.push([apex, other]);
+                }
             }
             (_, None) => drop(list.swap_remove(t)),
         }
     }
 
-    /// Panics unless the verifier of streams accepts the triangles exactly if the verifier in memory finds the canonical
-    /// triangulation, and all constrained sides are marked and no others.
+    /// Panics unless the verifier of streams accepts the triangles at a level exactly if the verifier in memory does; and
+    /// with their marks, if besides all constrained sides are marked and no others, or the level asks for no edges.
     ///
     /// # Panics
     /// If the verdicts differ.
-    pub fn assert_verdict(&self) {
+    pub fn assert_verdict(&self, level: Level, feeding: Feeding) {
         let list: Vec<[usize; 3]> = self.triangles.iter().map(|(corners, _)| *corners).collect();
-        let report = Verifier::new().verify(self.points, self.edges, &list);
-        let is_canonical = report.is_ok_and(|report| report.level == Some(Level::Canonical));
-        let constrained: BTreeSet<[usize; 2]> = self
-            .result
-            .constrained_sides()
-            .map(|[u, v]| [u.min(v), u.max(v)])
+        let verifier = Verifier::new().level(level);
+        let is_right = verifier.verify(self.points, &self.edges, &list).is_ok();
+        let of = |v| self.result.representative(v);
+        let ends = |[u, v]: [usize; 2]| [of(u).min(of(v)), of(u).max(of(v))];
+        let of_all: Vec<usize> = (0..self.points.len()).map(of).collect();
+        let chains = self.edges.iter().map(|&edge| ends(edge));
+        let chains = chains.map(|edge| chain(self.points, &of_all, edge));
+        let constrained: BTreeSet<[usize; 2]> = chains
+            .flat_map(|chain| -> Vec<_> {
+                chain.windows(2).map(|two| ends([two[0], two[1]])).collect()
+            })
             .collect();
         let is_marked = |(corners, marks): &([usize; 3], [bool; 3])| {
             (0..3).all(|side| {
-                let [u, v] = [1, 2].map(|i| corners[(side + i) % 3]);
-                marks[side] == constrained.contains(&[u.min(v), u.max(v)])
+                let side_ends = ends([1, 2].map(|i| corners[(side + i) % 3]));
+                marks[side] == constrained.contains(&side_ends)
             })
         };
-        let is_right = is_canonical && self.triangles.iter().all(is_marked);
-        let verdict = self.verdict(true);
-        assert_eq!(verdict.is_ok(), is_right, "{verdict:?}: {self:?}");
-        let verdict = self.verdict(false);
-        assert_eq!(
-            verdict.is_ok(),
-            is_canonical,
-            "unmarked: {verdict:?}: {self:?}"
-        );
+        let are_marked = level == Level::Tiling || self.triangles.iter().all(is_marked);
+        for (has_marks, is_right) in [(false, is_right), (true, is_right && are_marked)] {
+            let verdict = self.verdict(level, feeding, has_marks);
+            let how = (level, feeding, has_marks);
+            assert_eq!(verdict.is_ok(), is_right, "{how:?}: {verdict:?}: {self:?}");
+        }
     }
 
     /// The verdict on the triangles, with their marks or without.
-    fn verdict(&self, has_marks: bool) -> Result<(), StreamViolation> {
-        let of = |v| self.result.representative(v);
-        let mut verifier = StreamVerifier::new();
-        for (v, point) in self.points.iter().enumerate() {
-            match of(v) {
-                first if first == v => verifier.vertex(v as u64, *point)?,
-                first => verifier.duplicate(v as u64, point, first as u64)?,
-            }
+    fn verdict(
+        &self,
+        level: Level,
+        feeding: Feeding,
+        has_marks: bool,
+    ) -> Result<(), StreamViolation> {
+        let mut order: Vec<usize> = (0..self.points.len()).collect();
+        if feeding == Feeding::AsNamed {
+            order.sort_by(|&u, &v| sweep_order(&self.points[u], &self.points[v]));
         }
-        for (e, ends) in self.edges.iter().enumerate() {
-            let [u, v] = ends.map(of);
+        let mut upper = vec![Vec::new(); self.points.len()];
+        for (e, &[u, v]) in self.edges.iter().enumerate() {
             let (low, high) = match sweep_order(&self.points[u], &self.points[v]) {
                 Ordering::Equal => continue,
                 Ordering::Less => (u, v),
                 Ordering::Greater => (v, u),
             };
-            verifier.edge(e as u64, low as u64, self.points[high])?;
+            // Triangles may have come between equal points.
+            let from = match feeding {
+                Feeding::Before => low,
+                Feeding::AsNamed => self.result.representative(low),
+            };
+            upper[from].push((e, high));
         }
+        let mut verifier = StreamVerifier::new().level(level);
+        let mut order = order.into_iter();
+        let mut next_vertex = |verifier: &mut StreamVerifier<f64>| {
+            let Some(v) = order.next() else {
+                return Ok(false);
+            };
+            match self.result.representative(v) {
+                first if first == v => verifier.vertex(v as u64, self.points[v])?,
+                first => verifier.duplicate(v as u64, &self.points[v], first as u64)?,
+            }
+            for &(e, high) in &upper[v] {
+                verifier.edge(e as u64, v as u64, self.points[high])?;
+            }
+            Ok(true)
+        };
+        while feeding == Feeding::Before && next_vertex(&mut verifier)? {}
         for (corners, constrained) in &self.triangles {
-            let marks = has_marks.then_some(*constrained);
-            verifier.triangle(corners.map(|v| v as u64), marks)?;
+            let corners = corners.map(|v| v as u64);
+            for corner in corners {
+                while !verifier.has_vertex(corner) && next_vertex(&mut verifier)? {}
+            }
+            verifier.triangle(corners, has_marks.then_some(*constrained))?;
         }
+        while next_vertex(&mut verifier)? {}
         verifier.finish().map(drop)
     }
 }

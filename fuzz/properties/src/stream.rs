@@ -1,11 +1,12 @@
 //! A stream passes on the result in memory, whatever the window, the front and the scalar; and the verifier of streams
-//! says of each list of triangles what the verifier in memory says.
+//! says of each list of triangles what the verifier in memory says, in any order and at each level.
 
 use num_rational::BigRational;
 use sweep_cdt::front::AnyFront;
 use sweep_cdt::triangulate;
+use sweep_cdt::verify::Level;
 use sweep_cdt_testing::oracle::{crosses, found};
-use sweep_cdt_testing::streams::{Altered, Streaming, streamed};
+use sweep_cdt_testing::streams::{Altered, Feeding, Streaming, streamed};
 use sweep_cdt_testing::{Input, Random, generators};
 
 use crate::{reached, share};
@@ -17,7 +18,7 @@ const RIGHT: u64 = 4;
 pub fn test(bytes: &[u8]) {
     let (choices, input) = generators::input_with_choices(bytes);
     reached::sample(&input);
-    let [scalar, window, front, seed, ..] = choices.to_le_bytes();
+    let [scalar, window, front, ..] = choices.to_le_bytes();
     let fronts = AnyFront::all();
     let way = Streaming {
         window: [1, 2, 7, 1000][usize::from(window) % 4],
@@ -35,11 +36,17 @@ pub fn test(bytes: &[u8]) {
     match (triangulate(points, edges), outcome) {
         (Ok(result), Ok(answer)) => {
             assert_eq!(answer, found(&result, points.len(), edges.len()), "{way:?}");
-            let random = &mut Random::new(seed.into());
-            if share::is_chosen(bytes, RIGHT) {
-                Altered::right(points, edges, &result).assert_verdict();
+            let random = &mut Random::new(choices >> 24);
+            let altered = Altered::wrong(points, edges, &result, random);
+            let right = share::is_chosen(bytes, RIGHT);
+            let right = right.then(|| Altered::right(points, edges, &result));
+            for mut list in right.into_iter().chain([altered]) {
+                if random.below(4) > 0 {
+                    list = list.shuffled(random);
+                }
+                let (level, feeding) = (random.pick(&Level::ALL), random.pick(&Feeding::ALL));
+                list.assert_verdict(level, feeding);
             }
-            Altered::wrong(points, edges, &result, random).assert_verdict();
         }
         (Err(_), Err(sweep_cdt::Error::CrossingEdges { edges: pair })) => {
             assert!(

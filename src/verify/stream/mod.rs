@@ -1,9 +1,8 @@
 //! The verifier of streams: is this list of triangles, read once, the constrained Delaunay triangulation?
 //!
-//! The verifier keeps the sides whose other triangle has not come, and the vertices that these and the edges need. Where
-//! the triangles come in the order in which a sweep leaves them, that is the width of the stream; in any other order
-//! more is kept, and the verdict is the same. With the sweep and with [`Stream`](crate::stream::Stream) it shares the
-//! predicates of [`scalar`](crate::scalar), and nothing else.
+//! The verifier keeps the sides whose other triangle has not come, and the vertices that may still be named ([`forget`]).
+//! In the order of a sweep that is the width of the stream; in any other order more is kept, and the verdict is the same.
+//! With the sweep and with [`Stream`](crate::stream::Stream) it shares the predicates of [`scalar`](crate::scalar) alone.
 //!
 //! | | check | when |
 //! |---|---|---|
@@ -13,7 +12,7 @@
 //! | 4 | where triangles say which sides are constrained, both say alike; a side that is no part of an edge is locally Delaunay | when the second comes |
 //! | 5 | each edge is a chain of sides; a side that is said to be constrained, or is not Delaunay, is a part of an edge ([`chains`]) | as soon as sides and edges have come |
 //! | 6 | the sides with one triangle are one convex polygon, passed once ([`border`]) | at the end |
-//! | 7 | each vertex is a corner, unless it is declared to be a duplicate | at the end |
+//! | 7 | each vertex is a corner, or one that is declared to equal it is | at the end |
 //!
 //! # Why that proves it
 //! Around a point q on no side count the triangles. They turn left (2), so the count is the sum of the winding numbers
@@ -22,32 +21,25 @@
 //! 0 outside (6). So the triangles cover the polygon once, and pairs are neighbors. All vertices are corners (7), so the
 //! polygon is their hull. That local tests suffice (4), for ties too, stands in [`verify`](super).
 //!
-//! # Forgetting
-//! A vertex with no open side, no edge that waits and no side that must be part of an edge and is not yet is *closed*.
-//! A closed vertex is forgotten when triangles enough have come since: one for two vertices that are kept, so that the
-//! time for looking is a constant a triangle. (With more, what is kept would grow: it is what came in the last two rounds.) Should
-//! a later triangle name it nevertheless, the report says so: such a triangle overlaps others, since the triangles around
-//! a closed vertex go all the way round.
-//!
 //! Cost: some ten look-ups a triangle, about a microsecond.
 
 mod border;
 mod chains;
+mod forget;
 mod records;
 mod violation;
 
 use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::fmt;
 
 pub use violation::StreamViolation;
 
-use self::records::{Map, Open, Vertex};
+use self::border::upward;
+use self::records::{Map, Open, Place, Vertex};
 use super::report::Level;
 use crate::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
-
-/// Closed vertices are forgotten after half as many triangles as vertices are kept, and as this.
-const SPARE: usize = 1 << 12;
 
 /// What a stream has shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -61,7 +53,7 @@ pub struct StreamReport {
     pub edges: u64,
     /// Sides of the hull.
     pub hull_sides: u64,
-    /// Most vertices that were kept.
+    /// Most vertices that were kept, with duplicates.
     pub most_vertices: usize,
     /// Most sides that were kept.
     pub most_sides: usize,
@@ -69,8 +61,13 @@ pub struct StreamReport {
 
 /// Verifies a triangulation that comes as a stream.
 ///
-/// Vertices come before what names them, with numbers of any kind. The verifier finds the first fault that ends a
-/// stream; [`Verifier`](super::Verifier) finds all of them.
+/// It accepts what [`Verifier`](super::Verifier) accepts, in every order of triangles, and says what it finds first; that
+/// one lists all. What it asks for, since it reads once:
+///
+/// - Vertices come before what names them, with numbers of any kind.
+/// - A vertex that equals another is declared a [`duplicate`](Self::duplicate) of it, before triangles go all the way
+///   round that place. Triangles and edges may name either.
+/// - [Edges](Self::edge) come before triangles; or each with its lower end, in the order of a sweep.
 ///
 /// ```
 /// use sweep_cdt::verify::StreamVerifier;
@@ -90,8 +87,14 @@ pub struct StreamVerifier<S> {
     vertices: Map<u64, Vertex<S>>,
     open: Map<[u64; 2], Open<S>>,
     report: StreamReport,
-    /// Triangles since closed vertices were last forgotten.
-    since: usize,
+    /// For each duplicate that may still be named, the vertex that it equals.
+    duplicates: Map<u64, u64>,
+    /// The highest corner of a triangle, by y, then x.
+    highest: Option<[S; 2]>,
+    /// How many edges that wait end at a place.
+    ends: BTreeMap<Place<S>, usize>,
+    /// Vertices that may be closed now.
+    loose: Vec<u64>,
 }
 
 impl<S: Scalar + Clone> Default for StreamVerifier<S> {
@@ -108,11 +111,14 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             vertices: Map::new(),
             open: Map::new(),
             report: StreamReport::default(),
-            since: 0,
+            duplicates: Map::new(),
+            highest: None,
+            ends: BTreeMap::new(),
+            loose: Vec::new(),
         }
     }
 
-    /// Asks for this level.
+    /// Asks for this level, before anything comes.
     #[must_use]
     pub fn level(mut self, level: Level) -> Self {
         self.level = level;
@@ -129,22 +135,13 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             return Err(StreamViolation::NonFiniteCoordinate { vertex: number });
         }
         self.is_new(number)?;
-        let vertex = Vertex {
-            point,
-            open: 0,
-            unclaimed: 0,
-            is_used: false,
-            was_closed: false,
-            up: BTreeMap::new(),
-            waiting: BTreeMap::new(),
-        };
-        self.vertices.insert(number, vertex);
-        self.report.vertices += 1;
-        self.report.most_vertices = self.report.most_vertices.max(self.vertices.len());
+        self.vertices.insert(number, Vertex::new(point));
+        self.count_vertex();
         Ok(())
     }
 
-    /// A vertex that equals vertex `of`, and is no corner.
+    /// A vertex that equals vertex `of`, before triangles go all the way round it. Either may be named in place of the
+    /// other.
     ///
     /// # Errors
     /// Vertex `of` is not known, or lies elsewhere; or as [`vertex`](Self::vertex).
@@ -154,33 +151,48 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         point: &[S; 2],
         of: u64,
     ) -> Result<(), StreamViolation> {
-        let place = &self.known(of)?.point;
+        let (first, vertex) = self.known(of)?;
+        let place = &vertex.point;
         if (0..2).any(|axis| place[axis].compare(&point[axis]).is_ne()) {
             return Err(StreamViolation::NoDuplicate { vertex: number, of });
         }
         self.is_new(number)?;
-        self.report.vertices += 1;
+        self.duplicates.insert(number, first);
+        self.at(first).duplicates.push(number);
+        self.count_vertex();
         Ok(())
+    }
+
+    fn count_vertex(&mut self) {
+        self.report.vertices += 1;
+        let kept = self.vertices.len() + self.duplicates.len();
+        self.report.most_vertices = self.report.most_vertices.max(kept);
     }
 
     /// Whether a vertex has come, and is not forgotten.
     pub fn has_vertex(&self, number: u64) -> bool {
-        self.vertices.contains_key(&number)
+        self.vertices.contains_key(&number) || self.duplicates.contains_key(&number)
     }
 
     fn is_new(&self, number: u64) -> Result<(), StreamViolation> {
-        let is_known = self.vertices.contains_key(&number);
         let error = StreamViolation::RepeatedVertex { vertex: number };
-        if is_known { Err(error) } else { Ok(()) }
+        if self.has_vertex(number) {
+            Err(error)
+        } else {
+            Ok(())
+        }
     }
 
-    fn known(&self, number: u64) -> Result<&Vertex<S>, StreamViolation> {
+    /// The vertex of a number, and its own number.
+    fn known(&self, number: u64) -> Result<(u64, &Vertex<S>), StreamViolation> {
+        let first = *self.duplicates.get(&number).unwrap_or(&number);
         let unknown = StreamViolation::UnknownVertex { vertex: number };
-        self.vertices.get(&number).ok_or(unknown)
+        let vertex = self.vertices.get(&first).ok_or(unknown)?;
+        Ok((first, vertex))
     }
 
-    /// A triangle, and whether the side opposite each corner is an edge or a piece of one, if that is to be verified too.
-    /// Edges come before the triangles at their sides.
+    /// A triangle, and whether the side opposite each corner is an edge or a piece of one, if that is to be verified too:
+    /// by all triangles or by none, and at a level that asks for edges.
     ///
     /// # Errors
     /// What this triangle shows to be wrong: [`StreamViolation`].
@@ -190,15 +202,22 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         constrained: Option<[bool; 3]>,
     ) -> Result<(), StreamViolation> {
         let [a, b, c] = corners;
-        let points = [self.known(a)?, self.known(b)?, self.known(c)?];
-        let points = points.map(|vertex| vertex.point.clone());
+        let found = [self.known(a)?, self.known(b)?, self.known(c)?];
+        let points = found.map(|(_, vertex)| vertex.point.clone());
         let [p, q, r] = &points;
         if filtered_orient2d(p, q, r).is_le() {
             return Err(StreamViolation::NotLeft { corners });
         }
-        for v in corners {
-            self.at(v).is_used = true;
+        let corners = found.map(|(number, _)| number);
+        let are_used = found.map(|(_, vertex)| vertex.is_used);
+        for i in (0..3).filter(|&i| !are_used[i]) {
+            self.at(corners[i]).is_used = true;
+            let is_below = |highest| upward(&points[i], highest).is_le();
+            if !self.highest.as_ref().is_some_and(is_below) {
+                self.highest = Some(points[i].clone());
+            }
         }
+        let constrained = constrained.filter(|_| self.level >= Level::Constrained);
         for side in 0..3 {
             let [i, j] = [(side + 1) % 3, (side + 2) % 3];
             let ends = [corners[i], corners[j]];
@@ -210,10 +229,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         }
         self.report.triangles += 1;
         self.report.most_sides = self.report.most_sides.max(self.open.len());
-        self.since += 1;
-        if 2 * self.since > self.vertices.len() + SPARE {
-            self.forget();
-        }
+        self.forget();
         Ok(())
     }
 
@@ -232,6 +248,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         is_constrained: Option<bool>,
     ) -> Result<(), StreamViolation> {
         let [u, v] = side;
+        let ends = [places[0], places[1]];
         let (key, is_upward) = ([u.min(v), u.max(v)], u < v);
         let Some(other) = self.open.remove(&key) else {
             let apex = places[2].clone();
@@ -246,8 +263,8 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             for end in key {
                 self.at(end).open += 1;
             }
-            if is_constrained.unwrap_or(self.report.edges > 0) {
-                self.offer(side, is_constrained == Some(true));
+            if is_constrained.unwrap_or(!self.ends.is_empty()) {
+                self.offer(side, ends, is_constrained == Some(true));
             }
             return Ok(());
         };
@@ -258,14 +275,18 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             return Err(StreamViolation::HalfConstrained { side });
         }
         for end in key {
-            self.at(end).open -= 1;
+            let vertex = self.at(end);
+            vertex.open -= 1;
+            if vertex.open == 0 {
+                self.loose.push(end);
+            }
         }
         let fault = match is_constrained {
             Some(true) => None,
             _ => self.local_fault(side, places, &other.apex),
         };
         match fault {
-            Some(fault) if is_constrained.is_some() || !self.must_be_taken(side, fault) => {
+            Some(fault) if is_constrained.is_some() || !self.must_be_taken(side, ends, fault) => {
                 Err(fault)
             }
             _ => Ok(()),
@@ -280,10 +301,11 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         [p, q, apex]: [&[S; 2]; 3],
         other: &[S; 2],
     ) -> Option<StreamViolation> {
+        if self.level < Level::Delaunay {
+            return None;
+        }
         match filtered_in_circle(p, q, apex, other) {
-            Ordering::Greater if self.level >= Level::Delaunay => {
-                Some(StreamViolation::NotDelaunay { side })
-            }
+            Ordering::Greater => Some(StreamViolation::NotDelaunay { side }),
             Ordering::Equal if self.level >= Level::Canonical => {
                 let all = [p, q, apex, other];
                 let first = all.into_iter().min_by(|a, b| from_left(a, b))?;
@@ -295,17 +317,6 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         }
     }
 
-    /// Forgets what was closed before and still is.
-    fn forget(&mut self) {
-        self.since = 0;
-        self.vertices.retain(|_, vertex| {
-            let is_closed = vertex.is_closed();
-            let is_kept = !(is_closed && vertex.was_closed);
-            vertex.was_closed = is_closed;
-            is_kept
-        });
-    }
-
     /// The end of the stream.
     ///
     /// # Errors
@@ -315,12 +326,12 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
             border::all_on_one_line(&self.vertices)?;
             return Ok(self.report);
         }
-        self.no_chain_is_broken()?;
         let unused = self.vertices.iter().filter(|(_, vertex)| !vertex.is_used);
         if let Some(vertex) = unused.map(|(&number, _)| number).min() {
             return Err(StreamViolation::UnusedVertex { vertex });
         }
         self.report.hull_sides = border::convex(&self.open, &self.vertices)?;
+        self.no_chain_is_broken()?;
         Ok(self.report)
     }
 }

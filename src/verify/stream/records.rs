@@ -16,16 +16,18 @@ pub(super) type Map<K, V> = alloc::collections::BTreeMap<K, V>;
 /// A vertex that may still be named.
 pub(super) struct Vertex<S> {
     pub(super) point: [S; 2],
+    /// The numbers of the vertices that are declared to equal it.
+    pub(super) duplicates: Vec<u64>,
     /// Sides of triangles that have come, and whose other triangle has not.
     pub(super) open: u32,
     /// Sides that an edge must take, and none has.
     pub(super) unclaimed: u32,
     /// Whether a triangle has this corner.
     pub(super) is_used: bool,
-    /// Whether the vertex was closed when closed ones were last forgotten.
-    pub(super) was_closed: bool,
-    /// The sides up from here that edges may take.
+    /// The runs up from here that edges may take.
     pub(super) up: BTreeMap<Towards<S>, Up<S>>,
+    /// The lower ends of the runs that end here.
+    pub(super) down: BTreeMap<Towards<S>, u64>,
     /// The edges that begin or pass here, and wait for a side.
     pub(super) waiting: BTreeMap<Towards<S>, Ends<S>>,
 }
@@ -37,10 +39,18 @@ pub(super) type Ends<S> = BTreeMap<Place<S>, Vec<u64>>;
 #[derive(Clone)]
 pub(super) struct Place<S>(pub(super) [S; 2]);
 
-/// A direction up from a place, counter-clockwise. Directions are compared from one place alone.
+/// A direction from a place, counter-clockwise. Directions are compared from one place alone, and either all lead up or
+/// all lead down.
 pub(super) struct Towards<S> {
     pub(super) from: [S; 2],
     pub(super) to: [S; 2],
+}
+
+impl<S: Clone> Towards<S> {
+    pub(super) fn new(from: &[S; 2], to: &[S; 2]) -> Self {
+        let (from, to) = (from.clone(), to.clone());
+        Towards { from, to }
+    }
 }
 
 impl<S: Scalar> Ord for Place<S> {
@@ -57,17 +67,26 @@ impl<S: Scalar> Ord for Towards<S> {
 }
 
 impl<S> Vertex<S> {
-    /// Whether nothing that is right can name the vertex.
-    pub(super) fn is_closed(&self) -> bool {
-        self.is_used && self.open == 0 && self.unclaimed == 0 && self.waiting.is_empty()
+    /// A vertex that nothing has named.
+    pub(super) fn new(point: [S; 2]) -> Self {
+        Vertex {
+            point,
+            duplicates: Vec::new(),
+            open: 0,
+            unclaimed: 0,
+            is_used: false,
+            up: BTreeMap::new(),
+            down: BTreeMap::new(),
+            waiting: BTreeMap::new(),
+        }
     }
 }
 
-/// A side up from a vertex.
+/// A run up from a vertex: a side, or sides in one line, joined where the vertices between them are forgotten.
 pub(super) struct Up<S> {
     pub(super) high: u64,
     pub(super) point: [S; 2],
-    /// Whether an edge has taken the side.
+    /// Whether an edge has taken the run.
     pub(super) is_taken: bool,
     /// What is wrong if none does.
     pub(super) unless_taken: Option<StreamViolation>,

@@ -58,7 +58,12 @@ pub enum StreamViolation {
         /// The edge.
         edge: u64,
     },
-    /// From a vertex on, an edge is no chain of constrained sides.
+    /// An edge came when triangles had a corner at its lower end or above.
+    LateEdge {
+        /// The edge.
+        edge: u64,
+    },
+    /// From a vertex up, an edge is no chain of constrained sides.
     BrokenEdge {
         /// The edge.
         edge: u64,
@@ -125,12 +130,14 @@ impl fmt::Display for StreamViolation {
             StreamViolation::BadEdge { edge } => {
                 write!(f, "edge {edge} does not end above its first vertex")
             }
-            StreamViolation::BrokenEdge { edge, vertex } => {
-                write!(
-                    f,
-                    "edge {edge} has no constrained side up from vertex {vertex}"
-                )
-            }
+            StreamViolation::LateEdge { edge } => write!(
+                f,
+                "edge {edge} came after triangles with corners at its lower end or above"
+            ),
+            StreamViolation::BrokenEdge { edge, vertex } => write!(
+                f,
+                "edge {edge} is no chain of constrained sides from vertex {vertex} up"
+            ),
             StreamViolation::NoEdge { side: [u, v] } => {
                 write!(f, "the constrained side {u} {v} is part of no edge")
             }

@@ -125,11 +125,19 @@ fn judged(
                 let violation = format!("point {corner} is named, and there are {points} points");
                 return Err(Ended::Wrong(wrong(violation)));
             }
-            // The verifier names a corner that has come and gone.
+            // A corner that has come and gone is named where all have come.
             while !verifier.has_vertex(corner) && next_vertex(&mut verifier)? {}
         }
         let judged = verifier.triangle(corners, None);
-        judged.map_err(|violation| Ended::Wrong(wrong(violation.to_string())))?;
+        judged.map_err(|violation| {
+            Ended::Wrong(wrong(match violation {
+                // All points have come by now.
+                StreamViolation::UnknownVertex { vertex } => format!(
+                    "vertex {vertex} is named, but triangles went all the way round it before"
+                ),
+                _ => violation.to_string(),
+            }))
+        })?;
         if done.is_multiple_of(STEP) {
             progress.show(to_usize(done), to_usize(all));
         }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
+use sweep_cdt_testing::Random;
 use tempfile::TempDir;
 
 use crate::stream::{Triangles, ran};
@@ -145,11 +146,16 @@ fn every_damage_is_refused() {
         twice.pop();
         twice.insert(at, corners);
         let why = refused(&folder, &twice, "");
-        // Where the neighbours came before, the copy opens three sides anew, and the border shows it in the end.
+        // Where the neighbours came before, the copy opens three sides anew, and the border shows it in the end, if no
+        // corner is forgotten.
         let place = format!("found at triangle {} of 13", at + 1);
         let is_seen = why.contains("two triangles lie left of the side ") && why.contains(&place);
         seen_at_once += usize::from(is_seen);
-        assert!(is_seen || why.contains("found behind the last"), "{why}");
+        let is_forgotten = why.contains("triangles went all the way round it before");
+        assert!(
+            is_seen || is_forgotten || why.contains("found behind the last"),
+            "{why}"
+        );
     }
     assert!(seen_at_once > 0);
     refused(&folder, &[], "");
@@ -177,7 +183,7 @@ fn a_flip_is_refused_by_the_level_that_it_breaks() {
                 if why.contains(" is not locally Delaunay") {
                     flips[0] += 1;
                     assert_accepted(&folder, &flipped, "--level constrained");
-                } else if why.contains(" has no constrained side up from vertex ") {
+                } else if why.contains(" is no chain of constrained sides from vertex ") {
                     flips[1] += 1;
                     refused(&folder, &flipped, "--level constrained");
                 } else {
@@ -211,6 +217,91 @@ fn ties_count_for_the_canonical_level_alone() {
         let report = judged(corners, level);
         assert_eq!(report.starts_with("correct: "), is_right, "{report}");
         assert!(is_right || report.contains(" misses the first of four vertices on one circle"));
+    }
+}
+
+/// Writes triangles and what else is raw, and returns the verdict.
+fn verdict(files: &[(&str, Vec<u8>)], arguments: &str) -> String {
+    let folder = folder(&[]);
+    for (name, bytes) in files {
+        fs::write(folder.path().join(name), bytes).expect("a file");
+    }
+    let output = ran(&folder, &format!("verify --stream {arguments}"));
+    assert_eq!(text(&output.stderr), "");
+    text(&output.stdout).to_owned()
+}
+
+fn raw(numbers: &[u32]) -> Vec<u8> {
+    numbers.iter().flat_map(|n| n.to_le_bytes()).collect()
+}
+
+/// Found by review: a corner was unknown if a point that equals it has a lower number.
+#[test]
+fn of_equal_points_any_may_be_named() {
+    let points = || ("p.xyz", b"0 0\n1 0\n0 1\n0 0\n".to_vec());
+    for corners in [[3, 1, 2], [0, 1, 2]] {
+        let files = [points(), ("t.u32", raw(&corners))];
+        let report = verdict(&files, "p.xyz t.u32 --level canonical");
+        assert!(report.starts_with("correct: "), "{report}");
+    }
+    let report = verdict(&[points(), ("t.u32", raw(&[3, 0, 2]))], "p.xyz t.u32");
+    assert!(
+        report.contains("triangle 3 0 2 does not turn left"),
+        "{report}"
+    );
+}
+
+/// Found by review: a triangulation was refused for an edge that it need not have.
+#[test]
+fn a_tiling_needs_no_edges() {
+    let files = [
+        ("p.xyz", b"0 0\n1 0\n1 1\n0 1\n".to_vec()),
+        ("e.u64", [1_u64, 3].map(u64::to_le_bytes).concat()),
+        ("t.u32", raw(&[0, 1, 2, 0, 2, 3])),
+    ];
+    for (level, is_right) in [("tiling", true), ("constrained", false)] {
+        let arguments = format!("p.xyz t.u32 --edges e.u64 --level {level}");
+        let report = verdict(&files, &arguments);
+        assert_eq!(report.starts_with("correct: "), is_right, "{report}");
+    }
+}
+
+/// Found by review: a vertex on an edge was forgotten before the chain of the edge had come up to it, in about half of the
+/// orders of 12,482 triangles.
+#[test]
+fn an_edge_through_a_column_of_a_lattice_is_found_in_any_order() {
+    let size: u64 = 80;
+    let places = (0..size * size).map(|v| format!("{} {}\n", v % size, v / size));
+    let points: String = places.collect();
+    let edge = [size / 2, size * (size - 1) + size / 2].map(u64::to_le_bytes);
+    let folder = folder(&[("p.xyz", &points)]);
+    fs::write(folder.path().join("e.u64"), edge.concat()).expect("a file");
+    let output = ran(&folder, "stream p.xyz --edges e.u64 -o t.u32");
+    assert_eq!(text(&output.stderr), "");
+    let right = fs::read(folder.path().join("t.u32")).expect("a file");
+    let mut triangles: Vec<[u8; 12]> = right.as_chunks().0.to_vec();
+    for seed in 0..5 {
+        Random::new(seed).shuffle(&mut triangles);
+        fs::write(folder.path().join("t.u32"), triangles.concat()).expect("a file");
+        let output = ran(
+            &folder,
+            "verify --stream p.xyz t.u32 --edges e.u64 --level canonical",
+        );
+        assert!(text(&output.stdout).starts_with("correct: "), "{seed}");
+    }
+}
+
+/// Found by review: the vertex in the middle was forgotten before edges through it had come up to it.
+#[test]
+fn what_is_streamed_is_accepted_where_edges_pass_one_vertex() {
+    let folder = folder(&[]);
+    for arguments in [
+        "generate asterisk 5000 -o a.poly",
+        "stream a.poly -o a.u32",
+        "verify --stream a.poly a.u32 --level canonical",
+    ] {
+        let output = ran(&folder, arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
     }
 }
 
