@@ -70,10 +70,10 @@ def read(lines):
         if domain == "polygons":
             value, names = value[:1], value[1:]
             heads = [w for w in names if w in ("ab", "bc")]
-            rings = [integer(w) for w in names if w not in ("ab", "bc")]
+            numbers = [integer(w) for w in names if w not in ("ab", "bc")]
             if value not in (["0"], ["1"]) or heads not in ([], ["ab"], ["bc"], ["ab", "bc"]):
                 raise ValueError("not a triangle")
-            if names and names[0] not in heads or rings and not heads:
+            if names and names[0] not in heads or numbers and not heads:
                 raise ValueError("rings of no side")
         if len(value) != (domain != "hull") or m not in "01234567":
             raise ValueError("not a triangle")
