@@ -4,7 +4,7 @@
    lower side brings a new point to the front; one with two lower sides takes a point off it. So a side has both its
    triangles at hand when the upper one comes, and no side is ever searched for. *)
 Require Import ZArith List Bool.
-Require Import Sort.
+Require Import Sort Rings.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -36,27 +36,21 @@ Definition compare_sides (s t : zside) : comparison :=
   | c => c
   end.
 
-(* How often the edges of a ring go round a triangle. A list of that says 0 of a ring that it does not name. *)
-Record zround := Round { ring : Z; times : Z }.
-Fixpoint times_of (r : Z) (l : list zround) : Z :=
-  match l with
-  | [] => 0
-  | Round s n :: l' => if Z.eqb r s then n + times_of r l' else times_of r l'
-  end.
-
 (* The certificate. *)
 Record zmarks := Marks { mark_ab : bool; mark_bc : bool; mark_ca : bool }.
+(* By polygons the value says whether the triangle is inside, and the rings that change across its lower sides are named. *)
 Record ztriangle := ZTriangle
-  { corner_a : zpoint; corner_b : zpoint; corner_c : zpoint; marks : zmarks; value : list zround }.
-Record zpolygon := ZPolygon { outlines : list Z; holes : list Z }.
+  { corner_a : zpoint; corner_b : zpoint; corner_c : zpoint; marks : zmarks; value : Z;
+    rings_ab : list Z; rings_bc : list Z }.
 Inductive zdomain := Hull | EvenOdd | NonZero | Polygons (ps : list zpolygon).
 Record zedge := ZEdge
   { edge_from : zpoint; edge_through : list zpoint; edge_to : zpoint; edge_ring : option Z }.
 Record certificate := Certificate
   { domain : zdomain; points : list zpoint; edges : list zedge; lower : list zpoint; triangles : list ztriangle }.
 
-(* A side of the front; of the triangle below it the third corner, its mark for the side, and its value. *)
-Record item := Item { item_side : zside; below : option zpoint; marked : bool; level : list zround }.
+(* A side of the front; of the triangle below it the third corner, its mark for the side, its value, and the rings and
+   polygons around it. *)
+Record item := Item { item_side : zside; below : option zpoint; marked : bool; level : Z; beneath : around }.
 
 (* By how much the value rises from below a side to above it, for one ring. *)
 Record zrise := Rise { rise_side : zside; rise_ring : Z; rise : Z }.
@@ -110,49 +104,49 @@ Definition legal (rule mark : bool) (c : zpoint) (i : item) : bool :=
 
 Definition use (mark : bool) (i : item) (l : list zside) : list zside := if mark then item_side i :: l else l.
 
-(* The rises from value w below side s to value v above. Few, if the greatest ring comes first in both; right always. *)
-Fixpoint rises_by (s : zside) (sign : Z) (v : list zround) (l : list zrise) : list zrise :=
-  match v with
-  | [] => l
-  | Round r n :: v' => rises_by s sign v' (Rise s r (sign * n) :: l)
+(* What goes round a triangle above side i, across which these rings change, and whether its value says so. Of no
+   polygons (judge is None) there is nothing to say. *)
+Definition enter (judge : option table) (rs : list Z) (i : item) : around :=
+  match judge with
+  | None => beneath i
+  | Some m => fold_left (flip m) rs (beneath i)
   end.
-Fixpoint rises_between (s : zside) (v : list zround) : list zround -> list zrise -> list zrise :=
-  match v with
-  | [] => rises_by s (-1)
-  | Round q m :: v' =>
-    fix below (w : list zround) (l : list zrise) : list zrise :=
-      match w with
-      | [] => rises_by s 1 v l
-      | Round r n :: w' =>
-        match Z.compare q r with
-        | Eq => rises_between s v' w' (if Z.eqb m n then l else Rise s q (m - n) :: l)
-        | Gt => rises_between s v' w (Rise s q m :: l)
-        | Lt => below w' (Rise s r (-1 * n) :: l)
-        end
-      end
+Definition told (judge : option table) (w : around) (v : Z) : bool :=
+  match judge with
+  | None => true
+  | Some _ => Bool.eqb (is_covered w) (negb (Z.eqb v 0))
   end.
-Definition add_rise (v : list zround) (i : item) (l : list zrise) : list zrise :=
-  rises_between (item_side i) v (level i) l.
 
-Definition step (rule : bool) (t : ztriangle) (s : state) : option state :=
+(* The rises across side i, to value v above it; by polygons, as the triangle above names them. *)
+Definition add_rise (judge : option table) (v : Z) (rs : list Z) (i : item) (l : list zrise) : list zrise :=
+  match judge with
+  | None => if Z.eqb v (level i) then l else Rise (item_side i) 0 (v - level i) :: l
+  | Some _ => fold_left (fun l r => Rise (item_side i) r 1 :: l) rs l
+  end.
+
+Definition step (rule : bool) (judge : option table) (t : ztriangle) (s : state) : option state :=
   let a := corner_a t in let b := corner_b t in let c := corner_c t in
   let m := marks t in let v := value t in
   if Z.ltb 0 (zorient a b c) then
     match go a (passed s) (ahead s) with
     | (l, i :: r) =>
-      if same a (left_end (item_side i)) && same b (right_end (item_side i)) && legal rule (mark_ab m) c i then
+      let w := enter judge (rings_ab t) i in
+      if same a (left_end (item_side i)) && same b (right_end (item_side i)) && legal rule (mark_ab m) c i
+        && told judge w v
+      then
         if before c b then
           if before a c then
             Some (State l
-              (Item (ZSide a c) (Some b) (mark_ca m) v :: Item (ZSide c b) (Some a) (mark_bc m) v :: r)
-              (c :: brought s) (use (mark_ab m) i (used s)) (add_rise v i (rises s)))
+              (Item (ZSide a c) (Some b) (mark_ca m) v w :: Item (ZSide c b) (Some a) (mark_bc m) v w :: r)
+              (c :: brought s) (use (mark_ab m) i (used s)) (add_rise judge v (rings_ab t) i (rises s)))
           else None
         else
           match r with
           | j :: r' =>
             if same b (left_end (item_side j)) && same c (right_end (item_side j)) && legal rule (mark_bc m) a j then
-              Some (State l (Item (ZSide a c) (Some b) (mark_ca m) v :: r') (brought s)
-                (use (mark_ab m) i (use (mark_bc m) j (used s))) (add_rise v i (add_rise v j (rises s))))
+              Some (State l (Item (ZSide a c) (Some b) (mark_ca m) v w :: r') (brought s)
+                (use (mark_ab m) i (use (mark_bc m) j (used s)))
+                (add_rise judge v (rings_ab t) i (add_rise judge v (rings_bc t) j (rises s))))
             else None
           | [] => None
           end
@@ -161,10 +155,10 @@ Definition step (rule : bool) (t : ztriangle) (s : state) : option state :=
     end
   else None.
 
-Fixpoint lay (rule : bool) (ts : list ztriangle) (s : state) : option state :=
+Fixpoint lay (rule : bool) (judge : option table) (ts : list ztriangle) (s : state) : option state :=
   match ts with
   | [] => Some s
-  | t :: r => match step rule t s with Some s' => lay rule r s' | None => None end
+  | t :: r => match step rule judge t s with Some s' => lay rule judge r s' | None => None end
   end.
 
 (* The border: sides that follow each other to the right, and never turn right (sign 1) or left (sign -1). *)
@@ -251,11 +245,16 @@ Fixpoint all_covered (l : list item) : bool :=
 
 (* For each ring the value rises from a triangle to the next one by the number of its edges along the side, to the right
    less to the left. Outside it is 0. For even-odd and for polygons, odd and even are all that counts. By even-odd and
-   nonzero all edges are one ring. *)
-Fixpoint last_rises (l : list item) (acc : list zrise) : list zrise :=
+   nonzero all edges are one ring.
+
+   By polygons the value above a second lower side is not compared with what is below it: where rings are closed, it
+   must be right. On the border the rings that change are those that are left. *)
+Definition ring_of_key (k : positive) : Z := match k with xH => 0 | xO p => Zpos p | xI p => Zneg p end.
+Definition last_rings (i : item) : list Z := PM.fold (fun k _ l => ring_of_key k :: l) (odd (beneath i)) [].
+Fixpoint last_rises (judge : option table) (l : list item) (acc : list zrise) : list zrise :=
   match l with
   | [] => acc
-  | i :: r => last_rises r (add_rise [] i acc)
+  | i :: r => last_rises judge r (add_rise judge 0 (last_rings i) i acc)
   end.
 Definition one_ring (e : zedge) : option Z := Some 0.
 Definition fall (n : Z) (a b : zpoint) : zrise :=
@@ -290,23 +289,37 @@ Definition all_balanced (fits : Z -> bool) (l : list zrise) : bool :=
   | [] => true
   | x :: r => balanced fits x (rise x) r
   end.
+(* The ends of the edges of each ring, each as a side of no length. A ring is closed if they are even everywhere. *)
+Fixpoint ends (es : list zedge) (acc : list zrise) : list zrise :=
+  match es with
+  | [] => acc
+  | e :: r =>
+    match edge_ring e with
+    | None => ends r acc
+    | Some n =>
+      let at_point p := Rise (ZSide p p) n 1 in ends r (at_point (edge_from e) :: at_point (edge_to e) :: acc)
+    end
+  end.
 Definition values_right (d : zdomain) (es : list zedge) (rs : list zrise) : bool :=
   match d with
   | Hull => true
   | EvenOdd => all_balanced Z.even (falls one_ring es rs)
   | NonZero => all_balanced (Z.eqb 0) (falls one_ring es rs)
-  | Polygons _ => all_balanced Z.even (falls edge_ring es rs)
+  | Polygons _ => all_balanced Z.even (falls edge_ring es rs) && all_balanced Z.even (ends es [])
   end.
 
-(* What is inside by its value. A polygon covers what one of its outlines goes round and none of its holes does. *)
-Definition is_odd (v : list zround) (r : Z) : bool := Z.odd (times_of r v).
+(* What is inside by its value. *)
 Definition inside_by (d : zdomain) (t : ztriangle) : bool :=
-  let v := value t in
   match d with
   | Hull => true
-  | EvenOdd => is_odd v 0
-  | NonZero => negb (Z.eqb (times_of 0 v) 0)
-  | Polygons ps => existsb (fun p => existsb (is_odd v) (outlines p) && negb (existsb (is_odd v) (holes p))) ps
+  | EvenOdd => Z.odd (value t)
+  | NonZero | Polygons _ => negb (Z.eqb (value t) 0)
+  end.
+
+Definition judge_of (d : zdomain) : option table :=
+  match d with
+  | Polygons ps => Some (table_of 1 ps (PM.empty _))
+  | _ => None
   end.
 
 Definition check (rule : bool) (k : certificate) : bool :=
@@ -314,16 +327,17 @@ Definition check (rule : bool) (k : certificate) : bool :=
   | [] => match points k with [] => true | a :: r => on_line a r end
   | _ =>
     let low := low_sides (lower k) in
-    let start := State [] (rev_append (fold_left (fun acc s => Item s None false [] :: acc) low []) [])
+    let judge := judge_of (domain k) in
+    let start := State [] (rev_append (fold_left (fun acc s => Item s None false 0 outside :: acc) low []) [])
                    (lower k) [] [] in
-    match lay rule (triangles k) start, pieces (edges k) [] with
+    match lay rule judge (triangles k) start, pieces (edges k) [] with
     | Some s, Some ps =>
       let front := rev_append (passed s) (ahead s) in
       all_covered front
       && border low (rev_append (map_items item_side front []) [])
-      && same_set compare_points (points k) (brought s)
+      && same_set_once compare_points (points k) (brought s)
       && same_set compare_sides ps (marked_sides front (used s))
-      && values_right (domain k) (edges k) (last_rises front (rises s))
+      && values_right (domain k) (edges k) (last_rises judge front (rises s))
     | _, _ => false
     end
   end.

@@ -1,10 +1,10 @@
 (* The triangles marked as inside are the interior.
 
    Each triangle has a value, and the value rises from the triangle below a side to the one above it by the edges along
-   the side. So the sum over all triangles of value times count is the sum over all edges of their counts, which is the
-   winding number. Of all counts only that of the triangle that holds the point is 1. No path is followed. *)
+   the side (Values.v). So the sum over all triangles of value times count is the sum over all edges of their counts,
+   which is the winding number. Of all counts only that of the triangle that holds the point is 1. No path is followed. *)
 Require Import Reals ZArith List Lra Lia Bool Permutation.
-Require Import Spec Geometry Count Sort Check Place Border Laid Pieces Tiling Cover.
+Require Import Spec Geometry Count Sort Rings Check Place Border Laid Pieces Values Tiling Cover.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -52,15 +52,6 @@ Notation right_of s := (place u (right_end s)).
 Lemma lex_right a b q : lex a b \/ a = b -> above b a q = 0%Z.
 Proof. intros H. apply above_right. unfold lex in H. destruct H as [H| ->]; lra. Qed.
 
-Lemma fall_risen n q a b : risen u n q (fall n a b) = (- signed (place u a) (place u b) q)%Z.
-Proof.
-  unfold fall, risen, signed. destruct (before a b) eqn:B; cbn [rise rise_ring rise_side left_end right_end];
-    rewrite Z.eqb_refl.
-  - apply (before_lex u u_positive) in B. rewrite (lex_right _ _ q (or_introl B)). lia.
-  - apply (not_before u u_positive) in B. rewrite (lex_right (place u b) (place u a) q); [lia|].
-    destruct B as [->|B]; auto.
-Qed.
-
 Lemma inside_signed a v b q : inside a v b = true ->
   signed (place u a) (place u b) q = (signed (place u a) (place u v) q + signed (place u v) (place u b) q)%Z.
 Proof.
@@ -75,144 +66,132 @@ Proof.
     rewrite (lex_right _ _ q (or_introl (lex_transitive _ _ _ A B))). lia.
 Qed.
 
-Lemma falls_of_total n q b : forall through a acc0 l acc, pieces_of a through b acc0 = Some l ->
-  total (risen u n q) (falls_of n a through b acc) = (total (risen u n q) acc - signed (place u a) (place u b) q)%Z.
-Proof.
-  induction through as [|v r IH]; cbn [pieces_of falls_of]; intros a acc0 l acc H.
-  - rewrite total_cons, fall_risen. lia.
-  - destruct (inside a v b) eqn:V; [|discriminate]. rewrite (IH _ _ _ _ H), total_cons, fall_risen.
-    rewrite (inside_signed a v b q V). lia.
-Qed.
-
-Lemma falls_of_other n m q b : n <> m -> forall through a acc,
-  total (risen u n q) (falls_of m a through b acc) = total (risen u n q) acc.
-Proof.
-  intros N. assert (F : forall a v, risen u n q (fall m a v) = 0%Z).
-  { intros a v. unfold risen, fall. destruct (before a v); cbn [rise_ring]; destruct (Z.eqb_spec n m); congruence. }
-  induction through as [|v r IH]; cbn [falls_of]; intros a acc; [|rewrite IH]; rewrite total_cons, F; reflexivity.
-Qed.
-
 (* The edges of ring n. *)
-Definition in_ring (ring_of : zedge -> option Z) (n : Z) (e : zedge) : bool :=
-  match ring_of e with
-  | Some m => Z.eqb n m
-  | None => false
-  end.
 Definition ring_edges (ring_of : zedge -> option Z) (n : Z) (es : list zedge) : list edge :=
   map (place_edge u) (filter (in_ring ring_of n) es).
 
-Lemma falls_total ring_of n q : forall es acc0 l acc, pieces es acc0 = Some l ->
-  total (risen u n q) (falls ring_of es acc) = (total (risen u n q) acc - winding (ring_edges ring_of n es) q)%Z.
+(* The count as a function of sides. *)
+Definition passes (q : point) (a b : zpoint) : Z := signed (place u a) (place u b) q.
+
+Lemma passes_odd q : Values.is_odd (passes q).
+Proof. intros a b. apply signed_odd. Qed.
+
+Lemma passes_adds q : adds_up (passes q).
+Proof. intros a v b. apply inside_signed. Qed.
+
+Lemma round_winding ring_of n es q : round_ring (passes q) ring_of n es = winding (ring_edges ring_of n es) q.
 Proof.
-  unfold ring_edges. induction es as [|e r IH]; intros acc0 l acc H.
-  - cbn [falls filter map winding fold_right]. lia.
-  - cbn [pieces falls filter] in *. unfold in_ring at 1. destruct (same (edge_from e) (edge_to e)) eqn:S.
-    + apply same_eq in S. destruct (ring_of e) as [m|]; [destruct (Z.eqb n m)|]; rewrite (IH _ _ _ H);
-        try reflexivity.
-      cbn [map winding fold_right place_edge]. fold (winding (map (place_edge u) (filter (in_ring ring_of n) r)) q).
-      rewrite S. lia.
-    + destruct (pieces_of _ _ _ acc0) as [acc1|] eqn:P; [|discriminate].
-      destruct (ring_of e) as [m|]; [|apply (IH _ _ _ H)]. rewrite (IH _ _ _ H).
-      destruct (Z.eqb_spec n m) as [<-|N]; [|rewrite (falls_of_other n m q _ N); reflexivity].
-      cbn [map winding fold_right place_edge]. fold (winding (map (place_edge u) (filter (in_ring ring_of n) r)) q).
-      rewrite (falls_of_total n q _ _ _ _ _ acc P). unfold signed. lia.
+  unfold round_ring, ring_edges, winding. induction (filter (in_ring ring_of n) es) as [|e r IH]; [reflexivity|].
+  cbn [map fold_right place_edge]. rewrite total_cons, IH. reflexivity.
 Qed.
 
-Lemma last_rises_total n q : forall l acc, total (risen u n q) (last_rises l acc) = (total (risen u n q) acc
-  - total (fun i => times_of n (level i) * above (left_of (item_side i)) (right_of (item_side i)) q) l)%Z.
-Proof.
-  induction l as [|i l IH]; intros acc; cbn [last_rises]; [cbn [total fold_right]; lia|].
-  rewrite IH, add_rise_total, total_cons. cbn [times_of]. lia.
-Qed.
+Definition laid_once (k : certificate) : Prop :=
+  (forall t, In t (map tri (triangles k)) -> positive t) /\ forall q, (total (count q) (map tri (triangles k)) <= 1)%Z.
 
-Lemma compare_rises_eq x y : compare_rises x y = Eq -> rise_side x = rise_side y /\ rise_ring x = rise_ring y.
+(* A sum of values times counts, of which one count alone is not 0. *)
+Lemma only_one {A} (tri_of : A -> ztriangle) (value_of : A -> Z) (l : list A) k z q :
+  laid_once k -> Permutation (map tri_of l) (triangles k) -> In z l -> in_interior q (tri (tri_of z)) ->
+  total (fun x => (value_of x * turn (passes q) (tri_of x))%Z) l = value_of z.
 Proof.
-  unfold compare_rises. destruct (compare_sides _ _) eqn:S; try discriminate. intros R.
-  apply compare_sides_eq in S. apply Z.compare_eq in R. auto.
-Qed.
-
-(* Sums over the sides that balance: what fits each side and ring fits all. *)
-Lemma balanced_total (fits : Z -> bool) (good : Z -> Prop) n q :
-  (forall x k, fits x = true -> good (x * k)%Z) -> (forall x y, good x -> good y -> good (x + y)%Z) ->
-  forall l x sum, balanced fits x sum l = true ->
-    good (risen u n q (Rise (rise_side x) (rise_ring x) sum) + total (risen u n q) l)%Z.
-Proof.
-  intros Times Plus. assert (Fits : forall x sum, fits sum = true ->
-    good (risen u n q (Rise (rise_side x) (rise_ring x) sum))).
-  { intros x sum F. unfold risen. cbn [rise rise_ring rise_side]. destruct (Z.eqb _ _); [apply Times; assumption|].
-    replace 0%Z with (sum * 0)%Z by lia. apply Times; assumption. }
-  induction l as [|y l IH]; cbn [balanced]; intros x sum H.
-  - cbn [total fold_right]. rewrite Z.add_0_r. apply Fits; assumption.
-  - rewrite total_cons.
-    assert (G : fits sum && balanced fits y (rise y) l = true ->
-      good (risen u n q (Rise (rise_side x) (rise_ring x) sum) + (risen u n q y + total (risen u n q) l))%Z).
-    { intros K. apply andb_prop in K. destruct K as [K1 K2]. apply Plus; [apply Fits; assumption|].
-      apply IH in K2. destruct y. exact K2. }
-    destruct (compare_rises x y) eqn:C; [|apply G; assumption|apply G; assumption].
-    apply compare_rises_eq in C. destruct C as [S R]. apply IH in H.
-    replace (risen u n q (Rise (rise_side x) (rise_ring x) sum) + (risen u n q y + total (risen u n q) l))%Z
-      with (risen u n q (Rise (rise_side x) (rise_ring x) (sum + rise y)) + total (risen u n q) l)%Z; [assumption|].
-    unfold risen. cbn [rise rise_ring rise_side]. rewrite S, R. destruct (Z.eqb n (rise_ring y)); ring.
-Qed.
-
-Lemma all_balanced_total (fits : Z -> bool) (good : Z -> Prop) n q l : good 0%Z ->
-  (forall x k, fits x = true -> good (x * k)%Z) -> (forall x y, good x -> good y -> good (x + y)%Z) ->
-  all_balanced fits l = true -> good (total (risen u n q) l).
-Proof.
-  intros Zero Times Plus H. unfold all_balanced in H.
-  rewrite <- (total_permutation _ _ _ (sort_permutes compare_rises l)).
-  destruct (sort _ l) as [|x r]; [assumption|]. rewrite total_cons.
-  apply (balanced_total fits good n q Times Plus) in H. destruct x. exact H.
-Qed.
-
-(* For each ring, and up to what the rule does not see, the value of a triangle is the winding number. *)
-Lemma values_are_winding rule k t n q : check rule k = true -> In t (triangles k) -> in_interior q (tri t) ->
-  let error ring_of := (times_of n (value t) - winding (ring_edges ring_of n (edges k)) q)%Z in
-  match domain k with
-  | Hull => True
-  | EvenOdd => Z.Even (error one_ring)
-  | NonZero => error one_ring = 0%Z
-  | Polygons _ => Z.Even (error edge_ring)
-  end.
-Proof.
-  intros H I Q error. assert (N : triangles k <> []) by (destruct (triangles k); [destruct I|discriminate]).
-  pose proof (check_tiled u u_positive rule k H N) as T.
-  destruct (check_inv rule k H N) as (s & ps & L & PS & _ & B & _ & _ & VR). cbn zeta in *.
-  destruct (lay_laid u u_positive rule k s B L) as (done & LD & PD).
-  pose proof (l_values _ _ _ _ _ _ LD n q) as C.
-  set (fr := rev_append (passed s) (ahead s)) in *.
-  assert (PF : Permutation (front s) fr).
-  { unfold fr, front. rewrite rev_append_rev. apply Permutation_app_tail, Permutation_rev. }
-  assert (V : total (fun t => (times_of n (value t) * count q (tri t))%Z) done = times_of n (value t)).
-  { apply (total_only (fun t => count q (tri t)) (fun t => times_of n (value t))).
-    - intros x Hx. apply count_triangle. apply (l_positive _ _ _ _ _ _ LD). assumption.
-    - pose proof (t_once _ _ _ _ T q) as O.
-      rewrite (total_permutation _ _ _ PD).
-      assert (E : total (fun t => count q (tri t)) (triangles k) = total (count q) (map tri (triangles k))).
-      { clear. induction (triangles k) as [|x r IH]; [reflexivity|]. cbn [map]. rewrite !total_cons, IH. reflexivity. }
-      lia.
-    - apply Permutation_in with (triangles k); [symmetry|]; assumption.
-    - apply count_triangle; [|assumption]. apply interior_positive with q; assumption. }
-  rewrite V, (total_permutation _ _ _ PF) in C.
-  pose proof (last_rises_total n q fr (rises s)) as LR.
-  assert (E : forall ring_of, total (risen u n q) (falls ring_of (edges k) (last_rises fr (rises s))) = error ring_of).
-  { intros ring_of. rewrite (falls_total ring_of n q (edges k) [] ps _ PS). unfold error. lia. }
-  assert (Even : forall ring_of, all_balanced Z.even (falls ring_of (edges k) (last_rises fr (rises s))) = true ->
-    Z.Even (error ring_of)).
-  { intros ring_of. rewrite <- E. apply all_balanced_total.
-    - exists 0%Z; reflexivity.
-    - intros x y X. apply Z.even_spec in X. destruct X as [z ->]. exists (z * y)%Z. ring.
-    - intros x y [z ->] [w ->]. exists (z + w)%Z. ring. }
-  unfold values_right in VR. destruct (domain k).
-  - trivial.
-  - apply Even in VR. exact VR.
-  - rewrite <- E. revert VR. apply (all_balanced_total (Z.eqb 0) (fun x => x = 0%Z)); [reflexivity| |intros; lia].
-    intros x y X. apply Z.eqb_eq in X. subst. reflexivity.
-  - apply Even in VR. exact VR.
+  intros [Pos Once] P I Q.
+  assert (M : forall x, In x l -> In (tri (tri_of x)) (map tri (triangles k))).
+  { intros x X. apply in_map. apply (Permutation_in _ P). apply in_map. assumption. }
+  apply (total_only (fun x => count q (tri (tri_of x)))).
+  - intros x X. apply count_triangle. apply Pos, M, X.
+  - assert (E : total (fun x => count q (tri (tri_of x))) l = total (count q) (map tri (triangles k))).
+    { rewrite <- (total_permutation _ _ _ (Permutation_map tri P)), !total_map. reflexivity. }
+    rewrite E. apply Once.
+  - assumption.
+  - apply count_triangle; [apply Pos, M, I|assumption].
 Qed.
 
 Lemma one_ring_edges es : ring_edges one_ring 0 es = map (place_edge u) es.
 Proof. unfold ring_edges. f_equal. induction es as [|e r IH]; cbn; [|rewrite IH]; reflexivity. Qed.
+
+Lemma checked_tiled rule k : check rule k = true -> triangles k <> [] -> laid_once k.
+Proof.
+  intros H N. pose proof (check_tiled u u_positive rule k H N) as T. split; [apply (t_positive _ _ _ _ T)|apply (t_once _ _ _ _ T)].
+Qed.
+
+Lemma front_last s : Permutation (front s) (rev_append (passed s) (ahead s)).
+Proof. unfold front. rewrite rev_append_rev. apply Permutation_app_tail, Permutation_rev. Qed.
+
+(* By even-odd and nonzero, up to what the rule does not see, the value of a triangle is the winding number. *)
+Lemma value_is_winding rule k t q : check rule k = true -> In t (triangles k) -> in_interior q (tri t) ->
+  let error := (value t - winding (map (place_edge u) (edges k)) q)%Z in
+  match domain k with
+  | EvenOdd => Z.Even error
+  | NonZero => error = 0%Z
+  | _ => True
+  end.
+Proof.
+  intros H I Q error. assert (N : triangles k <> []) by (destruct (triangles k); [destruct I|discriminate]).
+  pose proof (checked_tiled rule k H N) as T.
+  destruct (check_inv rule k H N) as (s & ps & L & PS & _ & B & _ & _ & VR). cbn zeta in *.
+  set (fr := rev_append (passed s) (ahead s)) in *. set (F := passes q).
+  assert (E : judge_of (domain k) = None ->
+    total (weigh (along F) 0) (falls one_ring (edges k) (last_rises None fr (rises s))) = error).
+  { intros J. rewrite J in L. apply (lay_value F (passes_odd q)) in L.
+    rewrite (falls_total F (passes_odd q) (passes_adds q) _ _ _ _ _ _ PS), last_rises_value.
+    unfold F. rewrite round_winding, one_ring_edges. fold F.
+    rewrite <- (total_permutation _ _ _ (front_last s)).
+    assert (S : seen F (State [] (map first_item (low_sides (lower k))) (lower k) [] []) = 0%Z).
+    { unfold seen, front. cbn [passed ahead rises app]. rewrite total_map. clear.
+      induction (low_sides (lower k)) as [|x r IH]; [reflexivity|]. rewrite total_cons.
+      cbn [first_item level] in *. unfold total in *. cbn [fold_right] in *. lia. }
+    rewrite S in L. pose proof (only_one (fun t => t) value (triangles k) k t q T) as O. fold F in O.
+    rewrite map_id in O. specialize (O (Permutation_refl _) I Q). unfold seen in L. unfold error. lia. }
+  unfold values_right in VR. destruct (domain k); trivial; cbn [judge_of] in *; rewrite <- E by reflexivity.
+  - apply all_even. exact VR.
+  - revert VR. apply (all_balanced_total (along F) (Z.eqb 0) (fun x => x = 0%Z)); [reflexivity| |intros; lia].
+    intros x y X. apply Z.eqb_eq in X. subst. reflexivity.
+Qed.
+
+Lemma low_lefts l : exists rest, map (fun i => left_end (item_side i)) (map first_item (low_sides l)) ++ rest = l.
+Proof.
+  rewrite map_map. destruct l as [|a r]; [exists []; reflexivity|]. unfold low_sides. rewrite rev_append_rev, app_nil_r.
+  assert (G : forall l a acc, exists z, map left_end (rev (sides_of a l acc)) ++ [z] = map left_end (rev acc) ++ a :: l).
+  { clear. induction l as [|b r IH]; intros a acc; cbn [sides_of]; [exists a; reflexivity|].
+    destruct (IH b (ZSide a b :: acc)) as [z E]. exists z. rewrite E. cbn [rev]. rewrite map_app, <- app_assoc. reflexivity. }
+  destruct (G r a []) as [z E]. exists [z]. exact E.
+Qed.
+
+(* By polygons, the rings around a triangle are those that go round each of its points, and its value says of them. *)
+Lemma rings_are_winding rule k ps t q : check rule k = true -> domain k = Polygons ps -> In t (triangles k) ->
+  in_interior q (tri t) ->
+  exists w, good (table_of 1 ps (PM.empty _)) w /\ is_covered w = negb (Z.eqb (value t) 0) /\
+    forall n, Z.Even (parity n w - winding (ring_edges edge_ring n (edges k)) q).
+Proof.
+  intros H D I Q. assert (N : triangles k <> []) by (destruct (triangles k); [destruct I|discriminate]).
+  pose proof (checked_tiled rule k H N) as T.
+  destruct (check_inv rule k H N) as (s & es & L & PS & _ & B & VS & _ & VR). cbn zeta in *.
+  rewrite D in L, VR. cbn [judge_of values_right] in L, VR. set (m := table_of 1 ps (PM.empty _)) in *.
+  apply andb_prop in VR. destruct VR as [VR C].
+  apply border_inv in B. destruct B as (sl & l & th & h & EL & _ & CL & _).
+  pose proof (chain_lex u u_positive _ _ _ CL) as LexL. rewrite <- EL in LexL.
+  set (low := low_sides (lower k)) in *.
+  assert (ST : ringed m [] [] (State [] (map first_item low) (lower k) [] [])).
+  { split; unfold front; cbn [passed ahead brought rises app].
+    - intros x [].
+    - intros i J. apply in_map_iff in J. destruct J as (x & <- & J). cbn [first_item beneath item_side].
+      split; [apply outside_good|]. apply (before_lex u u_positive). apply LexL. assumption.
+    - intros x [].
+    - destruct (low_lefts (lower k)) as [rest E]. fold low in E. exists rest. cbn [map app]. rewrite E. reflexivity.
+    - intros n F _. exists 0%Z. rewrite total_map. clear. induction low as [|x r IH]; [reflexivity|]. rewrite total_cons.
+      unfold total in *. cbn [fold_right] in *.
+      assert (Zero : parity n (beneath (first_item x)) = 0%Z); [|rewrite Zero; lia].
+      unfold parity, has. cbn [first_item beneath outside odd]. rewrite PM.mem_find, PM.gempty. reflexivity. }
+  destruct (ringed_lay rule m _ _ _ _ _ ST L) as (done & M & R & P). cbn [map] in P. rewrite app_nil_r in P.
+  pose proof (same_set_once_once compare_points compare_points_lt compare_points_same _ _ VS) as Once.
+  assert (J : In t (map fst done)) by (apply (Permutation_in _ (Permutation_sym P)); assumption).
+  apply in_map_iff in J. destruct J as ([t' w] & E & J). cbn [fst] in E. subst t'.
+  destruct (r_done _ _ _ _ R _ J) as [G V]. cbn [fst snd] in G, V. exists w. split; [assumption|]. split; [assumption|].
+  intros n. rewrite <- round_winding.
+  pose proof (only_one fst (fun x => parity n (snd x)) done k (t, w) q T P J Q) as O. cbv beta in O. cbn [snd] in O.
+  rewrite <- O.
+  apply (rings_right m done M s _ (edges k) es R (front_last s) Once PS VR C);
+    [apply passes_odd|apply passes_adds].
+Qed.
 
 Definition real_polygon (es : list zedge) (p : zpolygon) : polygon :=
   let ring n := ring_edges edge_ring n es in (map ring (outlines p), map ring (holes p)).
@@ -234,18 +213,22 @@ Qed.
 Lemma inside_by_rule rule k t q : check rule k = true -> In t (triangles k) -> in_interior q (tri t) ->
   inside_by (domain k) t = true <-> is_inside k q.
 Proof.
-  intros H I Q. pose proof (fun n => values_are_winding rule k t n q H I Q) as V. cbn zeta in V.
-  unfold is_inside, inside_by, is_odd. destruct (domain k) as [| | |ps].
+  intros H I Q. pose proof (value_is_winding rule k t q H I Q) as V. cbn zeta in V.
+  pose proof (fun ps D => rings_are_winding rule k ps t q H D I Q) as W.
+  unfold is_inside, inside_by. destruct (domain k) as [| | |ps].
   - tauto.
-  - unfold even_odd. rewrite <- one_ring_edges. apply even_difference, V.
-  - unfold nonzero. rewrite <- one_ring_edges. specialize (V 0%Z).
-    destruct (Z.eqb_spec (times_of 0 (value t)) 0); cbn [negb]; split; intros; try easy; lia.
-  - assert (Rings : forall l, existsb (fun n => Z.odd (times_of n (value t))) l = true <->
+  - apply even_difference, V.
+  - unfold nonzero. destruct (Z.eqb_spec (value t) 0); cbn [negb]; split; intros; try easy; lia.
+  - destruct (W ps eq_refl) as (w & G & <- & E). rewrite (covered_spec ps w G).
+    assert (Rings : forall l, existsb (fun r => has (key r) (Rings.odd w)) l = true <->
       exists r, In r (map (fun n => ring_edges edge_ring n (edges k)) l) /\ even_odd r q).
-    { intros l. rewrite existsb_exists. split.
-      - intros (n & J & O). eexists. split; [apply in_map; exact J|]. apply (even_difference _ _ (V n)). assumption.
+    { assert (Has : forall n, has (key n) (Rings.odd w) = Z.odd (parity n w)).
+      { intros n. unfold parity. destruct (has (key n) (Rings.odd w)); reflexivity. }
+      intros l. rewrite existsb_exists. split.
+      - intros (n & J & O). eexists. split; [apply in_map; exact J|]. apply (even_difference _ _ (E n)).
+        rewrite <- Has. assumption.
       - intros (r & J & O). apply in_map_iff in J. destruct J as (n & <- & J). exists n. split; [assumption|].
-        apply (even_difference _ _ (V n)). assumption. }
+        rewrite Has. apply (even_difference _ _ (E n)). assumption. }
     unfold in_polygons. rewrite existsb_exists. split.
     + intros (p & J & C). apply andb_prop in C. destruct C as [A B].
       eexists. split; [apply in_map; exact J|]. split; [apply Rings; assumption|].

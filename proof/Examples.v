@@ -1,6 +1,6 @@
 (* Small examples, right and wrong by the definitions of Spec.v. *)
 Require Import Reals ZArith List Lra Lia.
-Require Import Spec Check Place Main.
+Require Import Spec Rings Check Place Main.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -46,22 +46,22 @@ Ltac by_checker rule k theorem :=
 
 Example fan_is_right : canonical square [] fan.
 Proof.
-  by_checker true (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zd no [];
-    ZTriangle zd zb zc no []])
+  by_checker true (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zd no 0 [] [];
+    ZTriangle zd zb zc no 0 [] []])
     accepted_is_canonical.
 Qed.
 
 Example other_is_right : constrained_delaunay square [] other.
 Proof.
-  by_checker false (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no [];
-    ZTriangle za zc zd no []])
+  by_checker false (Certificate Hull [za; zb; zc; zd] [] [za; zb; zc] [ZTriangle za zb zc no 0 [] [];
+    ZTriangle za zc zd no 0 [] []])
     (fun u p => accepted_is_constrained_delaunay u p false).
 Qed.
 
 Example other_is_canonical_with_edge : canonical square [(a, c)] other.
 Proof.
   by_checker true (Certificate Hull [za; zb; zc; zd] [ZEdge za [] zc None] [za; zb; zc]
-      [ZTriangle za zb zc (Marks false false true) []; ZTriangle za zc zd (Marks true false false) []])
+      [ZTriangle za zb zc (Marks false false true) 0 [] []; ZTriangle za zc zd (Marks true false false) 0 [] []])
     accepted_is_canonical.
 Qed.
 
@@ -69,8 +69,8 @@ Example upright_is_right : canonical kite [] upright.
 Proof.
   by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0; ZPoint 4 1] [] [ZPoint 0 0;
     ZPoint 4 (-1); ZPoint 8 0]
-      [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no [];
-        ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no []])
+      [ZTriangle (ZPoint 4 (-1)) (ZPoint 8 0) (ZPoint 4 1) no 0 [] [];
+        ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 4 1) no 0 [] []])
     accepted_is_canonical.
 Qed.
 
@@ -79,8 +79,8 @@ Proof.
   by_checker true (Certificate Hull [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0;
     ZPoint 4 1] [ZEdge (ZPoint 0 0) [] (ZPoint 8 0) None]
       [ZPoint 0 0; ZPoint 4 (-1); ZPoint 8 0]
-      [ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 8 0) (Marks false false true) [];
-       ZTriangle (ZPoint 0 0) (ZPoint 8 0) (ZPoint 4 1) (Marks true false false) []])
+      [ZTriangle (ZPoint 0 0) (ZPoint 4 (-1)) (ZPoint 8 0) (Marks false false true) 0 [] [];
+       ZTriangle (ZPoint 0 0) (ZPoint 8 0) (ZPoint 4 1) (Marks true false false) 0 [] []])
     accepted_is_canonical.
 Qed.
 
@@ -91,37 +91,38 @@ Definition zring n := [ZEdge za [] zb n; ZEdge zb [] zd n; ZEdge zd [] za n].
 Definition zoutline n := [ZEdge za [] zb n; ZEdge zb [] zc n; ZEdge zc [] zd n; ZEdge zd [] za n].
 Definition all_sides := Marks true true true.
 
-Ltac interior_by_checker rule edges v w :=
+Ltac interior_by_checker rule edges v low w left right :=
   let H := fresh in
   assert (H : check true (Certificate rule [za; zb; zc; zd] edges [za; zb; zc]
-    [ZTriangle za zb zd all_sides v; ZTriangle zd zb zc all_sides w]) = true) by (vm_compute; reflexivity);
+    [ZTriangle za zb zd all_sides v low []; ZTriangle zd zb zc all_sides w left right]) = true) by (vm_compute; reflexivity);
   apply (accepted_inside_is_interior 1 Rlt_0_1) in H; cbn [domain] in H;
   unfold real_edges, real_triangles, real_inside, real_polygons, Domain.real_polygon, Domain.ring_edges,
     Domain.inside_triangles, place_triangle, place_edge in H;
   cbn -[place in_polygons interior] in H; unfold za, zb, zc, zd in H; rewrite ?placed in H; exact H.
 
 Example inside_of_a_ring : interior (nonzero (ring ++ outline)) fan fan.
-Proof. interior_by_checker NonZero (zring None ++ zoutline None) [Round 0 2] [Round 0 1]. Qed.
+Proof. interior_by_checker NonZero (zring None ++ zoutline None) 2%Z (@nil Z) 1%Z (@nil Z) (@nil Z). Qed.
 
 Example inside_of_two_rings : interior (even_odd (ring ++ outline)) fan [(d, b, c)].
-Proof. interior_by_checker EvenOdd (zring None ++ zoutline None) (@nil zround) [Round 0 1]. Qed.
+Proof. interior_by_checker EvenOdd (zring None ++ zoutline None) 0%Z (@nil Z) 1%Z (@nil Z) (@nil Z). Qed.
 
 (* The ring is a hole, or a polygon that lies over the other one, or a line that bounds nothing. *)
 Example inside_of_a_polygon_with_a_hole : interior (in_polygons [([outline], [ring])]) fan [(d, b, c)].
 Proof.
   interior_by_checker (Polygons [ZPolygon [0%Z] [1%Z]]) (zring (Some 1%Z) ++ zoutline (Some 0%Z))
-    [Round 0 1; Round 1 1] [Round 0 1].
+    0%Z [0%Z; 1%Z] 1%Z [1%Z] [0%Z].
 Qed.
 
 Example inside_of_two_polygons : interior (in_polygons [([outline], []); ([ring], [])]) fan fan.
 Proof.
   interior_by_checker (Polygons [ZPolygon [0%Z] []; ZPolygon [1%Z] []]) (zring (Some 1%Z) ++ zoutline (Some 0%Z))
-    [Round 0 1; Round 1 1] [Round 0 1].
+    1%Z [0%Z; 1%Z] 1%Z [1%Z] [0%Z].
 Qed.
 
 Example inside_of_a_polygon_with_lines : interior (in_polygons [([ring], [])]) fan [(a, b, d)].
 Proof.
-  interior_by_checker (Polygons [ZPolygon [1%Z] []]) (zring (Some 1%Z) ++ zoutline None) [Round 1 1] (@nil zround).
+  interior_by_checker (Polygons [ZPolygon [1%Z] []]) (zring (Some 1%Z) ++ zoutline None)
+    1%Z [1%Z] 0%Z [1%Z] (@nil Z).
 Qed.
 
 Example round_the_ring : winding ring (Point (1 / 2) (1 / 2)) = 1%Z /\ winding ring (Point (3 / 2) (3 / 2)) = 0%Z.

@@ -1,6 +1,6 @@
 (* What holds while triangles are laid on the front, one after the other. *)
 Require Import Reals ZArith List Lra Lia Bool Permutation.
-Require Import Spec Geometry Check Place Count.
+Require Import Spec Geometry Rings Check Place Count.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -31,31 +31,33 @@ Qed.
 Definition front (s : state) : list item := passed s ++ ahead s.
 
 (* The two ways in which a triangle is laid. *)
-Lemma step_cases rule t s s' : step rule t s = Some s' ->
+Lemma step_cases rule judge t s s' : step rule judge t s = Some s' ->
   let a := corner_a t in let b := corner_b t in let c := corner_c t in
   let m := marks t in let v := value t in
   (0 < zorient a b c)%Z /\ exists i, item_side i = ZSide a b /\ legal rule (mark_ab m) c i = true /\
+  let w := enter judge (rings_ab t) i in told judge w v = true /\
   ((exists r, Permutation (front s) (i :: r) /\ before a c = true /\ before c b = true /\
       Permutation (front s')
-        (Item (ZSide a c) (Some b) (mark_ca m) v :: Item (ZSide c b) (Some a) (mark_bc m) v :: r) /\
+        (Item (ZSide a c) (Some b) (mark_ca m) v w :: Item (ZSide c b) (Some a) (mark_bc m) v w :: r) /\
       brought s' = c :: brought s /\ used s' = use (mark_ab m) i (used s) /\
-      rises s' = add_rise v i (rises s)) \/
+      rises s' = add_rise judge v (rings_ab t) i (rises s)) \/
    (exists j r, Permutation (front s) (i :: j :: r) /\ item_side j = ZSide b c /\
       legal rule (mark_bc m) a j = true /\
-      Permutation (front s') (Item (ZSide a c) (Some b) (mark_ca m) v :: r) /\
+      Permutation (front s') (Item (ZSide a c) (Some b) (mark_ca m) v w :: r) /\
       brought s' = brought s /\ used s' = use (mark_ab m) i (use (mark_bc m) j (used s)) /\
-      rises s' = add_rise v i (add_rise v j (rises s)))).
+      rises s' = add_rise judge v (rings_ab t) i (add_rise judge v (rings_bc t) j (rises s)))).
 Proof.
   unfold step. intros H.
   destruct (Z.ltb_spec 0 (zorient (corner_a t) (corner_b t) (corner_c t))) as [A|]; [|discriminate].
   split; [assumption|].
   destruct (go (corner_a t) (passed s) (ahead s)) as [l [|i r]] eqn:G; [discriminate|].
   apply go_permutes in G. fold (front s) in G.
-  destruct (same (corner_a t) _ && same (corner_b t) _ && legal _ _ _ i) eqn:E; [|discriminate].
-  apply andb_prop in E. destruct E as [E L]. apply andb_prop in E. destruct E as [Ea Eb].
+  destruct (same (corner_a t) _ && same (corner_b t) _ && legal _ _ _ i && told _ _ _) eqn:E; [|discriminate].
+  apply andb_prop in E. destruct E as [E W]. apply andb_prop in E. destruct E as [E L]. apply andb_prop in E. destruct E as [Ea Eb].
   apply same_eq in Ea, Eb.
   exists i. split; [|split; [assumption|]].
   { destruct (item_side i) as [x y]. cbn in *. subst. reflexivity. }
+  split; [assumption|].
   destruct (before (corner_c t) (corner_b t)) eqn:B.
   - left. destruct (before (corner_a t) (corner_c t)) eqn:B'; [|discriminate].
     injection H as <-. exists (l ++ r). cbn. rewrite G. repeat split; try reflexivity.
@@ -76,6 +78,7 @@ Section Laid.
 Variable u : R.
 Hypothesis u_positive : 0 < u.
 Variable rule : bool.
+Variable judge : option table.
 Variable low : list zside.
 Variable low_points : list zpoint.
 
@@ -101,46 +104,11 @@ Qed.
 Lemma fine_more used used' a b c d : incl used used' -> fine used a b c d -> fine used' a b c d.
 Proof. intros I [[s [J H]]|H]; [left; exists s; split; [apply I|]; assumption|right; assumption]. Qed.
 
-(* What the rises of one ring n add up to. *)
-Definition risen (n : Z) (q : point) (x : zrise) : Z :=
-  if Z.eqb n (rise_ring x)
-  then (rise x * above (place u (left_end (rise_side x))) (place u (right_end (rise_side x))) q)%Z else 0%Z.
-
-Lemma rises_by_total n q s sign : forall v l, (total (risen n q) (rises_by s sign v l)
-  = sign * times_of n v * above (place u (left_end s)) (place u (right_end s)) q + total (risen n q) l)%Z.
-Proof.
-  induction v as [|[r m] v IH]; intros l; cbn [rises_by times_of]; [ring|].
-  rewrite IH, total_cons. unfold risen at 1. cbn [rise_ring rise rise_side]. destruct (Z.eqb n r); ring.
-Qed.
-
-Lemma rises_between_total n q s : forall v w l, (total (risen n q) (rises_between s v w l)
-  = (times_of n v - times_of n w) * above (place u (left_end s)) (place u (right_end s)) q + total (risen n q) l)%Z.
-Proof.
-  induction v as [|[r m] v IH].
-  - intros w l. cbn [rises_between]. rewrite rises_by_total. cbn [times_of]. ring.
-  - induction w as [|[r' k] w IHw]; intros l; cbn [rises_between].
-    + rewrite rises_by_total. cbn [times_of]. ring.
-    + destruct (Z.compare_spec r r') as [<-|C|C].
-      * rewrite IH. cbn [times_of]. destruct (Z.eqb_spec m k) as [<-|N]; [destruct (Z.eqb n r); ring|].
-        rewrite total_cons. unfold risen at 1. cbn [rise_ring rise rise_side]. destruct (Z.eqb n r); ring.
-      * cbn [rises_between] in IHw. rewrite IHw, total_cons. unfold risen at 1. cbn [rise_ring rise rise_side times_of].
-        destruct (Z.eqb n r'); ring.
-      * rewrite IH, total_cons. unfold risen at 1. cbn [rise_ring rise rise_side times_of].
-        destruct (Z.eqb n r); ring.
-Qed.
-
-Lemma add_rise_total n q v i l : (total (risen n q) (add_rise v i l)
-  = (times_of n v - times_of n (level i)) * above (at_left i) (at_right i) q + total (risen n q) l)%Z.
-Proof. apply rises_between_total. Qed.
-
 Record laid (done : list ztriangle) (s : state) : Prop := {
   l_positive : forall t, In t done -> positive (tri t);
   l_count : forall q, (total (fun t => count q (tri t)) done + total (fun i => above (at_left i) (at_right i) q)
     (front s)
     = total (fun s => above (place u (left_end s)) (place u (right_end s)) q) low)%Z;
-  l_values : forall n q, (total (fun t => times_of n (value t) * count q (tri t)) done
-      + total (fun i => times_of n (level i) * above (at_left i) (at_right i) q) (front s)
-    = total (risen n q) (rises s))%Z;
   l_order : forall i, In i (front s) -> lex (at_left i) (at_right i);
   l_below : forall i, In i (front s) ->
     match below i with
@@ -227,9 +195,9 @@ Proof.
   - left. exists (item_side i). tauto.
 Qed.
 
-Lemma laid_step done s t s' : laid done s -> step rule t s = Some s' -> laid (t :: done) s'.
+Lemma laid_step done s t s' : laid done s -> step rule judge t s = Some s' -> laid (t :: done) s'.
 Proof.
-  intros H E. apply step_cases in E. cbn zeta in E. destruct E as (A & i & Ei & Li & E).
+  intros H E. apply step_cases in E. cbn zeta in E. destruct E as (A & i & Ei & Li & _ & E).
   apply (place_orient_positive u u_positive) in A.
   set (a := corner_a t) in *. set (b := corner_b t) in *. set (c := corner_c t) in *.
   set (m := marks t) in *. set (v := value t) in *.
@@ -239,7 +207,8 @@ Proof.
   destruct E as [(r & P & Bac & Bcb & P' & Br & Us & Ri) | (j & r & P & Ej & Lj & P' & Br & Us & Ri)].
   - (* one lower side, and a new point c above it *)
     apply (before_lex u u_positive) in Bac, Bcb.
-    set (n1 := Item (ZSide a c) (Some b) (mark_ca m) v) in *. set (n2 := Item (ZSide c b) (Some a) (mark_bc m) v) in *.
+    set (w0 := enter judge (rings_ab t) i) in *.
+    set (n1 := Item (ZSide a c) (Some b) (mark_ca m) v w0) in *. set (n2 := Item (ZSide c b) (Some a) (mark_bc m) v w0) in *.
     assert (Ii : In i (front s)) by (apply (Permutation_in _ (Permutation_sym P)); left; reflexivity).
     assert (Old : forall x, In x r -> In x (front s))
       by (intros; apply (Permutation_in _ (Permutation_sym P)); right; assumption).
@@ -267,16 +236,6 @@ Proof.
       rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
       rewrite (above_right (place u b) (place u c)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia.
-    + intros n q. pose proof (l_values _ _ H n q) as C. rewrite (total_permutation _ _ _ P), total_cons in C.
-      rewrite (total_permutation _ _ _ P'), !total_cons, Ri, add_rise_total, <- C. rewrite Ei in *.
-      unfold n1, n2. cbn [item_side left_end right_end level] in *.
-      assert (K : count q (tri t) = (above (place u a) (place u b) q - above (place u c) (place u b) q
-        - above (place u a) (place u c) q)%Z).
-      { unfold place_triangle, count, signed. fold a b c.
-      rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
-      rewrite (above_right (place u b) (place u c)) by (unfold lex in *; lra).
-      rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia. }
-      fold v. rewrite K. ring.
     + intros x Hx. apply New in Hx. destruct Hx as [->|[->|Hx]]; [assumption | assumption |].
       apply (l_order _ _ H); auto.
     + intros x Hx. apply New in Hx. destruct Hx as [->|[->|Hx]]; cbn.
@@ -328,7 +287,7 @@ Proof.
       * rewrite Ei; cbn. auto.
       * apply Hf. auto.
   - (* two lower sides, and b goes off the front *)
-    set (n1 := Item (ZSide a c) (Some b) (mark_ca m) v) in *.
+    set (n1 := Item (ZSide a c) (Some b) (mark_ca m) v (enter judge (rings_ab t) i)) in *.
     assert (Ii : In i (front s)) by (apply (Permutation_in _ (Permutation_sym P)); left; reflexivity).
     assert (Ij : In j (front s)) by (apply (Permutation_in _ (Permutation_sym P)); right; left; reflexivity).
     assert (Old : forall x, In x r -> In x (front s))
@@ -367,16 +326,6 @@ Proof.
       rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u b)) by (unfold lex in *; lra).
       rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia.
-    + intros n q. pose proof (l_values _ _ H n q) as C. rewrite (total_permutation _ _ _ P), !total_cons in C.
-      rewrite (total_permutation _ _ _ P'), !total_cons, Ri, !add_rise_total, <- C. rewrite Ei, Ej in *.
-      unfold n1. cbn [item_side left_end right_end level] in *.
-      assert (K : count q (tri t) = (above (place u a) (place u b) q + above (place u b) (place u c) q
-        - above (place u a) (place u c) q)%Z).
-      { unfold place_triangle, count, signed. fold a b c.
-      rewrite (above_right (place u b) (place u a)) by (unfold lex in *; lra).
-      rewrite (above_right (place u c) (place u b)) by (unfold lex in *; lra).
-      rewrite (above_right (place u c) (place u a)) by (unfold lex in *; lra). lia. }
-      fold v. rewrite K. ring.
     + intros x Hx. apply New in Hx. destruct Hx as [->|Hx]; [apply lex_transitive with (place u b); assumption|].
       apply (l_order _ _ H); auto.
     + intros x Hx. apply New in Hx. destruct Hx as [->|Hx]; cbn.
@@ -431,12 +380,12 @@ Proof.
       * apply Hf. auto.
 Qed.
 
-Lemma laid_lay : forall ts done s s', laid done s -> lay rule ts s = Some s' ->
+Lemma laid_lay : forall ts done s s', laid done s -> lay rule judge ts s = Some s' ->
   exists done', laid done' s' /\ Permutation done' (ts ++ done).
 Proof.
   induction ts as [|t ts IH]; cbn; intros done s s' H E.
   - injection E as <-. exists done. auto.
-  - destruct (step rule t s) as [s1|] eqn:S; [|discriminate].
+  - destruct (step rule judge t s) as [s1|] eqn:S; [|discriminate].
     apply laid_step with (t := t) (s' := s1) in H; [|assumption].
     destruct (IH _ _ _ H E) as (d & L & P). exists d. split; [assumption|].
     rewrite P. symmetry. apply Permutation_middle.

@@ -1,6 +1,6 @@
 (* What the checker accepts is right. *)
 Require Import Reals ZArith List Lra Lia Bool.
-Require Import Spec Geometry Check Place Tiling Walk Unique Domain.
+Require Import Spec Geometry Rings Check Place Tiling Walk Unique Domain.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -68,6 +68,16 @@ Fixpoint equal (l m : list A) : bool :=
 
 Definition same_set (l m : list A) : bool := equal (distinct (sort l) []) (distinct (sort m) []).
 
+(* The same, where the second list must have no item twice. *)
+Fixpoint ascending (x : A) (l : list A) : bool :=
+  match l with
+  | [] => true
+  | y :: r => match compare x y with Lt => ascending y r | _ => false end
+  end.
+Definition all_ascending (l : list A) : bool := match l with [] => true | x :: r => ascending x r end.
+Definition same_set_once (l m : list A) : bool :=
+  let o := sort m in all_ascending o && equal (distinct (sort l) []) (rev_append o []).
+
 Lemma merge_permutes up : forall n l1 l2 acc H, length l1 + length l2 <= n ->
   Permutation (merge up l1 l2 acc H) (acc ++ l1 ++ l2).
 Proof.
@@ -145,5 +155,38 @@ Proof.
   intros H x. apply equal_eq in H.
   pose proof (distinct_in (sort l) [] x) as L. pose proof (distinct_in (sort m) [] x) as M.
   rewrite sort_in in L, M. rewrite H in L. cbn in L, M. tauto.
+Qed.
+
+Lemma same_set_once_in l m : same_set_once l m = true -> forall x, In x l <-> In x m.
+Proof.
+  intros H x. apply andb_prop in H. destruct H as [_ H]. apply equal_eq in H.
+  pose proof (distinct_in (sort l) [] x) as L. rewrite H, rev_append_rev, app_nil_r, <- in_rev, !sort_in in L.
+  cbn in L. tauto.
+Qed.
+
+Hypothesis compare_lt : forall x y z, compare x y = Lt -> compare y z = Lt -> compare x z = Lt.
+Hypothesis compare_same : forall x, compare x x <> Lt.
+
+Lemma ascending_after : forall l x, ascending x l = true -> forall y, In y l -> compare x y = Lt.
+Proof.
+  induction l as [|z l IH]; cbn; intros x H y I; [destruct I|].
+  destruct (compare x z) eqn:E; try discriminate. destruct I as [<-|I]; [assumption|].
+  apply compare_lt with z; [assumption|]. apply IH; assumption.
+Qed.
+
+Lemma ascending_once : forall l x, ascending x l = true -> NoDup (x :: l).
+Proof.
+  induction l as [|y l IH]; intros x H; apply NoDup_cons.
+  - intros [].
+  - constructor.
+  - intros I. pose proof (ascending_after _ _ H x I) as L. destruct (compare_same _ L).
+  - cbn in H. destruct (compare x y); try discriminate. apply IH. assumption.
+Qed.
+
+Lemma same_set_once_once l m : same_set_once l m = true -> NoDup m.
+Proof.
+  intros H. apply andb_prop in H. destruct H as [H _].
+  apply Permutation_NoDup with (sort m); [apply sort_permutes|].
+  destruct (sort m) as [|x r]; [constructor|]. apply ascending_once. assumption.
 Qed.
 End Sort.

@@ -1,6 +1,6 @@
 (* What the checker sees of triangles that it accepts: a list of facts about real points. All else follows from them. *)
 Require Import Reals ZArith List Lra Lia Bool Permutation.
-Require Import Spec Geometry Count Sort Check Place Border Laid Pieces.
+Require Import Spec Geometry Count Sort Rings Check Place Border Laid Pieces.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -61,12 +61,12 @@ Proof.
   exists x. split; [|assumption]. unfold low_sides. rewrite rev_append_rev, app_nil_r. apply -> in_rev. assumption.
 Qed.
 
-Definition first_item (s : zside) : item := Item s None false [].
+Definition first_item (s : zside) : item := Item s None false 0 outside.
 
-Lemma start_front l : rev_append (fold_left (fun acc s => Item s None false [] :: acc) l []) [] = map first_item l.
+Lemma start_front l : rev_append (fold_left (fun acc s => Item s None false 0 outside :: acc) l []) [] = map first_item l.
 Proof.
   rewrite rev_append_rev, app_nil_r.
-  assert (G : forall l acc, fold_left (fun acc s => Item s None false [] :: acc) l acc = rev (map first_item l) ++ acc).
+  assert (G : forall l acc, fold_left (fun acc s => Item s None false 0 outside :: acc) l acc = rev (map first_item l) ++ acc).
   { clear. induction l as [|s l IH]; intros acc; cbn; [reflexivity|]. rewrite IH, <- app_assoc. reflexivity. }
   rewrite G, app_nil_r. apply rev_involutive.
 Qed.
@@ -121,7 +121,6 @@ Proof.
   split; unfold front; cbn [passed ahead brought used rises app].
   - intros t [].
   - intros q. cbn. clear. induction low as [|s r IH]; [reflexivity|]. cbn. unfold total in *. rewrite IH. reflexivity.
-  - intros n q. cbn. clear. induction low as [|s r IH]; [reflexivity|]. cbn. unfold total in *. rewrite IH. reflexivity.
   - intros i H. destruct (I i H) as (s & S & ->). apply L; assumption.
   - intros i H. destruct (I i H) as (s & S & ->). cbn; auto.
   - intros t a b c [].
@@ -158,15 +157,16 @@ Qed.
 (* What the checker has looked at when it accepts. *)
 Lemma check_inv rule k : check rule k = true -> triangles k <> [] ->
   exists s ps, let fr := rev_append (passed s) (ahead s) in let low := low_sides (lower k) in
-    lay rule (triangles k) (State [] (map first_item low) (lower k) [] []) = Some s /\
+    let judge := judge_of (domain k) in
+    lay rule judge (triangles k) (State [] (map first_item low) (lower k) [] []) = Some s /\
     pieces (edges k) [] = Some ps /\ all_covered fr = true /\ border low (map item_side fr) = true /\
-    same_set compare_points (points k) (brought s) = true /\
+    same_set_once compare_points (points k) (brought s) = true /\
     same_set compare_sides ps (marked_sides fr (used s)) = true /\
-    values_right (domain k) (edges k) (last_rises fr (rises s)) = true.
+    values_right (domain k) (edges k) (last_rises judge fr (rises s)) = true.
 Proof.
   unfold check. intros H N. destruct (triangles k) as [|t0 ts] eqn:TS; [congruence|clear N]. rewrite <- TS in *.
   rewrite start_front in H.
-  destruct (lay rule (triangles k) _) as [s|]; [|discriminate].
+  destruct (lay rule _ (triangles k) _) as [s|]; [|discriminate].
   destruct (pieces (edges k) []) as [ps|]; [|discriminate].
   repeat match goal with H : _ && _ = true |- _ => apply andb_prop in H; destruct H end.
   match goal with B : border _ _ = true |- _ =>
@@ -175,8 +175,8 @@ Proof.
 Qed.
 
 (* The triangles as they lie at the end. *)
-Lemma lay_laid rule k s : border (low_sides (lower k)) (map item_side (rev_append (passed s) (ahead s))) = true ->
-  lay rule (triangles k) (State [] (map first_item (low_sides (lower k))) (lower k) [] []) = Some s ->
+Lemma lay_laid rule judge k s : border (low_sides (lower k)) (map item_side (rev_append (passed s) (ahead s))) = true ->
+  lay rule judge (triangles k) (State [] (map first_item (low_sides (lower k))) (lower k) [] []) = Some s ->
   exists done, laid u rule (low_sides (lower k)) (lower k) done s /\ Permutation done (triangles k).
 Proof.
   intros B L. apply border_inv in B. destruct B as (sl & l & th & h & EL & _ & CL & _).
@@ -184,7 +184,7 @@ Proof.
   assert (ST : laid u rule (low_sides (lower k)) (lower k) [] (State [] (map first_item (low_sides (lower k))) (lower
     k) [] [])).
   { apply laid_start; auto. rewrite EL; discriminate. }
-  destruct (laid_lay u u_positive rule _ (lower k) _ _ _ _ ST L) as (done & LD & PD).
+  destruct (laid_lay u u_positive rule judge _ (lower k) _ _ _ _ ST L) as (done & LD & PD).
   rewrite app_nil_r in PD. exists done. auto.
 Qed.
 
@@ -192,7 +192,7 @@ Theorem check_tiled rule k : check rule k = true -> triangles k <> [] ->
   tiled rule (map (place u) (points k)) (map (place_edge u) (edges k)) (map tri (triangles k)).
 Proof.
   intros H N. destruct (check_inv rule k H N) as (s & ps & L & PS & AC & B & VS & KS & _). cbn zeta in *.
-  destruct (lay_laid rule k s B L) as (done & LD & PD).
+  destruct (lay_laid rule _ k s B L) as (done & LD & PD).
   set (low := low_sides (lower k)) in *.
   set (fr := rev_append (passed s) (ahead s)) in *.
   assert (FR : forall i, In i fr <-> In i (front s)).
@@ -206,7 +206,7 @@ Proof.
     - split; [apply TD|]; auto.
     - split; [|apply TD]; auto. }
   assert (IT : forall z, In z done -> In (tri z) (map tri (triangles k))) by (intros z Z; apply TM; exists z; auto).
-  pose proof (same_set_in compare_points compare_points_eq _ _ VS) as PB.
+  pose proof (same_set_once_in compare_points compare_points_eq _ _ VS) as PB.
   assert (PM : forall p, In p (map (place u) (points k)) <-> exists z, In z (brought s) /\ p = place u z).
   { intros p. rewrite in_map_iff. split; intros (z & A & Z); exists z.
     - split; [apply PB|]; auto.

@@ -4,12 +4,12 @@
 
 The proved checker lays the triangles on a front and counts. Here sides are looked up in a table, the border is
 compared with a hull made anew, areas are compared, and edges are counted below each triangle. No order of the triangles
-and no lower hull is needed: these hints are not looked at. Exit status: 0 correct, 1 refused, 2 unreadable.
+is needed, no lower hull, and no rings at sides: these hints are not looked at. Exit status: 0 correct, 1 refused, 2 unreadable.
 """
 
 import sys
 from bisect import bisect_left
-from collections import Counter
+from collections import Counter, defaultdict
 
 
 class Refused(Exception):
@@ -22,7 +22,7 @@ def demand(condition, message):
 
 
 def read(lines):
-    """The domain, the points, the edges as lists of points, their rings, and the triangles with marks and values."""
+    """The domain, its polygons, the points, the edges as lists of points, their rings, the triangles with marks and values."""
     lines = iter(lines)
 
     def words():
@@ -34,17 +34,21 @@ def read(lines):
             raise ValueError(f"{name} expected, not {word}")
         return [words() for _ in range(lines_of(int(count)))]
 
-    if words() != ["sweep-cdt-certificate", "1"]:
-        raise ValueError("not a certificate of version 1")
+    if words() != ["sweep-cdt-certificate", "2"]:
+        raise ValueError("not a certificate of version 2")
     many("exponent", lambda n: 0)
     (_, domain) = words()
     if domain not in ("hull", "even-odd", "nonzero", "polygons"):
         raise ValueError(f"domain {domain}")
-    if domain == "polygons":
-        for outlines, *rest in many("polygons"):
-            rest.remove("holes")
-            if outlines != "outlines" or any(integer(ring) < 0 for ring in rest):
-                raise ValueError("not a polygon")
+    roles = defaultdict(set)  # for each ring, its polygons, and whether it is a hole there
+    for number, (outlines, *rest) in enumerate(many("polygons") if domain == "polygons" else []):
+        holes = rest.index("holes")
+        if outlines != "outlines":
+            raise ValueError("not a polygon")
+        for ring in rest[:holes]:
+            roles[integer(ring)].add((number, False))
+        for ring in rest[holes + 1 :]:
+            roles[integer(ring)].add((number, True))
     points = [(integer(x), integer(y)) for x, y in many("points")]
 
     def place(word):
@@ -63,14 +67,20 @@ def read(lines):
         place(word)
     triangles = []
     for a, b, c, m, *value in many("triangles"):
-        if domain != "polygons" and len(value) != (domain != "hull") or m not in "01234567":
+        if domain == "polygons":
+            value, names = value[:1], value[1:]
+            heads = [w for w in names if w in ("ab", "bc")]
+            numbers = [integer(w) for w in names if w not in ("ab", "bc")]
+            if value not in (["0"], ["1"]) or heads not in ([], ["ab"], ["bc"], ["ab", "bc"]):
+                raise ValueError("not a triangle")
+            if names and names[0] not in heads or numbers and not heads:
+                raise ValueError("rings of no side")
+        if len(value) != (domain != "hull") or m not in "01234567":
             raise ValueError("not a triangle")
-        value = [integer(w) for w in value]
-        value = Counter(value) if domain == "polygons" else {0: w for w in value}
-        triangles.append(((place(a), place(b), place(c)), int(m), value))
+        triangles.append(((place(a), place(b), place(c)), int(m), *map(integer, value or ["0"])))
     if words() != ["end"] or next(lines, None) is not None:
         raise ValueError("the end expected")
-    return domain, points, edges, rings, triangles
+    return (domain, roles), points, edges, rings, triangles
 
 
 def integer(word):
@@ -123,7 +133,7 @@ def rank(p):
     return (p[0], -p[1])
 
 
-def judge_values(domain, edges, rings, triangles):
+def judge_values(domain, roles, edges, rings, triangles):
     """Rings are closed, and a value is what a ray down from the middle of the triangle crosses of each."""
     ends, below = Counter(), [Counter() for _ in triangles]
     middles = sorted((sum(p[0] for p in t), sum(p[1] for p in t), n) for n, (t, _, _) in enumerate(triangles))
@@ -140,11 +150,16 @@ def judge_values(domain, edges, rings, triangles):
     wrong = (lambda n: n != 0) if domain == "nonzero" else (lambda n: n % 2 != 0)
     demand(not any(wrong(n) for n in ends.values()), "a ring is not closed")
     for (t, _, value), count in zip(triangles, below):
-        count.subtract(value)
-        demand(not any(wrong(n) for n in count.values()), f"the value of triangle {t} is wrong")
+        if domain == "polygons":
+            around = {role for ring, n in count.items() if wrong(n) for role in roles[ring]}
+            is_right = value == any((polygon, True) not in around for polygon, is_hole in around if not is_hole)
+        else:
+            is_right = not wrong(value - count[0])
+        demand(is_right, f"the value of triangle {t} is wrong")
 
 
-def judge(domain, points, edges, rings, triangles, plain):
+def judge(rule, points, edges, rings, triangles, plain):
+    domain, roles = rule
     if not triangles:
         distinct = sorted(set(points))
         demand(all(orient(distinct[0], distinct[-1], p) == 0 for p in distinct), "there are no triangles")
@@ -167,7 +182,7 @@ def judge(domain, points, edges, rings, triangles, plain):
         demand(mark == (frozenset((p, q)) in constrained), f"the mark of side {p} {q} is wrong")
     demand(all(tuple(s) in opposite or tuple(s)[::-1] in opposite for s in constrained), "an edge is missing")
     if domain != "hull":
-        judge_values(domain, edges, rings, triangles)
+        judge_values(domain, roles, edges, rings, triangles)
     for (p, q), r in opposite.items():
         if p < q and (q, p) in opposite and not marks[p, q]:
             s = opposite[q, p]

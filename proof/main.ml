@@ -10,7 +10,7 @@ let read channel =
   let count name = match words () with [n; count] when n = name -> int_of_string count in
   let list count item = List.init count (fun _ -> item (words ())) in
   let integer = Integer.of_string in
-  let ["sweep-cdt-certificate"; "1"] = words () in
+  let ["sweep-cdt-certificate"; "2"] = words () in
   ignore (count "exponent");
   let rec polygon outlines = function
     | "holes" :: l -> { outlines; holes = List.rev_map integer l } | r :: l -> polygon (integer r :: outlines) l in
@@ -28,10 +28,14 @@ let read channel =
   let lower = list (match count "lower" with 0 -> 0 | sides -> sides + 1) (fun [a] -> point a) in
   let marks = Array.init 8 (fun m -> { mark_ab = m land 1 > 0; mark_bc = m land 2 > 0; mark_ca = m land 4 > 0 }) in
   let triangles = list (count "triangles") (fun (a :: b :: c :: m :: rest) ->
-    let value = match domain, rest with (* of rings the last one first *)
-      | Hull, [] -> [] | (EvenOdd | NonZero), [w] -> [{ ring = Integer.zero; times = integer w }]
-      | Polygons _, l -> List.rev_map (fun r -> { ring = integer r; times = Integer.one }) l in
-    { corner_a = point a; corner_b = point b; corner_c = point c; marks = marks.(int_of_string m); value }) in
+    let rec rings ab = function (* what stands after ab, and what stands after bc *)
+      | [] -> ab, [] | "bc" :: l -> ab, List.map integer l | r :: l -> rings (integer r :: ab) l in
+    let value, (rings_ab, rings_bc) = match domain, rest with
+      | Hull, [] -> Integer.zero, ([], []) | (EvenOdd | NonZero), [w] -> integer w, ([], [])
+      | Polygons _, ("0" | "1" as w) :: "ab" :: l -> integer w, rings [] l
+      | Polygons _, ("0" | "1" as w) :: ([] | "bc" :: _ as l) -> integer w, rings [] l in
+    { corner_a = point a; corner_b = point b; corner_c = point c; marks = marks.(int_of_string m); value;
+      rings_ab; rings_bc }) in
   let ["end"] = words () in
   match words () with exception End_of_file -> { domain; points; edges; lower; triangles } | _ -> failwith "more"
 

@@ -110,7 +110,7 @@ def certificate(data, domain="hull", rings=(), polygons=()):
     edges = edges_of(data, points)
     marked = {frozenset((points[a], points[b])) for c in edges for a, b in zip(c, c[1:])}
     triangles, chain = order(points, data["triangles"])
-    out = ["sweep-cdt-certificate 1", f"exponent {exponent}", f"domain {domain}"]
+    out = ["sweep-cdt-certificate 2", f"exponent {exponent}", f"domain {domain}"]
     first = [[]] * len(edges)
     if domain == "polygons":
         out.append(f"polygons {len(polygons)}")
@@ -122,7 +122,7 @@ def certificate(data, domain="hull", rings=(), polygons=()):
     out.append(f"lower {max(0, len(chain) - 1)}")
     out += map(str, chain)
     out.append(f"triangles {len(triangles)}")
-    for (a, b, c), value in zip(triangles, claims(domain, points, edges, rings, triangles)):
+    for (a, b, c), value in zip(triangles, claims(domain, points, edges, rings, polygons, triangles)):
         mark = sum(
             1 << i for i, (p, q) in enumerate(((a, b), (b, c), (c, a))) if frozenset((points[p], points[q])) in marked
         )
@@ -130,18 +130,29 @@ def certificate(data, domain="hull", rings=(), polygons=()):
     return "\n".join(out + ["end", ""])
 
 
-def claims(domain, points, edges, rings, triangles):
-    """For each triangle the numbers that say whether it is inside."""
+def claims(domain, points, edges, rings, polygons, triangles):
+    """For each triangle the words that say whether it is inside; by polygons also the rings along its lower sides."""
     if domain == "hull":
         return [[]] * len(triangles)
     if domain != "polygons":
         return [[value % 2 if domain == "even-odd" else value] for value in values(points, edges, triangles)]
-    found = [[] for _ in triangles]
+    found, along = [set() for _ in triangles], collections.defaultdict(set)
     for ring in sorted(set(rings) - {None}):
-        around = values(points, [edge for edge, other in zip(edges, rings) if other == ring], triangles)
-        for value, numbers in zip(around, found):
-            numbers += [ring] * (value % 2)
-    return found
+        of_ring = [edge for edge, other in zip(edges, rings) if other == ring]
+        for value, around in zip(values(points, of_ring, triangles), found):
+            around |= {ring} if value % 2 else set()
+        for edge in of_ring:
+            for a, b in zip(edge, edge[1:]):
+                along[frozenset((points[a], points[b]))] ^= {ring}
+    claimed = []
+    for (a, b, c), around in zip(triangles, found):
+        words = [int(any(around & set(outlines) and not around & set(holes) for outlines, holes in polygons))]
+        for name, (p, q) in (("ab", (a, b)), ("bc", (b, c))):
+            here = along.get(frozenset((points[p], points[q])))
+            if here and before(points[p], points[q]):
+                words += [name, *sorted(here)]
+        claimed.append(words)
+    return claimed
 
 
 if __name__ == "__main__":

@@ -66,13 +66,8 @@ def covered(polygons, corners):
 def claimed(text):
     """The triangles that are inside by a certificate."""
     lines = [line.split(" ") for line in text.splitlines()]
-    polygons = [(line[1 : line.index("holes")], line[line.index("holes") + 1 :]) for line in lines if "holes" in line]
     start = next(n for n, line in enumerate(lines) if line[0] == "triangles") + 1
-    inside = []
-    for a, b, c, _, *around in lines[start:-1]:
-        if any(set(outlines) & set(around) and not set(holes) & set(around) for outlines, holes in polygons):
-            inside.append([int(a), int(b), int(c)])
-    return inside
+    return [list(map(int, corners)) for *corners, _, value in (line[:5] for line in lines[start:-1]) if value == "1"]
 
 
 def declarations(text):
@@ -85,14 +80,18 @@ def declarations(text):
     return lines[2:points], places, lines[edges:]
 
 
-def altered(text, rng):
-    """The certificate with one triangle moved out or in."""
+def altered(text, rng, others=()):
+    """The certificate with one triangle moved out or in, or with another ring at a side."""
     lines = text.splitlines()
     start = next(n for n, line in enumerate(lines) if line.startswith("triangles ")) + 1
-    n = rng.randrange(start, len(lines) - 1)
-    corners = lines[n].split(" ")[:4]
-    inside = list(map(int, corners[:3])) in claimed(text)
-    lines[n] = " ".join(corners if inside else [*corners, "0"])  # ring 0 is an outline without a hole around it
+    n = rng.choice([n for n in range(start, len(lines) - 1) if not others or "b" in lines[n]])
+    words = lines[n].split(" ")
+    if others:
+        names = [k for k, word in enumerate(words) if k > 4 and word not in ("ab", "bc")]
+        words[rng.choice(names)] = others
+    else:
+        words[4] = "10"[int(words[4])]
+    lines[n] = " ".join(words)
     return "\n".join([*lines, ""])
 
 
@@ -162,6 +161,9 @@ def compare(command, program, rng, folder, count):
             if set(said) != {verdict}:
                 fail(f"{said} in place of {verdict}")
             rights, wrongs = rights + (verdict == 0), wrongs + verdict
+        said = judged(program, altered(text, rng, others="99"), cert)
+        if said != [1, 0]:  # a hint, at which check.py does not look
+            fail(f"a wrong ring at a side: {said}")
         said = judged(program, without_an_edge(text, rng), cert)
         if said[0] != said[1]:
             fail(f"an edge of another ring: {said}")

@@ -7,6 +7,7 @@
 //! it quietly.
 
 mod advice;
+mod completed;
 mod contours;
 mod crossings;
 mod generate;

@@ -11,6 +11,7 @@ use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
 use crate::shared::arguments::{InputArgs, OutputArgs, Target, add, completed, has_standard};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
+use crate::shared::earlier::Earlier;
 use crate::shared::failure::{Failure, note};
 use crate::shared::files::{FileArgument, FilesRead, ReadingArgs};
 use crate::shared::inside::InsideArgs;
@@ -143,6 +144,12 @@ impl Triangulate {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
         let targets = self.output.targets()?;
+        let certificates = targets.iter().filter(|target| target.is_certificate());
+        let earlier = Earlier::of(certificates.map(|target| &*target.destination.name));
+        earlier.note_if_failed(self.triangulated(targets))
+    }
+
+    fn triangulated(&self, targets: Vec<Target>) -> Result<(), Failure> {
         let json = self.stats_json.as_ref().map(Destination::of).transpose()?;
         let to_standard = [
             ("--stats", self.stats),

@@ -15,9 +15,11 @@ use sweep_cdt_formats::{
 };
 
 use crate::advice::Advised;
+use crate::completed::completed;
 use crate::record::{self, Fingerprint, Subject};
 use crate::shared::arguments::{InputArgs, ResultArgs, ResultFiles};
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
+use crate::shared::earlier::Earlier;
 use crate::shared::failure::{Failure, way_out};
 use crate::shared::files::ReadingArgs;
 use crate::shared::inside::{Inside, answer};
@@ -133,7 +135,9 @@ pub(crate) struct Verify {
     /// Write a certificate of a correct result, for the proved checker (the folder proof of the repository)
     ///
     /// It holds input and triangles with hints, from which a program whose verdict is a theorem sees that they are
-    /// right. Of a wrong result none is written.
+    /// right. With --domain it has the other triangles of the hull, too, and must be of polygons, even-odd or nonzero, or
+    /// of a rule by which the same is inside. With --steiner its points are those of the result. Of a wrong result none
+    /// is written.
     #[arg(long, value_name = "FILE")]
     write_certificate: Option<PathBuf>,
 
@@ -201,6 +205,11 @@ Examples:
 impl Verify {
     /// Runs the subcommand.
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        let earlier = Earlier::of(self.write_certificate.as_deref());
+        earlier.note_if_failed(self.verified())
+    }
+
+    fn verified(&self) -> Result<(), Failure> {
         let files = [&self.input.input, &self.result.result];
         if files.iter().all(|file| file.is_standard()) {
             let message = "only one of INPUT and RESULT can be standard input";
@@ -339,10 +348,6 @@ impl Job for Run<'_> {
             verifier
         };
         let domain = arguments.domain.unwrap_or(Inside::of(file));
-        if self.certificate.is_some() && !matches!(domain, Inside::Hull) {
-            let message = "--write-certificate is for triangles that tile the hull: --domain hull asks for that";
-            return Err(Failure::Usage(message.to_owned()));
-        }
         let answer = answer(domain, &given, self.own, verifier, &triangles)?;
 
         // What is wrong by no more than is allowed for.
@@ -378,10 +383,15 @@ impl Job for Run<'_> {
             outputs.add(record, |out| record::write(&subject, &answer, out))?;
         }
         if let Some(certificate) = self.certificate.filter(|_| answer.is_ok()) {
-            outputs.add(certificate, |out| {
-                let graph = &file.graph;
-                let list = &triangles.list;
-                write_certificate(&graph.points, &graph.edges, None, list, |_| true, out)
+            let graph = &file.graph;
+            let (list, is_inside) = match domain {
+                Inside::Hull => (triangles.list.clone(), vec![true; triangles.list.len()]),
+                _ => completed(&given, &triangles.list)?,
+            };
+            let polygons = matches!(domain, Inside::Polygons).then_some(&file.polygons);
+            outputs.add(certificate, move |out| {
+                let is_inside = |t: usize| is_inside[t];
+                write_certificate(&graph.points, &graph.edges, polygons, &list, is_inside, out)
             })?;
         }
         if let Some(svg) = self.svg {

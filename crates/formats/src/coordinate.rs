@@ -36,6 +36,17 @@ pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
     /// ```
     fn binary(&self) -> Option<(BigInt, i64)>;
 
+    /// The same as [`binary`](Coordinate::binary), where 64 bits hold the integer with its sign and a quick way is known.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::Coordinate;
+    ///
+    /// assert_eq!((-0.75).small_binary(), Some((-3, -2)));
+    /// ```
+    fn small_binary(&self) -> Option<(i64, i64)> {
+        None
+    }
+
     /// The shortest text from which [`from_text`](Coordinate::from_text) makes the same value again.
     fn text(&self) -> String;
 
@@ -119,6 +130,29 @@ impl Coordinate for f64 {
 
     fn binary(&self) -> Option<(BigInt, i64)> {
         BigRational::from_float(*self)?.binary()
+    }
+
+    fn small_binary(&self) -> Option<(i64, i64)> {
+        // The fraction is 52 bits, before which stands another one unless the exponent is 0.
+        let bits = self.to_bits();
+        let exponent = i64::try_from(bits >> 52 & 0x7ff).ok()?;
+        let fraction = i64::try_from(bits & ((1 << 52) - 1)).ok()?;
+        let integer = if exponent > 0 {
+            fraction | 1 << 52
+        } else {
+            fraction
+        };
+        if integer == 0 {
+            return Some((0, 0));
+        }
+        let zeros = integer.trailing_zeros();
+        let integer = if self.is_sign_negative() {
+            -integer
+        } else {
+            integer
+        };
+        self.is_finite()
+            .then(|| (integer >> zeros, exponent.max(1) - 1075 + i64::from(zeros)))
     }
 
     fn text(&self) -> String {

@@ -155,6 +155,10 @@ pub(crate) struct Target {
 }
 
 impl Target {
+    pub(crate) fn is_certificate(&self) -> bool {
+        matches!(self.format, Output::File(OutputFormat::Cert))
+    }
+
     /// What the format has no room for.
     pub(crate) fn losses<S: Coordinate>(
         &self,

@@ -185,31 +185,48 @@ fn certificates_are_of_correct_results_alone() {
         fs::read_to_string(at("b.cert")).expect("a certificate"),
         certificate
     );
-    let expected = "sweep-cdt-certificate 1\nexponent 0\n";
+    let expected = "sweep-cdt-certificate 2\nexponent 0\n";
     assert!(certificate.starts_with(expected), "{certificate}");
 
     refuted(&verify(&folder, "a.poly b.json --write-certificate c.cert"));
     assert!(!at("c.cert").exists());
-    for (more, words) in [
-        ("--level tiling", "--level"),
-        ("--domain even-odd", "--domain hull"),
-    ] {
-        let output = verify(
-            &folder,
-            &format!("a.poly a.ele {more} --write-certificate c.cert"),
-        );
-        assert_eq!(output.status.code(), Some(2), "{more}");
-        assert!(
-            String::from_utf8_lossy(&output.stderr).contains(words),
-            "{more}"
-        );
-    }
+    let output = verify(
+        &folder,
+        "a.poly a.ele --level tiling --write-certificate c.cert",
+    );
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("--level"));
     // A third is no integer times a power of two.
     fs::write(at("t.json"), r#"{"points": [["1/3", 0], [1, 0], [0, 1]]}"#).expect("a file");
     let output = run(&folder, "t.json -o t.cert");
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stderr).contains("power of two"));
     assert!(!at("t.cert").exists());
+}
+
+#[test]
+fn a_certificate_of_an_earlier_run_is_told_from_one_of_this() {
+    let folder = with_square(&[("b.json", WRONG[0].1), ("a.ele", RIGHT)]);
+    let third = r#"{"points": [["1/3", 0], [1, 0], [0, 1]]}"#;
+    fs::write(folder.path().join("t.json"), third).expect("a file");
+    let noted =
+        |output: &Output| String::from_utf8_lossy(&output.stderr).contains("of an earlier run");
+    let to_c = "--write-certificate c.cert";
+    assert!(!noted(&verify(&folder, &format!("a.poly b.json {to_c}"))));
+    assert!(!noted(&verify(&folder, &format!("a.poly a.ele {to_c}"))));
+    assert!(!noted(&verify(&folder, &format!("a.poly a.ele {to_c}"))));
+    let earlier = fs::read(folder.path().join("c.cert")).expect("a certificate");
+    for refusal in [
+        verify(&folder, &format!("a.poly b.json {to_c}")),
+        verify(&folder, &format!("a.poly none.ele {to_c}")),
+        verify(&folder, &format!("a.poly a.ele --level tiling {to_c}")),
+        run(&folder, "t.json -o c.cert"),
+        run(&folder, "none.json -o c.cert"),
+    ] {
+        assert!(!refusal.status.success() && noted(&refusal), "{refusal:?}");
+        let file = fs::read(folder.path().join("c.cert")).expect("a certificate");
+        assert!(file == earlier);
+    }
 }
 
 /// What a judge that shares no code with this crate says of a certificate: `proof/check.py`. `None` without Python.
@@ -262,13 +279,89 @@ fn certificates_of_polygons_pass_the_second_judge() {
     let declared = "\ndomain polygons\npolygons 2\noutlines 0 holes 1\noutlines 2 holes\n";
     assert!(text.contains(declared), "{text}");
     assert!(text.contains("\n- 0 6\n"), "{text}");
-    let in_the_hole = text.lines().find(|line| line.ends_with(" 0 1"));
-    let in_the_hole = in_the_hole.expect("a triangle inside the outline and its hole");
-    let altered = text.replace(in_the_hole, in_the_hole.trim_end_matches(" 1"));
+    let triangles = text.split_once("\ntriangles ").expect("triangles").1;
+    let triangle = triangles.lines().nth(1).expect("a triangle");
+    let mut words: Vec<&str> = triangle.split(' ').collect();
+    words[4] = if words[4] == "1" { "0" } else { "1" };
+    let altered = text.replace(triangle, &words.join(" "));
     fs::write(folder.path().join("b.cert"), altered).expect("a file");
     for (certificate, is_right) in [("a.cert", true), ("b.cert", false)] {
         if let Some(verdict) = second_judge(&folder, certificate) {
             assert_eq!(verdict.status.success(), is_right, "{verdict:?}");
         }
     }
+}
+
+/// The certificate of a result that fills a domain, which the second judge accepts; how many of its triangles are inside.
+fn certified_inside(folder: &TempDir, arguments: &str) -> (String, usize) {
+    printed(&verify(
+        folder,
+        &format!("{arguments} --write-certificate r.cert"),
+    ));
+    let text = fs::read_to_string(folder.path().join("r.cert")).expect("a certificate");
+    if let Some(verdict) = second_judge(folder, "r.cert") {
+        assert!(verdict.status.success(), "{verdict:?}");
+    }
+    let triangles = text.split_once("\ntriangles ").expect("triangles").1;
+    let inside = triangles
+        .lines()
+        .skip(1)
+        .filter(|line| line.split(' ').nth(4) == Some("1"));
+    let inside = inside.count();
+    (text, inside)
+}
+
+#[test]
+fn certificates_of_results_that_fill_a_domain_are_of_the_hull() {
+    let shapes =
+        "MULTIPOLYGON (((0 0, 9 0, 9 9, 5 9, 5 5, 4 5, 4 9, 0 9, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1)))";
+    let folder = folder(&[("a.wkt", shapes)]);
+    for rule in ["polygons", "even-odd", "holes"] {
+        let asked = if rule == "holes" { "even-odd" } else { rule };
+        printed(&run(&folder, &format!("a.wkt --inside {asked} -o a.json")));
+        // Another program's order and corners.
+        let result = fs::read_to_string(folder.path().join("a.json")).expect("a result");
+        let result: serde_json::Value = serde_json::from_str(&result).expect("JSON");
+        let mut triangles: Vec<[usize; 3]> =
+            serde_json::from_value(result["triangles"].clone()).expect("triangles");
+        triangles.reverse();
+        triangles
+            .iter_mut()
+            .for_each(|corners| corners.rotate_left(1));
+        let other = serde_json::json!({ "triangles": triangles }).to_string();
+        fs::write(folder.path().join("b.json"), other).expect("a file");
+        let (text, inside) = if rule == "holes" {
+            // The hole has no seed in this file: all that edges enclose is inside, which no rule of a certificate says.
+            let output = verify(
+                &folder,
+                "a.wkt b.json --domain holes --write-certificate r.cert",
+            );
+            assert!(!output.status.success(), "{output:?}");
+            continue;
+        } else {
+            certified_inside(&folder, &format!("a.wkt b.json --domain {rule}"))
+        };
+        assert!(text.contains(&format!("\ndomain {rule}\n")), "{text}");
+        assert_eq!(inside, triangles.len());
+    }
+}
+
+#[test]
+fn certificates_hold_vertices_that_a_result_added() {
+    let square =
+        r#"{"points": [[0, 0], [4, 0], [4, 4], [0, 4]], "edges": [[0, 1], [1, 2], [2, 0]]}"#;
+    // A vertex in the middle of the edge from 2 to 0, and one inside.
+    let result = r#"{"points": [[0, 0], [4, 0], [4, 4], [0, 4], [2, 2], [3, 1]],
+                     "triangles": [[0, 1, 5], [1, 2, 5], [2, 4, 5], [4, 0, 5]]}"#;
+    let folder = folder(&[("a.json", square), ("r.json", result)]);
+    let (text, inside) = certified_inside(&folder, "a.json r.json --steiner --domain even-odd");
+    assert!(
+        text.contains("\npoints 6\n") && text.contains("\n2 4 0\n"),
+        "{text}"
+    );
+    assert_eq!(inside, 4);
+    let all = result.replace("[4, 0, 5]]", "[4, 0, 5], [2, 3, 4], [3, 0, 4]]");
+    fs::write(folder.path().join("all.json"), all).expect("a file");
+    let (text, _) = certified_inside(&folder, "a.json all.json --steiner");
+    assert!(text.contains("\ndomain hull\n"), "{text}");
 }

@@ -4,7 +4,7 @@
 //! coordinates as integers times one power of two, which must be the caller's exactly. A fault in anything else makes the
 //! checker refuse, never accept. The hints are the chain of points along each edge, the lower hull, the sides that are
 //! pieces of edges, an order of the triangles, and, where not all are inside, how often the edges go round each triangle,
-//! or the rings of polygons that do.
+//! or the rings of polygons that run along the sides below it.
 //!
 //! ```text
 //!        .-----------.          A side that leads to a later point, counterclockwise, is a *lower* side of its
@@ -14,20 +14,17 @@
 //!    '-------'---'-------'
 //! ```
 //!
-//! Cost: O(n log n) for n points, edges and triangles, by sorts; 80 bytes a triangle, and the integers. With polygons 24
-//! bytes a triangle more, and the rings around each.
+//! Cost: O(n log n) for n points, edges and triangles, by sorts; 80 bytes a triangle, and the integers. With polygons 8
+//! bytes for each side along an edge more.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use num_bigint::BigInt;
 use sweep_cdt::interior::Ring;
-use sweep_cdt::scalar::filtered_orient2d;
 
+use super::certificate_numbers::{least_exponent, push_integer};
+use super::certificate_tiling::{Tiling, Values};
 use crate::{Coordinate, Polygons};
-
-/// No half-edge.
-const NONE: u32 = u32::MAX;
 
 /// Writes a certificate of a constrained Delaunay triangulation: of `points` and `edges` with these `triangles`, which
 /// cover the hull, and of which those are inside that `is_inside` says, by position. The certificate is of `polygons` if
@@ -41,7 +38,7 @@ const NONE: u32 = u32::MAX;
 /// let mut text = Vec::new();
 /// write_certificate(&points, &[[0, 1]], None, &[[0, 1, 2]], |_| true, &mut text)?;
 /// let text = String::from_utf8(text)?;
-/// assert!(text.starts_with("sweep-cdt-certificate 1\nexponent -1\ndomain hull\npoints 3\n0 0\n1 0\n0 4\nedges 1\n0 1\n"));
+/// assert!(text.starts_with("sweep-cdt-certificate 2\nexponent -1\ndomain hull\npoints 3\n0 0\n1 0\n0 4\nedges 1\n0 1\n"));
 /// assert!(text.ends_with("lower 1\n0\n1\ntriangles 1\n0 1 2 1\nend\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -58,7 +55,7 @@ pub fn write_certificate<S: Coordinate>(
     is_inside: impl Fn(usize) -> bool,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let (exponent, coordinates) = coordinates(points)?;
+    let exponent = least_exponent(points)?;
     let mut tiling = Tiling::new(points, triangles).ok_or_else(wrong)?;
     let ring = |edge: usize| polygons.and_then(|polygons| *polygons.ring_of.get(edge)?);
     let chains = edges.iter().enumerate();
@@ -68,57 +65,119 @@ pub fn write_certificate<S: Coordinate>(
         .ok_or_else(wrong)?;
     let (lower, order) = tiling.in_order().ok_or_else(wrong)?;
     let values = match polygons {
-        Some(polygons) => tiling.values_of_polygons(&polygons.rings, is_inside),
-        None => tiling.values(is_inside),
+        None => Some(tiling.values(&is_inside).ok_or_else(other_interior)?),
+        Some(polygons) if tiling.are_covered(&polygons.rings, &is_inside) => None,
+        Some(_) => return Err(other_interior()),
     };
-    let values = values.ok_or_else(other_interior)?;
 
-    writeln!(out, "sweep-cdt-certificate 1")?;
+    writeln!(out, "sweep-cdt-certificate 2")?;
     writeln!(out, "exponent {exponent}")?;
-    writeln!(out, "domain {}", values.domain())?;
+    let domain = match &values {
+        None => "polygons",
+        Some(Values::Hull) => "hull",
+        Some(Values::EvenOdd(_)) => "even-odd",
+        Some(Values::NonZero(_)) => "nonzero",
+    };
+    writeln!(out, "domain {domain}")?;
     if let Some(polygons) = polygons {
         write_polygons(&polygons.rings, out)?;
     }
-    writeln!(out, "points {}", points.len())?;
-    for point in coordinates.chunks(2) {
-        let [x, y] = [0, 1].map(|axis| integer(&point[axis], exponent));
-        writeln!(out, "{x} {y}")?;
+    let mut lines = Lines::new(out);
+    lines.head("points", points.len());
+    for [x, y] in points {
+        push_integer(x, exponent, &mut lines.text)?;
+        lines.text.push(b' ');
+        push_integer(y, exponent, &mut lines.text)?;
+        lines.end()?;
     }
-    writeln!(out, "edges {}", edges.len())?;
+    lines.head("edges", edges.len());
     for (edge, ([from, to], chain)) in edges.iter().zip(&chains).enumerate() {
         match (polygons, ring(edge)) {
             (None, _) => {}
-            (_, None) => write!(out, "- ")?,
-            (_, Some(ring)) => write!(out, "{ring} ")?,
+            (_, None) => lines.text.extend_from_slice(b"- "),
+            (_, Some(ring)) => lines.first(ring).text.push(b' '),
         }
-        write!(out, "{from}")?;
+        lines.first(*from);
         for point in chain {
-            write!(out, " {point}")?;
+            lines.next(*point);
         }
-        writeln!(out, " {to}")?;
+        lines.next(*to).end()?;
     }
-    writeln!(out, "lower {}", lower.len().saturating_sub(1))?;
+    lines.head("lower", lower.len().saturating_sub(1));
     for point in lower {
-        writeln!(out, "{point}")?;
+        lines.first(point).end()?;
     }
-    writeln!(out, "triangles {}", order.len())?;
+    lines.head("triangles", order.len());
     for t in order {
-        let [a, b, c] = tiling.corners[t as usize];
-        write!(out, "{a} {b} {c} {}", tiling.mark(t))?;
+        let [a, b, c] = tiling.triangle(t);
+        lines.first(a).next(b).next(c).next(tiling.mark(t));
         match &values {
-            Values::Hull => {}
-            Values::EvenOdd(windings) | Values::NonZero(windings) => {
-                write!(out, " {}", windings[t as usize])?;
+            Some(Values::Hull) => {}
+            Some(Values::EvenOdd(windings) | Values::NonZero(windings)) => {
+                lines.next(windings[t as usize]);
             }
-            Values::Polygons(rings) => {
-                for ring in &rings[t as usize] {
-                    write!(out, " {ring}")?;
+            None => {
+                lines.next(u8::from(is_inside(t as usize)));
+                let mut last = "";
+                for (side, ring) in tiling.rings_below(t) {
+                    if side != last {
+                        lines.text.extend_from_slice(side.as_bytes());
+                        last = side;
+                    }
+                    lines.next(ring);
                 }
             }
         }
-        writeln!(out)?;
+        lines.end()?;
     }
-    writeln!(out, "end")
+    lines.text.extend_from_slice(b"end\n");
+    lines.finish()
+}
+
+/// Lines of numbers on their way out.
+struct Lines<'a, W> {
+    text: Vec<u8>,
+    out: &'a mut W,
+}
+
+impl<'a, W: Write> Lines<'a, W> {
+    const ROOM: usize = 1 << 16;
+
+    fn new(out: &'a mut W) -> Self {
+        let text = Vec::with_capacity(2 * Self::ROOM);
+        Lines { text, out }
+    }
+
+    /// The line before a list.
+    fn head(&mut self, name: &str, count: usize) {
+        self.text.extend_from_slice(name.as_bytes());
+        self.next(count).text.push(b'\n');
+    }
+
+    fn first(&mut self, number: impl itoa::Integer) -> &mut Self {
+        let mut digits = itoa::Buffer::new();
+        self.text
+            .extend_from_slice(digits.format(number).as_bytes());
+        self
+    }
+
+    fn next(&mut self, number: impl itoa::Integer) -> &mut Self {
+        self.text.push(b' ');
+        self.first(number)
+    }
+
+    fn end(&mut self) -> io::Result<()> {
+        self.text.push(b'\n');
+        if self.text.len() >= Self::ROOM {
+            self.out.write_all(&self.text)?;
+            self.text.clear();
+        }
+        Ok(())
+    }
+
+    fn finish(self) -> io::Result<()> {
+        self.out.write_all(&self.text)
+    }
 }
 
 /// The rings of each polygon, by their positions.
@@ -147,347 +206,7 @@ fn wrong() -> io::Error {
 }
 
 fn other_interior() -> io::Error {
-    let why = "a certificate is of what is inside by the rule hull, polygons, even-odd or nonzero: add --inside hull";
+    let why = "a certificate is of what is inside by the rule hull, polygons, even-odd or nonzero, and by none of these the same is \
+               inside: `triangulate --inside hull` keeps all";
     io::Error::new(io::ErrorKind::InvalidInput, why)
-}
-
-/// For each triangle what shows whether it is inside, by the rule of a domain.
-enum Values {
-    Hull,
-    EvenOdd(Vec<i32>),
-    NonZero(Vec<i32>),
-    Polygons(Vec<Vec<u32>>),
-}
-
-impl Values {
-    /// The name of the rule.
-    fn domain(&self) -> &'static str {
-        match self {
-            Values::Hull => "hull",
-            Values::EvenOdd(_) => "even-odd",
-            Values::NonZero(_) => "nonzero",
-            Values::Polygons(_) => "polygons",
-        }
-    }
-}
-
-/// Whether one of the polygons covers what these rings, by position, go round.
-fn is_covered(rings: &[Ring], around: &[u32]) -> bool {
-    let mut polygons: HashMap<u32, [bool; 2]> = HashMap::new();
-    for &ring in around {
-        let Ring { polygon, is_hole } = rings[ring as usize];
-        polygons.entry(polygon).or_default()[usize::from(is_hole)] = true;
-    }
-    polygons.values().any(|around| *around == [true, false])
-}
-
-/// The least exponent, and all coordinates, x and y in turn, each as an integer with an exponent of two.
-fn coordinates<S: Coordinate>(points: &[[S; 2]]) -> io::Result<(i64, Vec<(BigInt, i64)>)> {
-    let list: Option<Vec<(BigInt, i64)>> = points.iter().flatten().map(S::binary).collect();
-    let list = list.ok_or_else(|| {
-        let why = "a certificate has integers times a power of two, and a coordinate is none, such as 1/3 or 0.1 read \
-                   exactly: multiply all by their denominators";
-        io::Error::new(io::ErrorKind::InvalidInput, why)
-    })?;
-    let exponents = list.iter().filter(|(integer, _)| integer.bits() > 0);
-    let least = exponents.map(|&(_, exponent)| exponent).min().unwrap_or(0);
-    Ok((least, list))
-}
-
-/// A coordinate in units of two to the power `least`, as text.
-fn integer((integer, exponent): &(BigInt, i64), least: i64) -> String {
-    if integer.bits() == 0 {
-        return "0".to_owned();
-    }
-    let integer = integer << (exponent - least).unsigned_abs();
-    match i64::try_from(&integer) {
-        Ok(small) => small.to_string(),
-        // Hexadecimal digits are quicker to write and to read.
-        Err(_) => format!("{integer:#x}"),
-    }
-}
-
-/// Triangles with their neighbours. A half-edge `3 t + k` runs from corner `k` of triangle `t` to the next one.
-struct Tiling<'a, S> {
-    points: &'a [[S; 2]],
-    /// For each point its place among the distinct points, in the order (x, y).
-    rank: Vec<u32>,
-    /// For each place the first point there.
-    point: Vec<u32>,
-    /// Counterclockwise, the earliest corner first.
-    corners: Vec<[u32; 3]>,
-    /// For each half-edge the one on the other side, or [`NONE`].
-    twin: Vec<u32>,
-    /// For each half-edge its side, a position in `sides`.
-    side: Vec<u32>,
-    /// The ranks of the ends of each side, the earlier one first, in ascending order.
-    sides: Vec<[u32; 2]>,
-    /// Of how many edges each side is a piece.
-    pieces: Vec<i32>,
-    /// How many edges run along each side, from its earlier end, less those that run against it.
-    along: Vec<i32>,
-    /// The sides of edges that are part of a ring, each with the position of the ring.
-    walls: Vec<[u32; 2]>,
-    /// For vertices that an edge goes on from: the later vertices beside them, from the right to the left.
-    fans: HashMap<u32, Vec<u32>>,
-}
-
-impl<'a, S: Coordinate> Tiling<'a, S> {
-    /// `None` if a vertex does not exist or a side has other than one or two triangles, one on each side.
-    fn new(points: &'a [[S; 2]], triangles: &[[usize; 3]]) -> Option<Self> {
-        let (rank, point) = ranked(points)?;
-        let turned = |corners: &[usize; 3]| {
-            let [a, b, c] = *corners;
-            let [p, q, r] = [points.get(a)?, points.get(b)?, points.get(c)?];
-            let is_left = !filtered_orient2d(p, q, r).is_lt();
-            let mut corners = if is_left { [a, b, c] } else { [a, c, b] };
-            let first = (0..3).min_by_key(|&k| rank[corners[k]])?;
-            corners.rotate_left(first);
-            Some(corners.map(|v| u32::try_from(v).expect("points are numbered with 32 bits")))
-        };
-        let corners: Vec<[u32; 3]> = triangles.iter().map(turned).collect::<Option<_>>()?;
-        let halves = u32::try_from(3 * corners.len())
-            .ok()
-            .filter(|&halves| halves < NONE)?;
-
-        let ends = |half: u32| ends(&corners, half).map(|v| rank[v as usize]);
-        let of_side = |half: u32| {
-            let [from, to] = ends(half);
-            [from.min(to), from.max(to)]
-        };
-        let mut sorted: Vec<u32> = (0..halves).collect();
-        sorted.sort_unstable_by_key(|&half| of_side(half));
-        let (mut twin, mut side) = (vec![NONE; halves as usize], vec![0; halves as usize]);
-        let mut sides = Vec::new();
-        for both in sorted.chunk_by(|&a, &b| of_side(a) == of_side(b)) {
-            for &half in both {
-                side[half as usize] = u32::try_from(sides.len()).ok()?;
-            }
-            sides.push(of_side(both[0]));
-            match *both {
-                [_] => {}
-                [a, b] if ends(a) != ends(b) => {
-                    twin[a as usize] = b;
-                    twin[b as usize] = a;
-                }
-                _ => return None,
-            }
-        }
-        let (pieces, along) = (vec![0; sides.len()], vec![0; sides.len()]);
-        Some(Tiling {
-            points,
-            rank,
-            point,
-            corners,
-            twin,
-            side,
-            sides,
-            pieces,
-            along,
-            walls: Vec::new(),
-            fans: HashMap::new(),
-        })
-    }
-
-    /// The points inside an edge, in its direction. Its pieces are marked. `None` if it is no chain of sides.
-    fn chain(&mut self, edge: [usize; 2], ring: Option<usize>) -> Option<Vec<u32>> {
-        let ring = ring.map(u32::try_from).transpose().ok()?;
-        let [from, to] = edge.map(|v| self.rank.get(v).copied());
-        let [from, to] = [from?, to?];
-        let (mut at, last) = (from.min(to), from.max(to));
-        let mut inside = Vec::new();
-        // Points on one line have no sides, and their edges are not asked for.
-        while at != last && !self.corners.is_empty() {
-            let next = match self.sides.binary_search(&[at, last]) {
-                Ok(_) => last,
-                Err(_) => self.next_on_the_way(at, last)?,
-            };
-            let side = self.sides.binary_search(&[at, next]).ok()?;
-            self.pieces[side] += 1;
-            self.along[side] += if from < to { 1 } else { -1 };
-            let wall = ring.map(|ring| Some([u32::try_from(side).ok()?, ring]));
-            self.walls.extend(wall.flatten());
-            if next != last {
-                inside.push(self.point[next as usize]);
-            }
-            at = next;
-        }
-        if from > to {
-            inside.reverse();
-        }
-        Some(inside)
-    }
-
-    /// The vertex beside `at` that lies on the way to a later one.
-    fn next_on_the_way(&mut self, at: u32, to: u32) -> Option<u32> {
-        let (points, point) = (self.points, &self.point);
-        let place = |v: u32| &points[point[v as usize] as usize];
-        let turn = |v: u32, w: u32| filtered_orient2d(place(at), place(v), place(w));
-        let sides = &self.sides;
-        let fan = self.fans.entry(at).or_insert_with(|| {
-            let first = sides.partition_point(|side| side[0] < at);
-            let beside = sides[first..].iter().take_while(|side| side[0] == at);
-            let mut fan: Vec<u32> = beside.map(|side| side[1]).collect();
-            fan.sort_by(|&v, &w| turn(v, w).reverse());
-            fan
-        });
-        let place = fan.binary_search_by(|&v| turn(v, to).reverse()).ok()?;
-        Some(fan[place]).filter(|&next| next < to)
-    }
-
-    /// The ranks of the ends of a half-edge.
-    fn ends(&self, half: u32) -> [u32; 2] {
-        ends(&self.corners, half).map(|v| self.rank[v as usize])
-    }
-
-    fn is_lower(&self, half: u32) -> bool {
-        let [from, to] = self.ends(half);
-        from < to
-    }
-
-    /// The lower hull, and the triangles in an order in which each stands after those across its lower sides.
-    fn in_order(&self) -> Option<(Vec<u32>, Vec<u32>)> {
-        let halves = 0..u32::try_from(self.twin.len()).ok()?;
-        let is_border = |half: &u32| self.twin[*half as usize] == NONE && self.is_lower(*half);
-        let mut border: Vec<u32> = halves.clone().filter(is_border).collect();
-        border.sort_unstable_by_key(|&half| self.ends(half));
-        let starts = border.iter().map(|&half| self.ends(half)[0]);
-        let end = border.last().map(|&half| self.ends(half)[1]);
-        let lower = starts.chain(end).map(|v| self.point[v as usize]);
-
-        // How many triangles must be listed before each.
-        let mut waits = vec![0_u8; self.corners.len()];
-        for half in halves.filter(|&half| self.twin[half as usize] != NONE && self.is_lower(half)) {
-            waits[half as usize / 3] += 1;
-        }
-        let mut stack: Vec<u32> = Vec::new();
-        for half in border.iter().rev() {
-            if waits[*half as usize / 3] == 0 && stack.last() != Some(&(half / 3)) {
-                stack.push(half / 3);
-            }
-        }
-        let mut order = Vec::with_capacity(self.corners.len());
-        while let Some(t) = stack.pop() {
-            order.push(t);
-            // From the right to the left.
-            for half in [3 * t + 1, 3 * t + 2] {
-                let above = self.twin[half as usize];
-                if above == NONE || self.is_lower(half) {
-                    continue;
-                }
-                let waits = &mut waits[above as usize / 3];
-                *waits -= 1;
-                if *waits == 0 {
-                    stack.push(above / 3);
-                }
-            }
-        }
-        (order.len() == self.corners.len()).then(|| (lower.collect(), order))
-    }
-
-    /// The values of the first rule by which these triangles are inside, of those that know no rings.
-    fn values(&self, is_inside: impl Fn(usize) -> bool) -> Option<Values> {
-        let all = 0..self.corners.len();
-        if all.clone().all(&is_inside) {
-            return Some(Values::Hull);
-        }
-        let is = |windings: &Vec<i32>| all.clone().all(|t| (windings[t] != 0) == is_inside(t));
-        let rise = |rises: &[i32], half: u32| {
-            let rise = rises[self.side[half as usize] as usize];
-            if self.is_lower(half) { rise } else { -rise }
-        };
-        let parities =
-            self.spread(|parity: &i32, half| (parity + rise(&self.pieces, half)).rem_euclid(2));
-        let even_odd = parities.filter(is).map(Values::EvenOdd);
-        even_odd.or_else(|| {
-            let windings = self.spread(|winding, half| winding + rise(&self.along, half));
-            windings.filter(is).map(Values::NonZero)
-        })
-    }
-
-    /// The rings that go round each triangle an odd number of times, if polygons of them cover what is inside.
-    fn values_of_polygons(
-        &mut self,
-        rings: &[Ring],
-        is_inside: impl Fn(usize) -> bool,
-    ) -> Option<Values> {
-        self.walls.sort_unstable();
-        let around = self.spread(|around: &Vec<u32>, half| {
-            let mut around = around.clone();
-            let side = self.side[half as usize];
-            let first = self.walls.partition_point(|&[other, _]| other < side);
-            let walls = self.walls[first..].iter();
-            for [_, ring] in walls.take_while(|[other, _]| *other == side) {
-                match around.binary_search(ring) {
-                    Ok(place) => drop(around.remove(place)),
-                    Err(place) => around.insert(place, *ring),
-                }
-            }
-            around
-        })?;
-        let mut all = around.iter().enumerate();
-        let is_right = all.all(|(t, around)| is_covered(rings, around) == is_inside(t));
-        is_right.then_some(Values::Polygons(around))
-    }
-
-    /// A value of each triangle, from the default one outside; `enter` makes of the value on the right of a half-edge the
-    /// value on the left. `None` if two ways to a triangle disagree: then edges are no closed rings.
-    fn spread<V: Clone + Default + PartialEq>(
-        &self,
-        enter: impl Fn(&V, u32) -> V,
-    ) -> Option<Vec<V>> {
-        let outside = V::default();
-        let mut values: Vec<Option<V>> = vec![None; self.corners.len()];
-        // Half-edges with a known value on the right: first those of the border, then those across sides.
-        let halves = 0..u32::try_from(self.twin.len()).ok()?;
-        let is_border = |half: &u32| self.twin[*half as usize] == NONE;
-        let mut stack: Vec<u32> = halves.filter(is_border).collect();
-        while let Some(half) = stack.pop() {
-            let right = match self.twin[half as usize] {
-                NONE => &outside,
-                twin => values[twin as usize / 3].as_ref()?,
-            };
-            let value = enter(right, half);
-            let known = &mut values[half as usize / 3];
-            match known {
-                Some(known) if *known != value => return None,
-                Some(_) => continue,
-                None => *known = Some(value),
-            }
-            let first = half as usize - half as usize % 3;
-            let twins = self.twin[first..first + 3].iter();
-            stack.extend(twins.filter(|&&twin| twin != NONE));
-        }
-        values.into_iter().collect()
-    }
-
-    /// Which sides of a triangle are pieces of edges: the sum of 1, 2 and 4.
-    fn mark(&self, t: u32) -> u8 {
-        let pieces = |k: u32| self.pieces[self.side[(3 * t + k) as usize] as usize];
-        (0..3).map(|k| u8::from(pieces(k) > 0) << k).sum()
-    }
-}
-
-/// The points at the ends of a half-edge.
-fn ends(corners: &[[u32; 3]], half: u32) -> [u32; 2] {
-    let [t, k] = [half as usize / 3, half as usize % 3];
-    [corners[t][k], corners[t][(k + 1) % 3]]
-}
-
-/// For each point its place among the distinct points, and for each place its first point; `None` if there are too many.
-fn ranked<S: Coordinate>(points: &[[S; 2]]) -> Option<(Vec<u32>, Vec<u32>)> {
-    let mut order: Vec<u32> = (0..u32::try_from(points.len()).ok()?).collect();
-    let compare = |&v: &u32, &w: &u32| {
-        let [[ax, ay], [bx, by]] = [v, w].map(|v| &points[v as usize]);
-        ax.compare(bx).then_with(|| ay.compare(by))
-    };
-    order.sort_by(compare);
-    let (mut rank, mut point) = (vec![0; points.len()], Vec::new());
-    for equal in order.chunk_by(|v, w| compare(v, w).is_eq()) {
-        for &v in equal {
-            rank[v as usize] = u32::try_from(point.len()).ok()?;
-        }
-        point.push(equal[0]);
-    }
-    Some((rank, point))
 }

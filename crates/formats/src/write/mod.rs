@@ -1,6 +1,8 @@
 //! Writers: a [`GraphFile`] and its [`Triangulation`] in, or a graph alone, and text out.
 
 mod certificate;
+mod certificate_numbers;
+mod certificate_tiling;
 mod crossings;
 #[cfg(feature = "mesh-formats")]
 mod dxf;

@@ -1,8 +1,9 @@
-//! The formats as one program: odd but correct files (`files`), points as text (`points`), roles
+//! The formats as one program: certificates (`certificates`), odd but correct files (`files`), points as text (`points`), roles
 //! of rings (`roles`), every pair of formats (`exchange`), and with the feature
 //! `mesh-formats` the formats of other programs (`meshes`, `vtu`, `msh`, `numpy`), and files that are refused
 //! (`meshes_refused`).
 
+mod certificates;
 #[cfg(feature = "mesh-formats")]
 mod dxf;
 mod exchange;
