@@ -1,8 +1,7 @@
 """Measures which regions of `src/` the corpora reach.
 
 The program of `fuzz/properties` is built with the instrumentation of rustc, and with the small limits of a fuzz target
-(`--cfg fuzzing`), with which small inputs take the paths of large ones. It runs every property on its corpus and seeds.
-It also shows what bytes stand for, so there is one build for both, after the fuzzing.
+(`--cfg fuzzing`), with which small inputs take the paths of large ones. It runs every property on its corpus.
 """
 
 import concurrent.futures
@@ -21,16 +20,13 @@ CODE = 0
 # The target folder of the instrumented program, and the program.
 FOLDER = FUZZ / "target/coverage"
 PROGRAM = FOLDER / "release/sweep-cdt-properties"
-# The program as a command that leaves no profile.
-PROPERTIES = ["env", f"LLVM_PROFILE_FILE={os.devnull}", PROGRAM]
 
 
-def build(seconds=None):
-    """Builds the program, with the messages of cargo, in so many seconds at most."""
+def build():
+    """Builds the program, with the messages of cargo."""
     environment = {**os.environ, "RUSTFLAGS": "-C instrument-coverage --cfg fuzzing", "CARGO_TARGET_DIR": str(FOLDER),
                    "LLVM_PROFILE_FILE": os.devnull}
-    processes.must(["cargo", "build", "--release", "-p", "sweep-cdt-properties"], shown=True, env=environment,
-                   seconds=seconds)
+    processes.must(["cargo", "build", "--release", "-p", "sweep-cdt-properties"], shown=True, env=environment)
 
 
 def measure(targets, jobs, tools, out):
@@ -43,7 +39,7 @@ def measure(targets, jobs, tools, out):
         raw = profile / f"{target.name}.profraw"
         if processes.stopped.is_set():
             return raw
-        processes.run([PROGRAM, "run", target.name, target.seeds, target.corpus],
+        processes.run([PROGRAM, "run", target.name, target.corpus],
                       env={**os.environ, "LLVM_PROFILE_FILE": str(raw)})
         processes.say(f"  {target.name}")
         return raw

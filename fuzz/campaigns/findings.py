@@ -9,8 +9,6 @@ from . import libfuzzer, processes
 MINIMISING = 60
 # An input that does not end is not waited for any longer.
 SHOWING = 30
-# What a report says where the program that shows inputs is not built.
-UNSHOWN = "Not shown, as the program that does so is not built: `show`, in `fuzz/README.md`."
 
 
 class Finding:
@@ -24,8 +22,8 @@ class Finding:
         # What a reader has to know of it.
         self.note = ""
 
-    def keep(self, properties):
-        """Fills the folder. `properties` is the command that shows what bytes stand for, if it is built."""
+    def keep(self):
+        """Fills the folder."""
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
         smallest, text = self.folder / "bytes", self.outcome.text
@@ -41,12 +39,9 @@ class Finding:
             else:
                 self.note = "Run alone, these bytes did not fail again."
         (self.folder / "panic.txt").write_text(text)
-        if not properties:
-            self.note = f"{self.note} {UNSHOWN}".strip()
-            return
-        code, text = processes.run([*properties, "show", self.target.name, smallest, self.folder], seconds=SHOWING)
-        if code != 0:
-            (self.folder / "show.txt").write_text(text)
+        shown = libfuzzer.run(self.target.binary, smallest, seconds=SHOWING, SWEEP_CDT_SHOW=str(self.folder))
+        if not (self.folder / "row.txt").exists():
+            (self.folder / "show.txt").write_text(shown.text)
 
     def _again(self, file):
         """The bytes once more, alone. libFuzzer then writes no file."""
@@ -62,6 +57,10 @@ class Finding:
                 less.replace(smallest)
             else:
                 less.unlink()
+
+    def again(self):
+        """The line that runs the bytes once more, without a build."""
+        return f"{self.target.binary} {self.folder / 'bytes'}"
 
     def files(self):
         """The names of the files in the folder."""

@@ -47,6 +47,11 @@ class Outcome:
         return summary[1] if summary else None
 
 
+def longest(length):
+    """The option for the longest input; the targets themselves make none that is longer than what they read."""
+    return [f"-max_len={length}"] if length else []
+
+
 def kind(file):
     """What happened, by the name of the file: crash, timeout, oom, leak or slow-unit."""
     return file.name.rpartition("-")[0]

@@ -39,7 +39,8 @@ def _slow(targets):
 
 def _finding(finding):
     return [f"### {finding.folder.name}", "", f"`{finding.failure}` ({finding.kind}) {finding.note}".strip(), "",
-            f"In `{finding.folder}`: {', '.join(finding.files())}.", "", "```text", finding.row(), "```", ""]
+            f"In `{finding.folder}`: {', '.join(finding.files())}. Once more:", "", "```sh", finding.again(), "```", "",
+            "```text", finding.row(), "```", ""]
 
 
 def write(campaign, path):

@@ -1,24 +1,30 @@
 #!/bin/sh
-# Stands before rustc (RUSTC_WRAPPER) when the fuzz targets are built: crates of others are compiled as usual, without the
-# counters of libFuzzer.
+# Stands before rustc where the fuzz targets are built (.cargo/config.toml), so that `cargo fuzz run -s none TARGET`, as it is
+# typed, builds what a campaign runs.
 #
 # Counters are for the code under test. In the loops of big integers, of other programs and of readers of JSON they cost
-# half of the time, and they make libFuzzer keep inputs that reach nothing new in this crate. What is generic is compiled,
-# with counters, where it is used.
+# half of the time, and they make libFuzzer keep inputs that reach nothing new in this crate: crates of others are
+# compiled without them. What is generic is compiled, with counters, where it is used. Weighing comparisons costs more
+# executions than it gains with generated inputs. Which assertions are compiled says Cargo.toml, and in how many units.
 rustc=$1
 shift
 
 # The packages of this repository and the targets themselves keep the counters.
 case " $* " in
-*" --crate-name sweep_cdt"* | *" fuzz_targets/"*) exec "$rustc" "$@" ;;
+*" --crate-name sweep_cdt"* | *" fuzz_targets/"*) others= ;;
+*) others=-Cpasses=sancov-module ;;
 esac
 
-# Each word goes from the front to the back, but for one.
+# Each word goes from the front to the back, but for some.
 words=$#
 while [ "$words" -gt 0 ]; do
     word=$1
     shift
     words=$((words - 1))
-    [ "$word" = -Cpasses=sancov-module ] || set -- "$@" "$word"
+    case $word in
+    "$others" | -Cdebug-assertions | -Ccodegen-units=1) ;;
+    -Cllvm-args=-sanitizer-coverage-trace-compares | -Cllvm-args=-sanitizer-coverage-stack-depth) ;;
+    *) set -- "$@" "$word" ;;
+    esac
 done
 exec "$rustc" "$@"

@@ -15,11 +15,11 @@ MINIMISING = 120
 
 
 class Target:
-    """A target by its name, whose inputs have at most so many bytes."""
+    """A target by its name. Its inputs have at most as many bytes as it reads, or as asked for."""
 
     def __init__(self, name, max_len, binary, out):
         self.name, self.max_len, self.binary, self.out = name, max_len, binary, out
-        self.corpus, self.seeds = FUZZ / "corpus" / name, FUZZ / "target/seeds" / name
+        self.corpus = FUZZ / "corpus" / name
         self.reached, self.artifacts = out / "reached" / name, out / "artifacts" / name
         for folder in [self.corpus, self.reached, self.artifacts, out / "peer-faults"]:
             folder.mkdir(parents=True, exist_ok=True)
@@ -41,11 +41,11 @@ class Target:
     def _fuzz_once(self, seconds):
         with self.lock:
             self.turns += 1
-            longest = self.max_len if self.turns % 2 else min(self.max_len, SHORT)
+            longest = self.max_len if self.turns % 2 else min(self.max_len or SHORT, SHORT)
         start = time.monotonic()
         outcome = libfuzzer.run(
-            self.binary, f"-max_len={longest}", f"-max_total_time={int(seconds)}", f"-artifact_prefix={self.artifacts}/",
-            *libfuzzer.SLICE, *self.words, self.corpus, self.seeds, seconds=seconds,
+            self.binary, *libfuzzer.longest(longest), f"-max_total_time={int(seconds)}",
+            f"-artifact_prefix={self.artifacts}/", *libfuzzer.SLICE, *self.words, self.corpus, seconds=seconds,
             SWEEP_CDT_REACHED=str(self.reached), SWEEP_CDT_PEER_FAULTS=str(self.out / "peer-faults"))
         with self.lock:
             self.seconds += time.monotonic() - start
@@ -62,12 +62,11 @@ class Target:
 
     def _put_aside(self, failing, longest):
         """Removes an input that fails from those that each slice begins with, or none would get past it."""
-        for folder in [self.corpus, self.seeds]:
-            for file in folder.iterdir():
-                # libFuzzer may replace a file of the corpus meanwhile.
-                with contextlib.suppress(FileNotFoundError):
-                    if failing == file.read_bytes()[:longest]:
-                        file.unlink()
+        for file in self.corpus.iterdir():
+            # libFuzzer may replace a file of the corpus meanwhile.
+            with contextlib.suppress(FileNotFoundError):
+                if failing == file.read_bytes()[:longest]:
+                    file.unlink()
 
     def minimise(self):
         """Keeps the smallest files of the corpus that reach what all of it reaches."""
@@ -76,8 +75,8 @@ class Target:
         small.mkdir()
         before, start = len(list(self.corpus.iterdir())), time.monotonic()
         code, _ = processes.run(
-            [self.binary, *libfuzzer.LIMITS, f"-max_len={self.max_len}", *self.words, "-merge=1", small, self.corpus,
-             self.seeds], seconds=MINIMISING)
+            [self.binary, *libfuzzer.LIMITS, *libfuzzer.longest(self.max_len), *self.words, "-merge=1", small,
+             self.corpus], seconds=MINIMISING)
         took = time.monotonic() - start
         if code != 0:
             shutil.rmtree(small)

@@ -1,3 +1,3 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| sweep_cdt_properties::fronts::test(bytes));
+sweep_cdt_properties::target!(fronts);

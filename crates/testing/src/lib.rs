@@ -3,6 +3,7 @@
 //!
 //! * [`generators`] turn bytes into inputs that are degenerate nearly every time; [`Random`] makes bytes
 //!   and numbers from a seed.
+//! * [`asked`] says of which kinds a question is.
 //! * [`families`] are inputs that grow, the attacks on every promise about time; [`clouds`] and
 //!   [`segments()`] are the usual ones.
 //! * [`data`] reads the test data; [`binary`] writes inputs for other programs.
@@ -20,6 +21,7 @@
 //!
 //! docs/testing.md describes the tests that are made of this.
 
+pub mod asked;
 pub mod binary;
 pub mod clouds;
 pub mod conformance;

@@ -2,10 +2,11 @@
 
 use sweep_cdt::triangulate;
 use sweep_cdt_testing::judge::{
-    Asked, Claims, Fault, Numbers, Operation, Outcome, Question, Reply, Special, Summary, Wrong,
-    campaign, least,
+    Asked, Campaign, Claims, Fault, Numbers, Operation, Outcome, Question, Reply, Special, Summary,
+    Wrong, ask, campaign, least,
 };
 use sweep_cdt_testing::oracle::Domain;
+use sweep_cdt_testing::suite::Case;
 
 /// A program that is right.
 fn right(question: &Question) -> Outcome {
@@ -232,6 +233,116 @@ fn what_a_program_ignores_is_found() {
         .iter()
         .map(|f| f.least.question.points.len());
     assert!(sizes.min().is_some_and(|least| least <= 6), "{summary}");
+}
+
+/// What an adapter forgets of polygons.
+const FORGETS: [(&str, fn(&mut Question)); 8] = [
+    ("the second hole", |q| forget(q, |_, at| at == 2)),
+    ("the third hole", |q| forget(q, |_, at| at == 3)),
+    ("the fifth hole", |q| forget(q, |_, at| at == 5)),
+    ("holes from the tenth on", |q| forget(q, |_, at| at >= 10)),
+    ("the last of several holes", |q| {
+        let last: Vec<usize> = q.polygons.iter().map(Vec::len).collect();
+        forget(q, |polygon, at| at > 1 && at + 1 == last[polygon]);
+    }),
+    ("the second polygon", |q| {
+        q.polygons = q
+            .polygons
+            .drain(..)
+            .enumerate()
+            .filter(|(at, _)| *at != 1)
+            .map(|(_, rings)| rings)
+            .collect();
+    }),
+    ("islands", |q| {
+        let own = q.clone();
+        let corner = |rings: &Vec<Vec<usize>>| own.points[rings[0][0]];
+        q.polygons.retain(|rings| {
+            let others = own.polygons.iter().filter(|other| *other != rings);
+            let mut holes = others.flat_map(|other| &other[1..]);
+            !holes.any(|hole| surrounds(&own, hole, corner(rings)))
+        });
+    }),
+    ("a hole that touches its outline", |q| {
+        let points = q.points.clone();
+        for rings in &mut q.polygons {
+            let outline = rings[0].clone();
+            let mut at = 0..;
+            rings.retain(|ring| {
+                let touches = ring
+                    .iter()
+                    .any(|&v| outline.iter().any(|&w| points[v] == points[w]));
+                at.next() == Some(0) || !touches
+            });
+        }
+    }),
+];
+
+/// Leaves out rings, by the number of the polygon and their place in it.
+fn forget(question: &mut Question, is_left_out: impl Fn(usize, usize) -> bool) {
+    for (polygon, rings) in question.polygons.iter_mut().enumerate() {
+        let mut at = 0..;
+        rings.retain(|_| !at.next().is_some_and(|at| is_left_out(polygon, at)));
+    }
+}
+
+/// Whether a ring goes round a place, as doubles say.
+fn surrounds(question: &Question, ring: &[usize], [x, y]: [f64; 2]) -> bool {
+    let crosses = |side: &[usize; 2]| {
+        let [p, q] = side.map(|v| question.points[v]);
+        (p[1] > y) != (q[1] > y) && x < (q[0] - p[0]) * ((y - p[1]) / (q[1] - p[1])) + p[0]
+    };
+    sweep_cdt_testing::generators::ring_sides(ring)
+        .filter(crosses)
+        .count()
+        % 2
+        == 1
+}
+
+/// A program that forgets a part of polygons is found within 1,000 questions, and by the suite of conformance.
+#[test]
+fn what_a_program_forgets_of_polygons_is_found() {
+    let claims = Claims::of(Asked::Polygons);
+    let cases = sweep_cdt_testing::suite::own();
+    for (name, forgets) in FORGETS {
+        let forgetful = |question: &Question| {
+            let mut less = question.clone();
+            forgets(&mut less);
+            // The points are those of the question.
+            inside(&less)
+        };
+        for (seed, numbers) in [(1, "doubles"), (2, "integers:20"), (3, "integers:10")] {
+            let numbers = numbers.parse().expect("numbers");
+            let claims = claims.clone().with_numbers(numbers);
+            let found = Campaign {
+                claims,
+                executions: 1_000,
+                seed,
+                kept: 0,
+            };
+            let first = (0..1_000).position(|execution| {
+                let (_, question) = found.question(execution);
+                question.is_some_and(|question| {
+                    let mut less = question.clone();
+                    forgets(&mut less);
+                    less != question
+                        && found
+                            .claims
+                            .fault(&question, &ask(&question, &mut |q| forgetful(q)))
+                            .is_some()
+                })
+            });
+            println!("{name}: question {first:?}");
+            assert!(first.is_some(), "{name} with seed {seed}");
+        }
+        let is_caught = |case: &&Case| {
+            let question = case.question_within(&claims);
+            question.is_some_and(|q| case.fault(&claims, &q, &forgetful(&q).into()).is_some())
+        };
+        let caught = cases.iter().find(is_caught).map(|case| &case.name);
+        println!("{name}: case {caught:?}");
+        assert!(caught.is_some(), "no case finds what forgets {name}");
+    }
 }
 
 /// What a program may refuse is no finding, and anything else that it refuses is one.

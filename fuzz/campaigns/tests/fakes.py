@@ -45,6 +45,10 @@ if "merge" in flags:
 if "minimize_crash" in flags:
     write("minimized-from", b"small")
     end(0)
+if "SWEEP_CDT_SHOW" in os.environ:
+    row = pathlib.Path(os.environ["SWEEP_CDT_SHOW"]) / "row.txt"
+    row.write_text(f"row of {{files[0].read_bytes()}}\\n")
+    end(0)
 if files and files[0].is_file():
     if files[0].read_bytes() in (b"small", b"large", b"seed"):
         fail(files[0].read_bytes())
@@ -73,30 +77,19 @@ if "--version" in words:
     print("cargo 1")
     sys.exit(" ".join(words) in os.environ.get("FAKE_MISSING", "").split(","))
 if "fuzz" in words:
+    for line in (fuzz / "seeds").iterdir():
+        corpus = fuzz / "corpus" / line.stem
+        corpus.mkdir(parents=True, exist_ok=True)
+        (corpus / "seed_0001").write_bytes(b"seed")
     shutil.copytree(fuzz / "fakes", fuzz / "target/x86_64-fake-linux-gnu/release", dirs_exist_ok=True)
-if words[0] == "run":
-    os.execv(fuzz / "properties", ["properties", *words[words.index("--") + 1:]])
 if words[0] == "build":
-    time.sleep(float(os.environ.get("FAKE_BUILDING", 0)))
     (fuzz / "target/coverage/release").mkdir(parents=True, exist_ok=True)
     shutil.copy(fuzz / "properties", fuzz / "target/coverage/release/sweep-cdt-properties")
 '''
 
 PROPERTIES = '''#!{python}
 import os, pathlib, shutil, sys, time
-verb, fuzz = sys.argv[1], pathlib.Path(os.environ["FAKE_FUZZ"])
-names = [file.name for file in (fuzz / "fakes").iterdir()]
-if verb == "targets":
-    print("\\n".join(f"{{name}} {{100 + len(name)}}" for name in names))
-if verb == "unpack":
-    for name in names:
-        shutil.rmtree(pathlib.Path(sys.argv[2]) / name, ignore_errors=True)
-        (pathlib.Path(sys.argv[2]) / name).mkdir(parents=True)
-        (pathlib.Path(sys.argv[2]) / name / "seed_0001").write_bytes(b"seed")
-if verb == "show":
-    content = pathlib.Path(sys.argv[3]).read_bytes()
-    (pathlib.Path(sys.argv[4]) / "row.txt").write_text(f"row of {{content}}\\n")
-if verb == "run":
+if sys.argv[1] == "run":
     with open(os.environ["FAKE_LOG"], "a") as log:
         log.write(f"{{time.time()}} covering {{sys.argv[2]}}\\n")
     time.sleep(float(os.environ.get("FAKE_COVERING", 0)))
@@ -135,7 +128,6 @@ class Workplace:
         shutil.copytree(FUZZ / "campaigns", self.fuzz / "campaigns", ignore=shutil.ignore_patterns("tests"))
         shutil.copy(FUZZ / "campaign", self.fuzz)
         (self.fuzz / "Cargo.toml").write_text("".join(f'path = "fuzz_targets/{name}.rs"\n' for name in self.names))
-        (self.fuzz / "lengths.txt").write_text("".join(f"{name} {100 + len(name)}\n" for name in self.names))
         (self.fuzz / "seeds").mkdir()
         for name in self.names:
             self.program(f"fakes/{name}", TARGET)

@@ -26,9 +26,9 @@ class Builds(unittest.TestCase):
                              {"valid", "valid.options", "valid_seed_corpus.zip", "formats", "formats.options",
                               "formats_seed_corpus.zip", "formats.dict"})
             self.assertEqual((out / "valid.options").read_text(),
-                             "[libfuzzer]\nmax_len = 105\ntimeout = 25\nentropic = 0\nuse_counters = 0\n")
+                             "[libfuzzer]\ntimeout = 25\nentropic = 0\nuse_counters = 0\n")
             self.assertEqual((out / "formats.options").read_text(),
-                             "[libfuzzer]\nmax_len = 107\ntimeout = 25\nentropic = 0\nuse_counters = 0\n")
+                             "[libfuzzer]\ntimeout = 25\nentropic = 0\nuse_counters = 0\n")
             self.assertEqual(zipfile.ZipFile(out / "valid_seed_corpus.zip").namelist(), ["seed_0001"])
 
 

@@ -4,9 +4,10 @@
 //! the property does not hold. `sweep_cdt_testing` turns the bytes into degenerate inputs and judges the
 //! results. [`crossings`] is a part of `valid`. All of this runs without a fuzzer too: the crate's own tests give
 //! each property its [`seeds`] and random bytes. [`reached`] counts for a campaign what the inputs provoke, [`shown`]
-//! shows what the bytes of a finding stand for.
+//! shows what the bytes of a finding stand for, and [`target!`] makes a fuzz target.
 
 pub mod bits;
+pub mod bytes;
 pub mod canonical;
 pub mod crossings;
 pub mod differential;
@@ -24,4 +25,4 @@ mod targets;
 pub mod valid;
 pub mod verify;
 
-pub use targets::{Lead, TARGETS, Target};
+pub use targets::{Lead, TARGETS, Target, fuzz, named};

@@ -1,13 +1,18 @@
-//! Runs properties on files, shows what bytes stand for, packs and unpacks seeds.
+//! Runs properties on files, shows what bytes stand for, packs seeds, counts what is asked.
 
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Parser, Subcommand};
-use sweep_cdt_properties::{TARGETS, Target, seeds, shown};
+use sweep_cdt_properties::bytes::Source;
+use sweep_cdt_properties::{TARGETS, Target, named, reached, seeds};
 use sweep_cdt_testing::Random;
+use sweep_cdt_testing::asked::{KINDS, Tally};
 use sweep_cdt_testing::data::Hard;
+use sweep_cdt_testing::generators::RINGED;
+use sweep_cdt_testing::judge::{Asked, Campaign, Claims};
+use sweep_cdt_testing::suite;
 
 #[derive(Parser)]
 #[command(about = "Runs the fuzz targets of sweep-cdt on files, without a fuzzer")]
@@ -18,8 +23,6 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Verb {
-    /// Prints the name of every property, and of how many bytes a fuzzer makes its inputs at most.
-    Targets,
     /// Tests a property on files, or on all files of folders; panics where it does not hold.
     Run {
         /// The property.
@@ -28,15 +31,10 @@ enum Verb {
         paths: Vec<PathBuf>,
     },
     /// Writes new seeds into a folder: the hard inputs of the tests, as far as bytes can stand for them, and
-    /// random ones for every shape of points with every pattern of edges.
+    /// random ones for every shape of points with every pattern of edges, and for polygons.
     Seeds {
         /// The property.
         target: String,
-        /// The folder.
-        folder: PathBuf,
-    },
-    /// Writes the seeds of every property into a folder: for each a folder, in it a file for each seed.
-    Unpack {
         /// The folder.
         folder: PathBuf,
     },
@@ -46,6 +44,12 @@ enum Verb {
         target: String,
         /// The folder.
         folder: PathBuf,
+    },
+    /// Counts of which kinds the questions are: of each property, of campaigns against other programs, and of the
+    /// suite of conformance. Prints a table in Markdown, of shares in per cent.
+    Asked {
+        /// So many executions of each.
+        executions: u64,
     },
     /// Writes what a file stands for into a folder: points and edges as `row.txt`, a row for the table of cases,
     /// and as `input.json` for the command, with the steps and a picture; or a trace, a file or a result.
@@ -61,32 +65,68 @@ enum Verb {
 
 fn main() -> Result<(), Box<dyn Error>> {
     match Arguments::parse().verb {
-        Verb::Targets => {
-            for Target { name, max_len, .. } in TARGETS {
-                println!("{name} {max_len}");
-            }
-            Ok(())
-        }
         Verb::Run { target, paths } => run(named(&target)?, &paths),
         Verb::Seeds { target, folder } => make_seeds(named(&target)?, &folder),
-        Verb::Unpack { folder } => {
-            for target in TARGETS {
-                seeds::unpack(&seeds::path(target.name), &folder.join(target.name))?;
-            }
-            Ok(())
-        }
         Verb::Pack { target, folder } => {
             let file = seeds::path(named(&target)?.name);
             let count = seeds::pack(&folder, &file)?;
             println!("{}: {count} new seeds", file.display());
             Ok(())
         }
+        Verb::Asked { executions } => asked(executions),
         Verb::Show {
             target,
             file,
             folder,
-        } => Ok(shown::show(named(&target)?, &fs::read(file)?, &folder)?),
+        } => Ok(named(&target)?.show(&fs::read(file)?, &folder)?),
     }
+}
+
+/// The table of what is asked.
+fn asked(executions: u64) -> Result<(), Box<dyn Error>> {
+    let mut columns = Vec::new();
+    for target in TARGETS {
+        let mut source = Source::new(&seeds::path(target.name), 1)?;
+        let tally =
+            reached::counted(|| (0..executions).for_each(|_| (target.test)(&source.more())));
+        columns.push((target.name.to_owned(), tally));
+    }
+    for (asked, name) in Asked::ALL {
+        let campaign = Campaign {
+            claims: Claims::of(asked),
+            executions,
+            seed: 1,
+            kept: 0,
+        };
+        let mut tally = Tally::NONE;
+        let questions = (0..executions).filter_map(|at| campaign.question(at).1);
+        questions.for_each(|question| tally.add(&question));
+        columns.push((format!("judge: {name}"), tally));
+    }
+    let mut tally = Tally::NONE;
+    suite::own()
+        .iter()
+        .for_each(|case| tally.add(&case.question));
+    columns.push(("suite".to_owned(), tally));
+    let row = |first: &str, cells: Vec<String>| println!("| {first} | {} |", cells.join(" | "));
+    row(
+        "kind",
+        columns.iter().map(|(name, _)| name.clone()).collect(),
+    );
+    println!("|---|{}", "---:|".repeat(columns.len()));
+    let questions = columns.iter().map(|(_, tally)| tally.questions.to_string());
+    row("questions", questions.collect());
+    for (at, (name, _)) in KINDS.iter().enumerate() {
+        let share = |tally: &Tally| {
+            let tenths = (1000 * tally.kinds[at] + tally.questions / 2) / tally.questions.max(1);
+            format!("{}.{}", tenths / 10, tenths % 10)
+        };
+        row(
+            name,
+            columns.iter().map(|(_, tally)| share(tally)).collect(),
+        );
+    }
+    Ok(())
 }
 
 fn run(target: &Target, paths: &[PathBuf]) -> Result<(), Box<dyn Error>> {
@@ -114,6 +154,12 @@ fn make_seeds(target: &Target, folder: &Path) -> Result<(), Box<dyn Error>> {
         let seeds = target.after_leads(&bytes);
         write(folder, &format!("shape_{kind}"), seeds)?;
     }
+    for kind in RINGED..=u8::MAX {
+        // Rings of a shape alone, of up to 64 points.
+        let mut bytes = vec![kind, 0, u8::MAX];
+        bytes.extend(random.bytes(64));
+        write(folder, &format!("rings_{kind}"), target.after_leads(&bytes))?;
+    }
     Ok(())
 }
 
@@ -122,11 +168,6 @@ fn write(folder: &Path, name: &str, seeds: Vec<Vec<u8>>) -> std::io::Result<()> 
         fs::write(folder.join(format!("{name}_{i}")), seed)?;
     }
     Ok(())
-}
-
-fn named(name: &str) -> Result<&'static Target, String> {
-    let found = TARGETS.iter().find(|target| target.name == name);
-    found.ok_or_else(|| format!("there is no property {name}"))
 }
 
 fn files(path: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {

@@ -2,14 +2,18 @@
 //!
 //! With the environment variable `SWEEP_CDT_REACHED` set to a folder, every sixteenth input is triangulated
 //! once more with counters and once with events, by the paper's heuristics. How many of these inputs had
-//! each event is written there from time to time, one file a process. Without it this costs one test.
+//! each event, and of which kinds they are, is written there from time to time, one file a process. Without it this costs one
+//! test.
 
+use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
 use sweep_cdt::trace::{EdgePosition, Event, PointCase, Why};
 use sweep_cdt::{Counters, Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt_testing::asked;
+use sweep_cdt_testing::judge::Question;
 use sweep_cdt_testing::{Input, Steps};
 
 /// Of so many inputs one is looked at.
@@ -102,18 +106,34 @@ impl Run {
 
 struct Tally {
     seen: u64,
-    looked_at: u64,
+    asked: asked::Tally,
     reached: [u64; REACHABLE.len()],
 }
 
 static TALLY: Mutex<Tally> = Mutex::new(Tally {
     seen: 0,
-    looked_at: 0,
+    asked: asked::Tally::NONE,
     reached: [0; REACHABLE.len()],
 });
 
+thread_local! {
+    static COUNTED: Cell<Option<asked::Tally>> = const { Cell::new(None) };
+}
+
+/// Of which kinds the inputs are that are sampled while this work is done.
+pub fn counted(work: impl FnOnce()) -> asked::Tally {
+    COUNTED.set(Some(asked::Tally::NONE));
+    work();
+    COUNTED.take().unwrap_or(asked::Tally::NONE)
+}
+
 /// Counts what this input reaches, if the environment asks for it.
 pub fn sample(input: &Input) {
+    let question = || Question::new(&input.points, &input.edges);
+    if let Some(mut tally) = COUNTED.get() {
+        tally.add(&question());
+        COUNTED.set(Some(tally));
+    }
     static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
     let folder = FOLDER.get_or_init(|| std::env::var_os("SWEEP_CDT_REACHED").map(PathBuf::from));
     if let Some(folder) = folder
@@ -121,12 +141,12 @@ pub fn sample(input: &Input) {
     {
         tally.seen += 1;
         if tally.seen % EVERY == 1 {
-            tally.looked_at += 1;
+            tally.asked.add(&question());
             let run = Run::of(input);
             for (count, (_, is_reached)) in tally.reached.iter_mut().zip(REACHABLE) {
                 *count += u64::from(is_reached(&run));
             }
-            if tally.looked_at % WRITE == 1 {
+            if tally.asked.questions % WRITE == 1 {
                 write(folder, &tally);
             }
         }
@@ -134,8 +154,10 @@ pub fn sample(input: &Input) {
 }
 
 fn write(folder: &Path, tally: &Tally) {
-    let mut text = format!("inputs\t{}\n", tally.looked_at);
-    for ((name, _), count) in REACHABLE.iter().zip(tally.reached) {
+    let mut text = format!("inputs\t{}\n", tally.asked.questions);
+    let events = REACHABLE.iter().map(|(name, _)| name).zip(tally.reached);
+    let kinds = asked::KINDS.iter().map(|(name, _)| name);
+    for (name, count) in events.chain(kinds.zip(tally.asked.kinds)) {
         text += &format!("{name}\t{count}\n");
     }
     // A report that cannot be written must not stop a campaign.

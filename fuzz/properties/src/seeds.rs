@@ -2,7 +2,7 @@
 //!
 //! `fuzz/seeds/TARGET.hex` holds one seed a line, its bytes in hexadecimal. After a `#` there may be a name.
 //! The lines are sorted and no two stand for the same bytes, so that a change of the seeds is a change of
-//! some lines. libFuzzer takes a folder with a file for each seed, which [`unpack`] makes and [`pack`]
+//! some lines. libFuzzer takes a folder with a file for each seed, which `fuzz/build.rs` makes and [`pack`]
 //! turns into text again.
 
 use std::collections::BTreeMap;
@@ -58,22 +58,6 @@ fn text(seeds: &Seeds) -> String {
     text
 }
 
-/// Writes each seed of a file into the folder as a file of its own, beside no others.
-///
-/// # Errors
-/// If the file cannot be read or the folder not be written.
-pub fn unpack(file: &Path, folder: &Path) -> io::Result<()> {
-    let seeds = read(file)?;
-    if folder.exists() {
-        fs::remove_dir_all(folder)?;
-    }
-    fs::create_dir_all(folder)?;
-    for (number, bytes) in (1..).zip(seeds.keys()) {
-        fs::write(folder.join(format!("seed_{number:04}")), bytes)?;
-    }
-    Ok(())
-}
-
 /// Adds the content of each file of a folder to the seeds. Returns how many of them are new.
 ///
 /// An empty file is left out: libFuzzer tries no bytes at all in any case.
@@ -98,15 +82,14 @@ pub fn pack(folder: &Path, file: &Path) -> io::Result<usize> {
 }
 
 #[test]
-fn what_is_packed_is_unpacked() {
+fn what_is_packed_is_read() {
     let folder = std::env::temp_dir().join(format!("seeds-{}", std::process::id()));
-    let (file, unpacked) = (folder.join("some.hex"), folder.join("unpacked"));
-    fs::create_dir_all(&folder).expect("a folder");
+    let (file, more) = (folder.join("some.hex"), folder.join("more"));
+    fs::create_dir_all(&more).expect("a folder");
     fs::write(&file, "00ff  # a name\n10\n").expect("a file");
-    unpack(&file, &unpacked).expect("a good file");
-    fs::write(unpacked.join("more"), [1]).expect("a file");
-    fs::write(unpacked.join("again"), [0, 255]).expect("a file");
-    assert_eq!(pack(&unpacked, &file).expect("a good folder"), 1);
+    fs::write(more.join("more"), [1]).expect("a file");
+    fs::write(more.join("again"), [0, 255]).expect("a file");
+    assert_eq!(pack(&more, &file).expect("a good folder"), 1);
     let text = fs::read_to_string(&file).expect("a file");
     assert_eq!(text, "00ff  # a name\n01\n10\n");
     fs::write(&file, "0\n").expect("a file");

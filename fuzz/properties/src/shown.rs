@@ -20,8 +20,8 @@ use sweep_cdt::trace::{Event, Trace};
 use sweep_cdt::{Error, Pslg, Triangulation, Triangulator};
 use sweep_cdt_draw::{CrossingsPicture, ResultPicture};
 use sweep_cdt_testing::Input;
+use sweep_cdt_testing::judge::quietly;
 
-use crate::Target;
 use crate::file::{File, json};
 
 /// An answer is waited for so long.
@@ -33,8 +33,14 @@ const STEPS: usize = 100_000;
 ///
 /// # Errors
 /// If the folder cannot be written.
-pub fn show(target: &Target, bytes: &[u8], folder: &Path) -> io::Result<()> {
-    let row = match (target.input)(bytes) {
+pub fn show(
+    input: Option<Input>,
+    files: fn(&[u8]) -> Vec<File>,
+    bytes: &[u8],
+    folder: &Path,
+) -> io::Result<()> {
+    fs::create_dir_all(folder)?;
+    let row = match input {
         Some(input) => {
             show_input(&input, folder)?;
             input.to_string()
@@ -42,7 +48,7 @@ pub fn show(target: &Target, bytes: &[u8], folder: &Path) -> io::Result<()> {
         None => format!("{bytes:?}"),
     };
     fs::write(folder.join("row.txt"), row + "\n")?;
-    let (files, bytes) = (target.files, bytes.to_vec());
+    let bytes = bytes.to_vec();
     match within(PATIENCE, move || files(&bytes)) {
         Ok(files) => write(folder, files),
         Err(why) => fs::write(folder.join("files.txt"), format!("none: {why}\n")),
@@ -131,7 +137,8 @@ fn within<T: Send + 'static>(
     call: impl FnOnce() -> T + Send + 'static,
 ) -> Result<T, String> {
     let (done, waits) = channel();
-    let worker = thread::spawn(move || done.send(call()));
+    // In a fuzz target a panic that is heard ends the process.
+    let worker = thread::spawn(move || done.send(quietly(call)));
     match waits.recv_timeout(patience) {
         Ok(value) => Ok(value),
         Err(RecvTimeoutError::Timeout) => Err(format!("had not ended after {patience:?}")),
@@ -172,7 +179,8 @@ fn files_of(name: &str, bytes: &[u8]) -> std::collections::BTreeMap<String, Stri
     let folder = std::env::temp_dir().join(format!("shown-{}-{name}", std::process::id()));
     fs::create_dir_all(&folder).expect("a folder");
     let target = crate::TARGETS.iter().find(|target| target.name == name);
-    show(target.expect("a target"), bytes, &folder).expect("a folder");
+    let target = target.expect("a target");
+    show((target.input)(bytes), target.files, bytes, &folder).expect("a folder");
     let entries = fs::read_dir(&folder).expect("a folder");
     let files = entries.map(|entry| {
         let path = entry.expect("an entry").path();

@@ -1,11 +1,14 @@
 //! The table of properties: how bytes stand for an input, and how seeds are made of an input.
 
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::generators::{self, BYTES};
 
 use crate::file::File;
 use crate::{
-    bits, canonical, differential, formats, fronts, replay, scalars, stream, valid, verify,
+    bits, canonical, differential, formats, fronts, replay, scalars, shown, stream, valid, verify,
 };
 
 /// The choice made by the bytes before those of the generated input, and these bytes.
@@ -152,6 +155,14 @@ impl Target {
         Target { name, test, ..self }
     }
 
+    /// Writes what the bytes stand for into a folder.
+    ///
+    /// # Errors
+    /// If the folder cannot be written.
+    pub fn show(&self, bytes: &[u8], folder: &Path) -> std::io::Result<()> {
+        shown::show((self.input)(bytes), self.files, bytes, folder)
+    }
+
     /// Bytes to begin with that stand for this input, once after each lead.
     pub fn seeds(&self, input: &Input) -> Vec<Vec<u8>> {
         let bytes = (self.encode)(input);
@@ -163,6 +174,45 @@ impl Target {
         let leads = self.leads.iter();
         leads.map(|(_, lead)| [lead, bytes].concat()).collect()
     }
+}
+
+/// The target of this name.
+///
+/// # Errors
+/// If there is none.
+pub fn named(name: &str) -> Result<&'static Target, String> {
+    let found = TARGETS.iter().find(|target| target.name == name);
+    found.ok_or_else(|| format!("there is no property {name}"))
+}
+
+/// The body of a fuzz target. With the environment variable `SWEEP_CDT_SHOW` set to a folder, what the bytes stand for is
+/// written there, and nothing is tested.
+///
+/// # Panics
+/// If the property does not hold, or the folder cannot be written.
+pub fn fuzz(target: &Target, bytes: &[u8]) {
+    static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
+    match FOLDER.get_or_init(|| std::env::var_os("SWEEP_CDT_SHOW").map(PathBuf::from)) {
+        Some(folder) => target.show(bytes, folder).expect("a folder to write to"),
+        None => (target.test)(bytes),
+    }
+}
+
+/// A fuzz target. Its mutations are of no more bytes than it can read.
+#[macro_export]
+macro_rules! target {
+    ($name:ident) => {
+        fn target() -> &'static $crate::Target {
+            $crate::named(stringify!($name)).expect("a property of this name")
+        }
+
+        libfuzzer_sys::fuzz_target!(|bytes: &[u8]| $crate::fuzz(target(), bytes));
+
+        libfuzzer_sys::fuzz_mutator!(|data: &mut [u8], size: usize, most: usize, _seed: u32| {
+            let most = most.min(target().max_len);
+            libfuzzer_sys::fuzzer_mutate(data, size.min(most), most)
+        });
+    };
 }
 
 #[test]

@@ -61,16 +61,3 @@ fn every_property_is_a_fuzz_target() {
         "fuzz/Cargo.toml, in the order of TARGETS (right)"
     );
 }
-
-#[test]
-fn campaigns_know_how_long_inputs_are() {
-    let lines = TARGETS
-        .iter()
-        .map(|target| format!("{} {}\n", target.name, target.max_len));
-    let expected: String = lines.collect();
-    assert_eq!(
-        include_str!("../../lengths.txt"),
-        expected,
-        "fuzz/lengths.txt (right: what it must be)"
-    );
-}

@@ -1,7 +1,9 @@
 //! Inputs of random numbers: points of a shape with edges of a pattern, and polygons.
 
+use std::ops::RangeInclusive;
+
 use sweep_cdt_testing::arbitrary::Unstructured;
-use sweep_cdt_testing::generators::{Pattern, Rings, Shape, polygons, read_shape};
+use sweep_cdt_testing::generators::{POINTS, Pattern, Rings, Shape, polygons, read_shape};
 use sweep_cdt_testing::judge::Question;
 use sweep_cdt_testing::{Input, Random};
 
@@ -86,8 +88,40 @@ pub(super) fn scaled(random: &mut Random, by: f64) -> Question {
 
 /// Polygons of a shape, a few vertices each.
 pub(super) fn ringed(random: &mut Random, shape: Rings, may_touch: bool) -> Question {
+    of_polygons(random, shape, may_touch, MOST)
+}
+
+/// Polygons of which one has so many holes.
+pub(super) fn pierced(
+    random: &mut Random,
+    may_touch: bool,
+    holes: RangeInclusive<usize>,
+) -> Question {
+    let most = if *holes.end() > 3 { POINTS } else { MOST };
+    loop {
+        let question = of_polygons(random, Rings::Sieves, may_touch, most);
+        let found = question.polygons.iter().map(|rings| rings.len() - 1).max();
+        if found.is_some_and(|found| holes.contains(&found)) {
+            return question;
+        }
+    }
+}
+
+/// Polygons in the holes of others.
+pub(super) fn islands(random: &mut Random) -> Question {
+    let may_touch = random.one_in(2);
+    loop {
+        let question = pierced(random, may_touch, 1..=2);
+        // More polygons than one, of which the first one has a hole.
+        if question.polygons.len() > 1 && question.polygons[0].len() > 1 {
+            return question;
+        }
+    }
+}
+
+fn of_polygons(random: &mut Random, shape: Rings, may_touch: bool, most: usize) -> Question {
     let bytes = random.bytes(80);
-    let made = polygons(shape, may_touch, MOST, &mut Unstructured::new(&bytes));
+    let made = polygons(shape, may_touch, most, &mut Unstructured::new(&bytes));
     let (points, polygons) = made.unwrap_or_default();
     Question {
         polygons,

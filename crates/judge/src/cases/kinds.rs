@@ -6,7 +6,9 @@ use sweep_cdt_testing::Random;
 use sweep_cdt_testing::generators::{Pattern, Rings, Shape};
 use sweep_cdt_testing::judge::{Question, Special};
 
-use super::inputs::{MOST, no_edges, pairs, plain, ringed, scaled, shaped, some_pattern};
+use super::inputs::{
+    MOST, islands, no_edges, pairs, pierced, plain, ringed, scaled, shaped, some_pattern,
+};
 
 /// A kind of cases.
 pub(super) struct Kind {
@@ -423,6 +425,42 @@ pub(super) const KINDS: &[Kind] = &[
             question
         }
     ),
+    kind!(
+        "several-holes",
+        60,
+        "polygons with two or three holes",
+        &[Special::Holes],
+        &[TouchingRings, OverlappingRings],
+        |r| pierced(r, false, 2..=3)
+    ),
+    kind!(
+        "touching-holes",
+        80,
+        "polygons with two or three holes, which touch each other, the outline, or what is in them",
+        &[Special::Holes, TouchingRings],
+        &[OverlappingRings],
+        |r| pierced(r, true, 2..=3)
+    ),
+    kind!(
+        "islands",
+        60,
+        "polygons in holes, and holes in them",
+        &[Special::Holes],
+        &[OverlappingRings],
+        islands
+    ),
+    kind!(
+        "many-holes",
+        30,
+        "polygons with 4 to 20 holes, of up to 64 points",
+        &[Special::Holes],
+        &[OverlappingRings],
+        |r| {
+            let may_touch = r.one_in(2);
+            let least = 4 + r.below(14);
+            pierced(r, may_touch, least..=20)
+        }
+    ),
 ];
 
 /// The first inputs of a kind that are as it says, each once.
@@ -444,7 +482,7 @@ pub(super) fn made(kind: &Kind) -> Vec<Question> {
         if questions.len() == kind.count {
             break;
         }
-        let is_sized = question.points.len() <= MOST
+        let is_sized = (question.points.len() <= MOST || kind.name == "many-holes")
             && (kind.name == "few-points" || question.points.len() > 2);
         if !is_sized || !question.is_sound() || !seen.insert(format!("{question:?}")) {
             continue;

@@ -14,6 +14,10 @@ pub const EDGES: usize = 96;
 pub const BYTES: usize = 3 + POINTS + 1 + 2 * EDGES;
 
 pub(super) type Points = Vec<[f64; 2]>;
+/// A place on a lattice.
+pub(super) type Place = [i32; 2];
+/// Polygons as lists of rings, by places on a lattice.
+pub(super) type Made = Vec<Vec<Vec<Place>>>;
 
 /// Up to `n` points, as long as there are bytes.
 pub(super) fn each(

@@ -5,7 +5,8 @@
 //! edges, so a small change of the bytes is a small change of the input. Where the bytes run out, the list
 //! that they were read for ends. Every sequence of bytes is an input.
 //!
-//! [`polygons()`] makes polygons with holes out of bytes.
+//! [`polygons()`] makes polygons with holes out of bytes. Where the first byte is large, the input has the sides of
+//! their rings as edges.
 //!
 //! An input has at most [`POINTS`] points, so that every exact check of it ends soon. [`medium`] makes larger ones.
 
@@ -13,6 +14,7 @@ mod bytes;
 mod edges;
 mod points;
 mod polygons;
+mod sieves;
 
 use arbitrary::{Result, Unstructured};
 
@@ -45,8 +47,52 @@ pub fn input_with_choices(bytes: &[u8]) -> (u64, Input) {
 /// # Errors
 /// None in practice; see [`Unstructured`].
 pub fn read(bytes: &mut Unstructured<'_>) -> Result<Input> {
-    let shape = *bytes.choose(Shape::ALL)?;
-    read_shape(shape, bytes)
+    Ok(read_named(bytes)?.1)
+}
+
+/// [`read`], and the name of the shape.
+///
+/// # Errors
+/// None in practice; see [`Unstructured`].
+pub fn read_named(bytes: &mut Unstructured<'_>) -> Result<(&'static str, Input)> {
+    let byte: u8 = bytes.arbitrary()?;
+    if byte >= RINGED {
+        return Ok(("rings", ringed(byte, bytes)?));
+    }
+    let shape = Shape::ALL[usize::from(byte) % Shape::ALL.len()];
+    Ok((shape.name(), read_shape(shape, bytes)?))
+}
+
+/// From this first byte on the edges of an input are the sides of rings.
+pub const RINGED: u8 = 160;
+
+/// Reads an input whose edges are the sides of rings of polygons, and some others every fourth time.
+fn ringed(shape: u8, bytes: &mut Unstructured<'_>) -> Result<Input> {
+    let (style, n): (u8, u8) = bytes.arbitrary()?;
+    let most = match usize::from(n) {
+        n if n > 2 * POINTS => POINTS,
+        n => RINGS.max(n % (POINTS + 1)),
+    };
+    let with_others = style & 3 == 3;
+    let (mut points, rings) = polygons(Rings::of(shape, with_others), true, most, bytes)?;
+    let sides = rings.iter().flatten().flat_map(|ring| ring_sides(ring));
+    let mut edges: Vec<[usize; 2]> = sides.collect();
+    if with_others {
+        let pattern = Pattern::ALL[usize::from(style >> 2 & 7)];
+        edges.extend(edges::read(pattern, &points, bytes)?);
+        edges.truncate(EDGES);
+        drop_crossings(&points, &mut edges);
+    }
+    disguise(style >> 5, &mut points);
+    Ok(Input { points, edges })
+}
+
+/// Rings have at least so many points where there are few.
+const RINGS: usize = 13;
+
+/// The sides of a ring.
+pub fn ring_sides(ring: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
+    (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])
 }
 
 /// Reads an input with points of a given shape.

@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 
 use arbitrary::{Result, Unstructured};
 
-use super::bytes::{Points, byte};
+use super::bytes::{Made, Place, Points, byte};
+use super::sieves::sieves;
 
 /// How rings are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,13 +19,31 @@ pub enum Rings {
     Stars,
     /// Between two chains that run from left to right: steep, flat, or with teeth.
     Strips,
+    /// Some polygons, each with 0 to 20 holes in rows and columns: holes that touch the outline or each other, polygons
+    /// in holes and in frames, with a side in common, or a corner.
+    Sieves,
     /// Walks on a lattice: rings that overlap, repeat and go through themselves.
     Walks,
 }
 
 impl Rings {
     /// Each of them.
-    pub const ALL: [Rings; 4] = [Rings::Cells, Rings::Stars, Rings::Strips, Rings::Walks];
+    pub const ALL: [Rings; 5] = [
+        Rings::Cells,
+        Rings::Stars,
+        Rings::Strips,
+        Rings::Sieves,
+        Rings::Walks,
+    ];
+
+    /// The shape that a byte picks, every other time a sieve. Walks, the last one, are rings of no valid polygons.
+    pub fn of(byte: u8, with_walks: bool) -> Rings {
+        let count = Rings::ALL.len() - usize::from(!with_walks);
+        match byte & 1 {
+            0 => Rings::Sieves,
+            _ => Rings::ALL[usize::from(byte >> 1) % count],
+        }
+    }
 
     /// The name.
     pub fn name(self) -> &'static str {
@@ -32,6 +51,7 @@ impl Rings {
             Rings::Cells => "cells",
             Rings::Stars => "stars",
             Rings::Strips => "strips",
+            Rings::Sieves => "sieves",
             Rings::Walks => "walks",
         }
     }
@@ -54,6 +74,7 @@ pub fn polygons(
         Rings::Cells => cells(may_touch, bytes)?,
         Rings::Stars => stars(may_touch, bytes)?,
         Rings::Strips => strips(bytes)?,
+        Rings::Sieves => sieves(may_touch, bytes)?,
         Rings::Walks => walks(bytes)?,
     };
     while rings.iter().flatten().map(Vec::len).sum::<usize>() > most {
@@ -77,10 +98,6 @@ pub fn polygons(
     }
     Ok((points, polygons))
 }
-
-type Place = [i32; 2];
-/// Polygons, by places on the lattice.
-type Made = Vec<Vec<Vec<Place>>>;
 
 /// The places where columns and rows are, or four small integers.
 enum Map {

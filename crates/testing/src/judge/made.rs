@@ -8,11 +8,11 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use arbitrary::{Arbitrary, Result, Unstructured};
+use arbitrary::{Result, Unstructured};
 
 use super::claims::{Asked, Claims};
 use super::question::{Operation, Question, Special, straight_corner};
-use crate::generators::{Rings, Shape, polygons, read_shape};
+use crate::generators::{Rings, polygons, read_named};
 use crate::oracle::Graph;
 use crate::with_integers;
 use sweep_cdt_generate::Random;
@@ -73,8 +73,7 @@ fn with_points(
         Asked::Operations => bytes.bytes(bytes.len() / 3)?,
         _ => &[],
     };
-    let shape = *bytes.choose(Shape::ALL)?;
-    let mut input = read_shape(shape, bytes)?;
+    let (shape, mut input) = read_named(bytes)?;
     input.points.truncate(claims.most);
     let exists = |edge: &[usize; 2]| edge.iter().all(|&v| v < input.points.len());
     if claims.asked == Asked::Edges {
@@ -88,7 +87,7 @@ fn with_points(
     if claims.asked == Asked::Operations {
         operate(question, steps);
     }
-    Ok(shape.name())
+    Ok(shape)
 }
 
 /// Inserts the points in their order, those removed before once more, and removes one now and then. Equal points are
@@ -119,12 +118,7 @@ fn with_polygons(
     bytes: &mut Unstructured<'_>,
 ) -> Result<&'static str> {
     let is_asked = |special| !claims.never.contains(&special);
-    let count = if is_asked(Special::OverlappingRings) {
-        4
-    } else {
-        3
-    };
-    let shape = Rings::ALL[usize::from(u8::arbitrary(bytes)?) % count];
+    let shape = Rings::of(bytes.arbitrary()?, is_asked(Special::OverlappingRings));
     let may_touch = is_asked(Special::TouchingRings) && is_asked(Special::EqualPoints);
     (question.points, question.polygons) = polygons(shape, may_touch, claims.most, bytes)?;
     if !is_asked(Special::Holes) {

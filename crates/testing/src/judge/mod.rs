@@ -40,12 +40,13 @@ use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::sync::Once;
 
+pub use crate::generators::ring_sides;
 pub use campaign::{Campaign, Finding, Row, Summary, campaign};
 pub use claims::{Asked, Claims};
 pub use made::question;
 pub use numbers::Numbers;
 pub use outcome::{Fault, Outcome, Reply};
-pub use question::{Operation, Question, Special, ring_sides};
+pub use question::{Operation, Question, Special};
 pub use right::{Hopeless, Right};
 pub use shrink::{Wrong, least};
 

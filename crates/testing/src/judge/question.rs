@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use sweep_cdt::verify::Level;
 
+use crate::generators::ring_sides;
 use crate::names::{name_of, value_of};
 use crate::oracle::{Domain, Graph, Number, Point, turns_left, windings};
 use crate::with_integers;
@@ -104,11 +105,6 @@ impl Question {
     pub fn specials(&self) -> BTreeSet<Special> {
         with_integers!(&self.points, |exact| Specials::of(self, &exact))
     }
-}
-
-/// The sides of a ring.
-pub fn ring_sides(ring: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
-    (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])
 }
 
 /// The place in a ring of a corner that is on the line through the corners before and after it.

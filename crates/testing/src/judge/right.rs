@@ -11,7 +11,8 @@ use sweep_cdt::verify::{Verifier, Violation, Violations};
 use sweep_cdt::{Error, Triangulation, triangulate};
 
 use super::outcome::{Fault, Outcome};
-use super::question::{Question, ring_sides};
+use super::question::Question;
+use crate::generators::ring_sides;
 use crate::oracle::{Domain, Region, canonical, check, crosses, sorted};
 use crate::with_integers;
 

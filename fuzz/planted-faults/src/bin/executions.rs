@@ -3,7 +3,7 @@
 //! Another number in place of 1 gives other bytes, so that a long run can be made in pieces.
 //!
 //! Prints `found N MESSAGE` if execution `N` failed, or did not end within [`PATIENCE`]; otherwise `none`. The bytes
-//! are random, or, every second time, a seed of the file `SEEDS` with some changes. The bytes that failed are printed
+//! are those of [`Source`]. The bytes that failed are printed
 //! to standard error in hexadecimal.
 
 use std::panic;
@@ -14,8 +14,8 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Duration;
 use std::{env, thread};
 
-use sweep_cdt_properties::{TARGETS, seeds};
-use sweep_cdt_testing::Random;
+use sweep_cdt_properties::TARGETS;
+use sweep_cdt_properties::bytes::Source;
 
 /// An execution takes milliseconds; one that takes so long has no end, or the machine is very busy.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -48,9 +48,9 @@ fn main() {
         }
     });
 
-    let mut source = Source::new(Path::new(seeds), number);
+    let mut source = Source::new(Path::new(seeds), number).expect("a file of seeds");
     for execution in 1..=limit {
-        let bytes = source.next();
+        let bytes = source.more();
         if panic::catch_unwind(|| test(&bytes)).is_err() {
             println!("found {execution} {}", MESSAGE.lock().expect("no panic"));
             let hex: String = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
@@ -61,53 +61,4 @@ fn main() {
     }
     println!("none");
     exit(0);
-}
-
-/// Where the bytes come from.
-struct Source {
-    random: Random,
-    seeds: Vec<Vec<u8>>,
-}
-
-impl Source {
-    fn new(seeds: &Path, number: u64) -> Source {
-        let seeds = seeds::read(seeds).expect("a file of seeds");
-        Source {
-            random: Random::new(number),
-            seeds: seeds.into_keys().collect(),
-        }
-    }
-
-    fn next(&mut self) -> Vec<u8> {
-        if self.random.one_in(2) {
-            let length = 4 + self.random.below(197);
-            return self.random.bytes(length);
-        }
-        let seed = self.random.below(self.seeds.len());
-        let mut bytes = self.seeds[seed].clone();
-        for _ in 0..=self.random.below(4) {
-            self.change(&mut bytes);
-        }
-        bytes
-    }
-
-    /// Changes, removes or adds a byte, or replaces the rest by that of another seed.
-    fn change(&mut self, bytes: &mut Vec<u8>) {
-        let at = self.random.below(bytes.len() + 1);
-        let byte = self.random.byte();
-        match self.random.below(5) {
-            0 => bytes.insert(at, byte),
-            1 => {
-                let other = self.random.below(self.seeds.len());
-                bytes.truncate(at);
-                bytes.extend(self.seeds[other].iter().skip(at));
-            }
-            kind if at < bytes.len() => match kind {
-                2 => drop(bytes.remove(at)),
-                3 => bytes[at] = byte,
-                _ => bytes[at] ^= 1 << (byte & 7),
-            },
-            _ => bytes.push(byte),
-        }
-    }
 }
