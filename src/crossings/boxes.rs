@@ -2,12 +2,12 @@
 //!
 //! The boxes are in the order of their lower sides. Those that begin within the height of a box follow it there, in one
 //! range. The order is cut into parts of 1, 2, 4 and so on. A range consists of at most two parts of each size (a
-//! segment tree), and each box *spans* the parts of its range. Of the boxes that span a part and those in it, each
-//! pair meets if it does so along x: where both are sorted from left to right, all that begins within the width of a
-//! box follows it.
+//! segment tree, as of Zomorodian and Edelsbrunner 2002), and each box *spans* the parts of its range. Of the boxes that
+//! span a part and those in it, each pair meets if it does so along x: where both are sorted from left to right, all that
+//! begins within the width of a box follows it.
 //!
 //! ```text
-//!    [       8       ]      The range of a box, here from 3 to 10, and the parts that it consists of: one of 1, one of
+//!    [       8       ]      The range of a box, here from 3 to 9, and the parts that it consists of: one of 1, one of
 //!    [   4   ][  4   ]      4, one of 2.
 //!    [2 ][2 ][2 ][2 ][2
 //!     0 1 2 3 4 5 6 7 8 9

@@ -24,7 +24,7 @@ fn looked_at(family: &Crossed, count: usize) -> [f64; 2] {
 fn what_is_looked_at_grows_with_edges_and_pairs() {
     let mut families = 0;
     for family in families::crossed() {
-        let [few, many] = [1000, 8000].map(|count| looked_at(&family, count));
+        let [few, many] = [250, 2000].map(|count| looked_at(&family, count));
         println!("{}: {few:.1?} {many:.1?}", family.name());
         for (few, many) in few.into_iter().zip(many) {
             assert!(many < 2.0 * few + 10.0, "{}: {few} {many}", family.name());
