@@ -1,221 +1,178 @@
-//! Upright boxes, and which of them meet: pairs of edges that may cross, and vertices that a piece may pass.
+//! Which boxes meet: pairs of edges that may cross.
 //!
-//! The boxes are in an order in which neighbours are near each other. The order is halved repeatedly, and each range
-//! has a box around its boxes (a tree in an array). A search for boxes that meet a given one skips ranges whose box
-//! does not.
+//! The boxes are in the order of their lower sides. Those that begin within the height of a box follow it there, in one
+//! range. The order is cut into parts of 1, 2, 4 and so on. A range consists of at most two parts of each size (a
+//! segment tree, as of Zomorodian and Edelsbrunner 2002), and each box *spans* the parts of its range. Of the boxes that
+//! span a part and those in it, each pair meets if it does so along x: where both are sorted from left to right, all that
+//! begins within the width of a box follows it.
 //!
 //! ```text
-//!           1                The ranges by number. Range k has the halves 2k and 2k + 1, so that the one to
-//!       2       3            the right of a range and all its halves is found by its number alone.
-//!     4   5   6   7
+//!    [       8       ]      The range of a box, here from 3 to 9, and the parts that it consists of: one of 1, one of
+//!    [   4   ][  4   ]      4, one of 2.
+//!    [2 ][2 ][2 ][2 ][2
+//!     0 1 2 3 4 5 6 7 8 9
+//!          |=|=======|===|
 //! ```
 //!
-//! Why it is right: boxes are made of approximations, which are monotone ([`Scalar::approx`]), and are only compared.
-//! So edges and cells with a point in common have boxes that meet, however large, small or close the coordinates are. A
-//! range that is skipped holds no box that meets the given one. A search along a segment also skips ranges whose box is
-//! beside it, by more than the errors of doubles. Cost: O(n log n) to build, with one selection for each
-//! range; for each search O(log n) where boxes are spread, and all that it finds.
+//! Why it is right: of two boxes that meet one begins first from below, and its range has the other one; from the left
+//! one of them begins first as well. Nothing is compared but coordinates. So each pair that meets is passed on once, and
+//! no other.
+//!
+//! Cost: O(n log n) for n boxes, and each pair that meets, wherever they lie and however long they are. (A tree of boxes
+//! looks at all of them in vain, one by one, where they are long and beside each other.) O(n) memory.
 
-use crate::scalar::Scalar;
 use alloc::vec;
 use alloc::vec::Vec;
-use core::convert::Infallible;
 
-/// A range is not halved if its halves would have fewer boxes.
-const LEAST: usize = 4;
+use super::bounds::Bounds;
+use super::effort::Effort;
 
-/// An upright box: its lower left and its upper right corner.
+/// A box along x, with its position in the list given.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds {
-    low: [f64; 2],
-    high: [f64; 2],
+struct Item {
+    low: f64,
+    high: f64,
+    position: usize,
 }
 
-impl Bounds {
-    /// The box around nothing, which meets no other.
-    const NOTHING: Bounds = Bounds {
-        low: [f64::INFINITY; 2],
-        high: [f64::NEG_INFINITY; 2],
+/// A box that spans parts: those from one to before another one.
+#[derive(Clone, Copy, Debug)]
+struct Span {
+    item: Item,
+    from: usize,
+    to: usize,
+}
+
+/// Passes each pair of boxes that meet, once, to `report`, until that returns an error.
+pub(super) fn pairs<E>(
+    boxes: &[Bounds],
+    effort: &mut Effort,
+    mut report: impl FnMut([usize; 2]) -> Result<(), E>,
+) -> Result<(), E> {
+    let (mut items, mut spans) = arranged(boxes);
+    let mut width = 1;
+    while !spans.is_empty() {
+        // The spans of each part, from left to right as all are.
+        let ends = |span: &Span| [(span.from, span.from % 2), (span.to - 1, span.to % 2)];
+        let taken = |span: &Span| ends(span).into_iter().filter(|&(_, odd)| odd == 1);
+        let mut places = vec![0; items.len().div_ceil(width) + 1];
+        for (part, _) in spans.iter().flat_map(taken) {
+            places[part + 1] += 1;
+        }
+        for part in 1..places.len() {
+            places[part] += places[part - 1];
+        }
+        let first = spans[0].item;
+        let mut by_part = vec![first; places[places.len() - 1]];
+        let mut next = places.clone();
+        for span in &spans {
+            for (part, _) in taken(span) {
+                by_part[next[part]] = span.item;
+                next[part] += 1;
+            }
+        }
+        for (part, inside) in items.chunks(width).enumerate() {
+            let spanning = &by_part[places[part]..places[part + 1]];
+            if !spanning.is_empty() {
+                effort.visit(spanning.len() + inside.len());
+                meeting(spanning, inside, |pair| {
+                    effort.visit(1);
+                    report(pair)
+                })?;
+            }
+        }
+        for span in &mut spans {
+            (span.from, span.to) = (span.from.div_ceil(2), span.to / 2);
+        }
+        spans.retain(|span| span.from < span.to);
+        width *= 2;
+        items.chunks_mut(width).for_each(sort);
+    }
+    Ok(())
+}
+
+/// The boxes in the order of their lower sides, and those that span others, from left to right.
+fn arranged(boxes: &[Bounds]) -> (Vec<Item>, Vec<Span>) {
+    let mut order: Vec<(f64, usize)> = boxes
+        .iter()
+        .enumerate()
+        .map(|(position, one)| (number(one.low[1]), position))
+        .collect();
+    order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let item = |&(_, position): &(f64, usize)| Item {
+        low: number(boxes[position].low[0]),
+        high: boxes[position].high[0],
+        position,
     };
-
-    pub(super) fn of<S: Scalar>(points: [&[S; 2]; 2]) -> Bounds {
-        let [a, b] = points.map(|point| point.each_ref().map(S::approx));
-        Bounds { low: a, high: a }.and(Bounds { low: b, high: b })
-    }
-
-    fn and(self, other: Bounds) -> Bounds {
-        Bounds {
-            low: [0, 1].map(|i| self.low[i].min(other.low[i])),
-            high: [0, 1].map(|i| self.high[i].max(other.high[i])),
-        }
-    }
-
-    fn meets(&self, other: &Bounds) -> bool {
-        (0..2).all(|i| self.low[i] <= other.high[i] && other.low[i] <= self.high[i])
-    }
-
-    /// Whether the box lies on one side of the line through two points, for certain, the doubles being no more than
-    /// approximations of box and points.
-    ///
-    /// With the larger size M of all coordinates each of them is off by at most 2^-52 M, and so each difference by at
-    /// most 2^-50 M, its rounding included. The corner that is nearest to the line is where the cross product of the
-    /// line and the way to the middle falls by the half sizes of the box. A product of two differences is off by at most
-    /// 2^-50 M times their sizes, where these are larger than that; if they are not, the answer is `false`. With what is
-    /// rounded afterwards all of it is less than 2^-48 M times the sum of the sizes; the bound has 2^-47. Where numbers
-    /// overflow or are so small that digits are lost, the answer is `false` as well.
-    fn is_beside(&self, [a, b]: [[f64; 2]; 2]) -> bool {
-        const OFF: f64 = 32.0 * f64::EPSILON;
-        let all = [a, b, self.low, self.high];
-        let largest = all
-            .as_flattened()
-            .iter()
-            .fold(0.0, |m: f64, x| m.max(x.abs()));
-        let along = [0, 1].map(|i| b[i] - a[i]);
-        let to = [0, 1].map(|i| self.middle(i) - a[i]);
-        let half = [0, 1].map(|i| self.high[i] / 2.0 - self.low[i] / 2.0);
-        let cross = along[0] * to[1] - along[1] * to[0];
-        let reach = along[0].abs() * half[1] + along[1].abs() * half[0];
-        let sizes = [along, to, half]
-            .as_flattened()
-            .iter()
-            .fold(0.0, |sum, x| sum + x.abs());
-        cross.abs() > reach + OFF * largest * sizes + f64::MIN_POSITIVE
-    }
-
-    /// The middle along an axis, as far as doubles tell.
-    fn middle(&self, axis: usize) -> f64 {
-        self.low[axis] / 2.0 + self.high[axis] / 2.0
-    }
+    let items: Vec<Item> = order.iter().map(item).collect();
+    let span = |(place, item): (usize, &Item)| {
+        let high = boxes[item.position].high[1];
+        let from = place + 1;
+        let others = order[from..].partition_point(|&(low, _)| low <= high);
+        (others > 0).then_some(Span {
+            item: *item,
+            from,
+            to: from + others,
+        })
+    };
+    let mut spans: Vec<Span> = items.iter().enumerate().filter_map(span).collect();
+    spans.sort_by(|a, b| a.item.low.total_cmp(&b.item.low));
+    (items, spans)
 }
 
-#[derive(Debug)]
-pub(super) struct Boxes {
-    /// Each box with its position in the list given, in the order of the tree.
-    list: Vec<(usize, Bounds)>,
-    /// The box around each range, by number.
-    around: Vec<Bounds>,
-    /// How often the order is halved.
-    height: u32,
+/// The number with one zero, so that all orders agree on it.
+fn number(x: f64) -> f64 {
+    x + 0.0
 }
 
-impl Boxes {
-    pub(super) fn new(list: impl Iterator<Item = Bounds>) -> Boxes {
-        let list: Vec<(usize, Bounds)> = list.enumerate().collect();
-        let height = (list.len() / LEAST).checked_ilog2().unwrap_or(0);
-        let mut boxes = Boxes {
-            list,
-            around: vec![Bounds::NOTHING; 2 << height],
-            height,
-        };
-        for number in 1..boxes.around.len() {
-            let (from, to) = boxes.range(number);
-            let range = boxes.list[from..to].iter();
-            let around = range.fold(Bounds::NOTHING, |all, (_, one)| all.and(*one));
-            boxes.around[number] = around;
-            if number >> boxes.height == 0 {
-                let half = boxes.range(2 * number).1 - from;
-                let size = [0, 1].map(|i| around.high[i] - around.low[i]);
-                let axis = usize::from(size[1] > size[0]);
-                let middle = |(_, one): &(usize, Bounds)| one.middle(axis);
-                boxes.list[from..to]
-                    .select_nth_unstable_by(half, |a, b| middle(a).total_cmp(&middle(b)));
-            }
+/// From left to right; two sorted halves are merged.
+fn sort(part: &mut [Item]) {
+    part.sort_by(|a, b| a.low.total_cmp(&b.low));
+}
+
+/// Passes each pair of one list and the other that meets along x, once, to `report`. Both go from left to right.
+fn meeting<E>(
+    mut some: &[Item],
+    mut others: &[Item],
+    mut report: impl FnMut([usize; 2]) -> Result<(), E>,
+) -> Result<(), E> {
+    while let ([one, some_left @ ..], [other, others_left @ ..]) = (some, others) {
+        let (first, rest);
+        if one.low <= other.low {
+            (first, rest) = (one, others);
+            some = some_left;
+        } else {
+            (first, rest) = (other, some);
+            others = others_left;
         }
-        boxes
-    }
-
-    /// Where a range begins and ends.
-    fn range(&self, number: usize) -> (usize, usize) {
-        let depth = number.ilog2();
-        let place = number - (1 << depth);
-        let cut = |place: usize| {
-            // The product may be wider than a position.
-            let cut = (self.list.len() as u128 * place as u128) >> depth;
-            usize::try_from(cut).expect("a position")
-        };
-        (cut(place), cut(place + 1))
-    }
-
-    /// Passes each pair of boxes that meet, once, to `report`, until that returns an error.
-    pub(super) fn pairs<E>(
-        &self,
-        mut report: impl FnMut([usize; 2]) -> Result<(), E>,
-    ) -> Result<(), E> {
-        for (position, &(one, bounds)) in self.list.iter().enumerate() {
-            let meets = |other: &Bounds| bounds.meets(other);
-            self.search(position + 1, meets, |other| report([one, other]))?;
-        }
-        Ok(())
-    }
-
-    /// Passes each box that meets the segment between two points to `report`, and some that do not.
-    pub(super) fn near<S: Scalar>(&self, ends: [&[S; 2]; 2], mut report: impl FnMut(usize)) {
-        let bounds = Bounds::of(ends);
-        let ends = ends.map(|point| point.each_ref().map(S::approx));
-        let meets = |other: &Bounds| bounds.meets(other) && !other.is_beside(ends);
-        let Ok(()) = self.search(0, meets, |one| {
-            report(one);
-            Ok::<(), Infallible>(())
-        });
-    }
-
-    /// Passes each box of which `meets` holds, from position `first` on, to `report`, until that returns an error.
-    /// Boxes inside a box of which `meets` does not hold are left out.
-    fn search<E>(
-        &self,
-        first: usize,
-        meets: impl Fn(&Bounds) -> bool,
-        mut report: impl FnMut(usize) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let mut number = 1;
-        loop {
-            let (from, to) = self.range(number);
-            let is_of_use = first < to && meets(&self.around[number]);
-            if is_of_use && number >> self.height == 0 {
-                number *= 2;
-                continue;
-            }
-            if is_of_use {
-                let range = self.list[from.max(first)..to].iter();
-                for (one, _) in range.filter(|(_, at)| meets(at)) {
-                    report(*one)?;
-                }
-            }
-            // The range to the right of this one, or of the smallest range around it that has such a neighbour.
-            number = (number >> number.trailing_ones()) + 1;
-            if number == 1 {
-                return Ok(());
-            }
+        for beside in rest.iter().take_while(|beside| beside.low <= first.high) {
+            report([first.position, beside.position])?;
         }
     }
+    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Bounds, Boxes};
+    use super::super::effort::Effort;
+    use super::{Bounds, pairs};
 
     #[test]
     fn every_pair_that_meets_is_found_once() {
         for count in (0..40).chain([100, 257]) {
-            let coordinate =
-                |i: usize, by: usize| f64::from(u8::try_from(i * by % 61).expect("61"));
-            let end = |i| [coordinate(i, 17), coordinate(i, 23)];
-            let points: Vec<[f64; 2]> = (0..2 * count).map(end).collect();
-            let edges: Vec<[usize; 2]> = (0..count).map(|e| [2 * e, 2 * e + 1]).collect();
-            let meet = |e: usize, f: usize| {
-                (0..2).all(|i| {
-                    let [a, b, c, d] = [2 * e, 2 * e + 1, 2 * f, 2 * f + 1].map(|v| points[v][i]);
-                    a.max(b) >= c.min(d) && c.max(d) >= a.min(b)
-                })
+            // Zeros of both signs among few numbers.
+            let coordinate = |i: usize, by: usize| {
+                f64::from(u8::try_from(i * by % 61).expect("61"))
+                    * if i % 2 == 0 { -1.0 } else { 1.0 }
             };
-            let pairs = (0..count).flat_map(|f| (0..f).map(move |e| [e, f]));
-            let expected: Vec<_> = pairs.filter(|&[e, f]| meet(e, f)).collect();
+            let end = |i| [coordinate(i, 17), coordinate(i, 23)];
+            let box_of = |e: usize| Bounds::around([end(2 * e), end(2 * e + 1)]);
+            let boxes: Vec<Bounds> = (0..count).map(box_of).collect();
+            let all = (0..count).flat_map(|f| (0..f).map(move |e| [e, f]));
+            let expected: Vec<_> = all.filter(|&[e, f]| boxes[e].meets(&boxes[f])).collect();
             let mut found = Vec::new();
-            let bounds = edges
-                .iter()
-                .map(|edge| Bounds::of(edge.map(|v| &points[v])));
-            let boxes = Boxes::new(bounds);
-            let reported = boxes.pairs(|[e, f]| {
+            let mut effort = Effort::default();
+            let reported = pairs(&boxes, &mut effort, |[e, f]| {
                 found.push([e.min(f), e.max(f)]);
                 Ok::<(), ()>(())
             });

@@ -5,12 +5,11 @@
 //!
 //! Why it is right: a piece passes if the part of it in the cell along x and the part along y have something in common.
 //! Both are ranges of fractions, which are enclosed first ([`super::enclosure`]). Before that, boxes that the piece
-//! keeps clear of are left out ([`super::boxes`]), and four exact signs exclude most of the rest: if all corners of a
+//! keeps clear of are left out ([`super::nearby`]), and four exact signs exclude most of the rest: if all corners of a
 //! box around the cell lie on one side of the piece, it does not pass.
 //!
-//! Cost: O(n log n) to arrange n vertices; for each piece O(sqrt n) boxes where vertices are spread, four signs for
-//! each cell near it, a quarter of a microsecond for each that it passes or nearly does, and some ten microseconds where
-//! enclosures do not tell.
+//! Cost: that of finding what comes near ([`super::nearby`]); four signs for each cell near a piece, a quarter of a
+//! microsecond for each that it passes or nearly does, and some ten microseconds where enclosures do not tell.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -18,9 +17,11 @@ use core::cmp::Ordering;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::boxes::{Bounds, Boxes};
+use super::bounds::{self, Bounds};
+use super::effort::Effort;
 use super::enclosure::Enclosure;
 use super::exact::Exact;
+use super::nearby;
 use crate::scalar::{Scalar, filtered_orient2d};
 
 /// Pairs of a piece, by its position, and a vertex, none of its ends, that it passes.
@@ -28,23 +29,24 @@ pub(super) fn passed<S: Exact>(
     points: &[[S; 2]],
     pieces: &[[usize; 2]],
     vertices: &[usize],
+    effort: &mut Effort,
 ) -> Vec<(usize, usize)> {
     let around = |v: usize| corners(&points[v]);
-    let bounds = vertices.iter().map(|&v| {
+    let cell = |&v: &usize| {
         let [low, _, high, _] = around(v);
         Bounds::of([&low, &high])
-    });
-    let boxes = Boxes::new(bounds);
+    };
+    let cells: Vec<Bounds> = vertices.iter().map(cell).collect();
+    let ends = |piece: &[usize; 2]| piece.map(|v| bounds::near(&points[v]));
+    let near: Vec<_> = pieces.iter().map(ends).collect();
     let mut passed = Vec::new();
-    for (piece, ends) in pieces.iter().enumerate() {
+    nearby::near(&near, &cells, effort, |piece, cell| {
+        let (ends, v) = (pieces[piece], vertices[cell]);
         let [a, b] = ends.map(|v| &points[v]);
-        boxes.near([a, b], |position| {
-            let v = vertices[position];
-            if !ends.contains(&v) && passes([a, b], &points[v], &around(v)) {
-                passed.push((piece, v));
-            }
-        });
-    }
+        if !ends.contains(&v) && passes([a, b], &points[v], &around(v)) {
+            passed.push((piece, v));
+        }
+    });
     passed
 }
 

@@ -1,34 +1,36 @@
 //! The pairs of edges that cross: by their boxes, and where too many boxes meet in vain, by a triangulation.
 //!
 //! Boxes of edges that cross meet ([`super::boxes`]). Short edges, and edges far apart, have few boxes that meet without
-//! a crossing. Long edges side by side, such as a hatch, have many. After [`PATIENCE`] such pairs for each edge the boxes
-//! are given up. A sweep line tells whether the edges meet at all ([`super::disjoint`]). If they do, they are separated
-//! ([`separate`]): most lines of a hatch cross nothing, and go into one triangulation. It tells what the rest crosses
-//! among them. Crossings within the rest are looked for by boxes again.
+//! a crossing. Long edges side by side, such as a hatch, have many. After as many such pairs for each edge and crossing as
+//! the *patience* allows ([`Effort`]) the boxes are given up. If none of them crossed, a sweep line tells whether the
+//! edges meet at all ([`super::disjoint`]). If they do, they are separated ([`separate`]): most lines of a hatch cross
+//! nothing, and go into one triangulation. It tells what the rest crosses among them. Crossings within the rest are
+//! looked for again. The crossings that the boxes had found in vain are a debt: the boxes are not tried again before
+//! triangulations have found as many.
 //!
 //! Why it is right: a pair that crosses is in one of two sets. Either a triangulation meets it, or both of its edges are
 //! of the rest. Four exact signs decide each pair: the ends of each edge lie on different sides of the other one. Then
 //! the edges have one point in common, inside both. The pair is listed unless a vertex equals the point: a vertex at
-//! the values nearest to it, which is compared with the point in fractions.
+//! the values nearest to it, which lies on both edges.
 //!
-//! Cost: O((n + k) log n) for n edges with k pairs of boxes that meet, where these are at most [`PATIENCE`] for each edge
-//! and crossing; O(n log n) where edges meet in their ends alone. Otherwise that of the separation. Where this takes less
-//! than an eighth of the edges away, each of the others crosses some edge, and all boxes are compared.
+//! Cost: O(n log n) for n edges, and each pair of boxes that meets, where these are at most as many as the patience
+//! allows. O(n log n) where edges meet in their ends alone. Otherwise that of the separations. An edge of the rest
+//! crosses one that is not, as a rule, so all separations together get no more edges than there are edges and crossings;
+//! and the debt bounds what boxes do in vain by what is found.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use super::boxes::{Bounds, Boxes};
+use super::Crossing;
+use super::bounds::Bounds;
+use super::boxes;
 use super::disjoint::are_disjoint;
+use super::effort::Effort;
 use super::error::SplitError;
 use super::exact::Exact;
 use super::vertices::Vertices;
-use super::{Crossing, LIMIT};
 use crate::scalar::{Scalar, filtered_orient2d};
 use crate::sweep::{Separated, separate};
-
-/// How many boxes may meet in vain for each edge and each crossing. Small inputs are tested as if they were large.
-const PATIENCE: usize = if cfg!(any(test, fuzzing)) { 1 } else { 16 };
 
 /// A crossing, with the values nearest to its point.
 type Found<S> = (Crossing<S>, [S; 2]);
@@ -38,19 +40,34 @@ pub(super) fn find<S: Exact>(
     points: &[[S; 2]],
     vertices: &Vertices<S>,
     edges: &[[usize; 2]],
+    effort: &mut Effort,
 ) -> Result<Vec<Found<S>>, SplitError> {
     let mut search = Find {
         points,
         vertices,
         edges,
         found: Vec::new(),
+        effort,
     };
     let mut open: Vec<usize> = (0..edges.len()).collect();
-    let mut patience = PATIENCE;
-    while !search.by_boxes(&open, patience)? && !search.are_disjoint(&open) {
+    let mut patience = search.effort.patience;
+    let mut debt = 0;
+    loop {
+        if debt == 0 {
+            debt = match search.by_boxes(&open, patience)? {
+                Some(in_vain) => in_vain,
+                None => break,
+            };
+            if debt == 0 && search.are_disjoint(&open) {
+                break;
+            }
+        }
+        let before = search.found.len();
         let rest = search.by_triangulation(&open)?;
-        if rest.len() > open.len() - open.len() / 8 {
-            patience = usize::MAX;
+        debt = debt.saturating_sub(search.found.len() - before);
+        if rest.len() == open.len() {
+            // Only with a scalar that is not exact.
+            (patience, debt) = (usize::MAX, 0);
         }
         open = rest;
     }
@@ -64,6 +81,7 @@ struct Find<'a, S> {
     vertices: &'a Vertices<S>,
     edges: &'a [[usize; 2]],
     found: Vec<Found<S>>,
+    effort: &'a mut Effort,
 }
 
 /// Why the comparison of boxes ends early.
@@ -74,17 +92,16 @@ enum Stop {
 }
 
 impl<S: Exact> Find<'_, S> {
-    /// Adds the crossings of the edges with these positions among each other. Adds none, and returns `false`, if more
-    /// boxes meet in vain than `patience` for each edge and crossing.
-    fn by_boxes(&mut self, open: &[usize], patience: usize) -> Result<bool, SplitError> {
-        let bounds = open.iter().map(|&edge| {
-            let ends = self.edges[edge];
-            Bounds::of(ends.map(|v| &self.points[v]))
-        });
-        let boxes = Boxes::new(bounds);
+    /// Adds the crossings of the edges with these positions among each other. Adds none, and returns how many it found
+    /// in vain, if more boxes meet without a crossing than `patience` for each edge and crossing.
+    fn by_boxes(&mut self, open: &[usize], patience: usize) -> Result<Option<usize>, SplitError> {
+        let bounds = open.iter().map(|&edge| Bounds::of(self.ends(edge)));
+        let bounds: Vec<Bounds> = bounds.collect();
         let before = self.found.len();
         let mut left = patience.saturating_mul(open.len());
-        let result = boxes.pairs(|pair| {
+        // The search counts its own work, so that `self` is free for `add`.
+        let mut work = Effort::default();
+        let result = boxes::pairs(&bounds, &mut work, |pair| {
             let has_crossed = self
                 .add(pair.map(|place| open[place]))
                 .map_err(Stop::Error)?;
@@ -95,26 +112,32 @@ impl<S: Exact> Find<'_, S> {
             };
             Ok(())
         });
+        self.effort.visited += work.visited;
         match result {
-            Ok(()) => Ok(true),
+            Ok(()) => Ok(None),
             Err(Stop::InVain) => {
+                let in_vain = self.found.len() - before;
                 self.found.truncate(before);
-                Ok(false)
+                Ok(Some(in_vain))
             }
             Err(Stop::Error(error)) => Err(error),
         }
     }
 
+    fn ends(&self, edge: usize) -> [&[S; 2]; 2] {
+        self.edges[edge].map(|v| &self.points[v])
+    }
+
     /// Whether the edges with these positions have nothing in common but ends.
-    fn are_disjoint(&self, open: &[usize]) -> bool {
-        are_disjoint(
-            open.iter()
-                .map(|&edge| self.edges[edge].map(|v| &self.points[v])),
-        )
+    fn are_disjoint(&mut self, open: &[usize]) -> bool {
+        self.effort.swept += open.len() as u64;
+        are_disjoint(open.iter().map(|&edge| self.ends(edge)))
     }
 
     /// Adds the crossings of the edges with these positions among each other, but for some of the edges returned.
     fn by_triangulation(&mut self, open: &[usize]) -> Result<Vec<usize>, SplitError> {
+        self.effort.separated += open.len() as u64;
+        let limit = self.effort.limit;
         let mut ends: Vec<usize> = open.iter().flat_map(|&edge| self.edges[edge]).collect();
         ends.sort_unstable();
         ends.dedup();
@@ -124,8 +147,8 @@ impl<S: Exact> Find<'_, S> {
             .iter()
             .map(|&edge| self.edges[edge].map(place))
             .collect();
-        let Some(Separated { rest, pairs }) = separate(&points, &edges, 2 * LIMIT)? else {
-            return Err(SplitError::TooManyCrossings { limit: LIMIT });
+        let Some(Separated { rest, pairs }) = separate(&points, &edges, 2 * limit)? else {
+            return Err(SplitError::TooManyCrossings { limit });
         };
         // The crossings of two edges of the rest are looked for again.
         let mut is_rest = alloc::vec![false; open.len()];
@@ -142,17 +165,23 @@ impl<S: Exact> Find<'_, S> {
 
     /// Adds a pair if it crosses; returns whether it does. A pair comes once.
     fn add(&mut self, pair: [usize; 2]) -> Result<bool, SplitError> {
-        let ends = pair.map(|edge| self.edges[edge].map(|v| &self.points[v]));
+        let ends = pair.map(|edge| self.ends(edge));
         if !cross(ends) {
             return Ok(false);
         }
         let crossing = Crossing::new(pair, ends);
         let nearest = crossing.nearest();
-        if self.vertices.has(&nearest) && self.vertices.has_exactly(&crossing.point()) {
+        // Lines that cross have one point in common.
+        let is_on_both = |v: usize| {
+            let on = |[a, b]: [&[S; 2]; 2]| filtered_orient2d(a, b, &self.points[v]).is_eq();
+            ends.into_iter().all(on)
+        };
+        if self.vertices.at(&nearest).is_some_and(is_on_both) {
             return Ok(false);
         }
-        if self.found.len() == LIMIT {
-            return Err(SplitError::TooManyCrossings { limit: LIMIT });
+        let limit = self.effort.limit;
+        if self.found.len() == limit {
+            return Err(SplitError::TooManyCrossings { limit });
         }
         self.found.push((crossing, nearest));
         Ok(true)
@@ -169,8 +198,8 @@ fn cross<S: Scalar>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::crossings;
-    use super::{LIMIT, cross};
+    use super::super::crossings_with;
+    use super::{Effort, cross};
     use crate::crossings::SplitError;
 
     type Graph = (Vec<[f64; 2]>, Vec<[usize; 2]>);
@@ -233,6 +262,9 @@ mod tests {
         pairs
     }
 
+    /// So few crossings may be listed here.
+    const LIMIT: usize = 100;
+
     #[test]
     fn every_pair_is_found_once() {
         let below = &mut numbers();
@@ -245,7 +277,13 @@ mod tests {
                 on_few_places(below)
             };
             let expected = expected(&graph);
-            match crossings(&graph.0, &graph.1) {
+            // Small inputs are searched as if they were large.
+            let effort = &mut Effort {
+                patience: round % 2,
+                limit: LIMIT,
+                ..Effort::default()
+            };
+            match crossings_with(&graph.0, &graph.1, effort) {
                 Ok(found) => {
                     let found: Vec<_> = found.iter().map(|crossing| crossing.edges).collect();
                     assert_eq!(found, expected, "{graph:?}");

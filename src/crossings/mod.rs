@@ -7,19 +7,23 @@
 //!
 //! Cost: O((n + k) log n) for n edges, k pairs of which have upright boxes that meet, if these are at most 16 for each
 //! edge and crossing. If there are more, as in a hatch, a sweep line tells whether edges meet at all. If so, they go
-//! into a triangulation, but for a *rest* that would cross others there. The rest is searched by boxes again, to the end
-//! if it is nearly all. Each crossing takes half a microsecond more, and 80 bytes if it is one of doubles. Its point in
-//! fractions takes some 20 microseconds, and is computed when it is asked for.
+//! into a triangulation, but for a *rest* that would cross others there. The rest is searched again. Each crossing takes
+//! half a microsecond more, and 80 bytes if it is one of doubles. Its point in fractions takes some 20 microseconds, and
+//! is computed when it is asked for.
 
-// The pairs are found in `find`, edges split in `split`; the other files are for both, but `cells` for `split` alone.
+// The pairs are found in `find`, edges split in `split`; the other files are for both, but `boxes` and `disjoint` for
+// `find`, and `cells` and `nearby` for `split` alone.
 
+mod bounds;
 mod boxes;
 mod cells;
 mod disjoint;
+mod effort;
 mod enclosure;
 mod error;
 mod exact;
 mod find;
+mod nearby;
 mod split;
 mod vertices;
 
@@ -32,13 +36,14 @@ use exact::{enclosed_meeting, meeting};
 use find::find;
 use vertices::Vertices;
 
+#[doc(hidden)]
+pub use effort::Effort;
 pub use enclosure::Enclosure;
 pub use error::SplitError;
 pub use exact::Exact;
+#[doc(hidden)]
+pub use split::split_with;
 pub use split::{Split, joined, split};
-
-/// How many crossings may be listed; the tests of this crate's files need less memory.
-const LIMIT: usize = if cfg!(test) { 100 } else { 1 << 22 };
 
 /// Two edges that cross, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -115,15 +120,25 @@ pub fn crossings<S: Exact>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
 ) -> Result<Vec<Crossing<S>>, SplitError> {
+    crossings_with(points, edges, &mut Effort::default())
+}
+
+/// As [`crossings`], with bounds of its own and a count of its work: for tests.
+#[doc(hidden)]
+pub fn crossings_with<S: Exact>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    effort: &mut Effort,
+) -> Result<Vec<Crossing<S>>, SplitError> {
     let vertices = Vertices::new(points)?;
     vertices.check(edges)?;
-    let found = find(points, &vertices, edges)?;
+    let found = find(points, &vertices, edges, effort)?;
     Ok(found.into_iter().map(|(crossing, _)| crossing).collect())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{LIMIT, SplitError, crossings};
+    use super::{Effort, SplitError, crossings_with};
 
     #[test]
     fn more_crossings_than_can_be_held_are_an_error() {
@@ -137,9 +152,13 @@ mod tests {
                 .flatten()
                 .collect();
             let edges: Vec<_> = (0..ends.len()).step_by(2).map(|v| [v, v + 1]).collect();
-            crossings(&ends, &edges).map(|found| found.len())
+            let effort = &mut Effort {
+                limit: 100,
+                ..Effort::default()
+            };
+            crossings_with(&ends, &edges, effort).map(|found| found.len())
         };
-        assert_eq!(grid(10), Ok(LIMIT));
-        assert_eq!(grid(11), Err(SplitError::TooManyCrossings { limit: LIMIT }));
+        assert_eq!(grid(10), Ok(100));
+        assert_eq!(grid(11), Err(SplitError::TooManyCrossings { limit: 100 }));
     }
 }

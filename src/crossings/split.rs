@@ -39,6 +39,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::cells::passed;
+use super::effort::Effort;
 use super::enclosure::Enclosure;
 use super::error::SplitError;
 use super::exact::{Exact, distance, distance_at_most, spacing};
@@ -126,6 +127,16 @@ pub fn joined(pieces: Range<usize>, edges: &[[usize; 2]], result: &Triangulation
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<S>, SplitError> {
+    split_with(points, edges, &mut Effort::default())
+}
+
+/// As [`split`], with bounds of its own and a count of its work: for tests.
+#[doc(hidden)]
+pub fn split_with<S: Exact>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    effort: &mut Effort,
+) -> Result<Split<S>, SplitError> {
     let mut vertices = Vertices::new(points)?;
     vertices.check(edges)?;
     let mut points = points.to_vec();
@@ -139,7 +150,7 @@ pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<
     }
     for rounds in 0..=ROUNDS {
         let pieces = pieces(&chains);
-        let found = find(&points, &vertices, &pieces)?;
+        let found = find(&points, &vertices, &pieces, effort)?;
         if found.is_empty() {
             let displacement = displacement(&points, &chains);
             return Ok(finished(points, &chains, rounds, displacement));
@@ -151,7 +162,7 @@ pub fn split<S: Exact>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Result<Split<
         on_edges.sort_unstable();
         on_edges.dedup();
         // Each piece with a vertex that it passes.
-        let mut cuts = passed(&points, &pieces, &on_edges);
+        let mut cuts = passed(&points, &pieces, &on_edges, effort);
         cuts.sort_unstable_by(|&(piece, v), &(other, w)| {
             let along = || along(&points, pieces[piece], v, w);
             piece.cmp(&other).then_with(along)

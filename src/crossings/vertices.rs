@@ -4,8 +4,6 @@ use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use num_rational::BigRational;
-
 use super::exact::Exact;
 use crate::error::Error;
 
@@ -81,15 +79,9 @@ impl<S: Exact> Vertices<S> {
         Ok(())
     }
 
-    /// Whether a point equals `place`.
-    pub(super) fn has(&self, place: &[S; 2]) -> bool {
-        self.at.contains_key(&Place::new(place.clone()))
-    }
-
-    /// Whether a point equals these fractions.
-    pub(super) fn has_exactly(&self, point: &[BigRational; 2]) -> bool {
-        let near = point.each_ref().map(S::nearest);
-        self.has(&near) && near.each_ref().map(S::to_fraction) == *point
+    /// The first point that equals `place`.
+    pub(super) fn at(&self, place: &[S; 2]) -> Option<usize> {
+        self.at.get(&Place::new(place.clone())).copied()
     }
 
     /// The first point that equals `point`; it is added to `points` if there is none.

@@ -5,7 +5,7 @@
 //! edges part nothing.
 //!
 //! A seed must tell in which face it lies, so it must not lie on an edge or a vertex. The walk of
-//! [`WithPoints::locate`] finds it by exact signs. A list of triangles without neighbours allows no walk
+//! [`WithPoints::locate_all`] finds it by exact signs. A list of triangles without neighbours allows no walk
 //! ([`locate_seeds`]): the seeds are sorted by x, and each triangle is compared with the seeds between its leftmost and
 //! rightmost corners. Cost: O(n) for n triangles, and the location of each seed. Faces take 8 bytes a triangle.
 
@@ -104,8 +104,11 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
         }
         let mut region_of_face = vec![None; count];
         // Holes come first.
-        for (&name, &seed) in names.iter().zip(&seeds) {
-            let face = faces[triangle_of(result, name, self.locate(seed))?];
+        let places = [holes, regions]
+            .map(|seeds| self.locate_all(seeds))
+            .concat();
+        for (&name, place) in names.iter().zip(places) {
+            let face = faces[triangle_of(result, name, place)?];
             match name {
                 Seed::Hole(_) => is_outside[face] = true,
                 Seed::Region(region) if is_outside[face] => {

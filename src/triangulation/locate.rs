@@ -12,7 +12,8 @@
 //! If a walk takes more steps than there are triangles, or there are few, all are looked at instead.
 //!
 //! Cost: for n triangles over points spread evenly, about n^(1/3) triangles to start from and as many steps; from a
-//! triangle near by as many steps as lie between. O(n) at worst.
+//! triangle near by as many steps as lie between. O(n) at worst. Many points have a call of their own
+//! ([`super::locate_all`]).
 
 use core::cmp::Ordering;
 
@@ -65,10 +66,15 @@ impl<S: Scalar> WithPoints<'_, S> {
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
     pub fn locate(&self, query: &[S; 2]) -> Location {
-        let approx = |point: &[S; 2]| [point[0].approx(), point[1].approx()];
         if !query.iter().all(S::is_finite) {
             return Location::Outside;
         }
+        self.locate_from(query, self.start(query))
+    }
+
+    /// The nearest triangle of a sample.
+    pub(super) fn start(&self, query: &[S; 2]) -> usize {
+        let approx = |point: &[S; 2]| [point[0].approx(), point[1].approx()];
         let to = approx(query);
         let distance = |t: usize| {
             let [x, y] = approx(self.corner(t, 0));
@@ -79,7 +85,7 @@ impl<S: Scalar> WithPoints<'_, S> {
         let step = self.result.len() / root.unwrap_or(1);
         let starts = (0..self.result.len()).step_by(step.max(1));
         let start = starts.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-        self.locate_from(query, start.unwrap_or(0))
+        start.unwrap_or(0)
     }
 
     /// Where a point lies, by a walk from a triangle near by, such as the triangle of the last point. A triangle that
@@ -117,28 +123,34 @@ impl<S: Scalar> WithPoints<'_, S> {
         } else {
             0
         };
-        self.walk(query, start).unwrap_or_else(|| self.look(query))
+        let found = self.walk(query, start, &mut (self.result.len() + 1));
+        found.map_or_else(|| self.look(query), |(location, _)| location)
     }
 
-    /// Walks from a triangle, unless that takes too many steps.
-    fn walk(&self, query: &[S; 2], start: usize) -> Option<Location> {
-        let mut turns = self.turns(query, start);
+    /// Walks from a triangle to another one, where the point lies or the hull ends, unless that takes more steps than are
+    /// left.
+    pub(super) fn walk(
+        &self,
+        query: &[S; 2],
+        start: usize,
+        left: &mut usize,
+    ) -> Option<(Location, usize)> {
         let (mut t, mut random) = (start, 1_u32);
-        for _ in 0..=self.result.len() {
+        loop {
+            *left = left.checked_sub(1)?;
+            let turns = self.turns(query, t);
             random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let first = (random >> 16) % 3;
             let sides = [first, next(first), prev(first)];
             let Some(side) = sides.into_iter().find(|&side| turns(side).is_lt()) else {
-                return Some(self.at(t, [0, 1, 2].map(turns)));
+                return Some((self.at(t, [0, 1, 2].map(turns)), t));
             };
             let twin = self.result.triangles[t].twin(side);
             if twin.is_border() {
-                return Some(Location::Outside);
+                return Some((Location::Outside, t));
             }
             t = twin.triangle().index();
-            turns = self.turns(query, t);
         }
-        None
     }
 
     fn look(&self, query: &[S; 2]) -> Location {
@@ -165,7 +177,7 @@ impl<S: Scalar> WithPoints<'_, S> {
     }
 
     /// The location of a point in a triangle, by its turns from the sides, none of them to the right.
-    fn at(&self, t: usize, turns: [Ordering; 3]) -> Location {
+    pub(super) fn at(&self, t: usize, turns: [Ordering; 3]) -> Location {
         let [a, b, c] = turns.map(Ordering::is_eq);
         let vertex = |i| Location::Vertex(self.vertex(t, i));
         let side = |i| {

@@ -3,9 +3,11 @@
 pub(crate) mod canonical;
 pub(crate) mod edge_chains;
 pub(crate) mod locate;
+mod locate_all;
 #[cfg(feature = "serde")]
 mod serialized;
 pub(crate) mod stars;
+mod strips;
 pub(crate) mod with_points;
 
 use alloc::vec::Vec;

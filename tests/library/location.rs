@@ -4,7 +4,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::scalar::{Scalar, filtered_orient2d};
 use sweep_cdt::{Location, Triangulation, triangulate};
-use sweep_cdt_testing::Random;
+use sweep_cdt_testing::families::{self, Family};
+use sweep_cdt_testing::{Input, Random};
 
 type Point = [i64; 2];
 
@@ -78,12 +79,15 @@ fn every_point_of_a_lattice_is_found() {
         let third = |x: i64| BigRational::new(x.into(), BigInt::from(3));
         let thirds: Vec<_> = points.iter().map(|p| p.map(third)).collect();
         let end = 2 * i64::try_from(width).expect("small");
+        let (mut queries, mut all) = (Vec::new(), Vec::new());
         for x in (-1..end).step_by(1 + width / 10) {
             for y in (-1..end).step_by(1 + width / 10) {
                 let right = expected(&result, &points, [x, y]);
                 check(&points, &[x, y], &result, right);
                 check(&doubles, &[x, y].map(|x| x as f64 * 0.5), &result, right);
                 check(&thirds, &[x, y].map(third), &result, right);
+                queries.push([x, y]);
+                all.push(right);
                 found[match right {
                     Location::Triangle(_) => 0,
                     Location::Side { .. } => 1,
@@ -92,6 +96,13 @@ fn every_point_of_a_lattice_is_found() {
                 }] += 1;
             }
         }
+        // By walks, by the sweep alone, and as many of each as it comes to.
+        for steps in [0, 1, 4, usize::MAX] {
+            let view = result.with_points(&points);
+            assert_eq!(view.locate_within(&queries, steps).0, all, "{steps} steps");
+        }
+        let exact: Vec<_> = queries.iter().map(|query| query.map(third)).collect();
+        assert_eq!(result.with_points(&thirds).locate_all(&exact), all);
     }
     assert!(found.iter().all(|&count| count > 300), "{found:?}");
 }
@@ -121,9 +132,12 @@ fn what_is_no_number_is_outside() {
     for points in [&points[..], &many] {
         let result = triangulate(points, &[]).expect("no edges");
         for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            for query in [[x, 0.1], [0.1, x], [x, x]] {
+            let queries = [[x, 0.1], [0.1, x], [x, x]];
+            for query in queries {
                 check(points, &query, &result, Location::Outside);
             }
+            let found = result.with_points(points).locate_all(&queries);
+            assert_eq!(found, [Location::Outside; 3]);
         }
     }
     let line = triangulate(&points[..2], &[]).expect("no edges");
@@ -211,4 +225,64 @@ fn all_threads_list_the_same() {
     let sides: Vec<_> = result.par_constrained_sides().collect();
     assert!(sides.len() > 5, "{}", sides.len());
     assert_eq!(sides, result.constrained_sides().collect::<Vec<_>>());
+}
+
+/// Points within the box of a family's member, and others halfway between two of its vertices.
+fn queries(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let middle =
+        |a: [f64; 2], b: [f64; 2], part: f64| [0, 1].map(|i| a[i] * part + b[i] * (1.0 - part));
+    let (mut low, mut high) = (points[0], points[0]);
+    for point in points {
+        low = [0, 1].map(|i| point[i].min(low[i]));
+        high = [0, 1].map(|i| point[i].max(high[i]));
+    }
+    let mut random = Random::new(7);
+    let count = points.len();
+    let query = |i: usize| {
+        if i.is_multiple_of(2) {
+            let [x, y] = [random.unit(), random.unit()];
+            [middle(low, high, x)[0], middle(low, high, y)[1]]
+        } else {
+            middle(
+                points[random.below(count)],
+                points[random.below(count)],
+                0.5,
+            )
+        }
+    };
+    (0..count).map(query).collect()
+}
+
+/// Slivers, fans and clusters, where a walk from one point to the next may pass most triangles: the walks end, and the
+/// sweep finds what is left. No order of the points makes a difference.
+#[test]
+fn many_points_in_slivers_take_few_steps() {
+    let mut given_up = 0;
+    let mut most: f64 = 0.0;
+    let evenly = |family: &Family| ["uniform", "lattice"].contains(&family.name);
+    for family in families::all().chain(families::slanted()) {
+        for n in [500, 4000] {
+            let Input { points, edges } = families::scattered(&(family.member)(n));
+            let result = triangulate(&points, &edges).expect("edges that do not cross");
+            let view = result.with_points(&points);
+            let mut queries = queries(&points);
+            let (found, steps) = view.locate_within(&queries, 4);
+            let (swept, none) = view.locate_within(&queries, 0);
+            assert_eq!((&found, none), (&swept, 0), "{}", family.name);
+            for (query, found) in queries.iter().zip(&found).step_by(n / 20) {
+                assert_eq!(view.locate(query), *found, "{}", family.name);
+            }
+            queries.reverse();
+            let backwards = view.locate_all(&queries);
+            assert!(backwards.iter().rev().eq(&found), "{}", family.name);
+            let spent = 4 * (result.len() + queries.len());
+            assert!(steps <= spent, "{}", family.name);
+            given_up += usize::from(steps == spent);
+            if evenly(&family) {
+                most = most.max(steps as f64 / queries.len() as f64);
+            }
+        }
+    }
+    assert!(given_up > 5, "walks were given up {given_up} times");
+    assert!(most < 6.0, "{most} steps a point among even triangles");
 }

@@ -9,6 +9,7 @@
 //!   steps are the same for every scalar and front, and a replay returns the result.
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
 //!   work, and none that is abandoned by the sweep has another result.
+//! * `crossings`: edges that cross, and how the search for them grows.
 //! * `location`: where points lie, and what is around a vertex. `input`: points and edges in other forms.
 //!   `serialized`: results as data.
 //! * `statistics`: what a run reports of itself and its progress. `fronts`: the steps that search structures
@@ -25,6 +26,7 @@
 mod bands;
 mod cases;
 mod conformance;
+mod crossings;
 #[path = "../domain/mod.rs"]
 mod domain;
 mod fronts;

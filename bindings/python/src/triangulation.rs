@@ -275,6 +275,9 @@ fn lowest_first(mut corners: [usize; 3]) -> [usize; 3] {
     corners
 }
 
+/// So many points are located at once, or as many as there are triangles; a signal ends the call between.
+const PART: usize = 1 << 16;
+
 impl Core {
     fn located<S: Scalar + Sync>(
         &self,
@@ -285,50 +288,25 @@ impl Core {
         let result = &self.result;
         call(py, queries.len(), 1, |watch| {
             let view = result.with_points(points);
-            let near = nearby(result, points);
-            let mut last: Option<(usize, &[S; 2])> = None;
             let mut stars = None;
-            let found = queries.iter().enumerate().map(|(number, query)| {
-                if number % 1024 == 0 {
-                    watch.look();
-                }
-                let location = match last {
-                    Some((start, at)) if apart(at, query) <= near => view.locate_from(query, start),
-                    _ => view.locate(query),
-                };
-                let triangle = match location {
+            let mut found = Vec::with_capacity(queries.len());
+            // A part takes as long as the triangles are many, at least.
+            for part in queries.chunks(result.len().max(PART)) {
+                watch.look();
+                let triangles = view.locate_all(part).into_iter().map(|place| match place {
                     Location::Triangle(triangle) | Location::Side { triangle, .. } => {
-                        Some(triangle)
+                        small(triangle)
                     }
                     Location::Vertex(v) => {
                         let stars = stars.get_or_insert_with(|| result.vertex_stars());
-                        stars.star(v).next().map(|corner| corner.triangle)
+                        let first = stars.star(v).next();
+                        first.map_or(-1, |corner| small(corner.triangle))
                     }
-                    Location::Outside => None,
-                };
-                last = triangle.map(|triangle| (triangle, query)).or(last);
-                triangle.map_or(-1, small)
-            });
-            Ok(found.collect())
+                    Location::Outside => -1,
+                });
+                found.extend(triangles);
+            }
+            Ok(found)
         })
     }
-}
-
-/// The distance up to which a walk from the last query is shorter than a search, in steps of a triangle each.
-fn nearby<S: Scalar>(result: &Triangulation, points: &[[S; 2]]) -> f64 {
-    let span = |axis: usize| {
-        let hull = result.hull().map(|v| points[v][axis].approx());
-        let (low, high) = hull.fold((f64::MAX, f64::MIN), |(low, high), x| {
-            (low.min(x), high.max(x))
-        });
-        high - low
-    };
-    let triangles = result.len().max(1) as f64;
-    (span(0) * span(1) / triangles).sqrt() * triangles.cbrt()
-}
-
-/// The distance of two points, along x and y added.
-fn apart<S: Scalar>(p: &[S; 2], q: &[S; 2]) -> f64 {
-    let along = |axis: usize| (p[axis].approx() - q[axis].approx()).abs();
-    along(0) + along(1)
 }

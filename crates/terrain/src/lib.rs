@@ -4,12 +4,12 @@
 //! it is flat in each triangle. Every decision is exact: which sides a level crosses is a comparison of two heights,
 //! where a point lies is the sign of a predicate. Only the coordinates and heights that come out are rounded.
 //! [`contours`](Surface::contours) takes time linear in triangles and lines, [`heights_at`](Surface::heights_at)
-//! O((n + m) log n) for n triangles and m points, whatever they are.
+//! O((n + m) log(n + m)) for n triangles and m points, whatever they are.
 
 mod contours;
+mod heights;
 mod interpolate;
 mod levels;
-mod locate;
 mod surface;
 
 pub use contours::{Contour, TooManyPieces};

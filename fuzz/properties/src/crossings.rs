@@ -4,7 +4,7 @@
 //! triangulations of the pieces are tested by the verifier and by the oracle's local tests.
 
 use num_rational::BigRational;
-use sweep_cdt::crossings::{Crossing, Split, crossings, split};
+use sweep_cdt::crossings::{Crossing, Effort, Split, crossings, crossings_with, split};
 use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::{Error, Triangulation, triangulate};
 use sweep_cdt_testing::oracle::arrangement::{self, Exact, fractions, is_nearest};
@@ -32,11 +32,18 @@ pub struct Rounded {
 /// Panics unless the edges that cross in this input, all of whose coordinates are finite, are listed.
 pub fn judge_listed(Input { points, edges }: &Input) {
     let edges = &edges[..edges.len().min(LISTED)];
-    let found = crossings(points, edges).expect("a valid input");
-    let found: Vec<[usize; 2]> = found.iter().map(|crossing| crossing.edges).collect();
     let mut tried = with_integers!(points, |exact| Graph::new(&exact, edges).crossings());
     tried.sort_unstable();
-    assert_eq!(found, tried, "crossings listed (left) and tried");
+    // Small inputs are searched as if they were large, too.
+    for patience in [0, Effort::default().patience] {
+        let effort = &mut Effort {
+            patience,
+            ..Effort::default()
+        };
+        let found = crossings_with(points, edges, effort).expect("a valid input");
+        let found: Vec<[usize; 2]> = found.iter().map(|crossing| crossing.edges).collect();
+        assert_eq!(found, tried, "crossings listed (left) and tried");
+    }
 }
 
 /// Panics unless the crossings of this input, all of whose coordinates are finite, are right, and its edges are split

@@ -3,6 +3,7 @@
 //! Each family attacks a promise about time. The bench `growth` of `benches/peers` measures how time and
 //! memory grow; the tests compare small members with the oracle.
 
+mod crossed;
 mod hubs;
 mod outlines;
 mod points;
@@ -11,6 +12,7 @@ mod slanted;
 use sweep_cdt_generate::Random;
 
 use crate::Input;
+pub use crossed::{Crossed, crossed};
 pub use points::Family;
 
 /// All families.

@@ -10,7 +10,7 @@ use super::points::{Family, path, points, ring};
 use crate::Input;
 
 /// Segments side by side: number `i` of `m` leads from one point to the other.
-fn hatch(n: usize, segment: impl Fn(f64, f64) -> [[f64; 2]; 2]) -> Input {
+pub(super) fn hatch(n: usize, segment: impl Fn(f64, f64) -> [[f64; 2]; 2]) -> Input {
     let m = n / 2;
     let mut input = Input {
         points: Vec::new(),
@@ -36,7 +36,7 @@ fn rings(n: usize, len: usize, point: impl Fn(f64, f64, f64) -> [f64; 2]) -> Inp
 }
 
 /// `m` inputs as one.
-fn several(m: usize, part: impl Fn(f64, f64) -> Input) -> Input {
+pub(super) fn several(m: usize, part: impl Fn(f64, f64) -> Input) -> Input {
     let mut all = Input {
         points: Vec::new(),
         edges: Vec::new(),
@@ -87,7 +87,7 @@ fn at([x, y]: [f64; 2], angle: f64, radius: f64) -> [f64; 2] {
 }
 
 /// A number from 0 to 1 that looks random.
-fn noise(i: f64) -> f64 {
+pub(super) fn noise(i: f64) -> f64 {
     (i * 0.618_033_988_749_895).fract()
 }
 

@@ -1,4 +1,4 @@
-//! Where many points lie in a triangulation, by a sweep, and the heights there.
+//! Where many points lie in a triangulation, by a sweep.
 //!
 //! A vertical line, tilted a little so that it meets points of equal x from below, sweeps over vertices and points from
 //! left to right. The triangles that it cuts are *active*; they stand one above the other. Triangles have *ranks*: one
@@ -12,92 +12,30 @@
 //!
 //! Cost: O((n + m) log(n + m)) for n triangles and m points, whatever they are.
 
-use std::cmp::Ordering;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
-use sweep_cdt::Triangulation;
-use sweep_cdt::crossings::Exact;
-use sweep_cdt::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, filtered_orient2d};
+use crate::triangulation::Triangulation;
+use crate::triangulation::locate::Location;
+use crate::triangulation::with_points::WithPoints;
 
-use crate::interpolate::{along, within};
-use crate::surface::Surface;
-
-/// Where a point lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Place {
-    Outside,
-    Vertex(usize),
-    /// On the side of a triangle that is opposite this corner.
-    Side(usize, usize),
-    Triangle(usize),
-}
-
-impl<S: Exact> Surface<'_, S> {
-    /// The height at each of these points: at a vertex its height, on a side that of the two ends in proportion, in a
-    /// triangle that of its corners. `None` outside of the surface, at a point whose coordinates are not finite, and
-    /// where a height that counts is missing.
-    ///
-    /// A height differs from the exact one by less than 1e-11 of the difference between the heights that it comes from,
-    /// and its own rounding.
-    ///
-    /// ```
-    /// use sweep_cdt::interior::Interior;
-    /// use sweep_cdt_terrain::Surface;
-    ///
-    /// let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]];
-    /// let result = sweep_cdt::triangulate(&points, &[])?;
-    /// let whole = Interior::whole(&result);
-    /// let surface = Surface::new(&points, &whole, &[1.0, 5.0, 9.0]);
-    /// let found = surface.heights_at(&[[1.0, 1.0], [2.0, 0.0], [0.0, 4.0], [4.0, 4.0]]);
-    /// assert_eq!(found, [Some(4.0), Some(3.0), Some(9.0), None]);
-    /// # Ok::<(), sweep_cdt::Error>(())
-    /// ```
-    #[must_use]
-    pub fn heights_at(&self, points: &[[S; 2]]) -> Vec<Option<f64>> {
-        let result = self.interior.triangulation();
-        let is_inside = self.vertices_inside();
-        let height = |(point, place): (&[S; 2], Place)| match place {
-            Place::Outside => None,
-            Place::Vertex(v) => Some(self.heights[v]).filter(|x| is_inside[v] && !x.is_nan()),
-            Place::Side(t, side) => {
-                let across = result.neighbor(t, side);
-                let is_inside = |t: usize| self.interior.is_inside(t);
-                let corners = result.triangle(t);
-                let ends = [1, 2].map(|i| corners[(side + i) % 3]);
-                let heights = ends.map(|v| self.heights[v]);
-                let is_known = !heights.iter().any(|x| x.is_nan());
-                (is_known && (is_inside(t) || across.is_some_and(is_inside)))
-                    .then(|| along(point, ends.map(|v| &self.points[v]), heights))
-            }
-            Place::Triangle(t) => self.triangle(t).map(|corners| {
-                let heights = corners.map(|v| self.heights[v]);
-                within(point, corners.map(|v| &self.points[v]), heights)
-            }),
-        };
-        let places = places(self.points, result, points);
-        points.iter().zip(places).map(height).collect()
-    }
-
-    /// Whether each vertex is a corner of a triangle inside.
-    fn vertices_inside(&self) -> Vec<bool> {
-        let mut is_inside = vec![false; self.points.len()];
-        for corners in self.interior.triangles() {
-            corners.into_iter().for_each(|v| is_inside[v] = true);
-        }
-        is_inside
-    }
-}
-
-/// The place of each of these points.
-fn places<S: Scalar>(points: &[[S; 2]], result: &Triangulation, queries: &[[S; 2]]) -> Vec<Place> {
-    let mut places = vec![Place::Outside; queries.len()];
-    let mut order: Vec<usize> = (0..queries.len()).collect();
-    order.retain(|&at| queries[at].iter().all(S::is_finite));
+/// Puts the places of those queries that stand in `order` into `places`.
+pub(super) fn locate<S: Scalar>(
+    view: &WithPoints<'_, S>,
+    queries: &[[S; 2]],
+    mut order: Vec<usize>,
+    places: &mut [Location],
+) {
+    let (points, result) = (view.points, view.result);
     order.sort_unstable_by(|&a, &b| compare(&queries[a], &queries[b]));
-    let mut vertices: Vec<usize> = (0..points.len()).collect();
-    vertices.retain(|&v| result.representative(v) == v);
+    let mut vertices: Vec<usize> = result.triangles().flatten().collect();
+    vertices.sort_unstable();
+    vertices.dedup();
     vertices.sort_unstable_by(|&a, &b| compare(&points[a], &points[b]));
 
-    let mut strips = Strips::new(points, result, &vertices);
+    let mut strips = Strips::new(view, &vertices);
     let mut swept = 0;
     for at in order {
         let query = &queries[at];
@@ -110,11 +48,10 @@ fn places<S: Scalar>(points: &[[S; 2]], result: &Triangulation, queries: &[[S; 2
         let vertex = vertices.get(swept);
         let vertex = vertex.filter(|&&v| compare(&points[v], query).is_eq());
         places[at] = match vertex {
-            Some(&v) => Place::Vertex(v),
+            Some(&v) => Location::Vertex(v),
             None => strips.place(query),
         };
     }
-    places
 }
 
 /// The order in which the tilted line meets points.
@@ -124,8 +61,7 @@ fn compare<S: Scalar>(a: &[S; 2], b: &[S; 2]) -> Ordering {
 
 /// The triangles, in the order of their ranks, and which of them the line cuts.
 struct Strips<'a, S> {
-    points: &'a [[S; 2]],
-    result: &'a Triangulation,
+    view: &'a WithPoints<'a, S>,
     /// The number of each vertex in the order of the sweep.
     number: Vec<usize>,
     /// The triangles by rank.
@@ -143,8 +79,9 @@ struct Strips<'a, S> {
 const NOTHING: usize = usize::MAX;
 
 impl<'a, S: Scalar> Strips<'a, S> {
-    fn new(points: &'a [[S; 2]], result: &'a Triangulation, vertices: &[usize]) -> Strips<'a, S> {
-        let mut number = vec![0; points.len()];
+    fn new(view: &'a WithPoints<'a, S>, vertices: &[usize]) -> Strips<'a, S> {
+        let result = view.result;
+        let mut number = vec![0; view.points.len()];
         for (at, &v) in vertices.iter().enumerate() {
             number[v] = at;
         }
@@ -157,8 +94,7 @@ impl<'a, S: Scalar> Strips<'a, S> {
         let end = list(|[a, b, c]| a.max(b).max(c));
         let leaves = ranked.len().next_power_of_two();
         Strips {
-            points,
-            result,
+            view,
             number,
             begin,
             end,
@@ -189,7 +125,7 @@ impl<'a, S: Scalar> Strips<'a, S> {
     }
 
     /// The place of a point on the line, which is no vertex.
-    fn place(&self, query: &[S; 2]) -> Place {
+    fn place(&self, query: &[S; 2]) -> Location {
         // Whether the lower sides of the lowest active triangle of a part are not above the point.
         let fits = |part: usize| {
             let rank = self.lowest[part];
@@ -197,29 +133,28 @@ impl<'a, S: Scalar> Strips<'a, S> {
         };
         let mut part = 1;
         if !fits(part) {
-            return Place::Outside;
+            return Location::Outside;
         }
         while part < self.leaves {
             part = 2 * part + usize::from(fits(2 * part + 1));
         }
         let t = self.ranked[part - self.leaves];
         let turns = [0, 1, 2].map(|side| self.turn(query, t, side));
-        match turns.iter().position(|turn| turn.is_eq()) {
-            _ if turns.contains(&Ordering::Less) => Place::Outside,
-            Some(side) => Place::Side(t, side),
-            None => Place::Triangle(t),
+        if turns.contains(&Ordering::Less) {
+            return Location::Outside;
         }
+        self.view.at(t, turns)
     }
 
     /// Whether a point on the line is below a triangle that the line cuts: below the lower side that the line cuts.
     fn is_below(&self, query: &[S; 2], t: usize) -> bool {
-        let corners = self.result.triangle(t);
+        let corners = self.view.result.triangle(t);
         let is_lower = |side: &usize| {
             let [from, to] = ends(corners, *side).map(|v| self.number[v]);
             from < to
         };
         let is_cut = |side: &usize| {
-            let ends = ends(corners, *side).map(|v| &self.points[v]);
+            let ends = ends(corners, *side).map(|v| &self.view.points[v]);
             compare(ends[0], query).is_lt() && compare(query, ends[1]).is_lt()
         };
         let mut sides = (0..3).filter(is_lower).filter(is_cut);
@@ -228,8 +163,8 @@ impl<'a, S: Scalar> Strips<'a, S> {
 
     /// The turn from a side of a triangle to a point: to the left where the triangle is.
     fn turn(&self, query: &[S; 2], t: usize, side: usize) -> Ordering {
-        let [from, to] = ends(self.result.triangle(t), side);
-        filtered_orient2d(&self.points[from], &self.points[to], query)
+        let [from, to] = ends(self.view.result.triangle(t), side);
+        filtered_orient2d(&self.view.points[from], &self.view.points[to], query)
     }
 }
 
@@ -298,7 +233,7 @@ impl Lists {
     }
 
     /// The places of the list of a key.
-    fn range(&self, key: usize) -> std::ops::Range<usize> {
+    fn range(&self, key: usize) -> core::ops::Range<usize> {
         let begin = key.checked_sub(1).map_or(0, |before| self.ends[before]);
         begin..self.ends[key]
     }

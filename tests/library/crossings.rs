@@ -1,0 +1,69 @@
+//! Edges that cross, in families that grow: what is looked at grows with edges and pairs, and all pairs are found.
+
+use sweep_cdt::crossings::{Effort, crossings_with, split_with};
+use sweep_cdt_testing::Input;
+use sweep_cdt_testing::families::{self, Crossed};
+use sweep_cdt_testing::oracle::arrangement;
+
+/// Boxes and edges that listing and splitting look at, for each edge and pair.
+fn looked_at(family: &Crossed, count: usize) -> [f64; 2] {
+    let Input { points, edges } = family.of_edges(count);
+    let mut listing = Effort::default();
+    let pairs = crossings_with(&points, &edges, &mut listing).expect("a valid input");
+    assert!(!family.is_crossed || pairs.len() >= edges.len() / 2);
+    let mut splitting = Effort::default();
+    split_with(&points, &edges, &mut splitting).expect("a valid input");
+    [listing, splitting].map(|effort| {
+        let looked = effort.visited + effort.swept + effort.separated;
+        looked as f64 / (edges.len() + pairs.len()) as f64
+    })
+}
+
+/// `cargo bench -p sweep-cdt-benches --bench crossings` counts up to 512,000 edges.
+#[test]
+fn what_is_looked_at_grows_with_edges_and_pairs() {
+    let mut families = 0;
+    for family in families::crossed() {
+        let [few, many] = [250, 2000].map(|count| looked_at(&family, count));
+        println!("{}: {few:.1?} {many:.1?}", family.name());
+        for (few, many) in few.into_iter().zip(many) {
+            assert!(many < 2.0 * few + 10.0, "{}: {few} {many}", family.name());
+        }
+        families += 1;
+    }
+    assert!(families >= 120, "{families} families");
+}
+
+/// Boxes, the sweep line and separations by themselves, against every pair in fractions.
+#[test]
+fn all_pairs_of_small_members_are_found() {
+    for family in families::crossed() {
+        let Input { points, edges } = family.of_edges(60);
+        let exact = arrangement::fractions(&points);
+        let expected = arrangement::crossings(&exact, &edges);
+        for patience in [0, 1, 16, usize::MAX] {
+            let effort = &mut Effort {
+                patience,
+                ..Effort::default()
+            };
+            let found = crossings_with(&points, &edges, effort).expect("a valid input");
+            let found: Vec<_> = found.iter().map(|one| (one.edges, one.point())).collect();
+            assert_eq!(found, expected, "{}, patience {patience}", family.name());
+        }
+    }
+}
+
+/// Edges far apart and far longer than all of them are wide, found by review: no two boxes meet, and each pair of parts
+/// of a tree of boxes did.
+#[test]
+fn upright_edges_look_at_each_other_no_more() {
+    let [few, many] = [1000, 16_000].map(|n: u32| {
+        let ends = |i: u32| [[f64::from(i), 0.0], [f64::from(i), 1e7 + f64::from(i % 7)]];
+        let points: Vec<[f64; 2]> = (0..n).flat_map(ends).collect();
+        let edges: Vec<[usize; 2]> = (0..points.len()).step_by(2).map(|v| [v, v + 1]).collect();
+        let mut effort = Effort::default();
+        assert_eq!(crossings_with(&points, &edges, &mut effort), Ok(Vec::new()));
+        effort.visited as f64 / f64::from(n)
+    });
+    assert!(many < 2.0 * few, "{few} {many} for each edge");
+}
