@@ -2,7 +2,8 @@
 //! caller [declared](super::declared), once. Points outside a declared domain need not be corners.
 //!
 //! Points added to those of the input must lie in the hull of these. Check 4 makes the boundary the hull of all
-//! corners. It is the hull of the input's points if all corners at which it turns are among them.
+//! corners. It is the hull of the input's points if all corners at which it turns are among them, but for [runs](super::runs)
+//! that are bent, of which the lines are asked for.
 //!
 //! How rounds are counted: a side *ascends* if its end comes after its start in the order (x, y). A chain that never
 //! turns right nor back turns by less than half a turn at each vertex. The directions that ascend are half of all, so
@@ -23,27 +24,29 @@ use core::cmp::Ordering;
 use super::declared::DeclaredBoundary;
 use super::depth::Depth;
 use super::report::{Level, Record};
+use super::runs::{self, Run};
 use super::scanline;
 use super::sides::Sides;
 use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::{Measure, Scalar};
 
-/// Checks the boundary against the declared domain, or else the hull.
+/// Checks the boundary against the declared domain, or else the hull. Returns its runs through added points.
 pub(super) fn check<S: Measure>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     domain: Option<&DeclaredBoundary>,
     record: &mut Record,
-) {
+) -> Vec<Run> {
     // A missing or rejected triangle leaves a hole, which is not another fault.
     let is_sound = record.findings.is_empty();
     match domain {
-        Some(domain) if is_sound => domain.check_boundary(soup, &sides.boundary, record),
+        Some(domain) if is_sound => return domain.check_boundary(soup, sides, record),
         None if soup.triangles.is_empty() => check_collinear(soup, record),
-        None if is_sound => check_hull(soup, &sides.boundary, record),
+        None if is_sound => return check_hull(soup, sides, record),
         _ => {}
     }
+    Vec::new()
 }
 
 /// Checks that without triangles all vertices lie on one line.
@@ -64,12 +67,13 @@ fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
 
 /// Checks that the boundary is one convex chain that goes round once. It is not empty: otherwise every side had two
 /// triangles, crossing one would never change how many triangles cover a point, and that number is 0 far away.
-fn check_hull<S: Measure>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Record) {
+fn check_hull<S: Measure>(soup: &Soup<'_, S>, sides: &Sides, record: &mut Record) -> Vec<Run> {
     // If each vertex starts at most one side, the sides are closed chains.
-    let mut sides: Vec<[u32; 2]> = boundary.iter().map(|&side| soup.side(side)).collect();
-    sides.sort_unstable();
+    let boundary = sides.boundary.iter();
+    let mut boundary: Vec<[u32; 2]> = boundary.map(|&side| soup.side(side)).collect();
+    boundary.sort_unstable();
     let mut pinched = false;
-    for same_start in sides.chunk_by(|a, b| a[0] == b[0]) {
+    for same_start in boundary.chunk_by(|a, b| a[0] == b[0]) {
         if same_start.len() > 1 {
             pinched = true;
             let vertex = soup.predicates.name(same_start[0][0]);
@@ -77,11 +81,11 @@ fn check_hull<S: Measure>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Rec
         }
     }
     if pinched {
-        return;
+        return Vec::new();
     }
 
     // The chain with the first vertex in the order (x, y) goes round all others, if there are others.
-    let mut chains = chains(&sides);
+    let mut chains = chains(&boundary);
     let vertices = chains.iter().enumerate();
     let vertices = vertices.flat_map(|(i, chain)| chain.iter().map(move |&v| (i, v)));
     let first = vertices.min_by(|&(_, v), &(_, w)| soup.predicates.order(v, w));
@@ -93,7 +97,7 @@ fn check_hull<S: Measure>(soup: &Soup<'_, S>, boundary: &[u32], record: &mut Rec
             sides: chain.len(),
         });
     }
-    check_convex(soup, &outer, record);
+    check_convex(soup, sides, &outer, record)
 }
 
 /// The closed chains that sides form, which are sorted by start; no two have the same. As many sides end at a vertex as
@@ -116,11 +120,17 @@ fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
     result
 }
 
-/// Checks that a closed chain never turns right nor back, and that it goes round once.
-fn check_convex<S: Measure>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Record) {
-    let at = |i: usize| chain[i % chain.len()];
+/// Checks that a closed chain never turns right nor back, and that it goes round once; of a run that is bent its line.
+fn check_convex<S: Measure>(
+    soup: &Soup<'_, S>,
+    sides: &Sides,
+    chain: &[u32],
+    record: &mut Record,
+) -> Vec<Run> {
+    let (runs, frame) = runs::of_chain(soup, sides, chain);
+    let at = |i: usize| frame[i % frame.len()];
     let (mut times, mut wrong) = (0, Vec::new());
-    for i in 0..chain.len() {
+    for i in 0..frame.len() {
         let vertices @ [a, b, c] = [at(i), at(i + 1), at(i + 2)];
         let ascends =
             [soup.predicates.order(a, b), soup.predicates.order(b, c)].map(Ordering::is_lt);
@@ -142,14 +152,17 @@ fn check_convex<S: Measure>(soup: &Soup<'_, S>, chain: &[u32], record: &mut Reco
     if wrong.is_empty() && times != 1 {
         record.findings.add(Violation::WindingBoundary { times });
     }
-    report_concave(soup, chain, &wrong, record);
+    report_turns(soup, chain, &wrong, &runs, record);
+    runs
 }
 
-/// Reports the wrong turns of a closed chain, with depths if all go on and the chain neither crosses nor covers itself.
-fn report_concave<S: Measure>(
+/// Reports the wrong turns of a closed chain, and its runs that are bent, with depths if all turns go on and the chain
+/// neither crosses nor covers itself.
+fn report_turns<S: Measure>(
     soup: &Soup<'_, S>,
     chain: &[u32],
     wrong: &[[u32; 3]],
+    runs: &[Run],
     record: &mut Record,
 ) {
     let measure = |turn: [u32; 3], record: &Record| {
@@ -164,7 +177,9 @@ fn report_concave<S: Measure>(
         let sides: Vec<[u32; 2]> = ends.map(|(&a, &b)| [a, b]).collect();
         scanline::inside(&soup.predicates, &sides, core::iter::empty()).is_ok()
     };
-    if !wrong.is_empty() && (depths.contains(&None) || !is_simple()) {
+    let is_straight = wrong.is_empty() && !runs.iter().any(Run::is_bent);
+    let is_simple = is_straight || !depths.contains(&None) && is_simple();
+    if !is_simple {
         depths.fill(None);
     }
     for (&turn, depth) in wrong.iter().zip(depths) {
@@ -173,30 +188,45 @@ fn report_concave<S: Measure>(
             .findings
             .add(Violation::ConcaveBoundary { vertices, depth });
     }
+    let bent = runs.iter().filter_map(|run| run.violation(soup, is_simple));
+    bent.for_each(|violation| record.findings.add(violation));
 }
 
-/// Checks the vertices of rank `used` and above, which no triangle names. Without any triangles check 4 judges them.
+/// Checks the vertices of rank `used` and above, which no triangle names. Without any triangles check 4 judges them. If
+/// runs of the boundary are `bent`, its sides as they are must bound a domain too, in which no vertex is unused.
 pub(super) fn check_points<S: Scalar>(
     soup: &Soup<'_, S>,
     used: u32,
     domain: Option<&DeclaredBoundary>,
+    bent: Option<&[u32]>,
     record: &mut Record,
 ) {
-    let unused = (used..soup.vertices()).filter(|&point| !soup.predicates.is_added(point));
+    let unused = || (used..soup.vertices()).filter(|&point| !soup.predicates.is_added(point));
     let needed = match domain {
-        Some(domain) => match scanline::inside(&soup.predicates, &domain.sides, unused) {
-            Ok(inside) => inside,
-            Err(side) => {
-                // Where something is wrong already, the domain is not known.
-                if record.findings.is_empty() {
-                    let side = soup.names(side);
-                    record.findings.add(Violation::TangledBoundary { side });
+        Some(domain) => {
+            let as_it_is = |bent: &[u32]| bent.iter().map(|&side| soup.side(side)).collect();
+            let bent: Option<Vec<[u32; 2]>> = bent.map(as_it_is);
+            let boundaries = [Some(&domain.sides), bent.as_ref()].into_iter().flatten();
+            let mut needed = Vec::new();
+            for sides in boundaries {
+                match scanline::inside(&soup.predicates, sides, unused()) {
+                    Ok(inside) => needed.extend(inside),
+                    Err(side) => {
+                        // Where something is wrong already, the domain is not known.
+                        if record.findings.is_sound() {
+                            let side = soup.names(side);
+                            record.findings.add(Violation::TangledBoundary { side });
+                        }
+                        return;
+                    }
                 }
-                return;
             }
-        },
+            needed.sort_unstable();
+            needed.dedup();
+            needed
+        }
         None if soup.triangles.is_empty() => return,
-        None => unused.collect(),
+        None => unused().collect(),
     };
     for v in needed {
         let vertex = soup.predicates.name(v);
@@ -204,10 +234,10 @@ pub(super) fn check_points<S: Scalar>(
     }
 }
 
-/// Checks Euler's count of triangles, if they fill the hull and nothing else is wrong: a second opinion, by counting.
+/// Checks Euler's count of triangles, if they fill the hull and nothing is wrong but for rounding: a second opinion, by counting.
 pub(super) fn check_count(used: u32, domain: Option<&DeclaredBoundary>, record: &mut Record) {
     let report = &record.report;
-    if domain.is_some() || report.triangles == 0 || !record.findings.is_empty() {
+    if domain.is_some() || report.triangles == 0 || !record.findings.is_sound() {
         return;
     }
     let expected = 2 * used as usize - 2 - report.boundary_sides;

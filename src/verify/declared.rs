@@ -4,13 +4,16 @@
 //! number where that of crossed sides is odd, whatever way each runs. A boundary that is the declared one (here), and
 //! goes round each place once or not at all (`scanline`), leaves one triangle where it is odd, else none.
 //!
-//! Added points may split a declared side. So boundary sides that go straight on through added points are merged first.
+//! Added points may split a declared side, or lie beside it if they were rounded. So boundary sides that lead from a point
+//! of the input to the next one through added points are merged first, to [runs](super::runs).
 //! Cost: O(m log m) for m sides.
 
 use super::report::Record;
+use super::runs::Run;
+use super::sides::Sides;
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
-use crate::scalar::Scalar;
+use crate::scalar::{Measure, Scalar};
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -24,7 +27,7 @@ impl DeclaredBoundary {
     /// Turns each declared side whose reverse is on the boundary of the triangles, so that it runs as they do.
     pub(super) fn orient<S: Scalar>(&mut self, soup: &Soup<'_, S>, boundary: &[u32]) {
         let found = merged(soup, boundary);
-        let is_found = |side: [u32; 2]| found.binary_search_by_key(&side, |found| found.0).is_ok();
+        let is_found = |side: [u32; 2]| found.binary_search_by_key(&side, Merged::ends).is_ok();
         for side in &mut self.sides {
             let [a, b] = *side;
             if !is_found([a, b]) && is_found([b, a]) {
@@ -33,61 +36,78 @@ impl DeclaredBoundary {
         }
     }
 
-    /// Checks that the boundary of the triangles is exactly the declared one.
-    pub(super) fn check_boundary<S: Scalar>(
+    /// Checks that the boundary of the triangles is the declared one, but for runs that are bent. Returns its runs.
+    pub(super) fn check_boundary<S: Measure>(
         &self,
         soup: &Soup<'_, S>,
-        boundary: &[u32],
+        sides: &Sides,
         record: &mut Record,
-    ) {
-        let found = merged(soup, boundary);
+    ) -> Vec<Run> {
+        let found = merged(soup, &sides.boundary);
         let mut declared = self.sides.clone();
         declared.sort_unstable();
-        for &(ends, side) in &found {
-            if declared.binary_search(&ends).is_err() {
+        let mut runs = Vec::new();
+        for whole in &found {
+            let is_declared = declared.binary_search(&whole.ends()).is_ok();
+            let run = Run::of(soup, sides, &whole.chain);
+            if !is_declared || run.is_none() && whole.chain.len() > 2 {
                 record.findings.add(Violation::UndeclaredBoundary {
-                    side: soup.names(soup.side(side)),
-                    triangle: side as usize / 3,
+                    side: soup.names(soup.side(whole.side)),
+                    triangle: whole.side as usize / 3,
                 });
+            } else if let Some(run) = run {
+                let violation = run.violation(soup, true).into_iter();
+                violation.for_each(|violation| record.findings.add(violation));
+                runs.push(run);
             }
         }
         for (i, &side) in declared.iter().enumerate() {
             // A side is on the boundary once at most.
             let again = i > 0 && declared[i - 1] == side;
-            if again || found.binary_search_by_key(&side, |found| found.0).is_err() {
+            if again || found.binary_search_by_key(&side, Merged::ends).is_err() {
                 let side = soup.names(side);
                 record.findings.add(Violation::MissingBoundary { side });
             }
         }
+        runs
     }
 }
 
-/// The ends of each side of the boundary, sorted, with its number. Sides that go straight on through added points, from
-/// one point of the input to another, count as one, with the number of the first.
-fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<([u32; 2], u32)> {
+/// A side of the boundary, or several through added points.
+struct Merged {
+    /// The number of the first side.
+    side: u32,
+    chain: Vec<u32>,
+}
+
+impl Merged {
+    fn ends(&self) -> [u32; 2] {
+        [self.chain[0], self.chain[self.chain.len() - 1]]
+    }
+}
+
+/// The sides of the boundary, sorted by their ends. Those that go on through added points from one point of the input to
+/// another count as one.
+fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<Merged> {
     let mut found: Vec<([u32; 2], u32)> = boundary
         .iter()
         .map(|&side| (soup.side(side), side))
         .collect();
     found.sort_unstable();
-    if !boundary
-        .iter()
-        .any(|&side| soup.predicates.is_added(soup.side(side)[0]))
-    {
-        return found;
-    }
-    // The side that goes straight on. One or two declared sides pass through an added point, on one line. Where more
+    // The side that goes on, or straight on where two declared sides pass through an added point, on one line. Where more
     // leave it, only two are looked at: nobody has declared these.
-    let straight_on = |[a, b]: [u32; 2]| {
+    let on = |[a, b]: [u32; 2]| {
         let forward = |side: [u32; 2]| soup.predicates.order(side[0], side[1]);
         let first = found.partition_point(|&([start, _], _)| start < b);
-        (first..found.len().min(first + 2)).find(|&at| {
+        let leaves = |at: &usize| found.get(*at).is_some_and(|(side, _)| side[0] == b);
+        let is_only = !leaves(&(first + 1));
+        (first..first + 2).filter(leaves).find(|&at| {
             let side = found[at].0;
             let turn = || {
                 soup.predicates
                     .orient2d([a, b, side[1]], &mut Tally::default())
             };
-            side[0] == b && forward(side) == forward([a, b]) && turn().is_eq()
+            is_only || forward(side) == forward([a, b]) && turn().is_eq()
         })
     };
     // Each side is walked once.
@@ -97,23 +117,25 @@ fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<([u32; 2], u32
         if soup.predicates.is_added(ends[0]) {
             continue;
         }
-        let (mut path, mut last) = (vec![first], ends);
-        while soup.predicates.is_added(last[1])
-            && let Some(on) = straight_on(last).filter(|&on| !is_walked[on])
-        {
-            is_walked[on] = true;
-            path.push(on);
-            last = found[on].0;
-        }
         is_walked[first] = true;
-        if soup.predicates.is_added(last[1]) {
-            whole.extend(path.into_iter().map(|at| found[at]));
-        } else {
-            whole.push(([ends[0], last[1]], side));
+        let (mut last, mut chain) = (ends, ends.to_vec());
+        while soup.predicates.is_added(last[1])
+            && let Some(next) = on(last).filter(|&next| !is_walked[next])
+        {
+            is_walked[next] = true;
+            last = found[next].0;
+            chain.push(last[1]);
         }
+        whole.push(Merged { side, chain });
     }
     let rest = found.iter().zip(is_walked);
-    whole.extend(rest.filter(|(_, walked)| !walked).map(|(side, _)| *side));
-    whole.sort_unstable();
+    whole.extend(
+        rest.filter(|(_, walked)| !walked)
+            .map(|(&(ends, side), _)| Merged {
+                side,
+                chain: ends.to_vec(),
+            }),
+    );
+    whole.sort_unstable_by_key(|whole| (whole.ends(), whole.side));
     whole
 }

@@ -18,7 +18,8 @@ pub(super) const MEASURED: usize = 1000;
 ///
 /// For a side that is not Delaunay: the power of the corner that lies deepest in the circle of the other triangle, in
 /// units of the squared radius; 1 at the centre. For a concave turn of the boundary: its height over the line between
-/// its ends, in units of their distance. The size is right to about 1e-15 of itself, or is the smallest double.
+/// its ends, in units of their distance. For an edge or a side of the boundary with added points beside it: the distance
+/// of the farthest one, in units of the edge's or side's length. The size is right to about 1e-15 of itself, or is the smallest double.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Depth(f64);

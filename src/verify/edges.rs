@@ -13,23 +13,31 @@
 //! Myers' jump pointers (An applicative random-access stack, Information Processing Letters 17, 1983), in which the
 //! last side that does not pass the edge's end is found in O(log n) steps. A tree cannot grow at its root, and need
 //! not, because the edges that reach farthest in their direction come first.
+//! Where no side goes straight on, a chain [beside](super::bent) the edge up to the next vertex on it is one step of the
+//! tree, which is found again by its first vertex and the direction of its end.
 //! Cost: O((n + m) log n) for n sides and m edges. The neighbours of a vertex are sorted when the first edge passes it.
 
+use alloc::collections::BTreeMap;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
+use super::bent::{self, Pass};
+use super::depth::Depth;
 use super::report::Record;
+use super::runs::Run;
 use super::sides::{Sides, range};
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
-use crate::scalar::Scalar;
+use crate::scalar::{Measure, Scalar};
 
-/// Checks the edges, given by number and the ranks of their ends, and constrains their sides.
-pub(super) fn check<S: Scalar>(
+/// Checks the edges, given by number and the ranks of their ends, and constrains their sides. The runs are those of the
+/// boundary that pass added points.
+pub(super) fn check<S: Measure>(
     soup: &Soup<'_, S>,
     sides: &mut Sides,
     edges: &[(usize, [u32; 2])],
+    runs: &[Run],
     record: &mut Record,
 ) {
     // Points on a line have no triangles, and check 4 has judged them.
@@ -63,21 +71,45 @@ pub(super) fn check<S: Scalar>(
             farther.reverse()
         })
     });
-    let mut chains = EdgeChains::new(sides);
-    let mut missing = Vec::new();
+    let mut chains = EdgeChains::new(soup, sides, runs);
+    let mut passes: Vec<Pass> = runs.iter().flat_map(Run::passes).collect();
+    let (mut missing, mut bent) = (Vec::new(), Vec::new());
     for (edge, ends) in split {
-        let (reached, passes_added) = chains.follow(soup, ends, |a, b| {
-            fix(sides, a, b);
-        });
-        if reached != ends[1] {
-            missing.push((edge, soup.predicates.name(reached)));
-        } else if passes_added {
-            record.report.split_edges += 1;
+        let walk = chains.follow(soup, sides, ends);
+        for (side, is_beside) in walk.sides {
+            fix(sides, side[0], side[1]);
+            if soup.predicates.is_added(side[1]) {
+                passes.push(Pass {
+                    vertex: side[1],
+                    line: ends,
+                    edge: Some(edge),
+                    is_beside,
+                });
+            }
         }
+        if walk.reached != ends[1] {
+            missing.push((edge, soup.predicates.name(walk.reached)));
+            continue;
+        }
+        record.report.split_edges += usize::from(walk.passes_added);
+        let farthest = walk.farthest;
+        bent.extend(farthest.map(|(v, distance)| (edge, soup.predicates.name(v), distance)));
     }
+    let pinched = bent::pinched(soup, passes).into_iter();
+    missing.extend(pinched.map(|(edge, v)| (edge, soup.predicates.name(v))));
     missing.sort_unstable();
+    missing.dedup_by_key(|(edge, _)| *edge);
     for (edge, after) in missing {
         record.findings.add(Violation::MissingEdge { edge, after });
+    }
+    bent.sort_unstable_by_key(|&(edge, ..)| edge);
+    for (edge, vertex, distance) in bent {
+        let depth = Depth::new(distance);
+        record.findings.add(Violation::BentEdge {
+            edge,
+            vertex,
+            depth,
+        });
     }
 }
 
@@ -86,7 +118,7 @@ const NEW: u32 = u32::MAX;
 
 /// The sides that leave each vertex, and the steps of those that were walked.
 #[derive(Debug)]
-struct EdgeChains {
+struct EdgeChains<'a> {
     /// The neighbours of the vertex of rank `v` are `neighbors[starts[v]..starts[v + 1]]`. Once sorted, those after it
     /// in the order (x, y) come first, then those before it, each half counter-clockwise, then nearest first.
     starts: Vec<u32>,
@@ -95,9 +127,13 @@ struct EdgeChains {
     /// For each of `neighbors` the step to it, or [`NEW`].
     step: Vec<u32>,
     steps: Vec<Step>,
+    /// The runs of the boundary that are not straight, by each of their vertices on their lines.
+    runs: BTreeMap<u32, Vec<&'a Run>>,
+    /// The steps beside lines that leave a vertex right of one of its neighbours: the leftmost line first.
+    beside: BTreeMap<[u32; 2], Vec<u32>>,
 }
 
-/// A side that was walked.
+/// A side that was walked, or a chain beside the edge.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     /// The vertex at its end.
@@ -108,57 +144,105 @@ struct Step {
     jump: u32,
     /// How many steps follow.
     depth: u32,
-    /// How many steps from this one on end at added points.
+    /// How many added points this step passes, and those that follow.
     added: u32,
 }
 
-impl EdgeChains {
-    pub(super) fn new(sides: &Sides) -> EdgeChains {
+/// How an edge was followed.
+#[derive(Debug, Default)]
+struct Walk {
+    /// How far sides lead along the edge: to its other end, if it is a chain of sides.
+    reached: u32,
+    /// Whether they pass an added point.
+    passes_added: bool,
+    /// The sides that were not walked before, each with whether it ends beside the edge.
+    sides: Vec<([u32; 2], bool)>,
+    /// The farthest vertex beside the edge on them, and its distance; but for runs of the boundary.
+    farthest: Option<(u32, f64)>,
+}
+
+impl<'a> EdgeChains<'a> {
+    fn new<S: Scalar>(soup: &Soup<'_, S>, sides: &Sides, runs: &'a [Run]) -> EdgeChains<'a> {
         let (starts, neighbors) = sides.neighbors();
+        let mut by_vertex: BTreeMap<u32, Vec<&Run>> = BTreeMap::new();
+        for run in runs.iter().filter(|run| run.is_bent()) {
+            for v in run.on_line(soup) {
+                by_vertex.entry(v).or_default().push(run);
+            }
+        }
         EdgeChains {
             sorted: vec![false; starts.len() - 1],
             step: vec![NEW; neighbors.len()],
             steps: Vec::new(),
             starts,
             neighbors,
+            runs: by_vertex,
+            beside: BTreeMap::new(),
         }
     }
 
-    /// Follows an edge from one end to the other. Returns how far sides lead along it (to its other end if it is a
-    /// chain of sides), and whether they pass an added point. Calls `walk` with each side not walked before.
-    fn follow<S: Scalar>(
-        &mut self,
-        soup: &Soup<'_, S>,
-        [a, b]: [u32; 2],
-        mut walk: impl FnMut(u32, u32),
-    ) -> (u32, bool) {
+    /// Follows an edge from one end to the other.
+    fn follow<S: Measure>(&mut self, soup: &Soup<'_, S>, sides: &Sides, edge: [u32; 2]) -> Walk {
+        let [a, b] = edge;
         let forward = soup.predicates.order(a, b);
         let is_past = |v| soup.predicates.order(b, v) == forward;
         let first_new = self.steps.len();
+        let mut walk = Walk::default();
         let mut known = None;
         let mut at = a;
         while at != b && known.is_none() {
-            let Some(place) = self.straight_on(soup, at, b) else {
-                break;
+            let own = index(self.steps.len());
+            let chain = match self.straight_on(soup, at, b) {
+                Ok(place) => {
+                    if is_past(self.neighbors[place]) {
+                        break;
+                    }
+                    if self.step[place] != NEW {
+                        known = Some(self.step[place]);
+                        continue;
+                    }
+                    self.step[place] = own;
+                    vec![at, self.neighbors[place]]
+                }
+                Err(around) => {
+                    let place = match self.place_beside(soup, [at, b], around[1]) {
+                        Ok(step) if is_past(self.steps[step as usize].end) => break,
+                        Ok(step) => {
+                            known = Some(step);
+                            continue;
+                        }
+                        Err(place) => place,
+                    };
+                    let on_boundary =
+                        || self.on_boundary(soup, edge, at).map(|chain| (chain, None));
+                    let inside = || {
+                        let bend = bent::beside(soup, sides, edge, at, around)?;
+                        Some((bend.vertices, Some(bend.farthest)))
+                    };
+                    let found = on_boundary().or_else(inside);
+                    let found = found.filter(|(chain, _)| !is_past(chain[chain.len() - 1]));
+                    let Some((chain, farthest)) = found else {
+                        break;
+                    };
+                    let steps = self.beside.entry([at, around[1]]).or_default();
+                    steps.insert(place, own);
+                    let most = walk.farthest.map_or(0.0, |(_, most)| most);
+                    let is_farther = |&(_, distance): &(u32, f64)| distance > most;
+                    walk.farthest = farthest.filter(is_farther).or(walk.farthest);
+                    chain
+                }
             };
-            let end = self.neighbors[place];
-            if is_past(end) {
-                break;
-            }
-            if self.step[place] == NEW {
-                self.step[place] = index(self.steps.len());
-                self.steps.push(Step {
-                    end,
-                    next: 0,
-                    jump: 0,
-                    depth: 0,
-                    added: u32::from(soup.predicates.is_added(end)),
-                });
-                walk(at, end);
-                at = end;
-            } else {
-                known = Some(self.step[place]);
-            }
+            at = chain[chain.len() - 1];
+            let added = chain[1..].iter().filter(|&&v| soup.predicates.is_added(v));
+            self.steps.push(Step {
+                end: at,
+                next: 0,
+                jump: 0,
+                depth: 0,
+                added: index(added.count()),
+            });
+            let passed = chain.windows(2).map(|side| [side[0], side[1]]);
+            walk.sides.extend(passed.map(|side| (side, side[1] != at)));
         }
         let first = if first_new < self.steps.len() {
             Some(index(first_new))
@@ -166,15 +250,60 @@ impl EdgeChains {
             known
         };
         self.link(first_new, known);
-        let Some(first) = first else {
-            return (a, false);
-        };
-        let [first, last] = [first, self.last(first, is_past)].map(|at| self.steps[at as usize]);
-        (last.end, first.added > last.added)
+        walk.reached = a;
+        if let Some(first) = first {
+            let last = self.last(first, is_past);
+            let [of_first, of_last] = [first, last].map(|at| self.steps[at as usize]);
+            walk.reached = of_last.end;
+            let after = self.steps[of_last.next as usize];
+            let rest = if of_last.next == last { 0 } else { after.added };
+            walk.passes_added = of_first.added > rest;
+        }
+        walk
     }
 
-    /// The position of the side that leaves a vertex in the direction of another.
-    fn straight_on<S: Scalar>(&mut self, soup: &Soup<'_, S>, at: u32, to: u32) -> Option<usize> {
+    /// The step beside the line from a vertex to another, or where it would be: `left` is the neighbour left of the line.
+    fn place_beside<S: Scalar>(
+        &self,
+        soup: &Soup<'_, S>,
+        [at, to]: [u32; 2],
+        left: u32,
+    ) -> Result<u32, usize> {
+        let steps = self.beside.get(&[at, left]).map_or(&[][..], Vec::as_slice);
+        let turn = |step: u32| {
+            let end = self.steps[step as usize].end;
+            soup.predicates
+                .orient2d([at, end, to], &mut Tally::default())
+        };
+        let place = steps.partition_point(|&step| turn(step).is_lt());
+        let step = steps.get(place).filter(|&&step| turn(step).is_eq());
+        step.copied().ok_or(place)
+    }
+
+    /// The run of the boundary from a vertex along an edge.
+    fn on_boundary<S: Scalar>(
+        &self,
+        soup: &Soup<'_, S>,
+        [a, b]: [u32; 2],
+        at: u32,
+    ) -> Option<Vec<u32>> {
+        let runs = self.runs.get(&at)?.iter();
+        let mut chains = runs.flat_map(|run| run.both_ways(at));
+        let leads_on = |end| {
+            let turn = soup.predicates.orient2d([a, b, end], &mut Tally::default());
+            turn.is_eq() && soup.predicates.order(at, end) == soup.predicates.order(a, b)
+        };
+        chains.find(|chain| leads_on(chain[chain.len() - 1]))
+    }
+
+    /// The position of the side that leaves a vertex in the direction of another. If there is none, the neighbours right
+    /// and left of that direction.
+    fn straight_on<S: Scalar>(
+        &mut self,
+        soup: &Soup<'_, S>,
+        at: u32,
+        to: u32,
+    ) -> Result<usize, [u32; 2]> {
         let predicates = &soup.predicates;
         let around = range(&self.starts, at);
         let neighbors = &mut self.neighbors[around.clone()];
@@ -195,7 +324,12 @@ impl EdgeChains {
         let is_straight = neighbors
             .get(place)
             .is_some_and(|&v| compare(v, to).is_eq());
-        is_straight.then_some(around.start + place)
+        if is_straight {
+            return Ok(around.start + place);
+        }
+        let before = (place + neighbors.len().saturating_sub(1)).checked_rem(neighbors.len());
+        let beside = [before, place.checked_rem(neighbors.len())];
+        Err(beside.map(|place| place.map_or(at, |place| neighbors[place])))
     }
 
     /// Links the steps from `first` on, each to the one after it, and the last to `after`.

@@ -28,7 +28,8 @@
 //!
 //! *Points may be added* to those of the input, if the caller allows it. The corners at which the hull of all points
 //! turns must be the input's (4), so it is the hull of the input's points. Sides of a declared domain may have added
-//! points on them. All other checks take added points like others.
+//! points on them. All other checks take added points like others. Added points beside edges and sides, as rounding
+//! leaves them, are violations with a depth; `bent.rs` has the proof that the triangles are right but for it.
 //!
 //! *The triangles meet side to side.* Suppose a vertex v lies inside a side of a triangle. The triangles at that side
 //! already cover all of the polygon near v, so those with the corner v cover a part of it twice. (Points that are equal
@@ -52,8 +53,8 @@
 //! the violations of those above. All checks are made, and the report names the highest level reached. But a triangle
 //! that fails check 1 or 2 is left out of the later checks: a wrong side of it shows only when it turns left.
 //!
-//! *How wrong.* A side that is not Delaunay and a turn that is not convex have a [`Depth`], exact in its sign and right
-//! in size, which tells rounding from a wrong triangulation. It measures what is wrong, and proves nothing right.
+//! *How wrong.* A side that is not Delaunay, a turn that is not convex and an edge with added points beside it have a
+//! [`Depth`], exact in its sign and right in size, which tells rounding from a wrong triangulation. It measures what is wrong, and proves nothing right.
 //!
 //! Cost: O(n log n) on every input, since sides, straight chains and points in a declared domain are found by sorting
 //! and searching; usually linear but for one sort of the points. 64 bytes a triangle.
@@ -88,6 +89,7 @@
 //! nearly equal to others. Each is a [`Violation::UnusedPoint`], which has no depth: without these points, and with the
 //! corners numbered anew, the level of the rest shows.
 
+mod bent;
 mod boundary;
 mod chunks;
 mod declared;
@@ -97,6 +99,7 @@ mod edges;
 mod input;
 mod regions;
 mod report;
+mod runs;
 mod scanline;
 mod sides;
 mod soup;

@@ -5,7 +5,7 @@
 //! lies. The check is made only for a constrained triangulation: otherwise there are no faces.
 //! Cost: O(n + k) for n triangles and k seeds, 16 bytes a triangle.
 
-use super::report::{Level, Record};
+use super::report::Record;
 use super::sides::Sides;
 use super::soup::Soup;
 use super::violation::Violation;
@@ -29,7 +29,7 @@ pub(super) fn check<S: Scalar>(
     numbers: &[u32],
     record: &mut Record,
 ) {
-    if record.findings.reached() < Some(Level::Constrained) {
+    if !record.findings.is_sound() {
         return;
     }
     let (faces, count) = faces(soup, sides);

@@ -73,11 +73,12 @@ pub struct Violations {
 }
 
 impl Violations {
-    /// The greatest depth, if each violation has one: all of them are sides that are not Delaunay, or turns of a
-    /// boundary that is simple. So what is wrong may be rounding, if the depth is small.
+    /// The greatest depth, if each violation has one: all of them are sides that are not Delaunay, turns of a boundary
+    /// that is simple, or edges and boundaries with added points beside them. So what is wrong may be rounding, if the
+    /// depth is small.
     ///
     /// Then the triangles still meet side to side and cover what they cover once, every point is a corner, and every
-    /// edge is a chain of sides. They do not fill the hull where a turn is concave. By default not all of very many
+    /// edge is a chain of sides, on it or beside it. They do not fill the hull where a turn is concave. By default not all of very many
     /// depths are measured, and there is no answer; see [`Verifier::all_depths`](super::Verifier::all_depths).
     ///
     /// ```
@@ -193,6 +194,7 @@ impl Violation {
         match self {
             Violation::EdgeOutOfRange { .. }
             | Violation::MissingEdge { .. }
+            | Violation::BentEdge { .. }
             | Violation::WrongRegion { .. } => Level::Constrained,
             Violation::NotDelaunay { .. } => Level::Delaunay,
             Violation::NotCanonical { .. } => Level::Canonical,
@@ -251,6 +253,8 @@ pub(super) struct Findings {
     asked: Level,
     /// The lowest level that is not reached.
     broken: Option<Level>,
+    /// Whether all that breaks a level up to [`Level::Constrained`] has a depth.
+    is_sound: bool,
     pub(super) list: Vec<Violation>,
     pub(super) found: usize,
     /// How many of the violations found have a depth at most.
@@ -266,6 +270,7 @@ impl Findings {
             depths: Depths::default(),
             asked,
             broken: None,
+            is_sound: true,
             list: Vec::new(),
             found: 0,
         }
@@ -290,18 +295,24 @@ impl Findings {
         self.found == 0
     }
 
+    /// Whether the triangles may be a constrained triangulation but for rounding.
+    pub(super) fn is_sound(&self) -> bool {
+        self.is_sound
+    }
+
     fn asked(&self) -> Level {
         self.asked
     }
 
     /// The highest level reached.
-    pub(super) fn reached(&self) -> Option<Level> {
+    fn reached(&self) -> Option<Level> {
         self.broken.map_or(Some(Level::Canonical), Level::below)
     }
 
     pub(super) fn add(&mut self, violation: Violation) {
         let level = violation.level();
         self.breaks(Some(level));
+        self.is_sound &= level > Level::Constrained || violation.depth().is_some();
         if level > self.asked {
             return;
         }
@@ -316,6 +327,7 @@ impl Findings {
 
     pub(super) fn append(&mut self, later: Findings) {
         self.breaks(later.broken);
+        self.is_sound &= later.is_sound;
         self.found += later.found;
         self.depths.append(later.depths);
         let room = self.limit - self.list.len();

@@ -99,6 +99,19 @@ impl Sides {
         is_new
     }
 
+    /// The corner opposite to the side from one vertex to another in the triangle on its left, if there is one.
+    pub(super) fn apex<S: Scalar>(&self, soup: &Soup<'_, S>, from: u32, to: u32) -> Option<u32> {
+        let (low, high) = (from.min(to), from.max(to));
+        let bucket = &self.entries[range(&self.starts, low)];
+        let first = bucket.partition_point(|&entry| other_end(entry) < high);
+        let downward = if to < from { DOWNWARD } else { 0 };
+        let mut same = bucket[first..]
+            .iter()
+            .take_while(|&&entry| other_end(entry) == high);
+        let side = side(*same.find(|&&entry| entry & DOWNWARD == downward)?) as usize;
+        Some(soup.triangles[side / 3][(side + 2 - side / 3 * 3) % 3])
+    }
+
     /// For each vertex where its neighbours begin, and the neighbours of all vertices in one array.
     pub(super) fn neighbors(&self) -> (Vec<u32>, Vec<u32>) {
         let count = u32::try_from(self.starts.len() - 1).expect("ranks fit");

@@ -9,28 +9,11 @@ use super::soup::{REJECTED, Soup, Tally};
 use super::violation::Violation;
 use crate::scalar::Scalar;
 
-/// Reverses all triangles if the first one that is not flat turns right, and at least half of them do.
-pub(super) fn reverse_if_clockwise<S: Scalar>(soup: &mut Soup<'_, S>, record: &mut Record) {
-    let mut turns = soup
-        .accepted()
-        .map(|(_, corners)| soup.predicates.orient2d(corners, &mut record.tally))
-        .filter(|turn| turn.is_ne());
-    let first_turn = turns.next();
-    if first_turn == Some(Ordering::Less) {
-        let others = turns.fold(0_isize, |sum, turn| sum + turn as isize);
-        if others > 1 {
-            return;
-        }
-        record.report.clockwise = true;
-        for triangle in &mut soup.triangles {
-            triangle.swap(1, 2);
-        }
-    }
-}
-
-/// Rejects the triangles that do not turn left.
+/// Rejects the triangles that do not turn left. If `clockwise` ones are accepted and more turn right than left, all are
+/// reversed; of as many, if the first one that is not flat turns right.
 pub(super) fn check<S: Scalar, C: Schedule<S>>(
     soup: &mut Soup<'_, S>,
+    clockwise: bool,
     progress: &Progress<'_>,
     record: &mut Record,
 ) {
@@ -51,14 +34,45 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
         (tally, wrong)
     });
     // The findings of the chunks, in order.
-    for (tally, wrong) in parts {
+    let mut wrong = Vec::new();
+    for (tally, found) in parts {
         record.tally += tally;
-        for (triangle, turn) in wrong {
-            soup.triangles[triangle] = REJECTED;
-            record.findings.add(match turn {
-                Ordering::Equal => Violation::FlatTriangle { triangle },
-                _ => Violation::ReversedTriangle { triangle },
-            });
+        wrong.extend(found);
+    }
+    if let Some(reversed) = clockwise.then(|| reversed(soup, &wrong)).flatten() {
+        wrong = reversed;
+        record.report.clockwise = true;
+        for triangle in &mut soup.triangles {
+            triangle.swap(1, 2);
         }
     }
+    for (triangle, turn) in wrong {
+        soup.triangles[triangle] = REJECTED;
+        record.findings.add(match turn {
+            Ordering::Equal => Violation::FlatTriangle { triangle },
+            _ => Violation::ReversedTriangle { triangle },
+        });
+    }
+}
+
+/// The triangles that do not turn left once all are reversed, if they are to be. These ones do not turn left now.
+fn reversed<S: Scalar>(
+    soup: &Soup<'_, S>,
+    wrong: &[(usize, Ordering)],
+) -> Option<Vec<(usize, Ordering)>> {
+    let right = || wrong.iter().filter(|(_, turn)| turn.is_lt());
+    let count = right().count();
+    let left = soup.accepted().count() - wrong.len();
+    if count < left.max(1) {
+        return None;
+    }
+    let is_left = |t: &usize| wrong.binary_search_by_key(t, |&(t, _)| t).is_err();
+    let left_ones = soup.accepted().map(|(t, _)| t as usize).filter(is_left);
+    let mut all: Vec<_> = left_ones.map(|t| (t, Ordering::Less)).collect();
+    if count == left && right().next() > all.first() {
+        return None;
+    }
+    all.extend(wrong.iter().filter(|(_, turn)| turn.is_eq()));
+    all.sort_unstable();
+    Some(all)
 }

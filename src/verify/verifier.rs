@@ -10,6 +10,7 @@ use super::depth::MEASURED;
 use super::input::{self, Ranked};
 use super::regions::{self, Regions};
 use super::report::{Level, Record, Report, Violations};
+use super::runs::Run;
 use super::{boundary, delaunay, edges, sides, turns};
 use crate::scalar::Measure;
 
@@ -72,8 +73,8 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Whether the triangles may be clockwise, all of them. Triangles of both directions are always wrong: if the first
-    /// one is counter-clockwise, those that are not; otherwise those of the direction that fewer have.
+    /// Whether the triangles may be clockwise, all of them. Of triangles of both directions those are wrong of which there
+    /// are fewer; of as many those that run unlike the first one.
     #[must_use]
     pub fn accept_clockwise(self, clockwise: bool) -> Self {
         Verifier { clockwise, ..self }
@@ -98,8 +99,8 @@ impl<'a> Verifier<'a> {
     /// this index on. Added points that equal a point of the input stand for it.
     ///
     /// Added points need not be corners. Corners must lie in the hull of the points before this index, or in the
-    /// declared domain. Points exactly on edges and declared sides may split them, and triangles must be Delaunay with
-    /// added points in view too. [`Report`] has the number of added points, and of edges that they split.
+    /// declared domain. Points on edges and declared sides may split them; points beside them, as rounding leaves them,
+    /// are violations with a [depth](super::Depth). Triangles must be Delaunay with added points in view too. [`Report`] has the number of added points, and of edges that they split.
     ///
     /// ```
     /// use sweep_cdt::verify::Verifier;
@@ -226,19 +227,18 @@ impl<'a> Verifier<'a> {
             used,
             numbers,
         } = ranked;
-        if self.clockwise {
-            turns::reverse_if_clockwise(&mut soup, &mut record);
-        }
-        turns::check::<S, C>(&mut soup, &progress, &mut record);
+        turns::check::<S, C>(&mut soup, self.clockwise, &progress, &mut record);
         let mut sides = sides::check(&soup, &mut record);
         if let Some(domain) = &mut domain {
             domain.orient(&soup, &sides.boundary);
         }
         let domain = domain.as_ref();
-        boundary::check(&soup, &sides, domain, &mut record);
-        boundary::check_points(&soup, used, domain, &mut record);
+        let runs = boundary::check(&soup, &sides, domain, &mut record);
+        let is_bent = runs.iter().any(Run::is_bent);
+        let bent_sides = is_bent.then_some(&*sides.boundary);
+        boundary::check_points(&soup, used, domain, bent_sides, &mut record);
         boundary::check_count(used, domain, &mut record);
-        edges::check(&soup, &mut sides, &edges, &mut record);
+        edges::check(&soup, &mut sides, &edges, &runs, &mut record);
         delaunay::check::<S, C>(&soup, &sides, &progress, &mut record);
         if let Some(regions) = self.regions {
             regions::check(&soup, &sides, regions, &numbers, &mut record);

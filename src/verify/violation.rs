@@ -128,6 +128,24 @@ pub enum Violation {
         /// The vertex on it from which no side leads on along it.
         after: usize,
     },
+    /// An input edge is a chain of sides with added points beside it.
+    BentEdge {
+        /// The edge.
+        edge: usize,
+        /// The vertex of the chain that is farthest from the edge.
+        vertex: usize,
+        /// Its distance from the edge, in units of the length of the edge.
+        depth: Option<Depth>,
+    },
+    /// The boundary passes added points beside a side of the hull, or of a chain that the caller gave.
+    BentBoundary {
+        /// The ends of the side.
+        side: [usize; 2],
+        /// The vertex on the boundary that is farthest from the side; without a depth one that the boundary goes round.
+        vertex: usize,
+        /// Its distance from the side, in units of the length of the side.
+        depth: Option<Depth>,
+    },
     /// A triangle has not the attribute of the region that it lies in, or has one and lies in none.
     WrongRegion {
         /// The triangle.
@@ -228,6 +246,15 @@ impl fmt::Display for Violation {
                 f,
                 "edge {edge} is no chain of sides: none follows it from vertex {after}"
             ),
+            Violation::BentEdge { edge, vertex, .. } => write!(
+                f,
+                "edge {edge} is a chain of sides that is not straight: vertex {vertex} is beside it"
+            ),
+            Violation::BentBoundary { side, vertex, .. } => write!(
+                f,
+                "the boundary from vertex {} to {} is not straight: vertex {vertex} is beside it",
+                side[0], side[1]
+            ),
             Violation::WrongRegion { triangle } => write!(
                 f,
                 "triangle {triangle} has another attribute than the region that it lies in"
@@ -275,6 +302,8 @@ impl Violation {
             Violation::AddedOutside { .. } => "added-outside",
             Violation::WrongCount { .. } => "wrong-count",
             Violation::MissingEdge { .. } => "missing-edge",
+            Violation::BentEdge { .. } => "bent-edge",
+            Violation::BentBoundary { .. } => "bent-boundary",
             Violation::WrongRegion { .. } => "wrong-region",
             Violation::NotDelaunay { .. } => "not-delaunay",
             Violation::NotCanonical { .. } => "not-canonical",
@@ -294,9 +323,10 @@ impl Violation {
     /// ```
     pub fn depth(&self) -> Option<Depth> {
         match *self {
-            Violation::ConcaveBoundary { depth, .. } | Violation::NotDelaunay { depth, .. } => {
-                depth
-            }
+            Violation::ConcaveBoundary { depth, .. }
+            | Violation::BentEdge { depth, .. }
+            | Violation::BentBoundary { depth, .. }
+            | Violation::NotDelaunay { depth, .. } => depth,
             _ => None,
         }
     }
@@ -389,6 +419,7 @@ impl Violation {
             | V::ReversedTriangle { triangle }
             | V::WrongRegion { triangle } => (&mut [], &mut [], from_mut(triangle)),
             V::EdgeOutOfRange { edge, vertex }
+            | V::BentEdge { edge, vertex, .. }
             | V::MissingEdge {
                 edge,
                 after: vertex,
@@ -402,6 +433,10 @@ impl Violation {
             V::ExtraBoundary { side, .. }
             | V::MissingBoundary { side }
             | V::TangledBoundary { side } => (side, &mut [], &mut []),
+            V::BentBoundary { side, vertex, .. } => {
+                side.iter_mut().for_each(|v| visit(Kind::Vertex, v));
+                (from_mut(vertex), &mut [], &mut [])
+            }
             V::UndeclaredBoundary { side, triangle } => (side, &mut [], from_mut(triangle)),
             V::RepeatedSide { side, triangles } => (side, &mut [], triangles),
             V::NotDelaunay {

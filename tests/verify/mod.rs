@@ -2,6 +2,7 @@
 //!
 //! Here: triangulations to verify and to break.
 
+mod bent;
 mod broken;
 mod chunks;
 mod depths;

@@ -163,7 +163,9 @@ fn inside<S: Measure + Sync + Clone>(
         Ok(report) => report,
         Err(violations) => {
             for violation in &mut violations.list {
-                if let Violation::MissingEdge { edge, .. } = violation {
+                if let Violation::MissingEdge { edge, .. } | Violation::BentEdge { edge, .. } =
+                    violation
+                {
                     *edge = numbers[*edge];
                 }
             }

@@ -52,6 +52,18 @@ def test_triangle():
     assert not sweep_cdt.verify(given, triangle.triangulate(given, "pc"), domain="holes")
     assert sweep_cdt.verify(given, triangle.triangulate(given, "pqa0.5"), steiner=True)
     assert sweep_cdt.verify(triangle.triangulate({"vertices": POINTS}))
+    # Vertices that were added on edges are rounded.
+    for name in ("A", "la", "face"):
+        sample = triangle.get_data(name)
+        mesh = triangle.triangulate(sample, "pq")
+        report = sweep_cdt.verify(sample, mesh, steiner=True, max_depth=1e-12)
+        assert report and (report.deepest or 0) < 1e-14, (name, str(report))
+        if report.found:
+            again = sweep_cdt.verify(sample, mesh, steiner=True)
+            assert not again and "max_depth=1e-12 accepts" in again.advice
+    # The hole takes all triangles.
+    box = triangle.get_data("box")
+    assert sweep_cdt.verify(box, triangle.triangulate(box, "p"))
     ours = sweep_cdt.triangulate(given)
     assert ours.rule == "holes" and sweep_cdt.verify(given, ours)
     back = ours.to_triangle()

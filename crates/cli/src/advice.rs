@@ -41,8 +41,8 @@ enum How {
     Right,
     /// So many violations, the deepest of this depth.
     Shallow(usize, Depth),
-    /// A lower level, and the first edge that is missing.
-    Lower(Level, Option<usize>),
+    /// A lower level, and the first edge that is not there, with what it is.
+    Lower(Level, Option<(usize, &'static str)>),
 }
 
 /// Depths up to this one come from rounding doubles.
@@ -154,9 +154,9 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
                 let but = match (level, missing) {
                     (Level::Delaunay, _) => "not the canonical one".to_owned(),
                     (Level::Constrained, _) => "not Delaunay".to_owned(),
-                    (_, Some(edge)) => {
+                    (_, Some((edge, is))) => {
                         let number = edge + self.given.file.numbering.edge;
-                        format!("without all edges of the input (edge {number} is missing)")
+                        format!("without all edges of the input (edge {number} is {is})")
                     }
                     (_, None) => "with wrong attributes of regions".to_owned(),
                 };
@@ -206,17 +206,7 @@ impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
             _ => None,
         };
         let all = self.all_of(violations, |first| is_reversed(first).is_some())?;
-        let mut fewer: Vec<usize> = all.iter().filter_map(is_reversed).collect();
-        let total = self.triangles.list.len();
-        if fewer.len() > total / 2 {
-            let mut is_reversed = vec![false; total];
-            fewer
-                .iter()
-                .for_each(|&triangle| is_reversed[triangle] = true);
-            fewer = (0..total)
-                .filter(|&triangle| !is_reversed[triangle])
-                .collect();
-        }
+        let fewer: Vec<usize> = all.iter().filter_map(is_reversed).collect();
         let mut changed = self.triangles.clone();
         for &triangle in &fewer {
             changed.list[triangle].swap(1, 2);
@@ -303,7 +293,8 @@ fn how(violations: &Violations) -> Option<How> {
         return Some(How::Shallow(violations.found, depth));
     }
     let missing = match violations.list.first() {
-        Some(&Violation::MissingEdge { edge, .. }) => Some(edge),
+        Some(&Violation::MissingEdge { edge, .. }) => Some((edge, "missing")),
+        Some(&Violation::BentEdge { edge, .. }) => Some((edge, "not straight")),
         _ => None,
     };
     let level = violations.report.level?;

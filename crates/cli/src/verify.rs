@@ -91,7 +91,8 @@ pub(crate) struct Verify {
     /// Allow for vertices that the input lacks (Steiner points)
     ///
     /// They must lie in the hull of the input's points, or in the interior asked for. Edges may be split by
-    /// them, at points exactly on them. All other vertices must be the input's, exactly.
+    /// them. Where they lie beside the edge, because they were rounded, this is a violation with a depth: see
+    /// --max-depth. All other vertices must be the input's.
     #[arg(long, conflicts_with_all = ["by_number", "tolerance"])]
     steiner: bool,
 
@@ -99,7 +100,8 @@ pub(crate) struct Verify {
     ///
     /// The depth of a side that is not Delaunay is how far the opposite vertex lies in the circle: its power in
     /// units of the square of the radius. That of a concave turn of the hull is the height of its vertex over the
-    /// line between the two beside it, in units of their distance. Rounding makes depths of about 1e-16. A
+    /// line between the two beside it, in units of their distance. That of an edge, or a side of the boundary, that added
+    /// vertices split is the distance of the farthest one from it, in units of its length. Rounding makes depths of about 1e-16. A
     /// result with none beyond this is not correct, but gets a verdict and an exit status of its own.
     #[arg(long, value_name = "DEPTH", value_parser = difference)]
     max_depth: Option<f64>,
@@ -186,6 +188,7 @@ Violations:
   unused-point, no-triangles, wrong-count     points that are not corners
   added-outside                               a vertex that --steiner allows, outside of the hull
   missing-edge                                an input edge that is not a chain of sides
+  bent-edge, bent-boundary                    vertices that --steiner allows, beside the edge that they split
   wrong-region                                an attribute that is not that of the region, with --domain holes
   not-delaunay                                a side that should be flipped
   not-canonical                               ties that end at another vertex, with --level canonical
@@ -197,7 +200,8 @@ Exit status:
 Examples:
   triangle -pcz terrain.poly && sweep-cdt verify terrain.poly terrain.1.ele
   sweep-cdt verify polygon.json earcut.json --domain even-odd --level constrained
-  triangle -pqz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes --steiner
+  triangle -pqz part.poly
+  sweep-cdt verify part.poly part.1.ele --domain holes --steiner --max-depth 1e-12
   triangle -pz part.poly && sweep-cdt verify part.poly part.1.ele --domain holes
   sweep-cdt verify terrain.poly terrain.obj --svg wrong.svg --record terrain.verified.json
   sweep-cdt verify --stream points.f64 triangles.u32 --level canonical";

@@ -55,8 +55,12 @@ impl<S> CloseUp<'_, S> {
         let (mut wrong, mut absent) = (vec![], vec![]);
         let mut culprits = offenders.vertices;
         match self.violation {
-            Violation::MissingEdge { edge, .. } => absent.push(self.file.graph.edges[edge]),
-            Violation::MissingBoundary { side } => absent.push(side),
+            Violation::MissingEdge { edge, .. } | Violation::BentEdge { edge, .. } => {
+                absent.push(self.file.graph.edges[edge])
+            }
+            Violation::MissingBoundary { side } | Violation::BentBoundary { side, .. } => {
+                absent.push(side)
+            }
             Violation::RepeatedSide { side, .. }
             | Violation::ExtraBoundary { side, .. }
             | Violation::UndeclaredBoundary { side, .. } => wrong.push(side),

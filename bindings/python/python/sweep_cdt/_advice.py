@@ -71,9 +71,10 @@ class _Fit:
             return "not the canonical one"
         if self.answer["reached"] == "constrained":
             return "not Delaunay"
-        edges = self.answer["violations"][0][4]
+        name, edges = self.answer["violations"][0][0], self.answer["violations"][0][4]
         if edges:
-            return f"without all edges of the input (edge {edges[0]} is missing)"
+            what = "not straight" if name == "bent-edge" else "missing"
+            return f"without all edges of the input (edge {edges[0]} is {what})"
         return "with wrong attributes of regions"
 
 
@@ -149,12 +150,7 @@ def _turned_over(asked: Question) -> str | None:
     all_of = _all_of(asked, "reversed-triangle")
     if not all_of:
         return None
-    total = len(asked.triangles)
-    fewer = np.array(sorted(triangles[0] for *_, triangles in all_of))
-    if len(fewer) > total // 2:
-        fewer = np.setdiff1d(np.arange(total), fewer)
-    if not len(fewer):
-        return None
+    fewer = [triangles[0] for *_, triangles in all_of]
     changed = asked.triangles.copy()
     changed[fewer] = changed[fewer][:, [0, 2, 1]]
     if len(fewer) == 1:

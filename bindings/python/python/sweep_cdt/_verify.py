@@ -106,7 +106,8 @@ def verify(
     by_number : bool, optional
         Whether vertices are matched by number, whatever their coordinates.
     steiner : bool, optional
-        Whether the result may have vertices that the input lacks.
+        Whether the result may have vertices that the input lacks. Those on edges are rounded by most programs, so that
+        they lie beside them: `max_depth` says how far they may.
     limit : int, optional
         How many violations are listed; all are counted.
     threads : int, optional
@@ -145,6 +146,9 @@ def verify(
         given, matched = _own(result, edges, polygons, holes)
     else:
         given = as_input(result_or_points, edges, polygons, holes)
+        if isinstance(simplices, dict) and "vertices" in simplices:
+            # `triangle` leaves out the triangles where there are none: a hole takes all.
+            simplices = {"triangles": [], **simplices}
         result = as_result(simplices)
         if result is None:
             result = Result(as_indices(simplices, 3, "simplices"))

@@ -38,7 +38,7 @@ pub(crate) const GLOSSARY: &[(&str, &str)] = &[
     ),
     (
         "split edges",
-        "edges of the input with an added point on them",
+        "edges of the input with an added point on them, or beside them by rounding",
     ),
     (
         "highest level",

@@ -371,7 +371,9 @@ impl Wanted {
             Ok(report) => report,
             Err(violations) => {
                 for violation in &mut violations.list {
-                    if let Violation::MissingEdge { edge, .. } = violation {
+                    if let Violation::MissingEdge { edge, .. } | Violation::BentEdge { edge, .. } =
+                        violation
+                    {
                         *edge = self.numbers[*edge];
                     }
                 }

@@ -214,6 +214,8 @@ pub(crate) fn write_violations<S: Coordinate>(
         if let Some(depth) = violation.depth() {
             let unit = match violation {
                 Violation::NotDelaunay { .. } => "of the squared radius",
+                Violation::BentEdge { .. } => "of the length of the edge",
+                Violation::BentBoundary { .. } => "of the distance of the two ends",
                 _ => "of the distance of the vertices beside it",
             };
             writeln!(out, "  by {depth} {unit}")?;

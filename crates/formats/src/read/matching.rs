@@ -286,7 +286,8 @@ fn distinct<S: Scalar>(points: &[[S; 2]]) -> Vec<usize> {
     sorted
 }
 
-/// The vertices of a file that are none of `own`, the input's.
+/// The vertices of a file that are none of `own`, the input's. One is the input's too if it is that of the only vertex
+/// that the file lacks otherwise, and that is rounded to it.
 pub(super) fn added<S: Coordinate>(
     vertices: &Vertices<'_>,
     points: Vec<[S; 2]>,
@@ -294,11 +295,19 @@ pub(super) fn added<S: Coordinate>(
 ) -> Result<Vec<[S; 2]>, ResultError> {
     refuse_non_finite(vertices, &points)?;
     let found = find(&points, own);
-    let pairs = points.into_iter().zip(found);
-    Ok(pairs
-        .filter(|(_, found)| found.is_none())
-        .map(|(point, _)| point)
-        .collect())
+    let mut is_there = vec![false; own.len()];
+    found.iter().flatten().for_each(|&v| is_there[v] = true);
+    let mut missing = distinct(own);
+    missing.retain(|&v| !is_there[v]);
+    let nearby = Nearby::new(approximations(own), missing);
+    let rounded = Rounded::new(None, vertices, &points, own, &found);
+    let is_rounded = |at: usize| {
+        let mut rules = rounded.rules.iter();
+        rules.any(|&rule| matches!(rounded.candidates(&nearby, rule, at), [Some(_), None]))
+    };
+    let is_added = |&at: &usize| found[at].is_none() && !is_rounded(at);
+    let added = (0..points.len()).filter(is_added);
+    Ok(added.map(|at| points[at].clone()).collect())
 }
 
 fn refuse_non_finite<S: Scalar>(

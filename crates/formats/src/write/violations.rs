@@ -93,6 +93,7 @@ fn shape<S: Coordinate>(file: &GraphFile<S>, triangles: &Triangles, violation: V
     let lines: Vec<_> = match &violation {
         Violation::ExtraBoundary { side, .. }
         | Violation::MissingBoundary { side }
+        | Violation::BentBoundary { side, .. }
         | Violation::TangledBoundary { side } => known(side).into_iter().collect(),
         Violation::ConcaveBoundary { vertices, .. } => known(vertices).into_iter().collect(),
         _ => {

@@ -183,7 +183,9 @@ impl Right {
         };
         verdict.map(|_| ()).map_err(|violations| {
             let mut first = violations.list[0];
-            if let Violation::MissingEdge { edge, .. } = &mut first {
+            if let Violation::MissingEdge { edge, .. } | Violation::BentEdge { edge, .. } =
+                &mut first
+            {
                 *edge = numbers[*edge];
             }
             Fault::of(&first, points)

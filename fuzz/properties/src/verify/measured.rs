@@ -61,10 +61,31 @@ fn judge_with<N: Number>(case: &Case, own: usize, edges: &[[usize; 2]], exact: &
         is_right,
         "{verdict:?} from {own} of {case:?}"
     );
+    if let Err(violations) = &verdict {
+        for violation in &violations.list {
+            judge_bend(case, edges, violation);
+        }
+    }
     if let Ok(report) = verdict {
         let split = wanted.split_edges(&triangles);
         assert_eq!(report.split_edges, split, "{case:?}");
     }
+}
+
+/// Panics unless an added vertex beside an edge or the boundary is as far from it as it says.
+fn judge_bend(case: &Case, edges: &[[usize; 2]], violation: &Violation) {
+    let ([a, b], vertex) = match *violation {
+        Violation::BentEdge { edge, vertex, .. } => (edges[edge], vertex),
+        Violation::BentBoundary { side, vertex, .. } => (side, vertex),
+        _ => return,
+    };
+    let Some(depth) = violation.depth() else {
+        return;
+    };
+    let exact = fractions(&[a, vertex, b].map(|v| case.points[v]));
+    let expected = height([&exact[0], &exact[1], &exact[2]]);
+    let is_right = is_near(depth.get(), &expected) || is_near(depth.get(), &-expected);
+    assert!(is_right, "{violation:?} of {case:?}");
 }
 
 /// Panics unless the levels are those of the definition. Edges need not be Delaunay: so with all sides for edges, a
