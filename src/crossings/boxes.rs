@@ -163,7 +163,7 @@ mod tests {
             // Zeros of both signs among few numbers.
             let coordinate = |i: usize, by: usize| {
                 f64::from(u8::try_from(i * by % 61).expect("61"))
-                    * if i % 2 == 0 { -1.0 } else { 1.0 }
+                    * if i.is_multiple_of(2) { -1.0 } else { 1.0 }
             };
             let end = |i| [coordinate(i, 17), coordinate(i, 23)];
             let box_of = |e: usize| Bounds::around([end(2 * e), end(2 * e + 1)]);

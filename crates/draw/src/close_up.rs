@@ -56,10 +56,10 @@ impl<S> CloseUp<'_, S> {
         let mut culprits = offenders.vertices;
         match self.violation {
             Violation::MissingEdge { edge, .. } | Violation::BentEdge { edge, .. } => {
-                absent.push(self.file.graph.edges[edge])
+                absent.push(self.file.graph.edges[edge]);
             }
             Violation::MissingBoundary { side } | Violation::BentBoundary { side, .. } => {
-                absent.push(side)
+                absent.push(side);
             }
             Violation::RepeatedSide { side, .. }
             | Violation::ExtraBoundary { side, .. }

@@ -236,7 +236,9 @@ fn what_a_program_ignores_is_found() {
 }
 
 /// What an adapter forgets of polygons.
-const FORGETS: [(&str, fn(&mut Question)); 8] = [
+type Forgets = (&'static str, fn(&mut Question));
+
+const FORGETS: [Forgets; 8] = [
     ("the second hole", |q| forget(q, |_, at| at == 2)),
     ("the third hole", |q| forget(q, |_, at| at == 3)),
     ("the fifth hole", |q| forget(q, |_, at| at == 5)),

@@ -290,17 +290,17 @@ fn distinct<S: Scalar>(points: &[[S; 2]]) -> Vec<usize> {
 /// that the file lacks otherwise, and that is rounded to it.
 pub(super) fn added<S: Coordinate>(
     vertices: &Vertices<'_>,
-    points: Vec<[S; 2]>,
+    points: &[[S; 2]],
     own: &[[S; 2]],
 ) -> Result<Vec<[S; 2]>, ResultError> {
-    refuse_non_finite(vertices, &points)?;
-    let found = find(&points, own);
+    refuse_non_finite(vertices, points)?;
+    let found = find(points, own);
     let mut is_there = vec![false; own.len()];
     found.iter().flatten().for_each(|&v| is_there[v] = true);
     let mut missing = distinct(own);
     missing.retain(|&v| !is_there[v]);
     let nearby = Nearby::new(approximations(own), missing);
-    let rounded = Rounded::new(None, vertices, &points, own, &found);
+    let rounded = Rounded::new(None, vertices, points, own, &found);
     let is_rounded = |at: usize| {
         let mut rules = rounded.rules.iter();
         rules.any(|&rule| matches!(rounded.candidates(&nearby, rule, at), [Some(_), None]))

@@ -229,7 +229,7 @@ pub fn added_points<S: Coordinate>(
     input: &GraphFile<S>,
 ) -> Result<Vec<[S; 2]>, ResultError> {
     format.read(source, node, |corners| match corners.vertices {
-        Some(vertices) => matching::added(&vertices, points_of(&vertices)?, &input.graph.points),
+        Some(vertices) => matching::added(&vertices, &points_of(&vertices)?, &input.graph.points),
         None => Ok(Vec::new()),
     })
 }
