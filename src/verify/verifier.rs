@@ -227,7 +227,7 @@ impl<'a> Verifier<'a> {
             used,
             numbers,
         } = ranked;
-        turns::check::<S, C>(&mut soup, self.clockwise, &progress, &mut record);
+        turns::check::<S, C>(&mut soup, &numbers, self.clockwise, &progress, &mut record);
         let mut sides = sides::check(&soup, &mut record);
         if let Some(domain) = &mut domain {
             domain.orient(&soup, &sides.boundary);

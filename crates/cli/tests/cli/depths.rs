@@ -71,7 +71,8 @@ fn vertices_may_be_added_where_that_is_allowed() {
     std::fs::write(folder.path().join("beyond.poly"), beyond).expect("a file");
     printed(&run(&folder, "beyond.poly --inside hull -o b.obj"));
     let report = verify(&folder, "a.poly b.obj --domain hull --steiner");
-    let outside = "\nadded-outside: vertex 9 was added outside of the hull\n  9 (4, -1)\n";
+    let outside =
+        "\nbent-boundary: the boundary from vertex 1 to 2 is not straight: vertex 9 is beside it\n";
     assert!(refuted(&report).contains(outside), "{}", refuted(&report));
 }
 

@@ -53,7 +53,7 @@ const RECORD: &str = r#"{
     "split_edges": 0
   },
   "signs": {
-    "by_filter": 13,
+    "by_filter": 12,
     "exact": 0
   },
   "violations_found": 1,
