@@ -53,7 +53,7 @@ impl DeclaredBoundary {
             if !is_declared || run.is_none() && whole.chain.len() > 2 {
                 record.findings.add(Violation::UndeclaredBoundary {
                     side: soup.names(soup.side(whole.side)),
-                    triangle: whole.side as usize / 3,
+                    triangle: soup.number(whole.side as usize / 3),
                 });
             } else if let Some(run) = run {
                 let violation = run.violation(soup, true).into_iter();
@@ -61,13 +61,16 @@ impl DeclaredBoundary {
                 runs.push(run);
             }
         }
-        for (i, &side) in declared.iter().enumerate() {
+        let is_missing = |&(i, side): &(usize, &[u32; 2])| {
             // A side is on the boundary once at most.
-            let again = i > 0 && declared[i - 1] == side;
-            if again || found.binary_search_by_key(&side, Merged::ends).is_err() {
-                let side = soup.names(side);
-                record.findings.add(Violation::MissingBoundary { side });
-            }
+            let again = i > 0 && declared[i - 1] == *side;
+            again || found.binary_search_by_key(side, Merged::ends).is_err()
+        };
+        let missing = declared.iter().enumerate().filter(is_missing);
+        let mut missing: Vec<[usize; 2]> = missing.map(|(_, &side)| soup.names(side)).collect();
+        missing.sort_unstable();
+        for side in missing {
+            record.findings.add(Violation::MissingBoundary { side });
         }
         runs
     }

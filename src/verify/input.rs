@@ -2,7 +2,7 @@
 //! The points are sorted by the first bits of y, and exactly where these are equal. So equal points are neighbours.
 //! Triangles are then taken by their lowest corner, whatever their order in the caller's list, and each distinct point
 //! gets a rank, in the order in which these triangles name points first. So what the checks visit together is together in
-//! memory. Violations get the caller's numbers back at the end.
+//! memory. Violations have the caller's numbers, and come by them.
 //! Cost: a sort of n numbers of 64 bits and one by counting of the triangles; O(n log n) where many y begin alike.
 
 use alloc::vec;
@@ -25,8 +25,6 @@ pub(super) struct Ranked<'a, S> {
     pub(super) domain: Option<DeclaredBoundary>,
     /// Vertices of this rank and above are in no triangle.
     pub(super) used: u32,
-    /// For each triangle of the soup its number in the caller's list.
-    pub(super) numbers: Vec<u32>,
 }
 
 /// Reads the caller's arrays; `None` if they are too large to be numbered.
@@ -68,11 +66,11 @@ pub(super) fn read<'a, S: Scalar>(
         soup: Soup {
             predicates: ranks.predicates,
             triangles,
+            numbers,
         },
         edges,
         domain,
         used,
-        numbers,
     })
 }
 
@@ -139,16 +137,22 @@ impl<'a, S: Scalar> Ranks<'a, S> {
         numbers: &[u32],
         record: &mut Record,
     ) -> Vec<[u32; 3]> {
-        let ranked = numbers.iter().enumerate().map(|(triangle, &number)| {
-            let corners = triangles[number as usize];
+        let mut wrong = Vec::new();
+        let ranked = numbers.iter().map(|&number| {
+            let triangle = number as usize;
+            let corners = triangles[triangle];
             if let Some(vertex) = self.out_of_range(&corners) {
-                record
-                    .findings
-                    .add(Violation::TriangleOutOfRange { triangle, vertex });
+                wrong.push((triangle, vertex));
             }
             self.of(corners).unwrap_or(REJECTED)
         });
-        ranked.collect()
+        let ranked = ranked.collect();
+        wrong.sort_unstable();
+        for (triangle, vertex) in wrong {
+            let violation = Violation::TriangleOutOfRange { triangle, vertex };
+            record.findings.add(violation);
+        }
+        ranked
     }
 
     fn read_edges(&mut self, edges: &[[usize; 2]], record: &mut Record) -> Vec<(usize, [u32; 2])> {

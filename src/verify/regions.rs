@@ -26,7 +26,6 @@ pub(super) fn check<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     regions: Regions<'_>,
-    numbers: &[u32],
     record: &mut Record,
 ) {
     if !record.findings.is_sound() {
@@ -34,8 +33,8 @@ pub(super) fn check<S: Scalar>(
     }
     let (faces, count) = faces(soup, sides);
     let mut face_of = vec![0; faces.len()];
-    for (&number, &face) in numbers.iter().zip(&faces) {
-        face_of[number as usize] = face;
+    for (t, face) in faces.into_iter().enumerate() {
+        face_of[soup.number(t)] = face;
     }
     let mut wanted = vec![0.0; count];
     for &(triangle, attribute) in regions.seeds {
@@ -43,8 +42,8 @@ pub(super) fn check<S: Scalar>(
             wanted[face] = attribute;
         }
     }
-    for (triangle, (&number, &face)) in numbers.iter().zip(&faces).enumerate() {
-        if regions.attributes.get(number as usize) != Some(&wanted[face]) {
+    for (triangle, &face) in face_of.iter().enumerate() {
+        if regions.attributes.get(triangle) != Some(&wanted[face]) {
             record.findings.add(Violation::WrongRegion { triangle });
         }
     }

@@ -330,43 +330,13 @@ impl Findings {
         self.is_sound &= later.is_sound;
         self.found += later.found;
         self.depths.append(later.depths);
-        let room = self.limit - self.list.len();
-        self.list.extend(later.list.into_iter().take(room));
+        self.list(later.list);
     }
 
-    /// Gives triangles the caller's numbers, and the violations of each check their order.
-    pub(super) fn renumber(&mut self, numbers: &[u32]) {
-        for violation in &mut self.list {
-            *violation = violation.renumbered(|v| v, |e| e, |t| numbers[t] as usize);
-            match violation {
-                Violation::RepeatedSide { triangles, .. } => triangles.sort_unstable(),
-                Violation::NotDelaunay {
-                    side,
-                    triangles,
-                    opposite,
-                    ..
-                } if triangles[0] < triangles[1] => {
-                    for pair in [side, triangles, opposite] {
-                        pair.reverse();
-                    }
-                }
-                _ => {}
-            }
-        }
-        // Of faults without triangles only sides that are missing were found by rank.
-        let is_side =
-            |violation: &Violation| matches!(violation, Violation::MissingBoundary { .. });
-        let kind = |violation: &Violation| {
-            let triangles = violation.offenders().triangles.len();
-            (triangles, is_side(violation))
-        };
-        for same in self.list.chunk_by_mut(|a, b| kind(a) == kind(b)) {
-            same.sort_by_cached_key(|violation| {
-                let offenders = violation.offenders();
-                let ends = is_side(violation).then_some(offenders.vertices);
-                (offenders.triangles, ends)
-            });
-        }
+    /// Lists violations that are counted already, as far as there is room.
+    pub(super) fn list(&mut self, counted: Vec<Violation>) {
+        let room = self.limit - self.list.len();
+        self.list.extend(counted.into_iter().take(room));
     }
 
     fn breaks(&mut self, level: Option<Level>) {

@@ -49,7 +49,7 @@ pub(super) struct Sides {
 pub(super) fn check<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) -> Sides {
     let (starts, mut entries) = buckets(soup);
     let mut twin = vec![OPEN; 3 * soup.triangles.len()];
-    let mut boundary = Vec::new();
+    let (mut boundary, mut repeated) = (Vec::new(), Vec::new());
     for ends in starts.windows(2) {
         let bucket = &mut entries[ends[0] as usize..ends[1] as usize];
         bucket.sort_unstable();
@@ -60,9 +60,14 @@ pub(super) fn check<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) -> Sides
                     twin[side(b) as usize] = side(a);
                 }
                 [a] => boundary.push(side(a)),
-                _ => report_repeated(soup, same, record),
+                _ => repeated.extend(self::repeated(soup, same)),
             }
         }
+    }
+    repeated.sort_by_key(|&(triangles, _)| triangles);
+    for (triangles, side) in repeated {
+        let violation = Violation::RepeatedSide { side, triangles };
+        record.findings.add(violation);
     }
     record.report.boundary_sides = boundary.len();
     Sides {
@@ -185,16 +190,20 @@ where
     (starts, values)
 }
 
-/// Reports the sides of equal ends that have more than one triangle on their left, or on their right.
+/// Of sides with equal ends those that have more than one triangle on their left, or on their right, with the triangles.
 #[cold]
-fn report_repeated<S: Scalar>(soup: &Soup<'_, S>, same: &[u64], record: &mut Record) {
+fn repeated<S: Scalar>(soup: &Soup<'_, S>, same: &[u64]) -> Vec<([usize; 2], [usize; 2])> {
+    let mut repeated = Vec::new();
     for direction in same.chunk_by(|a, b| (a ^ b) & DOWNWARD == 0) {
-        for &entry in &direction[1..] {
-            let [first, again] = [direction[0], entry].map(side);
-            record.findings.add(Violation::RepeatedSide {
-                side: soup.names(soup.side(first)),
-                triangles: [first as usize / 3, again as usize / 3],
-            });
+        let sides = direction.iter().map(|&entry| side(entry));
+        let mut triangles: Vec<(usize, u32)> = sides
+            .map(|side| (soup.number(side as usize / 3), side))
+            .collect();
+        triangles.sort_unstable();
+        for &(again, _) in &triangles[1..] {
+            let (first, side) = triangles[0];
+            repeated.push(([first, again], soup.names(soup.side(side))));
         }
     }
+    repeated
 }

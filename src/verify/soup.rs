@@ -20,8 +20,10 @@ pub(super) const REJECTED: [u32; 3] = [u32::MAX; 3];
 #[derive(Debug)]
 pub(super) struct Soup<'a, S> {
     pub(super) predicates: SoupPredicates<'a, S>,
-    /// In the caller's order; [`REJECTED`] ones stay in their places.
+    /// From below; [`REJECTED`] ones stay in their places.
     pub(super) triangles: Vec<[u32; 3]>,
+    /// For each of them its number in the caller's list.
+    pub(super) numbers: Vec<u32>,
 }
 
 impl<S: Scalar> Soup<'_, S> {
@@ -33,6 +35,11 @@ impl<S: Scalar> Soup<'_, S> {
     pub(super) fn accepted(&self) -> impl Iterator<Item = (u32, [u32; 3])> {
         let triangles = (0..).zip(self.triangles.iter().copied());
         triangles.filter(|&(_, corners)| corners != REJECTED)
+    }
+
+    /// The caller's number of a triangle.
+    pub(super) fn number(&self, triangle: usize) -> usize {
+        self.numbers[triangle] as usize
     }
 
     /// The ends of side `3 t + i`, which runs from corner `i` of triangle `t` to the next corner.

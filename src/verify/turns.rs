@@ -10,10 +10,9 @@ use super::violation::Violation;
 use crate::scalar::Scalar;
 
 /// Rejects the triangles that do not turn left. If `clockwise` ones are accepted and more turn right than left, all are
-/// reversed; of as many, if the first one by the caller's `numbers` that is not flat turns right.
+/// reversed; of as many, if the first one in the caller's list that is not flat turns right.
 pub(super) fn check<S: Scalar, C: Schedule<S>>(
     soup: &mut Soup<'_, S>,
-    numbers: &[u32],
     clockwise: bool,
     progress: &Progress<'_>,
     record: &mut Record,
@@ -40,15 +39,17 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
         record.tally += tally;
         wrong.extend(found);
     }
-    if let Some(reversed) = clockwise.then(|| reversed(soup, numbers, &wrong)).flatten() {
+    if let Some(reversed) = clockwise.then(|| reversed(soup, &wrong)).flatten() {
         wrong = reversed;
         record.report.clockwise = true;
         for triangle in &mut soup.triangles {
             triangle.swap(1, 2);
         }
     }
-    for (triangle, turn) in wrong {
-        soup.triangles[triangle] = REJECTED;
+    wrong.sort_unstable_by_key(|&(t, _)| soup.number(t));
+    for (t, turn) in wrong {
+        soup.triangles[t] = REJECTED;
+        let triangle = soup.number(t);
         record.findings.add(match turn {
             Ordering::Equal => Violation::FlatTriangle { triangle },
             _ => Violation::ReversedTriangle { triangle },
@@ -59,7 +60,6 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
 /// The triangles that do not turn left once all are reversed, if they are to be. These ones do not turn left now.
 fn reversed<S: Scalar>(
     soup: &Soup<'_, S>,
-    numbers: &[u32],
     wrong: &[(usize, Ordering)],
 ) -> Option<Vec<(usize, Ordering)>> {
     let right = || wrong.iter().filter(|(_, turn)| turn.is_lt());
@@ -71,7 +71,7 @@ fn reversed<S: Scalar>(
     let is_left = |t: &usize| wrong.binary_search_by_key(t, |&(t, _)| t).is_err();
     let left_ones = soup.accepted().map(|(t, _)| t as usize).filter(is_left);
     let mut all: Vec<_> = left_ones.map(|t| (t, Ordering::Less)).collect();
-    let number = |&(t, _): &(usize, Ordering)| numbers[t];
+    let number = |&(t, _): &(usize, Ordering)| soup.number(t);
     if count == left && right().map(number).min() > all.iter().map(number).min() {
         return None;
     }

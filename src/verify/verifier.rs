@@ -225,9 +225,8 @@ impl<'a> Verifier<'a> {
             edges,
             mut domain,
             used,
-            numbers,
         } = ranked;
-        turns::check::<S, C>(&mut soup, &numbers, self.clockwise, &progress, &mut record);
+        turns::check::<S, C>(&mut soup, self.clockwise, &progress, &mut record);
         let mut sides = sides::check(&soup, &mut record);
         if let Some(domain) = &mut domain {
             domain.orient(&soup, &sides.boundary);
@@ -241,9 +240,8 @@ impl<'a> Verifier<'a> {
         edges::check(&soup, &mut sides, &edges, &runs, &mut record);
         delaunay::check::<S, C>(&soup, &sides, &progress, &mut record);
         if let Some(regions) = self.regions {
-            regions::check(&soup, &sides, regions, &numbers, &mut record);
+            regions::check(&soup, &sides, regions, &mut record);
         }
-        record.findings.renumber(&numbers);
         record.answer()
     }
 }
