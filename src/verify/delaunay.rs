@@ -1,5 +1,6 @@
 //! Check 8: every free side is locally Delaunay. Ties whose diagonal is not the canonical one are only counted.
 
+use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::chunks::{Progress, Schedule};
