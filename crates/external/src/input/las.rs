@@ -3,15 +3,17 @@
 //! A file holds whole numbers of 32 bits, and for each axis a scale and an offset. A coordinate is the double that the
 //! crate makes of them.
 //!
-//! The points of a `.laz` are packed in chunks, which a table lists. The crates allocate what the table says, so it is
-//! compared with the length of the file before. Chunks are unpacked whole, on all cores. Without threads, and where a
-//! chunk would take much memory, points are unpacked one after the other instead.
+//! The points of a `.laz` are packed in chunks, which a table lists, and newer ones in layers, whose sizes begin a chunk.
+//! The crates allocate what table and sizes say, so these are compared with the length of the file before. Chunks are
+//! unpacked whole, on all cores. Without threads, and where a chunk would take much memory, points are unpacked one after
+//! the other instead.
 
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
 use las::{Header, LazParallelism, PointData, PointDataBuilder, Reader, ReaderOptions};
-use laz::laszip::ChunkTable;
+use laz::LazVlr;
+use laz::laszip::{ChunkTable, LazItemType};
 use sweep_cdt::threads::has_threads;
 use sweep_cdt_formats::ReadError;
 
@@ -80,14 +82,46 @@ fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u6
     let chunks = read
         .seek(SeekFrom::Start(begin))
         .map_err(|error| error.to_string())
-        .and_then(|_| ChunkTable::read_from(read, &vlr).map_err(|error| error.to_string()))?;
+        .and_then(|_| ChunkTable::read_from(&mut *read, &vlr).map_err(|error| error.to_string()))?;
     let chunks: &[_] = chunks.as_ref();
     let packed = chunks.iter().map(|chunk| u128::from(chunk.byte_count));
     if packed.sum::<u128>() > u128::from(room) {
         return Err(format!("its chunks are longer than its {length} bytes"));
     }
+    let mut place = begin + ChunkTable::OFFSET_SIZE as u64;
+    for (number, chunk) in chunks
+        .iter()
+        .enumerate()
+        .filter(|(_, chunk)| chunk.byte_count > 0)
+    {
+        let layers = layers(read, place, &vlr).map_err(|error| error.to_string())?;
+        if layers > chunk.byte_count {
+            return Err(format!(
+                "the layers of chunk {number} are longer than the chunk"
+            ));
+        }
+        place += chunk.byte_count;
+    }
     let points = chunks.iter().map(|chunk| chunk.point_count).max();
     Ok(points.unwrap_or(0).saturating_mul(vlr.items_size()))
+}
+
+/// The bytes of the layers of the chunk at a place, as it says: after its first point and the number of its points. Points
+/// of the first formats have no layers.
+fn layers(read: &mut (impl Read + Seek), place: u64, vlr: &LazVlr) -> io::Result<u64> {
+    let count = |item: LazItemType| match item {
+        LazItemType::Point14 => 9,
+        LazItemType::RGB14 | LazItemType::WavePacket14 => 1,
+        LazItemType::RGBNIR14 => 2,
+        LazItemType::Byte14(count) => usize::from(count),
+        _ => 0,
+    };
+    let count: usize = vlr.items().iter().map(|item| count(item.item_type())).sum();
+    let mut sizes = vec![[0; 4]; count];
+    read.seek(SeekFrom::Start(place + vlr.items_size() + 4))?;
+    read.read_exact(sizes.as_flattened_mut())?;
+    let sizes = sizes.into_iter().map(u32::from_le_bytes);
+    Ok(sizes.map(u64::from).sum())
 }
 
 /// Where the points begin, where the table of chunks begins, and how many entries it has. Its place stands before the

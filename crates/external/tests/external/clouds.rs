@@ -10,7 +10,15 @@ use crate::{Random, expected, take};
 
 /// Writes a cloud, and returns its points: whole numbers of millimetres.
 fn write(path: &Path, is_packed: bool) -> Vec<[f64; 2]> {
-    let mut builder = Builder::from((1, 2));
+    write_version(path, is_packed, (1, 2))
+}
+
+/// As [`write`], in a version of the format: points of 1.4 are packed in layers.
+fn write_version(path: &Path, is_packed: bool, version: (u8, u8)) -> Vec<[f64; 2]> {
+    let mut builder = Builder::from(version);
+    if version == (1, 4) {
+        builder.point_format = las::point::Format::new(6).expect("a format");
+    }
     builder.point_format.is_compressed = is_packed;
     let millimetres = Transform {
         scale: 0.001,
@@ -27,6 +35,7 @@ fn write(path: &Path, is_packed: bool) -> Vec<[f64; 2]> {
         let point = Point {
             x,
             y,
+            gps_time: (version == (1, 4)).then_some(0.0),
             ..Point::default()
         };
         writer.write_point(point).expect("room");
@@ -51,6 +60,30 @@ fn clouds_are_read() {
 }
 
 #[test]
+fn layers_are_read_and_their_sizes_checked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.laz");
+    let points = write_version(&path, true, (1, 4));
+    let mut input = open(&path, InputFormat::Laz, None).expect("a file");
+    let order = Sorting::new(3_000_000, folder.path()).sort(&mut *input);
+    let vertices = take(order.expect("no fault")).expect("no fault");
+    assert!(vertices == expected(&points, &[]).0);
+
+    let bytes = fs::read(&path).expect("a file");
+    let begin = u32::from_le_bytes(bytes[96..100].try_into().expect("four bytes")) as usize;
+    // After the place of the table, a point of 30 bytes and the number of points.
+    let sizes = begin + 8 + 30 + 4;
+    for layer in 0..9 {
+        let mut wrong = bytes.clone();
+        wrong[sizes + 4 * layer..][..4].copy_from_slice(&u32::MAX.to_le_bytes());
+        fs::write(&path, &wrong).expect("a file");
+        let error = open(&path, InputFormat::Laz, None).err();
+        let error = error.expect("there is no room").to_string();
+        assert!(error.contains("layers of chunk 0"), "{error}");
+    }
+}
+
+#[test]
 fn clouds_that_are_cut_off_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     for (name, format) in [("a.las", InputFormat::Las), ("a.laz", InputFormat::Laz)] {
@@ -68,14 +101,19 @@ fn clouds_that_are_cut_off_are_refused() {
     }
 }
 
-/// What a table of chunks says is compared with the length of the file: one entry is 16 bytes of memory. Found by review:
-/// 606 bytes, for which 68 GB were asked.
+/// What a file says of its chunks is compared with its length: an entry of the table is 16 bytes of memory, and a layer as
+/// many as its size says. Found by review: 606 bytes, for which 68 GB were asked, and 811 bytes, for which it was 2 GB.
 #[test]
-fn a_table_of_chunks_is_believed_as_far_as_the_file_is_long() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/chunks_68gb.laz");
-    let error = open(&path, InputFormat::Laz, None).err();
-    let error = error.expect("there is no room").to_string();
-    assert!(error.contains("table of chunks"), "{error}");
+fn chunks_are_believed_as_far_as_the_file_is_long() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    for (name, what) in [
+        ("chunks_68gb.laz", "table of chunks"),
+        ("layers_2gb.laz", "layers of chunk 0"),
+    ] {
+        let error = open(&folder.join(name), InputFormat::Laz, None).err();
+        let error = error.expect("there is no room").to_string();
+        assert!(error.contains(what), "{error}");
+    }
 }
 
 /// The same with the counts of a right file, which are made larger one by one.
