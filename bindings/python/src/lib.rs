@@ -11,6 +11,7 @@ mod calls;
 mod crossings;
 mod errors;
 mod input;
+mod matching;
 mod measure;
 mod picture;
 mod rule;
@@ -35,6 +36,8 @@ mod _native {
     use crate::crossings::{Crossings, crossings, split};
     #[pymodule_export]
     use crate::input::ExactPoints;
+    #[pymodule_export]
+    use crate::matching::match_vertices;
     #[pymodule_export]
     use crate::measure::fronts;
     #[pymodule_export]

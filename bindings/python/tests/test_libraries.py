@@ -153,7 +153,7 @@ def test_pyvista():
     assert sweep_cdt.verify(POINTS, doubles, [[0, 1], [0, 2]])
     rounded = sweep_cdt.triangulate(POINTS).to_pyvista()
     rounded.points = rounded.points.astype(np.float32)
-    assert sweep_cdt.verify(POINTS, rounded).matched.startswith("vertices matched by number: coordinates are rounded")
+    assert sweep_cdt.verify(POINTS, rounded).matched.startswith("vertices matched by number, because coordinates are rounded")
     with pytest.raises(sweep_cdt.ShapeError, match="not all triangles"):
         sweep_cdt.verify(pyvista.Plane(i_resolution=1, j_resolution=1))
     grid = sweep_cdt.triangulate(POINTS).to_pyvista().cast_to_unstructured_grid()

@@ -1,5 +1,6 @@
 """`verify`: of arrays, of results by coordinates, and its report."""
 
+import re
 from fractions import Fraction
 
 import numpy as np
@@ -77,14 +78,14 @@ def test_exact_vertices_are_matched_exactly():
     points = [[0, 0], [third, 0], [0, third]]
     result = sweep_cdt.triangulate([points[2], points[0], points[1]])
     report = sweep_cdt.verify(points, result)
-    assert report and report.matched == "vertices matched by coordinates"
+    assert report and report.matched == "vertices matched by coordinates: greatest difference 0"
     # Rounded to doubles, the vertices are the same.
     tiny = Fraction(1, 10**40)
     moved = sweep_cdt.triangulate([points[0], points[1], [tiny, third]])
     with pytest.raises(sweep_cdt.MatchError, match="vertex 2 of the result") as caught:
         sweep_cdt.verify(points, moved)
-    assert caught.value.vertex == 2 and caught.value.at == (tiny, third)
-    assert sweep_cdt.verify(points, moved, by_number=True).matched == "vertices matched by number: as was asked for"
+    assert caught.value.vertex == 2 and caught.value.at == (1e-40, 1 / 3)
+    assert sweep_cdt.verify(points, moved, by_number=True).matched.startswith("vertices matched by number, as was asked for")
     assert sweep_cdt.verify(points, moved, tolerance=1e-9)
 
 
@@ -149,7 +150,7 @@ def test_vertices_in_another_order_are_matched():
     order = np.random.default_rng(1).permutation(len(points))
     shuffled = {"vertices": points[order], "triangles": np.argsort(order)[result.simplices]}
     report = sweep_cdt.verify(points, shuffled)
-    assert report and report.matched == "vertices matched by coordinates"
+    assert report and report.matched == "vertices matched by coordinates: greatest difference 0"
     assert not sweep_cdt.verify(points, shuffled["triangles"])
 
 
@@ -167,8 +168,9 @@ def test_single_precision(shuffle):
 def test_points_that_single_precision_does_not_tell_apart():
     points = np.array([[0, 0], [1 + 1e-12, 0], [0, 1], [1 + 2e-12, 0]])
     result = {"vertices": np.array([[1, 0], [0, 1], [0, 0]], dtype=np.float32), "triangles": [[0, 1, 2]]}
-    with pytest.raises(sweep_cdt.MatchError, match="vertex 0 of the result"):
+    with pytest.raises(sweep_cdt.MatchError, match="vertex 0 of the result .* may be vertex 1 or 3") as caught:
         sweep_cdt.verify(points, result)
+    assert caught.value.candidates == (1, 3)
 
 
 @pytest.mark.parametrize("shuffle", [False, True])
@@ -192,6 +194,30 @@ def test_other_vertices_are_refused():
     assert sweep_cdt.verify(points, as_dictionary(moved, result), by_number=True)
     with pytest.raises(sweep_cdt.MatchError):
         sweep_cdt.verify(points, as_dictionary(moved + 1, result))
+
+
+def test_a_tolerance_is_offered_up_to_half_of_the_least_distance():
+    points, result = random_result(60)
+    order = np.random.default_rng(3).permutation(len(points))
+    differences = np.abs(points[:, None] - points).max(axis=2)
+    least = differences[differences > 0].min()
+    for share, is_offered in ((0.3, True), (0.49, True), (0.6, False), (3.0, False)):
+        noise = np.random.default_rng(4).choice([-1, 1], points.shape) * share * least
+        moved = {"vertices": (points + noise)[order], "triangles": np.argsort(order)[result.simplices]}
+        with pytest.raises(sweep_cdt.MatchError, match="none: the nearest is vertex") as caught:
+            sweep_cdt.verify(points, moved)
+        offered = re.search("tolerance=([^ ]*) accepts it", str(caught.value))
+        assert (offered is not None) == is_offered
+        if offered:
+            tolerance = float(offered[1])
+            assert tolerance < least / 2
+            assert sweep_cdt.verify(points, moved, tolerance=tolerance)
+            # To the last bit.
+            exact = max(abs(Fraction(x) - Fraction(y)) for x, y in zip((points + noise).flat, points.flat))
+            double = float(exact) if Fraction(float(exact)) >= exact else np.nextafter(float(exact), np.inf)
+            assert sweep_cdt.verify(points, moved, tolerance=double)
+            with pytest.raises(sweep_cdt.MatchError):
+                sweep_cdt.verify(points, moved, tolerance=np.nextafter(double, 0))
 
 
 def test_added_vertices():

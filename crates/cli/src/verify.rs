@@ -10,7 +10,7 @@ use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_draw::ViolationsPicture;
 use sweep_cdt_formats::{
-    Coordinate, GraphFile, Input, Matching, ResultError, added_points, write_certificate,
+    Coordinate, GraphFile, Input, Matching, ResultError, WayOut, added_points, write_certificate,
     write_violations,
 };
 
@@ -257,9 +257,11 @@ impl Verify {
             list.extend(has_record.then(|| Fingerprint::of(source)));
         };
         let (mut of_input, mut of_result) = (Vec::new(), Vec::new());
-        let mut input = self
+        let input = self
             .input
             .read(&mut read, |source| note(&mut of_input, source))?;
+        // Then the result may have fractions, too.
+        let mut input = self.scalar.convert(&self.input.name(), input)?;
         let result = self
             .result
             .load(&mut read, |source| note(&mut of_result, source))?;
@@ -429,7 +431,7 @@ impl Job for Run<'_> {
             } else {
                 verification::write_verdict(&answer, arguments.level, &result, &verified, out)?;
             }
-            verification::write_matching(triangles.matched, out)?;
+            writeln!(out, "{}", triangles.matched.words())?;
             let report = verification::report(&answer);
             if report.clockwise {
                 writeln!(out, "the triangles run clockwise")?;
@@ -460,32 +462,18 @@ fn difference(text: &str) -> Result<f64, String> {
 
 /// The failure of a result that is not read, with what helps.
 fn refusal(error: &ResultError) -> Failure {
-    let accepting = |tolerance: f64| format!("--tolerance {} accepts it", tolerance.text());
-    let ways_out = match *error {
-        ResultError::Stranger {
-            accepted: Some(tolerance),
-            ..
-        } => vec![accepting(tolerance)],
-        ResultError::Stranger { is_numbered, .. } => {
-            let steiner = "--steiner allows for vertices that were added".to_owned();
-            let by_number = "--by-number ignores coordinates".to_owned();
-            let mut ways_out = vec![steiner];
-            ways_out.extend(is_numbered.then_some(by_number));
-            ways_out
-        }
-        ResultError::Elsewhere { accepted, .. } => {
-            vec![
-                accepting(accepted),
-                "--by-number ignores coordinates".to_owned(),
-            ]
-        }
-        ResultError::Ambiguous { .. } => {
-            vec!["write the result with all digits, 17, or without coordinates".to_owned()]
-        }
-        ResultError::Unreadable(ref error) => {
-            return Failure::Error(format!("{error}{}", way_out(error)));
-        }
-        _ => return Failure::Error(error.to_string()),
+    if let ResultError::Unreadable(error) = error {
+        return Failure::Error(format!("{error}{}", way_out(error)));
+    }
+    let words = |way: &WayOut| match way {
+        WayOut::Tolerance(tolerance) => format!("--tolerance {} accepts it", tolerance.text()),
+        WayOut::Steiner => "--steiner allows for vertices that were added".to_owned(),
+        WayOut::ByNumber => "--by-number ignores coordinates".to_owned(),
+        _ => "write the result with all digits, 17, or without coordinates".to_owned(),
     };
-    Failure::Error(format!("{error} ({})", ways_out.join(", ")))
+    let ways_out: Vec<String> = error.ways_out().iter().map(words).collect();
+    Failure::Error(match ways_out.as_slice() {
+        [] => error.to_string(),
+        _ => format!("{error} ({})", ways_out.join(", ")),
+    })
 }

@@ -47,6 +47,27 @@ pub trait Coordinate: Scalar + Clone + PartialEq + Send + Sync {
         None
     }
 
+    /// The least and the greatest number of the type that differ from this one by no more than a tolerance.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::Coordinate;
+    ///
+    /// // 1 + 2^-60 is no double, and the sum of the doubles 0.3 and 0.1 is a little less than the double 0.4.
+    /// assert_eq!(1.0.around(2_f64.powi(-60)), [1.0, 1.0]);
+    /// assert_eq!(0.3.around(0.1), [0.2_f64.next_down(), 0.4_f64.next_down()]);
+    /// ```
+    fn around(&self, tolerance: f64) -> [Self; 2];
+
+    /// The least double that is no less than the difference to another number; at most the largest one.
+    ///
+    /// ```
+    /// use sweep_cdt_formats::Coordinate;
+    ///
+    /// assert_eq!(1.0.apart(&1e-30), 1.0);
+    /// assert_eq!(1.0.apart(&-1e-30), 1_f64.next_up());
+    /// ```
+    fn apart(&self, other: &Self) -> f64;
+
     /// The shortest text from which [`from_text`](Coordinate::from_text) makes the same value again.
     fn text(&self) -> String;
 
@@ -155,6 +176,14 @@ impl Coordinate for f64 {
             .then(|| (integer >> zeros, exponent.max(1) - 1075 + i64::from(zeros)))
     }
 
+    fn around(&self, tolerance: f64) -> [Self; 2] {
+        [-sum_below(-self, tolerance), sum_below(*self, tolerance)]
+    }
+
+    fn apart(&self, other: &Self) -> f64 {
+        -sum_below(-self.max(*other), self.min(*other))
+    }
+
     fn text(&self) -> String {
         let mut text = Vec::new();
         self.write_text(&mut text);
@@ -247,6 +276,20 @@ impl Coordinate for BigRational {
         Some((self.numer() >> doubles, power))
     }
 
+    fn around(&self, tolerance: f64) -> [Self; 2] {
+        let tolerance = BigRational::from_float(tolerance).unwrap_or_default();
+        [self - &tolerance, self + &tolerance]
+    }
+
+    fn apart(&self, other: &Self) -> f64 {
+        let difference = self.max(other) - self.min(other);
+        let near = difference.approx().min(f64::MAX);
+        match BigRational::from_float(near).is_some_and(|near| near < difference) {
+            true => near.next_up().min(f64::MAX),
+            false => near,
+        }
+    }
+
     fn text(&self) -> String {
         let text = self.to_string();
         // A whole number that is not a double is written as a fraction: a file of whole numbers alone is
@@ -256,6 +299,18 @@ impl Coordinate for BigRational {
         } else {
             format!("{text}/1")
         }
+    }
+}
+
+/// The greatest double that is no more than the sum of two; at least the least one.
+fn sum_below(x: f64, y: f64) -> f64 {
+    let sum = (x + y).clamp(-f64::MAX, f64::MAX);
+    // What the sum lost by rounding is a double (Knuth); where it was clamped, this has its sign.
+    let of_y = sum - x;
+    let lost = (x - (sum - of_y)) + (y - of_y);
+    match lost < 0.0 {
+        true => sum.next_down().max(-f64::MAX),
+        false => sum,
     }
 }
 

@@ -32,6 +32,7 @@
 
 #[macro_use]
 mod named;
+mod order;
 
 mod coordinate;
 #[cfg(feature = "geo-types")]
@@ -55,8 +56,8 @@ pub use polygons::Polygons;
 #[cfg(feature = "mesh-formats")]
 pub use read::ply_parts as ply;
 pub use read::{
-    Input, InputFormat, Matched, Matching, Nearest, ReadError, ReadErrorKind, ResultError,
-    ResultFormat, Source, Triangles, added_points, quoted, read, read_result,
+    Input, InputFormat, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind,
+    ResultError, ResultFormat, Source, Triangles, WayOut, added_points, quoted, read, read_result,
 };
 pub use remark::Remark;
 pub use split::Splitting;

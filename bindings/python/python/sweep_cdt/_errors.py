@@ -71,11 +71,13 @@ class SeedError(Error):
 
 
 class MatchError(Error):
-    """A vertex of a result is none of the input: `vertex`, its place `at`, and the `nearest` one of the input."""
+    """A vertex of a result is none of the input: `vertex`, its place `at`, and the `nearest` one of the input; or it may
+    be two of the input, the `candidates`."""
 
     vertex: int
     at: tuple[float, float]
     nearest: int
+    candidates: tuple[int, int]
 
 
 class TooLargeError(Error):

@@ -74,7 +74,7 @@ class Report:
         self.found = answer["found"]
         self.deepest = answer["deepest"]
         self.decades = answer["decades"]
-        self.matched = question.matched.words()
+        self.matched = question.matched
         is_measured = answer["measured"] == answer["found"]
         if answer["is_right"]:
             self.verdict = "correct"

@@ -11,8 +11,7 @@ from . import _native
 from ._errors import Error, KindError
 from ._foreign import Result, as_result
 from ._graph import as_input
-from ._input import Input, as_count, as_doubles, as_indices, called
-from ._matching import Matched, find, match, match_exactly
+from ._input import Input, as_count, as_indices, called
 from ._report import Report
 from ._triangulation import made
 
@@ -31,7 +30,8 @@ class Question:
     limit: int
     attributes: list[float] | None
     threads: int
-    matched: Matched
+    # How vertices were matched, in words.
+    matched: str
 
     def own(self) -> Input:
         """The input without the points that were added."""
@@ -197,61 +197,50 @@ def _numbers(pairs: np.ndarray) -> np.ndarray:
     return pairs[:, 0].astype(np.int64) * 2**32 + pairs[:, 1]
 
 
-def _own(result: Result, edges: Any, polygons: Any, holes: Any) -> tuple[Input, Matched]:
+def _own(result: Result, edges: Any, polygons: Any, holes: Any) -> tuple[Input, str]:
     """The input that a result tells."""
+    words = "the points are those of the result"
     if result.own is not None:
         given = result.own
         if edges is not None or polygons is not None or holes is not None:
             given = as_input(given.points, given.edges if edges is None else edges, polygons, holes)
-        return given, Matched("own", None, None)
+        return given, words
     if result.points is None:
         raise KindError("the result has no points: pass the points first, and then the result")
-    # The corners of triangles that are given by coordinates.
-    places = find(result.points, result.points)
-    distinct, number = np.unique(places, return_inverse=True)
-    given = as_input(result.points[distinct], edges, polygons, holes)
-    result.triangles = number.reshape(-1, 3).astype(np.uintp)
-    return given, Matched("own", None, None)
+    # The corners of triangles that are given by coordinates; zeros of both signs are equal.
+    _, first, number = np.unique(result.points + 0.0, axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    given = as_input(result.points[first[order]], edges, polygons, holes)
+    result.triangles = np.argsort(order)[number].reshape(-1, 3).astype(np.uintp)
+    return given, words
 
 
 def _matched(
     given: Input, result: Result, tolerance: float | None, by_number: bool, steiner: bool
-) -> tuple[Input, Result, Matched, int | None]:
+) -> tuple[Input, Result, str, int | None]:
     """The input, the result by its points, how they were matched, and where added points begin."""
+    count = len(given.points)
     if result.points is None:
-        return given, result, Matched("unplaced", None, None), len(given.points) if steiner else None
-    if given.is_exact and not isinstance(result.points, np.ndarray) and tolerance is None:
-        matched = match_exactly(result.points, given.points, by_number)
-    else:
-        own, points = as_doubles(given.points), as_doubles(result.points)
-        if steiner:
-            return _with_added(given, result, points, own)
-        matched = match(points, own, result.is_soup, tolerance, by_number)
-    if matched.places is not None:
-        result.triangles = _renumbered(result.triangles, matched.places, len(given.points))
-    return given, result, matched, None
-
-
-def _with_added(
-    given: Input, result: Result, points: np.ndarray, own: np.ndarray
-) -> tuple[Input, Result, Matched, int]:
-    places = find(points, own)
-    added = np.flatnonzero(places < 0)
-    places[added] = len(own) + np.arange(len(added))
-    result.triangles = _renumbered(result.triangles, places, len(own) + len(added))
-    if given.is_exact:
-        raise KindError("added vertices are not looked for among exact points")
-    both = Input(
-        np.concatenate([own, points[added]]),
-        given.edges,
-        given.rings,
-        given.ring_of,
-        given.holes,
-        given.regions,
-        given.attributes,
-        given.features,
-    )
-    return both, result, Matched("equal", places, 0.0), len(own)
+        words = "vertices matched by number: the result has no coordinates"
+        return given, result, words, count if steiner else None
+    if by_number and result.is_soup:
+        raise KindError("the triangles of the result are coordinates: their vertices have no numbers (by_number)")
+    asked = {"is_soup": result.is_soup, "tolerance": tolerance, "by_number": by_number, "steiner": steiner}
+    matched = _native.match_vertices(result.points, given.points, asked)
+    if steiner:
+        given = Input(
+            matched["points"],
+            given.edges,
+            given.rings,
+            given.ring_of,
+            given.holes,
+            given.regions,
+            given.attributes,
+            given.features,
+        )
+    if matched["places"] is not None:
+        result.triangles = _renumbered(result.triangles, matched["places"], len(given.points))
+    return given, result, matched["words"], count if steiner else None
 
 
 def _renumbered(triangles: np.ndarray, places: np.ndarray, count: int) -> np.ndarray:

@@ -28,8 +28,8 @@ pub(crate) struct ScalarArgs {
     ///
     /// Both are exact and give the same triangles. If the input has a fraction (`p/q`), every number
     /// means what it says: 0.1 is one tenth. Otherwise every number is read as the nearest double. f64
-    /// refuses fractions. Numerators, denominators and decimals have at most 10,000 digits, exponents of
-    /// ten at most 10,000; a number that is no double, such as 1e400, needs a fraction somewhere in the
+    /// refuses fractions. Numerators, denominators and decimals have at most 10,000 digits, and exponents
+    /// are from -400 to 400; a number that is no double, such as 1e400, needs a fraction somewhere in the
     /// file. Time and memory grow with the digits.
     #[arg(long, value_enum)]
     scalar: Option<Kind>,

@@ -6,7 +6,7 @@ use std::sync::Mutex;
 
 use sweep_cdt::scalar::Measure;
 use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
-use sweep_cdt_formats::{Coordinate, GraphFile, Matched, Triangles};
+use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
 
 use super::glossary::meaning;
 use super::resources::Progress;
@@ -98,24 +98,6 @@ pub(crate) fn write_rounded(
 /// The name of the highest level reached.
 pub(crate) fn reached(report: &Report) -> &'static str {
     report.level.map_or("none", Level::name)
-}
-
-/// Writes how the vertices of the result were matched with those of the input: one line.
-pub(crate) fn write_matching(matched: Matched, out: &mut impl Write) -> io::Result<()> {
-    let why = match matched {
-        Matched::Single { .. } => ", which are of single precision",
-        Matched::Printed { .. } => ", which are rounded",
-        Matched::Unplaced => ": the result has no coordinates",
-        Matched::Rounded { .. } => ", because coordinates are rounded",
-        Matched::Near { .. } | Matched::Within { .. } => ", within --tolerance",
-        Matched::Asked { .. } => ", because of --by-number",
-        _ => "",
-    };
-    write!(out, "vertices matched by {}{why}", matched.by())?;
-    match matched.difference() {
-        Some(difference) => writeln!(out, ": greatest difference {}", difference.text()),
-        None => writeln!(out),
-    }
 }
 
 /// Writes a figure, and below it what it is, if that is asked for.

@@ -1,8 +1,10 @@
 //! The command `sweep-cdt`, run as a user runs it: formats, settings, errors, what is left behind.
 
 mod advice;
+mod bent;
 mod crossings;
 mod depths;
+mod documents;
 mod errors;
 mod formats;
 mod generate;

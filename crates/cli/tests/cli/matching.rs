@@ -71,7 +71,7 @@ fn assert_refused(points: &[[f64; 2]], vertex: usize) {
         let report = printed(&by_number);
         assert!(first_line(report).starts_with("correct: "), "{report}");
         let second = report.lines().nth(1).expect("a line");
-        let expected = "vertices matched by number, because of --by-number: greatest difference ";
+        let expected = "vertices matched by number, as was asked for: greatest difference ";
         assert!(second.starts_with(expected), "{second}");
     }
 }
@@ -147,7 +147,7 @@ fn a_tolerance_takes_the_place_of_rounding() {
         let run = |tolerance| verify(&folder, &format!("in.json {name} --tolerance {tolerance}"));
         let output = run("0.5");
         let second = printed(&output).lines().nth(1);
-        let expected = "vertices matched by number, within --tolerance: greatest difference 0.5";
+        let expected = "vertices matched by number, within the tolerance: greatest difference 0.5";
         assert_eq!(second, Some(expected));
         let vertex = if name == "r.obj" { 3 } else { 2 };
         let place = if name == "r.json" {
@@ -157,9 +157,8 @@ fn a_tolerance_takes_the_place_of_rounding() {
         };
         let place = if name == "r.obj" { "r.obj:3" } else { place };
         let error = format!(
-            "{place}: vertex {vertex} is at (4000, 3999.5), but vertex 2 of the input at (4000, 3999): \
-             the difference of 0.5 is more than the tolerance 0.49 (--tolerance 0.5 accepts it, --by-number ignores \
-             coordinates)"
+            "{place}: vertex {vertex} is at (4000, 3999.5), where the input has none within the tolerance 0.49: the \
+             nearest is vertex 2 at (4000, 3999), by 0.5 (--tolerance 0.5 accepts it)"
         );
         assert_fails(&run("0.49"), &error);
         for wrong in ["-1", "x", "nan", "inf", "1 --by-number"] {

@@ -211,7 +211,7 @@ const UNREADABLE: &[(&str, &str, &str)] = &[
     (
         "r.obj",
         "v 0 1/2\n",
-        "r.obj: has fractions, and the input has none",
+        "r.obj: has fractions, and the input is read as doubles (--scalar rational reads both exactly)",
     ),
     (
         "r.obj",

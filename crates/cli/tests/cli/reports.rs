@@ -172,15 +172,15 @@ fn rounded_triangles_without_numbers_are_verified() {
     let second = printed(&accepted).lines().nth(1).expect("a line");
     assert!(
         second.starts_with(
-            "vertices matched by coordinates, within --tolerance: greatest difference 1.48"
+            "vertices matched by coordinates, within the tolerance: greatest difference 1.48"
         ),
         "{second}"
     );
     let twins = verify(folder.path(), "twins.wkt twins.geojson");
     assert_eq!(
         text(&twins.stderr),
-        "error: twins.geojson:1: vertex 1 at (1, 0) may be vertex 1 or 3 of the input, within rounding to the digits of \
-         the file (write the result with all digits, 17, or without coordinates)\n"
+        "error: twins.geojson:1: vertex 1 at (1, 0) may be vertex 1 or 3 of the input, within rounding to the digits that \
+         are there (write the result with all digits, 17, or without coordinates)\n"
     );
 }
 

@@ -2,8 +2,9 @@
 
 use num_rational::BigRational;
 
+use crate::order::is_finite;
 use crate::read::content::{Edges, Vertices};
-use crate::read::matching::{find, is_finite};
+use crate::read::matching::find;
 #[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
 use crate::read::remarks::Remarks;

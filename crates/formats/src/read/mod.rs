@@ -13,6 +13,8 @@ mod json;
 mod json_faults;
 mod json_more;
 mod json_pieces;
+mod listed;
+mod matched;
 mod matching;
 mod mesh;
 #[cfg(feature = "mesh-formats")]
@@ -34,8 +36,10 @@ mod ply;
 #[cfg(feature = "mesh-formats")]
 mod ply_header;
 mod points;
+mod refusal;
 mod remarks;
 mod result;
+mod rounded;
 mod rounding;
 mod rows;
 #[cfg(feature = "mesh-formats")]
@@ -61,6 +65,7 @@ mod vtu_elements;
 mod wkt;
 #[cfg(feature = "mesh-formats")]
 mod words;
+mod written;
 
 #[cfg(feature = "geo-types")]
 pub(crate) use input::merged;
@@ -71,6 +76,10 @@ pub mod ply_parts {
     pub use super::ply_header::{Element, Encoding, Header, Property};
 }
 pub use input::{Input, InputFormat, read};
-pub use matching::{Matched, Matching};
+pub use listed::Listed;
+pub use matched::Matched;
+pub use matching::Matching;
+pub use refusal::{Nearest, ResultError, WayOut};
 pub use result::{ResultFormat, Triangles, added_points, read_result};
-pub use source::{Nearest, ReadError, ReadErrorKind, ResultError, Source, quoted};
+pub use source::{ReadError, ReadErrorKind, Source, quoted};
+pub use written::Precision;

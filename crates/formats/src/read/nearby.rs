@@ -5,12 +5,13 @@
 //!
 //! Cost: O(n log n) time and memory once. A rectangle takes O(log² n), wherever points and rectangles are: no cell can
 //! fill up, and the search ends at the second point. The nearest point takes O(n), and is asked for a few times only.
+//! Numbers are compared exactly.
 
-use sweep_cdt::scalar::Scalar;
+use crate::Coordinate;
 
 /// Points to be found.
-pub(super) struct Nearby {
-    points: Vec<[f64; 2]>,
+pub(super) struct Nearby<'a, S> {
+    points: &'a [[S; 2]],
     /// The positions of the points, in runs of 1, 2, 4 and so on.
     levels: Vec<Vec<usize>>,
 }
@@ -18,10 +19,10 @@ pub(super) struct Nearby {
 /// So often a tolerance is raised, at most.
 const RAISED: usize = 64;
 
-impl Nearby {
+impl<'a, S: Coordinate> Nearby<'a, S> {
     /// Finds those of `points` that are `wanted`, by their positions. Their coordinates are finite.
-    pub(super) fn new(points: Vec<[f64; 2]>, mut wanted: Vec<usize>) -> Nearby {
-        wanted.sort_by(|&v, &w| points[v][0].total_cmp(&points[w][0]));
+    pub(super) fn new(points: &'a [[S; 2]], mut wanted: Vec<usize>) -> Nearby<'a, S> {
+        wanted.sort_by(|&v, &w| points[v][0].compare(&points[w][0]));
         let mut levels = vec![wanted];
         let mut length = 2;
         while let Some(last) = levels.last()
@@ -30,7 +31,7 @@ impl Nearby {
             let mut level = last.clone();
             for run in level.chunks_mut(length) {
                 // It sorts two sorted runs by merging them.
-                run.sort_by(|&v, &w| points[v][1].total_cmp(&points[w][1]));
+                run.sort_by(|&v, &w| points[v][1].compare(&points[w][1]));
             }
             levels.push(level);
             length *= 2;
@@ -38,25 +39,20 @@ impl Nearby {
         Nearby { points, levels }
     }
 
-    /// All points, wanted or not.
-    pub(super) fn points(&self) -> &[[f64; 2]] {
-        &self.points
-    }
-
     /// Two points with x and y from the first to the second of these, or the one that there is, or none.
     pub(super) fn first_two(
         &self,
-        [left, right]: [f64; 2],
-        [below, above]: [f64; 2],
+        [left, right]: &[S; 2],
+        [below, above]: &[S; 2],
     ) -> [Option<usize>; 2] {
         let mut found = [None; 2];
         let by_x = &self.levels[0];
-        let mut first = by_x.partition_point(|&v| self.points[v][0] < left);
-        let mut end = by_x.partition_point(|&v| self.points[v][0] <= right);
+        let mut first = by_x.partition_point(|&v| self.points[v][0].compare(left).is_lt());
+        let mut end = by_x.partition_point(|&v| self.points[v][0].compare(right).is_le());
         let mut visit = |run: &[usize]| {
-            let after = run.partition_point(|&v| self.points[v][1] < below);
+            let after = run.partition_point(|&v| self.points[v][1].compare(below).is_lt());
             let inside = run[after..].iter().take(2).copied();
-            for v in inside.take_while(|&v| self.points[v][1] <= above) {
+            for v in inside.take_while(|&v| self.points[v][1].compare(above).is_le()) {
                 match &mut found {
                     [one @ None, _] | [_, one @ None] => *one = Some(v),
                     _ => {}
@@ -82,50 +78,53 @@ impl Nearby {
         found
     }
 
-    /// The point whose coordinates differ least from these, and by how much the one does that differs more.
-    pub(super) fn nearest(&self, place: [f64; 2]) -> Option<(usize, f64)> {
-        let apart = |&v: &usize| {
-            let [x, y] = [0, 1].map(|axis| (self.points[v][axis] - place[axis]).abs());
-            (v, x.max(y).min(f64::MAX))
-        };
-        let pairs = self.levels[0].iter().map(apart);
-        pairs.min_by(|(v, near), (w, far)| near.total_cmp(far).then(v.cmp(w)))
+    /// The point whose coordinates differ least from those of a place.
+    pub(super) fn nearest(&self, place: &[S; 2]) -> Option<usize> {
+        let pairs = self.levels[0]
+            .iter()
+            .map(|&v| (v, apart(place, &self.points[v])));
+        let least = pairs.min_by(|(v, near), (w, far)| near.total_cmp(far).then(v.cmp(w)));
+        Some(least?.0)
     }
 
-    /// A tolerance, in two digits, within which each place has one point and no other one, and no two places have the
-    /// same; `None`, if there is none, or if it would have to be raised too often to be found.
-    pub(super) fn tolerance(&self, places: &[[f64; 2]]) -> Option<f64> {
+    /// The points that differ from a place by no more than a tolerance, up to two.
+    fn around(&self, place: &[S; 2], tolerance: f64) -> [Option<usize>; 2] {
+        self.first_two(&place[0].around(tolerance), &place[1].around(tolerance))
+    }
+
+    /// A tolerance, in two digits and less than half of the least distance of two points, within which each place has a
+    /// point, and no two places have the same; `None`, if there is none, or if it would have to be raised too often to be
+    /// found.
+    pub(super) fn tolerance(&self, places: &[[S; 2]]) -> Option<f64> {
         let (mut tolerance, mut raised) = (0.0, 0);
-        let found = |place: [f64; 2], tolerance| {
-            let (x, y) = around(place, tolerance);
-            self.first_two(x, y)
-        };
-        for &place in places {
-            if found(place, tolerance)[0].is_none() {
-                tolerance = in_two_digits(self.nearest(place)?.1)?;
+        for place in places {
+            if self.around(place, tolerance)[0].is_none() {
+                tolerance = in_two_digits(apart(place, &self.points[self.nearest(place)?]))?;
                 raised += 1;
             }
             if raised > RAISED {
                 return None;
             }
         }
+        let is_alone = |&v: &usize| self.around(&self.points[v], 2.0 * tolerance)[1].is_none();
+        if !self.levels[0].iter().all(is_alone) {
+            return None;
+        }
         let mut place_of = vec![None; self.points.len()];
-        let mut is_only = |&place: &[f64; 2]| match found(place, tolerance) {
-            [Some(v), None] => {
-                let first = place_of[v].get_or_insert(place);
-                (0..2).all(|axis| first[axis].compare(&place[axis]).is_eq())
-            }
-            _ => false,
+        let mut is_only = |place| {
+            let v = self.around(place, tolerance)[0]?;
+            (*place_of[v].get_or_insert(place) == place).then_some(())
         };
-        places.iter().all(&mut is_only).then_some(tolerance)
+        places
+            .iter()
+            .all(|place| is_only(place).is_some())
+            .then_some(tolerance)
     }
 }
 
-/// The coordinates that differ from those of a place by no more than a tolerance, in x and in y.
-pub(super) fn around(place: [f64; 2], tolerance: f64) -> ([f64; 2], [f64; 2]) {
-    // Sums are rounded.
-    let range = |x: f64| [(x - tolerance).next_down(), (x + tolerance).next_up()];
-    (range(place[0]), range(place[1]))
+/// The greater of the differences in x and in y.
+pub(super) fn apart<S: Coordinate>(p: &[S; 2], q: &[S; 2]) -> f64 {
+    p[0].apart(&q[0]).max(p[1].apart(&q[1]))
 }
 
 /// The least number of two digits that is no less than this one.
@@ -152,7 +151,7 @@ mod tests {
             let mut number = || random.below(12) as f64;
             let points: Vec<[f64; 2]> = (0..count).map(|_| [number(), number()]).collect();
             let wanted: Vec<usize> = (0..count).filter(|v| v % 3 != 1).collect();
-            let nearby = Nearby::new(points.clone(), wanted.clone());
+            let nearby = Nearby::new(&points, wanted.clone());
             for _ in 0..50 {
                 let ranges = [number(), number()].map(|low| [low, low + number() / 3.0]);
                 let is_in = |v: &usize| {
@@ -162,7 +161,7 @@ mod tests {
                         .all(|(x, &[low, high])| (low..=high).contains(x))
                 };
                 let inside: Vec<usize> = wanted.iter().copied().filter(|v| is_in(v)).collect();
-                let [one, other] = nearby.first_two(ranges[0], ranges[1]);
+                let [one, other] = nearby.first_two(&ranges[0], &ranges[1]);
                 let found: Vec<usize> = [one, other].into_iter().flatten().collect();
                 assert_eq!(found.len(), inside.len().min(2), "{points:?} {ranges:?}");
                 assert!(found.iter().all(is_in) && (one != other || one.is_none()));
@@ -172,17 +171,16 @@ mod tests {
 
     #[test]
     fn a_tolerance_is_large_enough_and_not_too_large() {
-        let points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 2.0]];
-        let nearby = Nearby::new(points, vec![0, 1, 2]);
-        assert_eq!(nearby.nearest([1.25, 1.5]), Some((2, 0.5)));
+        let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0]];
+        let nearby = Nearby::new(&points, vec![0, 1, 2]);
+        assert_eq!(nearby.nearest(&[1.25, 1.5]), Some(2));
         assert_eq!(nearby.tolerance(&[[0.0, 0.0], [1.0, 2.0]]), Some(0.0));
         assert_eq!(nearby.tolerance(&[[0.0, 0.125], [1.0, 2.0]]), Some(0.13));
-        // Around the first place there would be two, and both places would have one.
-        assert_eq!(nearby.tolerance(&[[0.25, 0.0], [1.0, 3.0]]), None);
+        // Half of the least distance of two points, and a little less.
+        assert_eq!(nearby.tolerance(&[[1.0, 2.5]]), None);
+        assert_eq!(nearby.tolerance(&[[1.0, 2.4375]]), Some(0.44));
+        // Both places would have one.
         assert_eq!(nearby.tolerance(&[[0.0, 0.0], [0.0, 0.125]]), None);
-        assert_eq!(
-            Nearby::new(Vec::new(), Vec::new()).tolerance(&[[0.0, 0.0]]),
-            None
-        );
+        assert_eq!(Nearby::new(&[], Vec::new()).tolerance(&[[0.0, 0.0]]), None);
     }
 }

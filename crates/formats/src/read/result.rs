@@ -3,12 +3,14 @@
 use std::collections::HashSet;
 
 use crate::read::content::{Corners, Labels, Vertices};
-use crate::read::matching::{self, Matched, Matching};
+use crate::read::matched::Matched;
+use crate::read::matching::{self, Matching};
 #[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
+use crate::read::refusal::ResultError;
 #[cfg(feature = "mesh-formats")]
 use crate::read::shapes::Part;
-use crate::read::source::{ReadError, ResultError, Source};
+use crate::read::source::{ReadError, Source};
 #[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
 #[cfg(feature = "mesh-formats")]
@@ -193,7 +195,10 @@ impl Matching {
         format.read(source, node, |corners| {
             let (matched, places) = match &corners.vertices {
                 Some(vertices) => {
-                    self.places(vertices, corners.is_soup, &points_of(vertices)?, input)?
+                    let points = points_of(vertices)?;
+                    let own = &input.graph.points;
+                    let first = input.numbering.vertex;
+                    self.places(vertices, corners.is_soup, &points, own, first)?
                 }
                 None => (Matched::Unplaced, None),
             };
@@ -239,7 +244,7 @@ fn points_of<S: Coordinate>(vertices: &Vertices<'_>) -> Result<Vec<[S; 2]>, Read
     vertices.points().map_err(|(why, error)| match why {
         CoordinateError::Fraction => ReadError::of_file(
             &vertices.source.name,
-            "has fractions, and the input has none",
+            "has fractions, and the input is read as doubles (--scalar rational reads both exactly)",
         ),
         _ => error,
     })

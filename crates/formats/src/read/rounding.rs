@@ -12,7 +12,7 @@
 //!
 //! Cost: a number is printed once, and two are read.
 
-use crate::read::content::Vertices;
+use crate::read::written::Written;
 use sweep_cdt::scalar::Scalar;
 
 /// How a program rounds.
@@ -24,6 +24,8 @@ pub(super) enum Rule {
     Fixed(usize),
     /// To single precision.
     Singles,
+    /// Not at all.
+    Exact,
 }
 
 /// The fewest significant digits that a program is taken to have printed.
@@ -39,34 +41,28 @@ impl Rule {
             Rule::Decimals => printed(digits(text)?.clamp(FEWEST, MOST), true, value),
             Rule::Fixed(places) => fixed(places, value),
             Rule::Singles => singles(value),
+            Rule::Exact => None,
         }
     }
 }
 
 /// Whether all coordinates are numbers of single precision, printed.
-pub(super) fn are_singles(vertices: &Vertices<'_>, values: &[[f64; 2]]) -> bool {
+pub(super) fn are_singles(written: &impl Written, values: &[[f64; 2]]) -> bool {
     let is_single = |vertex: usize, axis: usize| {
         let value = values[vertex][axis];
-        let digits = digits(&vertices.text(vertex, axis));
+        let digits = digits(&written.text(vertex, axis));
         digits.is_some_and(|digits| is_printed(single(value), digits.clamp(1, MOST), value))
     };
     (0..values.len()).all(|v| is_single(v, 0) && is_single(v, 1))
 }
 
-/// How many decimals the numbers of a file have, the most of them; `None`, if these are too few to tell, or if numbers
-/// have exponents or are fractions.
-pub(super) fn fixed_places(vertices: &Vertices<'_>) -> Option<usize> {
+/// How many decimals the coordinates of so many vertices have, the most of them; `None`, if these are too few to tell, or
+/// if numbers have exponents or are fractions.
+pub(super) fn fixed_places(written: &impl Written, count: usize) -> Option<usize> {
     let mut places = 0;
-    for vertex in 0..vertices.coordinates.len() {
+    for vertex in 0..count {
         for axis in 0..2 {
-            let text = vertices.text(vertex, axis);
-            if text.contains(['e', 'E', '/']) {
-                return None;
-            }
-            places = places.max(
-                text.split_once('.')
-                    .map_or(0, |(_, decimals)| decimals.len()),
-            );
+            places = places.max(written.decimals(vertex, axis)?);
         }
     }
     (FEWEST..=MOST).contains(&places).then_some(places)

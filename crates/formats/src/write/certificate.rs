@@ -56,7 +56,8 @@ pub fn write_certificate<S: Coordinate>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let exponent = least_exponent(points)?;
-    let mut tiling = Tiling::new(points, triangles).ok_or_else(wrong)?;
+    let (mut tiling, positions) = Tiling::new(points, triangles).ok_or_else(wrong)?;
+    let is_inside = |t: usize| is_inside(positions[t]);
     let ring = |edge: usize| polygons.and_then(|polygons| *polygons.ring_of.get(edge)?);
     let chains = edges.iter().enumerate();
     let chains = chains.map(|(edge, &ends)| tiling.chain(ends, ring(edge)));

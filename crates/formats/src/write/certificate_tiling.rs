@@ -10,6 +10,7 @@ use sweep_cdt::interior::Ring;
 use sweep_cdt::scalar::filtered_orient2d;
 
 use crate::Coordinate;
+use crate::order::{order, sorted};
 
 /// No half-edge.
 const NONE: u32 = u32::MAX;
@@ -89,19 +90,29 @@ pub(super) struct Tiling<'a, S> {
 }
 
 impl<'a, S: Coordinate> Tiling<'a, S> {
-    /// `None` if a vertex does not exist or a side has other than one or two triangles, one on each side.
-    pub(super) fn new(points: &'a [[S; 2]], triangles: &[[usize; 3]]) -> Option<Self> {
+    /// The triangles by their earliest corners, so that triangles near each other are read one after the other, and for
+    /// each its position in the list. `None` if a vertex does not exist or a side has other than one or two triangles, one
+    /// on each side.
+    pub(super) fn new(
+        points: &'a [[S; 2]],
+        triangles: &[[usize; 3]],
+    ) -> Option<(Self, Vec<usize>)> {
         let (rank, point) = ranked(points)?;
-        let turned = |corners: &[usize; 3]| {
-            let [a, b, c] = *corners;
-            let [p, q, r] = [points.get(a)?, points.get(b)?, points.get(c)?];
-            let is_left = !filtered_orient2d(p, q, r).is_lt();
+        let earliest = |corners: &[usize; 3]| {
+            let ranks = corners.iter().map(|&v| rank.get(v).copied());
+            ranks.min().flatten()
+        };
+        let earliest: Vec<u32> = triangles.iter().map(earliest).collect::<Option<_>>()?;
+        let positions = by_rank(&earliest, point.len());
+        let turned = |&t: &usize| {
+            let [a, b, c] = triangles[t];
+            let is_left = !filtered_orient2d(&points[a], &points[b], &points[c]).is_lt();
             let mut corners = (if is_left { [a, b, c] } else { [a, c, b] }).map(|v| rank[v]);
             let first = (0..3).min_by_key(|&k| corners[k])?;
             corners.rotate_left(first);
             Some(corners)
         };
-        let corners: Vec<[u32; 3]> = triangles.iter().map(turned).collect::<Option<_>>()?;
+        let corners: Vec<[u32; 3]> = positions.iter().map(turned).collect::<Option<_>>()?;
         let halves = u32::try_from(3 * corners.len())
             .ok()
             .filter(|&halves| halves < NONE)?;
@@ -150,7 +161,7 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
         }
         first.push(u32::try_from(sides.len()).ok()?);
         let (pieces, along) = (vec![0; sides.len()], vec![0; sides.len()]);
-        Some(Tiling {
+        let tiling = Tiling {
             points,
             rank,
             point,
@@ -163,7 +174,8 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
             along,
             walls: Vec::new(),
             fans: HashMap::new(),
-        })
+        };
+        Some((tiling, positions))
     }
 
     /// The points inside an edge, in its direction. Its pieces are marked. `None` if it is no chain of sides.
@@ -405,20 +417,40 @@ fn ends(corners: &[[u32; 3]], half: u32) -> [u32; 2] {
     [corners[t][k], corners[t][(k + 1) % 3]]
 }
 
-/// For each point its place among the distinct points, and for each place its first point; `None` if there are too many.
+/// The positions of ranks in ascending order, equal ones as they stand.
+fn by_rank(ranks: &[u32], count: usize) -> Vec<usize> {
+    let mut starts = vec![0_usize; count + 1];
+    for &rank in ranks {
+        starts[rank as usize + 1] += 1;
+    }
+    for rank in 0..count {
+        starts[rank + 1] += starts[rank];
+    }
+    let mut positions = vec![0; ranks.len()];
+    for (position, &rank) in ranks.iter().enumerate() {
+        let start = &mut starts[rank as usize];
+        positions[*start] = position;
+        *start += 1;
+    }
+    positions
+}
+
+/// For each point its place among the distinct points, and for each place its first point; `None` if there are too many,
+/// or one is not finite.
 fn ranked<S: Coordinate>(points: &[[S; 2]]) -> Option<(Vec<u32>, Vec<u32>)> {
-    let mut order: Vec<u32> = (0..u32::try_from(points.len()).ok()?).collect();
-    let compare = |&v: &u32, &w: &u32| {
-        let [[ax, ay], [bx, by]] = [v, w].map(|v| &points[v as usize]);
-        ax.compare(bx).then_with(|| ay.compare(by))
-    };
-    order.sort_by(compare);
+    let sorted = sorted(points);
+    if sorted.len() < points.len() {
+        return None;
+    }
     let (mut rank, mut point) = (vec![0; points.len()], Vec::new());
-    for equal in order.chunk_by(|v, w| compare(v, w).is_eq()) {
-        for &v in equal {
-            rank[v as usize] = u32::try_from(point.len()).ok()?;
+    let is_equal = |(near, v): &([f64; 2], usize), (other, w): &([f64; 2], usize)| {
+        order((near, &points[*v]), (other, &points[*w])).is_eq()
+    };
+    for equal in sorted.chunk_by(is_equal) {
+        for &(_, v) in equal {
+            rank[v] = u32::try_from(point.len()).ok()?;
         }
-        point.push(equal[0]);
+        point.push(u32::try_from(equal[0].1).ok()?);
     }
     Some((rank, point))
 }

@@ -1,5 +1,5 @@
-//! The formats as one program: certificates (`certificates`), odd but correct files (`files`), points as text (`points`), roles
-//! of rings (`roles`), every pair of formats (`exchange`), and with the feature
+//! The formats as one program: certificates (`certificates`), vertices that are matched (`matching`), odd but correct files
+//! (`files`), points as text (`points`), roles of rings (`roles`), every pair of formats (`exchange`), and with the feature
 //! `mesh-formats` the formats of other programs (`meshes`, `vtu`, `msh`, `numpy`), and files that are refused
 //! (`meshes_refused`).
 
@@ -8,6 +8,7 @@ mod certificates;
 mod dxf;
 mod exchange;
 mod files;
+mod matching;
 #[cfg(feature = "mesh-formats")]
 mod meshes;
 #[cfg(feature = "mesh-formats")]
