@@ -8,11 +8,13 @@ use num_rational::BigRational;
 use numpy::{Element, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyZeroDivisionError;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use sweep_cdt::Pslg;
 use sweep_cdt::interior::Ring;
 use sweep_cdt::scalar::Scalar;
+use sweep_cdt_formats::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
 
-use crate::errors::refused;
+use crate::errors::{exception, refused};
 
 /// Points whose coordinates are fractions.
 #[pyclass(frozen, module = "sweep_cdt._native")]
@@ -21,9 +23,17 @@ pub(crate) struct ExactPoints {
     pub(crate) points: Vec<[BigRational; 2]>,
 }
 
+/// A number that is taken exactly: a numerator and a denominator, or the text of a decimal, whose exponent may be one
+/// that no memory holds.
+#[derive(FromPyObject)]
+enum Number {
+    Ratio(BigInt, BigInt),
+    Decimal(String),
+}
+
 #[pymethods]
 impl ExactPoints {
-    /// Takes numerators and denominators of all coordinates, x and y of each point in turn.
+    /// Takes numerators and denominators of all coordinates, as `parts` returns them.
     #[new]
     fn new(numerators: Vec<BigInt>, denominators: Vec<BigInt>) -> PyResult<ExactPoints> {
         if denominators
@@ -40,6 +50,25 @@ impl ExactPoints {
         })
     }
 
+    /// Takes x and y of each point in turn, within the limits of files. Messages begin with `name`.
+    #[staticmethod]
+    fn of_numbers(py: Python<'_>, numbers: Vec<Number>, name: &str) -> PyResult<ExactPoints> {
+        let mut all = Vec::with_capacity(numbers.len());
+        for number in numbers {
+            let value = match number {
+                Number::Ratio(numerator, denominator) => quotient(numerator, denominator),
+                Number::Decimal(text) => BigRational::from_text(&text),
+            };
+            match value {
+                Ok(value) => all.push(value),
+                Err(error) => return Err(beyond_limit(py, error, name, all.len())),
+            }
+        }
+        Ok(ExactPoints {
+            points: all.as_chunks::<2>().0.to_vec(),
+        })
+    }
+
     fn __len__(&self) -> usize {
         self.points.len()
     }
@@ -49,6 +78,31 @@ impl ExactPoints {
         let all = self.points.as_flattened().iter();
         all.map(|x| (x.numer().clone(), x.denom().clone())).unzip()
     }
+}
+
+/// The exception for the number at this place, of x and y of each point in turn.
+fn beyond_limit(py: Python<'_>, error: CoordinateError, name: &str, at: usize) -> PyErr {
+    let attributes = PyDict::new(py);
+    let (vertex, axis) = (at / 2, at % 2);
+    let limit = match error {
+        CoordinateError::TooLong => Some(MAX_DIGITS),
+        CoordinateError::ExponentTooLarge => Some(MAX_EXPONENT as usize),
+        _ => None,
+    };
+    let set = || {
+        attributes.set_item("vertex", vertex)?;
+        attributes.set_item("axis", axis)?;
+        attributes.set_item("limit", limit)
+    };
+    if let Err(error) = set() {
+        return error;
+    }
+    let class = match limit {
+        Some(_) => "TooLargeError",
+        None => "Error",
+    };
+    let message = format!("{name}[{vertex}, {axis}] {error}");
+    exception(py, class, message, &attributes)
 }
 
 /// Points as Python passes them.

@@ -29,17 +29,23 @@ pub(crate) struct Maker {
     /// Edges that begin at no point yet.
     waiting: Vec<Edge>,
     waiting_at: usize,
+    /// Points behind a batch that has ended early, and the edges after which one does.
+    rest: Vec<Point>,
+    most: usize,
     /// The time that it has taken.
     merging: Duration,
 }
 
 impl Maker {
-    pub(crate) fn new(points: Batches<Point>, edges: Batches<Edge>) -> Maker {
+    /// Batches end after `most` edges, with all edges of a point.
+    pub(crate) fn new(points: Batches<Point>, edges: Batches<Edge>, most: usize) -> Maker {
         Maker {
             points,
             edges,
             waiting: Vec::new(),
             waiting_at: 0,
+            rest: Vec::new(),
+            most,
             merging: Duration::ZERO,
         }
     }
@@ -49,7 +55,12 @@ impl Maker {
         let since = Instant::now();
         batch.upper.clear();
         batch.ends.clear();
-        self.points.next(&mut batch.points)?;
+        if self.rest.is_empty() {
+            self.points.next(&mut batch.points)?;
+        } else {
+            std::mem::swap(&mut batch.points, &mut self.rest);
+            self.rest.clear();
+        }
         let mut at = 0;
         while let Some(edge) = self.next_edge()? {
             // Points before the edge's place have no edges.
@@ -64,6 +75,11 @@ impl Maker {
                 (point.y, point.x) == (edge.y, edge.x),
                 "every edge begins at a point"
             );
+            if batch.upper.len() >= self.most && batch.ends.last().is_some_and(|last| last.0 < at) {
+                self.rest.extend_from_slice(&batch.points[at..]);
+                batch.points.truncate(at);
+                break;
+            }
             batch.upper.push((edge.number, edge.upper));
             match batch.ends.last_mut() {
                 Some((index, end)) if *index == at => *end += 1,

@@ -10,12 +10,13 @@
 //! An edge whose ends are equal has no length, and is counted and dropped.
 //!
 //! Cost: one reading of the runs, and of each edge a writing of 24 bytes and maybe one of 32, before it is sorted with 40.
-//! If all points are in memory, nothing is written before that.
+//! The pieces of a bucket on disk are a list, so that memory holds one place for each bucket. If all points are in memory, nothing is written before that.
 
 use std::path::Path;
 
 use crate::error::Error;
 use crate::input::Input;
+use crate::memory::Account;
 use crate::record::{Edge, Point, array};
 use crate::runs::{PIECE, Run};
 use crate::sorter::{Runs, Sorted, reserve};
@@ -26,9 +27,7 @@ use crate::temporary::Temporary;
 pub(crate) struct Task<'a, 'i> {
     pub(crate) input: &'a mut (dyn Input + 'i),
     pub(crate) points: Sorted<Point>,
-    /// How many points every run but the last has.
-    pub(crate) capacity: usize,
-    pub(crate) memory: usize,
+    pub(crate) account: Account,
     pub(crate) folder: &'a Path,
     pub(crate) summary: &'a mut Summary,
     pub(crate) progress: &'a mut dyn FnMut(u64, u64),
@@ -47,19 +46,16 @@ pub(crate) fn join(task: Task<'_, '_>) -> Result<Joined, Error> {
     let Task {
         input,
         mut points,
-        capacity,
-        memory,
+        account,
         folder,
         summary,
         progress,
     } = task;
-    let mut ready = Ready::new(memory / 4, folder);
-    let runs = match &points {
-        Sorted::Memory(_) => 1,
-        Sorted::Disk { runs, .. } => runs.len(),
-    };
-    let mut waiting = Buckets::new(runs, memory / 16, folder);
-    let mut half_done = Buckets::new(runs, memory / 16, folder);
+    // Every run but the last has as many points.
+    let capacity = account.run::<Point>();
+    let mut ready = Ready::new(account, folder);
+    let mut waiting = Buckets::new(points.runs(), account, folder);
+    let mut half_done = Buckets::new(points.runs(), account, folder);
     let mut places = Vec::new();
 
     // Edges as they come: to the run of the first end, or to both ends at once where these are in memory.
@@ -196,11 +192,11 @@ struct Ready {
 }
 
 impl Ready {
-    fn new(memory: usize, folder: &Path) -> Ready {
+    fn new(account: Account, folder: &Path) -> Ready {
         Ready {
-            runs: Runs::new(folder),
+            runs: Runs::new(account, folder),
             list: Vec::new(),
-            capacity: (memory / (2 * size_of::<Edge>())).max(1),
+            capacity: account.run::<Edge>(),
         }
     }
 
@@ -298,36 +294,44 @@ impl HalfDone {
 struct Buckets<const N: usize> {
     file: Temporary,
     buckets: Vec<Bucket>,
-    /// How many bytes of a bucket are in memory.
+    /// How many bytes of a bucket are in memory: the place of the piece before them, and records.
     room: usize,
 }
 
+/// The last piece of a bucket, and where the one before it stands in the file. There each piece tells the same.
 #[derive(Default)]
 struct Bucket {
     bytes: Vec<u8>,
-    /// Where full pieces stand in the file.
-    pieces: Vec<u64>,
+    before: Option<u64>,
 }
 
+/// The bytes of the place of a piece.
+const PLACE: usize = 8;
+
 impl<const N: usize> Buckets<N> {
-    fn new(count: usize, memory: usize, folder: &Path) -> Buckets<N> {
-        let room = (memory / count).min(PIECE) / N;
+    fn new(count: usize, account: Account, folder: &Path) -> Buckets<N> {
+        let records = account.bucket(count).min(PIECE).saturating_sub(PLACE) / N;
         Buckets {
             file: Temporary::new(folder),
             buckets: (0..count).map(|_| Bucket::default()).collect(),
-            room: room.max(1) * N,
+            // As few runs as can be merged leave room for one.
+            room: PLACE + records.max(1) * N,
         }
     }
 
     fn is_empty(&self, bucket: usize) -> bool {
-        self.buckets[bucket].bytes.is_empty() && self.buckets[bucket].pieces.is_empty()
+        self.buckets[bucket].bytes.is_empty()
     }
 
     fn add(&mut self, bucket: usize, record: &[u8; N]) -> Result<(), Error> {
-        let Bucket { bytes, pieces } = &mut self.buckets[bucket];
+        let Bucket { bytes, before } = &mut self.buckets[bucket];
         if bytes.len() == self.room {
-            pieces.push(self.file.append(bytes)?);
+            *before = Some(self.file.append(bytes)?);
             bytes.clear();
+        }
+        if bytes.is_empty() {
+            bytes.reserve_exact(self.room);
+            bytes.extend_from_slice(&before.unwrap_or(u64::MAX).to_le_bytes());
         }
         bytes.extend_from_slice(record);
         Ok(())
@@ -341,11 +345,17 @@ impl<const N: usize> Buckets<N> {
         mut take: impl FnMut(&[u8; N]) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let bucket = std::mem::take(&mut self.buckets[bucket]);
+        let records = bucket.bytes.get(PLACE..).unwrap_or_default();
+        records.as_chunks().0.iter().try_for_each(&mut take)?;
         bytes.resize(self.room, 0);
-        for place in bucket.pieces {
+        let mut before = bucket.before;
+        while let Some(place) = before {
             self.file.read_at(place, bytes)?;
-            bytes.as_chunks().0.iter().try_for_each(&mut take)?;
+            let (of_before, records) = bytes.split_at(PLACE);
+            records.as_chunks().0.iter().try_for_each(&mut take)?;
+            before =
+                Some(u64::from_le_bytes(array(of_before, 0))).filter(|&place| place != u64::MAX);
         }
-        bucket.bytes.as_chunks().0.iter().try_for_each(take)
+        Ok(())
     }
 }

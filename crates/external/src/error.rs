@@ -42,11 +42,11 @@ pub enum Error {
         /// How many bytes were written there.
         written: u64,
     },
-    /// The memory is too little for so many runs, or the system does not give so much.
+    /// The memory is too little to sort so much.
     TooLittleMemory {
         /// The bytes that may be used.
         memory: u64,
-        /// The bytes that would suffice.
+        /// The bytes that suffice.
         needed: u64,
     },
     /// The system does not give the memory that may be used.

@@ -22,7 +22,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! **Points.** As many points as a third of the memory holds are sorted as a run (`in_memory.rs`) and written to a temporary
+//! **Points.** As many points as some quarter of the memory holds are sorted as a run (`in_memory.rs`) and written to a temporary
 //! file, while the next ones are read. All runs are merged in the background while the order is taken (`runs.rs`). Where
 //! all points are one run, nothing is written. Equal points come one after the other, that with the lowest number first.
 //!
@@ -35,9 +35,9 @@
 //!
 //! **Cost.** A point takes 20 bytes of disk, and is written and read once; where there are edges it is read twice. An edge
 //! takes up to 96. Time is linear, for points that are spread over the plane, also in clusters and in rows. The memory is a
-//! bound for what is sorted and buffered, and grows with the square root of the input: 64 MB suffice for 10^10 points or
-//! 10^9 edges, 256 MB for 16 times as many. More memory makes fewer and longer runs. The edges of one vertex are in
-//! memory together, whatever the bound.
+//! bound for what is sorted and buffered (`memory.rs`), half of which is free while the order is taken. What is needed grows
+//! with the square root of the input: 64 MB suffice for 10^10 points or 10^9 edges, 256 MB for 16 times as many. More
+//! memory makes fewer and longer runs. The edges of one vertex are in memory together, whatever the bound.
 //!
 //! **What can fail.** Every fault of the input and of the disk is an [`Error`]. Temporary files have no names, so nothing
 //! of them is left, however the process ends.
@@ -47,6 +47,7 @@ mod edges;
 mod error;
 mod in_memory;
 mod input;
+mod memory;
 mod order;
 mod points;
 mod prepare;

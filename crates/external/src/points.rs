@@ -8,6 +8,7 @@ use sweep_cdt::threads::beside;
 
 use crate::error::Error;
 use crate::input::Input;
+use crate::memory::Account;
 use crate::record::Point;
 use crate::sorter::{Runs, Sorted, reserve};
 use crate::summary::Summary;
@@ -15,21 +16,18 @@ use crate::summary::Summary;
 /// The points, sorted.
 pub(crate) struct Points {
     pub(crate) sorted: Sorted<Point>,
-    /// How many of them every run but the last has.
-    pub(crate) capacity: usize,
     pub(crate) summary: Summary,
 }
 
 /// Reads the points and sorts them in runs.
 pub(crate) fn sort(
     input: &mut (dyn Input + '_),
-    memory: usize,
+    account: Account,
     folder: &Path,
     progress: &mut dyn FnMut(u64, u64),
 ) -> Result<Points, Error> {
-    // A run is read while another is sorted with as much beside it; the rest is for what is read at once.
-    let capacity = (memory / 16 * 15 / (3 * size_of::<Point>())).clamp(1, u32::MAX as usize);
-    let mut runs = Runs::new(folder);
+    let capacity = account.run::<Point>();
+    let mut runs = Runs::new(account, folder);
     let mut filler = Filler::new(capacity);
     let (mut filled, mut full) = (Vec::new(), Vec::new());
     filler.fill(input, &mut filled, progress)?;
@@ -48,7 +46,6 @@ pub(crate) fn sort(
     let first = filled.first().map_or(0, |point| point.number);
     Ok(Points {
         sorted: runs.finish(filled, first)?,
-        capacity,
         summary: filler.summary,
     })
 }

@@ -3,10 +3,13 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use sweep_cdt_formats::ReadError;
+
 use crate::batch::Maker;
 use crate::edges::{self, Joined};
 use crate::error::Error;
 use crate::input::Input;
+use crate::memory::Account;
 use crate::order::SweepOrder;
 use crate::points::{self, Points};
 use crate::summary::Statistics;
@@ -19,7 +22,9 @@ pub struct Sorting {
 }
 
 impl Sorting {
-    /// Sorts in about so many bytes of memory, with temporary files in this folder.
+    /// Sorts with at most so many bytes for what grows with the input, but for the edges of one vertex, which are in memory
+    /// together. What has a constant size comes to a few megabytes more. At most half of it is used while the order is taken.
+    /// Temporary files are made in this folder.
     pub fn new(memory: u64, folder: impl Into<PathBuf>) -> Sorting {
         Sorting {
             memory,
@@ -44,13 +49,35 @@ impl Sorting {
         input: &mut (dyn Input + '_),
         progress: &mut dyn FnMut(u64, u64),
     ) -> Result<SweepOrder, Error> {
-        let memory = usize::try_from(self.memory).unwrap_or(usize::MAX);
+        let mut counted = Counted {
+            input,
+            points: 0,
+            edges: 0,
+        };
+        self.sorted(&mut counted, progress)
+            .map_err(|error| match error {
+                Error::TooLittleMemory { memory, .. } => match counted.rest() {
+                    Ok([points, edges]) => Error::TooLittleMemory {
+                        memory,
+                        needed: Account::needed(points, edges),
+                    },
+                    Err(error) => error.into(),
+                },
+                error => error,
+            })
+    }
+
+    fn sorted(
+        &self,
+        input: &mut Counted<'_, '_>,
+        progress: &mut dyn FnMut(u64, u64),
+    ) -> Result<SweepOrder, Error> {
+        let account = Account(self.memory);
         let since = Instant::now();
         let Points {
             sorted,
-            capacity,
             mut summary,
-        } = points::sort(input, memory, &self.folder, progress)?;
+        } = points::sort(input, account, &self.folder, progress)?;
         let mut statistics = Statistics {
             runs: sorted.runs(),
             reading: since.elapsed(),
@@ -64,8 +91,7 @@ impl Sorting {
         } = edges::join(edges::Task {
             input,
             points: sorted,
-            capacity,
-            memory,
+            account,
             folder: &self.folder,
             summary: &mut summary,
             progress,
@@ -74,26 +100,65 @@ impl Sorting {
         statistics.edge_runs = edges.runs();
         statistics.written = written + points.written() + edges.written();
         statistics.read = read;
-        let [for_points, for_edges] = match summary.edges {
-            0 => [memory, 0],
-            _ => [memory / 8 * 5, memory / 4],
-        };
-        let points = points.batches(for_points);
-        let points = points.map_err(|error| of_all(error, for_points, memory))?;
-        let edges = edges.batches(for_edges);
-        let edges = edges.map_err(|error| of_all(error, for_edges, memory))?;
-        let maker = Maker::new(points, edges);
+        let (points, edges) = (points.batches(account), edges.batches(account));
+        let maker = Maker::new(points, edges, account.batch());
         Ok(SweepOrder::new(maker, summary, statistics))
     }
 }
 
-/// The error of a share of the memory, for all of the memory.
-fn of_all(error: Error, share: usize, memory: usize) -> Error {
-    match error {
-        Error::TooLittleMemory { needed, .. } => Error::TooLittleMemory {
-            memory: memory as u64,
-            needed: needed.saturating_mul(memory.div_ceil(share.max(1)) as u64),
-        },
-        error => error,
+/// An input of which is counted what has come.
+struct Counted<'a, 'i> {
+    input: &'a mut (dyn Input + 'i),
+    points: u64,
+    edges: u64,
+}
+
+impl Counted<'_, '_> {
+    /// Reads the rest. Returns how many points and edges there are.
+    fn rest(&mut self) -> Result<[u64; 2], ReadError> {
+        let (mut points, mut edges) = (Vec::new(), Vec::new());
+        // All points are read before the first edge.
+        while self.edges == 0 {
+            points.clear();
+            self.next_points(&mut points)?;
+            if points.is_empty() {
+                break;
+            }
+        }
+        loop {
+            edges.clear();
+            self.next_edges(&mut edges)?;
+            if edges.is_empty() {
+                return Ok([self.points, self.edges]);
+            }
+        }
+    }
+}
+
+impl Input for Counted<'_, '_> {
+    fn name(&self) -> &str {
+        self.input.name()
+    }
+
+    fn first(&self) -> [u64; 2] {
+        self.input.first()
+    }
+
+    fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
+        let before = points.len();
+        self.input.next_points(points)?;
+        self.points += (points.len() - before) as u64;
+        Ok(())
+    }
+
+    fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
+        let before = edges.len();
+        self.input.next_edges(edges)?;
+        self.edges += (edges.len() - before) as u64;
+        Ok(())
+    }
+
+    fn progress(&self) -> (u64, u64) {
+        self.input.progress()
     }
 }

@@ -14,6 +14,9 @@ pub(crate) trait Record: Copy + Default + Send + Sync + 'static {
     /// How many bytes it takes on disk.
     const BYTES: usize;
 
+    /// The parts of the memory, of 32, that a run takes.
+    const PARTS: usize;
+
     /// The coordinate that decides first.
     fn y(&self) -> f64;
 
@@ -48,6 +51,7 @@ pub(crate) struct Point {
 
 impl Record for Point {
     const BYTES: usize = 20;
+    const PARTS: usize = 9;
 
     fn y(&self) -> f64 {
         self.y
@@ -91,6 +95,7 @@ pub(crate) struct Edge {
 
 impl Record for Edge {
     const BYTES: usize = 40;
+    const PARTS: usize = 4;
 
     fn y(&self) -> f64 {
         self.y

@@ -12,6 +12,7 @@
 
 use crate::error::Error;
 use crate::in_memory::sort_piece;
+use crate::memory::Account;
 use crate::record::Record;
 use crate::temporary::Temporary;
 
@@ -92,39 +93,22 @@ pub(crate) struct Merger<R> {
     scratch: Vec<R>,
 }
 
-/// No block is longer, in bytes.
-const LONGEST: usize = 1 << 20;
-/// No block is shorter, in records.
-const SHORTEST: usize = 16;
-/// No batch has more records, so that it is sorted in a cache.
-const BATCH: usize = 1 << 14;
-
 impl<R: Record> Merger<R> {
-    /// Merges runs in so many bytes of memory.
-    pub(crate) fn new(file: Temporary, runs: &[Run], memory: usize) -> Result<Merger<R>, Error> {
-        // Half of it is for blocks. Of batches one is in use, one waits, and one is sorted with as much beside it.
-        let shares = 2 * runs.len().max(1) * size_of::<R>();
-        let batch = (memory / 8 / size_of::<R>()).clamp(1, BATCH);
-        let block = (memory / shares).min(LONGEST / size_of::<R>());
-        if block < SHORTEST {
-            return Err(Error::TooLittleMemory {
-                memory: memory as u64,
-                needed: (shares * SHORTEST) as u64,
-            });
-        }
+    /// Merges runs, no more than the account allows.
+    pub(crate) fn new(file: Temporary, runs: &[Run], account: Account) -> Merger<R> {
         let cursors = runs.iter().map(|&run| Cursor {
             run,
             block: Vec::new(),
             at: 0,
         });
-        Ok(Merger {
+        Merger {
             file,
             cursors: cursors.collect(),
-            block,
-            batch,
+            block: account.block::<R>(runs.len()),
+            batch: account.batch(),
             bytes: Vec::new(),
             scratch: Vec::new(),
-        })
+        }
     }
 
     /// How many bytes were read of the runs.

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::in_memory::sort;
+use crate::memory::Account;
 use crate::record::Record;
 use crate::runs::{Merger, Run};
 use crate::temporary::Temporary;
@@ -16,20 +17,30 @@ pub(crate) struct Runs<R> {
     file: Temporary,
     runs: Vec<Run>,
     scratch: Vec<R>,
+    account: Account,
 }
 
 impl<R: Record> Runs<R> {
     /// No runs; a file for them is made in this folder when there are.
-    pub(crate) fn new(folder: &Path) -> Runs<R> {
+    pub(crate) fn new(account: Account, folder: &Path) -> Runs<R> {
         Runs {
+            account,
             file: Temporary::new(folder),
             runs: Vec::new(),
             scratch: Vec::new(),
         }
     }
 
-    /// Sorts records, writes them as a run and forgets them; `first` is the least number.
+    /// Sorts records, writes them as a run and forgets them; `first` is the least number. Refuses more runs than can be
+    /// merged.
     pub(crate) fn add(&mut self, records: &mut Vec<R>, first: u64) -> Result<(), Error> {
+        if self.runs.len() == self.account.runs::<R>() {
+            let memory = self.account.0;
+            return Err(Error::TooLittleMemory {
+                memory,
+                needed: memory,
+            });
+        }
         self.sort(records)?;
         self.runs.push(Run::write(records, first, &mut self.file)?);
         records.clear();
@@ -85,32 +96,41 @@ impl<R: Record> Sorted<R> {
         }
     }
 
-    /// The records in batches, in so much memory.
-    pub(crate) fn batches(self, memory: usize) -> Result<Batches<R>, Error> {
-        Ok(match self {
-            Sorted::Memory(records) => Batches::Memory { records, at: 0 },
-            Sorted::Disk { file, runs } => Batches::Disk(Merger::new(file, &runs, memory)?),
-        })
+    /// The records in batches.
+    pub(crate) fn batches(self, account: Account) -> Batches<R> {
+        match self {
+            Sorted::Memory(records) => Batches::Memory {
+                records,
+                at: 0,
+                batch: account.batch(),
+            },
+            Sorted::Disk { file, runs } => Batches::Disk(Merger::new(file, &runs, account)),
+        }
     }
 }
 
 /// Sorted records that come one batch after the other.
 #[derive(Debug)]
 pub(crate) enum Batches<R> {
-    Memory { records: Vec<R>, at: usize },
+    Memory {
+        records: Vec<R>,
+        at: usize,
+        batch: usize,
+    },
     Disk(Merger<R>),
 }
-
-/// How many records of a run in memory are a batch.
-const BATCH: usize = 1 << 14;
 
 impl<R: Record> Batches<R> {
     /// Puts the next records in the place of a batch; none if there are no more.
     pub(crate) fn next(&mut self, batch: &mut Vec<R>) -> Result<(), Error> {
         match self {
             Batches::Disk(merger) => merger.next_batch(batch),
-            Batches::Memory { records, at } => {
-                let end = (*at + BATCH).min(records.len());
+            Batches::Memory {
+                records,
+                at,
+                batch: most,
+            } => {
+                let end = (*at + *most).min(records.len());
                 batch.clear();
                 batch.extend_from_slice(&records[*at..end]);
                 *at = end;

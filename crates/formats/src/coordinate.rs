@@ -3,7 +3,7 @@
 use std::fmt;
 use std::num::IntErrorKind;
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 
 use sweep_cdt::scalar::Scalar;
@@ -251,10 +251,8 @@ impl Coordinate for BigRational {
         if numerator.len().max(denominator.len()) > MAX_DIGITS {
             return Err(CoordinateError::TooLong);
         }
-        if denominator.bytes().all(|digit| digit == b'0') {
-            return Err(CoordinateError::NotANumber);
-        }
-        let value = fraction(&numerator, &denominator).ok_or(CoordinateError::NotANumber)?;
+        let parse = |digits: String| digits.parse().map_err(|_| CoordinateError::NotANumber);
+        let value = quotient(parse(numerator)?, parse(denominator)?)?;
         Ok(if token.starts_with('-') {
             -value
         } else {
@@ -342,8 +340,32 @@ fn decimal(token: &str) -> Result<(String, String), CoordinateError> {
     Ok((numerator, denominator))
 }
 
-/// The quotient of two strings of decimal digits, the second not zero.
-fn fraction(numerator: &str, denominator: &str) -> Option<BigRational> {
-    let parts: (BigInt, BigInt) = (numerator.parse().ok()?, denominator.parse().ok()?);
-    Some(BigRational::from(parts))
+/// The quotient of two whole numbers, neither of which may have more digits than [`MAX_DIGITS`].
+///
+/// ```
+/// use num_bigint::BigInt;
+/// use sweep_cdt_formats::{Coordinate, CoordinateError, quotient};
+///
+/// let (three, zero) = (BigInt::from(3), BigInt::from(0));
+/// assert_eq!(quotient(three.clone(), BigInt::from(-6)).map(|half| half.text()), Ok("-1/2".to_owned()));
+/// assert_eq!(quotient(three.clone(), zero), Err(CoordinateError::NotANumber));
+/// assert_eq!(quotient(three, BigInt::from(10).pow(10_000)), Err(CoordinateError::TooLong));
+/// ```
+///
+/// # Errors
+/// [`CoordinateError::TooLong`], and [`CoordinateError::NotANumber`] where the denominator is zero.
+pub fn quotient(numerator: BigInt, denominator: BigInt) -> Result<BigRational, CoordinateError> {
+    // A digit is more than three bits and less than four, so that digits are seldom counted.
+    let is_long = |number: &BigInt| {
+        let bits = number.bits();
+        let most = MAX_DIGITS as u64;
+        bits > 4 * most || bits > 3 * most && number.magnitude().to_string().len() > MAX_DIGITS
+    };
+    if is_long(&numerator) || is_long(&denominator) {
+        return Err(CoordinateError::TooLong);
+    }
+    if denominator.sign() == Sign::NoSign {
+        return Err(CoordinateError::NotANumber);
+    }
+    Ok(BigRational::new(numerator, denominator))
 }

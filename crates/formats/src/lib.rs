@@ -47,7 +47,7 @@ mod threads;
 mod trace;
 mod write;
 
-pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT};
+pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
 #[cfg(feature = "geo-types")]
 pub use geo::{geo_graph, geo_triangles};
 pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};

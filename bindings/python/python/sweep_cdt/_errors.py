@@ -81,9 +81,12 @@ class MatchError(Error):
 
 
 class TooLargeError(Error):
-    """There are more points, edges or crossings than the `limit`."""
+    """There are more points, edges or crossings than the `limit`, or a number that is taken exactly has more digits, or a
+    greater exponent: `vertex` and `axis`."""
 
     limit: int
+    vertex: int
+    axis: int
 
 
 class OutOfMemoryError(Error, MemoryError):

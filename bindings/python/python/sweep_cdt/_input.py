@@ -1,7 +1,8 @@
 """Arguments as arrays: points as doubles or as exact numbers, edges and rings as positions.
 
 Doubles are exact numbers too, and so are whole numbers up to 2**53 in size. So only larger whole numbers, fractions and
-decimals take the exact arithmetic of fractions, which is some five times as slow. The result is the same.
+decimals take the exact arithmetic of fractions, which is some five times as slow. The result is the same. Their limits
+are those of files, in Rust: beyond them a number could take all time and memory.
 """
 
 from __future__ import annotations
@@ -88,10 +89,10 @@ def _exact(array: np.ndarray, name: str) -> Any:
     """Exact points from whole numbers, fractions, decimals and doubles."""
     if array.ndim != 2 or array.shape[1] != 2:
         raise ShapeError(f"{name} has the shape {array.shape}, not (n, 2)", shape=array.shape)
-    numerators, denominators = [], []
+    found = []
     for at, value in enumerate(array.flat):
         try:
-            numerator, denominator = _ratio(value)
+            found.append(_number(value))
         except (ValueError, OverflowError):
             vertex, axis = divmod(at, 2)
             message = f"{name}[{vertex}, {axis}] is {value}, which is not finite"
@@ -100,17 +101,22 @@ def _exact(array: np.ndarray, name: str) -> Any:
             position = divmod(at, 2)
             message = f"{name}[{position[0]}, {position[1]}] is no number but {_kind(value)}"
             raise KindError(message, position=position) from None
-        numerators.append(numerator)
-        denominators.append(denominator)
-    return _native.ExactPoints(numerators, denominators)
+    return _native.ExactPoints.of_numbers(found, name)
 
 
-def _ratio(value: Any) -> tuple[int, int]:
+def _number(value: Any) -> tuple[int, int] | str:
+    """A numerator and a denominator, or the text of a decimal, whose exponent may be one that no memory holds."""
     if isinstance(value, (bool, np.bool_)):
         raise TypeError
     if isinstance(value, numbers.Rational):
         return int(value.numerator), int(value.denominator)
-    if isinstance(value, (float, np.floating, decimal.Decimal)):
+    if isinstance(value, decimal.Decimal):
+        if not value.is_finite():
+            raise ValueError
+        # `str` writes 12e400 as 1.2E+401.
+        digits, *exponent = str(value).split("E")
+        return f"{digits.replace('.', '')}e{value.as_tuple().exponent}" if exponent else digits
+    if isinstance(value, (float, np.floating)):
         numerator, denominator = value.as_integer_ratio()
         return int(numerator), int(denominator)
     raise TypeError

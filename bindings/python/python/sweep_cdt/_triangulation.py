@@ -41,10 +41,12 @@ def triangulate(
     Parameters
     ----------
     points : array_like of shape (n, 2), or an object that has points
-        Doubles, single precision, whole numbers of any size, `Fraction` or `Decimal`: all exact. Or geometries of
-        shapely (one, or a list of them), a GeoDataFrame or GeoSeries, or a dictionary of `triangle`: these bring their
-        edges, polygons and holes. An array of doubles of which the rows follow each other in memory is not copied:
-        no other thread may write to it during the call, and whoever writes to it later changes the result's points.
+        Doubles, single precision, whole numbers, `Fraction` or `Decimal`: all exact. Where they are no doubles, a
+        whole number, numerator or denominator has at most 10,000 digits, and an exponent is from -400 to 400; what is
+        beyond raises `TooLargeError`. Or geometries of shapely (one, or a list of them), a GeoDataFrame or GeoSeries, or
+        a dictionary of `triangle`: these bring their edges, polygons and holes. An array of doubles of which the rows
+        follow each other in memory is not copied: no other thread may write to it during the call, and whoever writes
+        to it later changes the result's points.
     edges : array_like of int of shape (m, 2), optional
         Pairs of positions in `points`. Edges may come in any order, repeat, overlap, pass through points, and have no
         length.

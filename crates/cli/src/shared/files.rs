@@ -151,8 +151,14 @@ pub(crate) struct ReadingArgs {
 
     /// Most bytes that what is packed in a .vtu, .vtp or .npz may unpack to: 500M, 16G or 2GiB, for example [default: 16MiB,
     /// or 32 times the file's size]
-    #[arg(long, value_name = "SIZE")]
+    #[arg(long, value_name = "SIZE", value_parser = size)]
     unpacked_limit: Option<ByteSize>,
+}
+
+/// A number of bytes.
+pub(crate) fn size(text: &str) -> Result<ByteSize, String> {
+    let size = text.parse();
+    size.map_err(|_| "it is no number of bytes, as 500M, 16G, 2GiB or 4096 are".to_owned())
 }
 
 impl ReadingArgs {

@@ -31,8 +31,9 @@ pub(crate) use verify::verify_stream;
 /// So many bytes of memory a vertex takes, new or alive, while its window is triangulated (some 170 were measured). A
 /// window has at least as many new ones as are alive.
 const BYTES: u64 = 200;
-/// So many new vertices for each that is alive has a window whose size nobody gives.
+/// So many new vertices for each that is alive has a window whose size nobody gives, and so many at least.
 const SHARE: usize = 7;
+const WINDOW: usize = 1 << 15;
 /// The bar moves each time that so many vertices have come.
 const STEP: u64 = 1 << 16;
 
@@ -88,6 +89,11 @@ Output:
   .ply     binary: the points in the order of the input, with a z of 0, and the triangles
   Where more stays alive than --memory holds, the triangles up to there are written to a file whose
   name ends in .incomplete. A run that fails otherwise writes no file.
+Memory:
+  --memory is for sorting, and then a half for merging and a half for vertices: those that are
+  alive and those of a window. A vertex alive takes 800 bytes of it, and two windows are allowed
+  whatever it is. The program itself takes up to 48 MiB more. No option bounds the edges of a vertex
+  or window, those open at the sweep line, and what --check keeps of sides that wait.
 
 Exit status:
   0  done   1  wrong input, or too much alive   2  wrong usage
@@ -330,7 +336,10 @@ impl StreamCommand {
                 }
             }
         };
-        let most = usize::try_from(self.sort.memory() / BYTES).unwrap_or(usize::MAX);
+        // The other half of the memory is for what is merged. Two windows are held whatever the memory.
+        let most = usize::try_from(self.sort.memory() / 2 / BYTES).unwrap_or(usize::MAX);
+        let window = self.window.map_or(WINDOW, NonZeroUsize::get);
+        let most = most.max(window.saturating_mul(2));
         let limit = most / 2;
         let mut stream: Stream<'_, f64, _> = Triangulator::new().stream(&mut found).limit(limit);
         if points > 0 {
@@ -407,11 +416,15 @@ impl StreamCommand {
             Err(Trouble::Order(error)) => return Err(self.sort.failure(&error)),
             Err(Trouble::Stream(error)) => {
                 let advice = match error {
-                    StreamError::TooMuchAlive { .. } => " (--memory allows more)",
+                    StreamError::TooMuchAlive { alive, .. } => {
+                        let bytes = (alive.vertices as u64).saturating_mul(4 * BYTES);
+                        format!(" (--memory {}MiB allows so many)", bytes.div_ceil(1 << 20))
+                    }
                     StreamError::CrossingEdges { .. } => {
                         " (where memory holds them, `sweep-cdt crossings` lists all that do)"
+                            .to_owned()
                     }
-                    _ => "",
+                    _ => String::new(),
                 };
                 let kept = match error {
                     StreamError::TooMuchAlive { .. } => kept,

@@ -6,7 +6,7 @@ use bytesize::ByteSize;
 use sweep_cdt_external::{Error, Input, InputFormat, Sorting, SweepOrder, open};
 
 use crate::shared::failure::Failure;
-use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_parser};
+use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_parser, size};
 use crate::shared::resources::Progress;
 
 /// The memory, if it is not given.
@@ -19,8 +19,9 @@ pub(crate) struct SortArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) edges: Option<PathBuf>,
 
-    /// Memory for sorting, and for what stays alive [default: 512 MiB]
-    #[arg(long, value_name = "SIZE")]
+    /// Memory for sorting, and then a half of it for vertices of a stream that are alive: 200M or 2GiB, for example
+    /// [default: 512MiB]
+    #[arg(long, value_name = "SIZE", value_parser = size)]
     pub(crate) memory: Option<ByteSize>,
 
     /// Folder for temporary files, of which nothing is left in the end [default: that of the system]
@@ -96,12 +97,11 @@ impl SortArgs {
     /// What ends a run that cannot sort, with the option that helps.
     pub(super) fn failure(&self, error: &Error) -> Failure {
         Failure::Error(match error {
-            // The share of the memory that was too little would do with less if all were more.
             Error::TooLittleMemory { memory, needed } => {
-                let enough = u128::from(self.memory()) * u128::from(*needed);
-                let enough = enough.div_ceil(u128::from(*memory).max(1));
-                let memory = ByteSize(self.memory());
-                format!("{memory} of memory do not suffice to sort so much: --memory {enough} does")
+                let (memory, enough) = (ByteSize(*memory), needed.div_ceil(1 << 10));
+                format!(
+                    "{memory} of memory do not suffice to sort so much: --memory {enough}KiB does"
+                )
             }
             Error::OutOfMemory { .. } => format!("{error} (--memory)"),
             Error::Temporary { .. } => format!("{error} (--temporary names one)"),

@@ -25,6 +25,8 @@ mod statistics;
 #[cfg(target_os = "linux")]
 mod stopped;
 mod stream;
+#[cfg(target_os = "linux")]
+mod stream_memory;
 mod stream_outputs;
 mod stream_refused;
 mod stream_verify;

@@ -108,7 +108,7 @@ fn a_stream_that_is_ended_leaves_no_file() {
     for (name, number) in [("TERM", 15), ("KILL", 9)] {
         let folder = folder(&[("old.u64", "old")]);
         fs::create_dir(folder.path().join("temporary")).expect("a folder");
-        let options = "--memory 300K --temporary temporary --window 100";
+        let options = "--memory 600K --temporary temporary --window 100";
         let arguments = format!("stream {CONTOURS} {options} -o old.u64");
         let mut child = by("env", &["--default-signal"], &folder, &arguments)
             .stderr(Stdio::piped())

@@ -29,7 +29,7 @@ fn wrong_input_is_named_as_the_file_numbers_it() {
             format!("one.poly: edges 1 and 3 cross {advice}"),
         ),
         (
-            "one.poly --window 1 --memory 1K",
+            "one.poly --window 1 --memory 2K",
             format!("one.poly: edges 1 and 3 cross {advice}"),
         ),
         (
@@ -101,10 +101,11 @@ fn what_is_final_is_kept_where_too_much_is_alive() {
     let folder = folder(&[("t.u64", "old")]);
     write_both(&folder, &under_a_circle());
     let expected = expected(&folder, "p.json");
-    let settings = "--window 50 --memory 120K";
+    let settings = "--window 50 --memory 240K";
     let output = ran(&folder, &format!("stream p.f64 {settings} -o t.u64"));
     let error = text(&output.stderr);
-    let ending = " (--memory allows more); what is final up to there is in t.u64.incomplete\n";
+    let ending =
+        " (--memory 1MiB allows so many); what is final up to there is in t.u64.incomplete\n";
     assert!(error.starts_with("error: p.f64: "), "{error}");
     assert!(
         error.contains(" vertices are alive, more than the limit of 300: "),
@@ -148,7 +149,7 @@ fn what_is_final_is_kept_where_too_much_is_alive() {
     assert_eq!(set(triangles(&output.stdout, "u64")), part);
     // Without an output there is nothing to keep.
     let output = ran(&folder, &format!("stream p.f64 {settings}"));
-    assert!(text(&output.stderr).ends_with(" (--memory allows more)\n"));
+    assert!(text(&output.stderr).ends_with(" (--memory 1MiB allows so many)\n"));
     assert_eq!(output.status.code(), Some(1));
     // With more memory it goes well.
     assert_eq!(
@@ -165,34 +166,14 @@ fn windows_grow_as_far_as_memory_allows() {
     let folder = folder(&[]);
     write_raw(&folder, &Input::generated("circle", 100_000, 0));
     let stream = |memory: u32| ran(&folder, &format!("stream p.f64 --memory {memory} -o t.u32"));
-    let output = stream(400 * 40_000);
+    let output = stream(800 * 40_000);
     let error = text(&output.stderr);
     let words = " vertices are alive, more than the limit of 40000: ";
     let alive = error.strip_prefix("error: p.f64: ");
     let alive = alive.and_then(|rest| rest.split_once(words)?.0.parse().ok());
     let alive: u32 = alive.unwrap_or_else(|| panic!("{error}"));
     assert!((40_001..=80_000).contains(&alive), "{alive}");
-    assert_eq!(printed(&stream(400 * 100_000)), "");
-}
-
-#[test]
-fn too_little_memory_says_how_much_is_enough() {
-    let folder = folder(&[]);
-    write_raw(&folder, &Input::generated("segments", 1000, 1));
-    let stream = |memory: &str| {
-        let arguments = format!("stream p.f64 --edges e.u64 --memory {memory} -o t.u64");
-        ran(&folder, &arguments)
-    };
-    let output = stream("2KiB");
-    let error = text(&output.stderr);
-    let words = "error: 2.0 KiB of memory do not suffice to sort so much: --memory ";
-    let enough = error
-        .strip_prefix(words)
-        .and_then(|rest| rest.strip_suffix(" does\n"));
-    let enough = enough.unwrap_or_else(|| panic!("{error}"));
-    assert_eq!(output.status.code(), Some(1));
-    assert_eq!(names(folder.path()), ["e.u64", "p.f64"]);
-    assert_eq!(printed(&stream(enough)), "");
+    assert_eq!(printed(&stream(800 * 100_000)), "");
 }
 
 #[test]

@@ -4,11 +4,13 @@
 //! crate makes of them.
 //!
 //! The points of a `.laz` are packed in chunks, which a table lists, and newer ones in layers, whose sizes begin a chunk.
-//! The crates allocate what table and sizes say, so these are compared with the length of the file before. Chunks are
-//! unpacked whole, on all cores. Without threads, and where a chunk would take much memory, points are unpacked one after
-//! the other instead.
+//! The crates allocate what header, table and sizes say, so these are compared with the length of the file before. Chunks
+//! are unpacked whole, on all cores. Without threads, and where a chunk would take much memory, points are unpacked one
+//! after the other instead. Decoders that panic over damaged bytes are caught.
 
+use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use las::{Header, LazParallelism, PointData, PointDataBuilder, Reader, ReaderOptions};
@@ -21,11 +23,12 @@ use crate::error::reason;
 use crate::input::Input;
 use crate::input::file::InputFile;
 
-/// How many points are read at once: a few chunks of a `.laz`, which are unpacked on all cores.
+/// How many points are read at once: a few chunks of a `.laz`, which are unpacked on all cores. They are fewer where they
+/// would take more than [`BYTES`].
 const POINTS: u64 = 1 << 18;
 
-/// The most bytes that a chunk which is unpacked whole may take.
-const CHUNK: u64 = 1 << 26;
+/// The most bytes of the points that are read at once, and of a chunk that is unpacked whole.
+const BYTES: u64 = 1 << 23;
 
 /// A point cloud.
 pub(super) struct Cloud {
@@ -39,16 +42,8 @@ pub(super) struct Cloud {
 impl Cloud {
     pub(super) fn open(path: &Path) -> Result<Cloud, ReadError> {
         let file = InputFile::open(path)?;
-        let mut read = BufReader::new(file.handle()?);
-        let chunk = largest_chunk(&mut read, file.length).map_err(|why| file.error(why))?;
-        let parallelism = match chunk <= CHUNK && has_threads() {
-            true => LazParallelism::Yes,
-            false => LazParallelism::No,
-        };
-        let options = ReaderOptions::default().with_laz_parallelism(parallelism);
-        read.rewind().map_err(|error| file.error(reason(&error)))?;
-        let reader = Reader::with_options(read, options);
-        let reader = reader.map_err(|error| file.error(error.to_string()))?;
+        let read = BufReader::new(file.handle()?);
+        let reader = caught(|| reader(read, file.length)).map_err(|why| file.error(why))?;
         let header = reader.header();
         let (points, count) = (
             PointDataBuilder::new().for_header(header).build(),
@@ -64,6 +59,62 @@ impl Cloud {
     }
 }
 
+/// What the crates make of a file. Some of their decoders end in a panic where bytes are damaged: here that is an error,
+/// after which nobody goes on with them.
+fn caught<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+    let done = catch_unwind(AssertUnwindSafe(work));
+    done.unwrap_or_else(|_| Err("what is packed is damaged".to_owned()))
+}
+
+/// Checks a file, and reads it from the begin.
+fn reader(mut read: BufReader<File>, length: u64) -> Result<Reader, String> {
+    check_lengths(&mut read, length)?;
+    read.rewind().map_err(|error| reason(&error))?;
+    let chunk = largest_chunk(&mut read, length)?;
+    let parallelism = match chunk <= BYTES && has_threads() {
+        true => LazParallelism::Yes,
+        false => LazParallelism::No,
+    };
+    let options = ReaderOptions::default().with_laz_parallelism(parallelism);
+    read.rewind().map_err(|error| reason(&error))?;
+    Reader::with_options(read, options).map_err(|error| error.to_string())
+}
+
+/// Refuses a header that says of points, and of the record behind them, more than the file has room for.
+fn check_lengths(read: &mut (impl Read + Seek), length: u64) -> Result<(), String> {
+    let header = las::raw::Header::read_from(&mut *read).map_err(|error| error.to_string())?;
+    let large = header.large_file.map(|large| large.number_of_point_records);
+    let count = match header.number_of_point_records {
+        0 => large.unwrap_or(0),
+        count => u64::from(count),
+    };
+    let bytes = count.checked_mul(u64::from(header.point_data_record_length));
+    let end = bytes.and_then(|bytes| bytes.checked_add(header.offset_to_point_data.into()));
+    let is_packed = header.point_data_record_format & 0x80 != 0;
+    if end.is_none_or(|end| end > length && !is_packed) {
+        return Err(format!(
+            "it has {length} bytes, and {count} points take more: it is cut off"
+        ));
+    }
+    let Some(record) = header.evlr else {
+        return Ok(());
+    };
+    let begin = record.start_of_first_evlr;
+    // Behind 20 bytes stands the length of what follows a head of 60.
+    let after = |bytes: u64| begin.checked_add(bytes).filter(|&place| place <= length);
+    let size = after(20).map(|place| {
+        read.seek(SeekFrom::Start(place))?;
+        next_number(read)
+    });
+    let size = size.transpose().map_err(|error| reason(&error))?;
+    match size.and_then(|size| after(size.checked_add(60)?)) {
+        Some(_) => Ok(()),
+        None => Err(format!(
+            "the record behind its points is longer than its {length} bytes"
+        )),
+    }
+}
+
 /// The bytes of the points of the largest chunk; 0 where nothing is packed. Refuses a table of chunks with more than the
 /// file has room for.
 fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u64, String> {
@@ -72,6 +123,12 @@ fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u6
         return Ok(0);
     }
     let vlr = header.laz_vlr().map_err(|error| error.to_string())?;
+    let [packed, each] = [vlr.items_size(), header.point_format().len().into()];
+    if packed != each {
+        return Err(format!(
+            "a point has {each} bytes by its header, and {packed} where it is packed"
+        ));
+    }
     let (begin, table, count) = table_of_chunks(read).map_err(|error| error.to_string())?;
     let room = table.saturating_sub(begin);
     if table > length || u64::from(count) > room {
@@ -102,8 +159,17 @@ fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u6
         }
         place += chunk.byte_count;
     }
-    let points = chunks.iter().map(|chunk| chunk.point_count).max();
-    Ok(points.unwrap_or(0).saturating_mul(vlr.items_size()))
+    let points = chunks.iter().map(|chunk| chunk.point_count);
+    let (count, most) = (
+        header.number_of_points(),
+        points.clone().map(u128::from).sum(),
+    );
+    if u128::from(count) > most {
+        return Err(format!(
+            "its header says {count} points, and its chunks have at most {most}"
+        ));
+    }
+    Ok(points.max().unwrap_or(0).saturating_mul(each))
 }
 
 /// The bytes of the layers of the chunk at a place, as it says: after its first point and the number of its points. Points
@@ -140,11 +206,21 @@ fn table_of_chunks(read: &mut (impl Read + Seek)) -> io::Result<(u64, u64, u32)>
     Ok((begin, table, u32::from_le_bytes(count)))
 }
 
-/// The next eight bytes as a place in the file, or 0.
-fn next_place(read: &mut impl Read) -> io::Result<u64> {
+/// The next eight bytes as a number.
+fn next_number(read: &mut impl Read) -> io::Result<u64> {
     let mut bytes = [0; 8];
     read.read_exact(&mut bytes)?;
-    Ok(u64::try_from(i64::from_le_bytes(bytes)).unwrap_or(0))
+    Ok(u64::from_le_bytes(bytes))
+}
+
+/// The next eight bytes as a place in the file, or 0.
+fn next_place(read: &mut impl Read) -> io::Result<u64> {
+    let number = next_number(read)?;
+    Ok(if i64::try_from(number).is_ok() {
+        number
+    } else {
+        0
+    })
 }
 
 impl Input for Cloud {
@@ -153,11 +229,21 @@ impl Input for Cloud {
     }
 
     fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
-        let most = POINTS.min(self.count - self.read);
+        let each = self.reader.header().point_format().len();
+        let most = POINTS.min(BYTES / u64::from(each.max(1)));
+        let most = most.min(self.count - self.read);
         if most == 0 {
             return self.file.check();
         }
-        let read = self.reader.fill_points(most, &mut self.points);
+        let Cloud {
+            reader,
+            points: unpacked,
+            ..
+        } = self;
+        let read = caught(|| {
+            let read = reader.fill_points(most, unpacked);
+            read.map_err(|error| error.to_string())
+        });
         let fault = |why: String| {
             let (read, count) = (self.read, self.count);
             self.file
@@ -166,7 +252,7 @@ impl Input for Cloud {
         match read {
             Ok(read) if read == most => {}
             Ok(_) => return Err(fault("the file ends".to_owned())),
-            Err(error) => return Err(fault(error.to_string())),
+            Err(why) => return Err(fault(why)),
         }
         self.read += most;
         let pairs = self.points.x().zip(self.points.y());

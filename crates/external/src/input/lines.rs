@@ -6,7 +6,7 @@ use sweep_cdt_formats::{Coordinate, CoordinateError, ReadError, Source, quoted};
 use crate::input::file::{InputFile, PIECE};
 
 /// A line that is longer is none of a text of points.
-const LONGEST: usize = 1 << 24;
+const LONGEST: usize = 1 << 21;
 
 /// The lines of a file that hold anything, one after the other.
 #[derive(Debug)]

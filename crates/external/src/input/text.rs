@@ -3,7 +3,7 @@
 //! The first row of such a file says what separates the fields, which columns are x and y, and how many there are. So
 //! each piece is read as a file of its own that begins as the whole one does, up to its first row: by the reader of whole
 //! files, and on all cores. A piece may be wrong because it ends within a quoted field. So a piece that is refused is read
-//! once more with what follows it, and an error counts only if that does not help.
+//! once more up to where quotes are closed, and with what follows it, and an error counts only if that does not help.
 
 use std::ops::Range;
 use std::path::Path;
@@ -16,9 +16,9 @@ use crate::input::file::InputFile;
 
 /// The bytes of a piece, and of the pieces that are read at once.
 const PIECE: usize = 1 << 17;
-const BLOCK: usize = 16 * PIECE;
+const BLOCK: usize = 8 * PIECE;
 /// The most that a row, or what stands before the first one, may have.
-const LONGEST: usize = 1 << 24;
+const LONGEST: usize = 2 * BLOCK;
 /// The most lines of a row of names, some of which may stand in quotes.
 const MOST_LINES: usize = 16;
 
@@ -107,11 +107,19 @@ impl Text {
         loop {
             let is_all = self.file.left() == 0;
             let is_long = self.bytes.len() > LONGEST;
-            let end = match pieces(&self.bytes, is_all).last() {
+            let mut end = match pieces(&self.bytes, is_all).last() {
                 Some(last) => last.end,
                 None => 0,
             };
-            match self.begin.points_with(&self.bytes[..end]) {
+            let mut found = self.begin.points_with(&self.bytes[..end]);
+            if found.is_err() && !is_all {
+                let outside = end_outside_quotes(&self.bytes[..end]);
+                let sooner = self.begin.points_with(&self.bytes[..outside]);
+                if outside > 0 && sooner.is_ok() {
+                    (end, found) = (outside, sooner);
+                }
+            }
+            match found {
                 Ok(_) if end == 0 && is_long => {
                     let message = "the line does not end: is this a text?";
                     return Err(self.file.error_in_line(self.lines + 1, message));
@@ -231,6 +239,19 @@ fn first_row(bytes: &[u8], is_all: bool) -> Option<usize> {
         from = end;
     }
     is_all.then_some(bytes.len())
+}
+
+/// Where the last line ends before which quotes are closed, as far as their number tells.
+fn end_outside_quotes(bytes: &[u8]) -> usize {
+    let (mut is_open, mut end) = (false, 0);
+    for at in memchr::memchr3_iter(b'"', b'\n', b'\r', bytes) {
+        match bytes[at] {
+            b'"' => is_open = !is_open,
+            _ if !is_open => end = at + 1,
+            _ => {}
+        }
+    }
+    end
 }
 
 /// Pieces of whole lines; the last line is one only if it is the last of the file.

@@ -1,9 +1,10 @@
 //! `.las` and `.laz`: what the crate `las` writes comes in the order of the sweep.
 
 use std::fs;
+use std::io::Cursor;
 use std::path::Path;
 
-use las::{Builder, Point, Transform, Writer};
+use las::{Builder, Point, Transform, Vlr, Writer};
 use sweep_cdt_external::{InputFormat, Sorting, open};
 
 use crate::{Random, expected, take};
@@ -44,6 +45,42 @@ fn write_version(path: &Path, is_packed: bool, version: (u8, u8)) -> Vec<[f64; 2
     let points = points.collect();
     writer.close().expect("room");
     points
+}
+
+/// Small clouds: of each version, packed or not, with records of their own before and behind the points.
+pub(crate) fn small() -> [(&'static str, Vec<u8>); 4] {
+    [
+        ("las", (1, 2), false),
+        ("laz", (1, 2), true),
+        ("las", (1, 4), false),
+        ("laz", (1, 4), true),
+    ]
+    .map(|(format, version, is_packed)| {
+        let mut builder = Builder::from(version);
+        let record = Vlr {
+            user_id: "anyone".to_owned(),
+            data: vec![1; 30],
+            ..Vlr::default()
+        };
+        builder.vlrs.push(record.clone());
+        if version == (1, 4) {
+            builder.point_format = las::point::Format::new(6).expect("a format");
+            builder.evlrs.push(record);
+        }
+        builder.point_format.is_compressed = is_packed;
+        let header = builder.into_header().expect("a header");
+        let mut writer = Writer::new(Cursor::new(Vec::new()), header).expect("room");
+        for at in 0..9_u8 {
+            let point = Point {
+                x: f64::from(at % 3),
+                y: f64::from(at / 3),
+                gps_time: (version == (1, 4)).then_some(0.0),
+                ..Point::default()
+            };
+            writer.write_point(point).expect("room");
+        }
+        (format, writer.into_inner().expect("room").into_inner())
+    })
 }
 
 #[test]

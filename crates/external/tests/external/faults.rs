@@ -9,7 +9,7 @@ use sweep_cdt_formats::ReadError;
 
 use crate::{Made, Random, take};
 
-/// Little memory: 2,604 points are a run.
+/// Little memory: 2,343 points are a run.
 const LITTLE: u64 = 200_000;
 
 fn uniform(count: u64) -> Vec<[f64; 2]> {
@@ -29,7 +29,7 @@ fn a_coordinate_that_is_not_finite_is_named() {
     let folder = tempfile::tempdir().expect("a folder");
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for axis in [0, 1] {
-            for at in [0, 2603, 2604, 9999] {
+            for at in [0, 2342, 2343, 9999] {
                 let mut points = uniform(10_000);
                 points[at][axis] = value;
                 let error = fault(&mut Made::new(points, Vec::new()), LITTLE, folder.path());
@@ -93,14 +93,31 @@ fn a_folder_that_is_not_there_is_named() {
 #[test]
 fn memory_for_too_few_runs_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
-    for (count, edges, little) in [(10_000, 0, 20_000), (10_000, 10_000, 110_000)] {
-        let input = || Made::new(uniform(count), vec![[1, 2]; edges]);
-        let error = fault(&mut input(), little, folder.path());
-        let Error::TooLittleMemory { memory, needed } = error else {
-            panic!("{error}");
+    let mut random = Random(62);
+    let others = (0..10).map(|_| (1 + random.below(20_000), random.below(20_000)));
+    let counts: Vec<(u64, u64)> = [(10_000, 0), (10_000, 10_000), (50, 10_000)]
+        .into_iter()
+        .chain(others)
+        .collect();
+    for (count, edges) in counts {
+        let ends = |at: u64| [at * 7 % count, (at * 7 + 1) % count];
+        let input = || Made::new(uniform(count), (0..edges).map(ends).collect());
+        let too_little = |memory: u64| {
+            let error = fault(&mut input(), memory, folder.path());
+            match error {
+                Error::TooLittleMemory {
+                    memory: said,
+                    needed,
+                } if said == memory => needed,
+                _ => panic!("{error}"),
+            }
         };
-        assert_eq!(memory, little);
-        // What is said to suffice does.
+        // What is said to suffice does, and a KiB less does not.
+        let needed = too_little(0);
+        for memory in [1, needed / 2, needed - 1024] {
+            let again = too_little(memory);
+            assert!(again <= needed, "{again} {needed}");
+        }
         let sorted = Sorting::new(needed, folder.path())
             .sort(&mut input())
             .and_then(take);

@@ -1,10 +1,13 @@
 //! Sorting in external memory against sorting in memory: `order.rs` for the order, `formats.rs` and `ply.rs` for the readers
-//! of files (`clouds.rs` with the feature `las`), `faults.rs` for what can go wrong.
+//! of files (`clouds.rs` with the feature `las`), `faults.rs` for what can go wrong, and
+//! `headers.rs` for files whose headers say too much.
 
 #[cfg(feature = "las")]
 mod clouds;
 mod faults;
 mod formats;
+#[cfg(target_os = "linux")]
+mod headers;
 mod order;
 mod ply;
 

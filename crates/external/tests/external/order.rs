@@ -4,7 +4,7 @@ use sweep_cdt_external::Sorting;
 
 use crate::{Made, Random, check};
 
-/// Little memory: 2,604 points or 625 edges are a run.
+/// Little memory: 2,343 points or 625 edges are a run.
 const LITTLE: u64 = 200_000;
 
 /// A kind of points: the point of a number.
@@ -86,7 +86,7 @@ fn one_run_comes_in_the_order_of_a_plain_sort() {
 fn every_small_number_of_points_is_sorted() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut random = Random(44);
-    // With this memory 121 points are a run.
+    // With this memory 109 points are a run.
     for count in 0..50 {
         let points: Vec<[f64; 2]> = (0..count)
             .map(|_| [random.below(5) as f64, random.below(5) as f64])
@@ -110,12 +110,17 @@ fn edges_of_every_locality_are_joined() {
     let chain: Vec<[u64; 2]> = (0..4000).map(|at| [at * 5 + 1, at * 5]).collect();
     let star: Vec<[u64; 2]> = (0..4000).map(|at| [7, at * 5]).collect();
     let last: Vec<[u64; 2]> = (0..4000).map(|at| [at * 5, 19_999]).collect();
+    // Batches of the order end early where points have so many edges.
+    let repeated: Vec<[u64; 2]> = (0..20_000)
+        .map(|at| [at / 10 * 3 + 1, at / 10 * 3])
+        .collect();
     let back: Vec<[u64; 2]> = (0..4000).map(|at| [19_999 - at, at]).collect();
     for edges in [
         chain,
         star,
         last,
         back,
+        repeated,
         vec![[5, 5]; 4000],
         vec![[3, 19_000]; 4000],
     ] {
@@ -137,7 +142,7 @@ fn statistics_tell_what_was_written() {
         .expect("no fault");
     while order.next_vertex().expect("no fault").is_some() {}
     let statistics = order.statistics();
-    assert_eq!((statistics.runs, statistics.edge_runs), (8, 1));
+    assert_eq!((statistics.runs, statistics.edge_runs), (9, 1));
     assert_eq!((statistics.written, statistics.read), (400_000, 400_000));
 }
 
