@@ -249,8 +249,13 @@ fn wrong_usage_says_what_to_do() {
         ),
         (
             "stream a.json -o t.u32",
-            "the format of a.json is not known: add --stream-format with one of f64, ply, node, \
-             poly, csv, xyz, txt",
+            if cfg!(feature = "las") {
+                "the format of a.json is not known: add --stream-format with one of f64, ply, node, \
+                 poly, csv, xyz, txt, las, laz"
+            } else {
+                "the format of a.json is not known: add --stream-format with one of f64, ply, node, \
+                 poly, csv, xyz, txt"
+            },
         ),
         (
             "stream - --stream-format f64 -o t.u32",
