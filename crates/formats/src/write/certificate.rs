@@ -57,7 +57,7 @@ pub fn write_certificate<S: Coordinate>(
 ) -> io::Result<()> {
     let exponent = least_exponent(points)?;
     let (mut tiling, positions) = Tiling::new(points, triangles).ok_or_else(wrong)?;
-    let is_inside = |t: usize| is_inside(positions[t]);
+    let is_inside = |t: usize| is_inside(positions[t] as usize);
     let ring = |edge: usize| polygons.and_then(|polygons| *polygons.ring_of.get(edge)?);
     let chains = edges.iter().enumerate();
     let chains = chains.map(|(edge, &ends)| tiling.chain(ends, ring(edge)));
@@ -109,9 +109,10 @@ pub fn write_certificate<S: Coordinate>(
         lines.first(point).end()?;
     }
     lines.head("triangles", order.len());
+    let marks = tiling.marks();
     for t in order {
         let [a, b, c] = tiling.triangle(t);
-        lines.first(a).next(b).next(c).next(tiling.mark(t));
+        lines.first(a).next(b).next(c).next(marks[t as usize]);
         match &values {
             Some(Values::Hull) => {}
             Some(Values::EvenOdd(windings) | Values::NonZero(windings)) => {

@@ -93,26 +93,26 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
     /// The triangles by their earliest corners, so that triangles near each other are read one after the other, and for
     /// each its position in the list. `None` if a vertex does not exist or a side has other than one or two triangles, one
     /// on each side.
-    pub(super) fn new(
-        points: &'a [[S; 2]],
-        triangles: &[[usize; 3]],
-    ) -> Option<(Self, Vec<usize>)> {
+    pub(super) fn new(points: &'a [[S; 2]], triangles: &[[usize; 3]]) -> Option<(Self, Vec<u32>)> {
         let (rank, point) = ranked(points)?;
-        let earliest = |corners: &[usize; 3]| {
-            let ranks = corners.iter().map(|&v| rank.get(v).copied());
-            ranks.min().flatten()
-        };
-        let earliest: Vec<u32> = triangles.iter().map(earliest).collect::<Option<_>>()?;
-        let positions = by_rank(&earliest, point.len());
-        let turned = |&t: &usize| {
-            let [a, b, c] = triangles[t];
-            let is_left = !filtered_orient2d(&points[a], &points[b], &points[c]).is_lt();
-            let mut corners = (if is_left { [a, b, c] } else { [a, c, b] }).map(|v| rank[v]);
+        let ranked = |triangle: &[usize; 3]| {
+            let mut corners = [0; 3];
+            for (corner, &v) in corners.iter_mut().zip(triangle) {
+                *corner = *rank.get(v)?;
+            }
             let first = (0..3).min_by_key(|&k| corners[k])?;
             corners.rotate_left(first);
             Some(corners)
         };
-        let corners: Vec<[u32; 3]> = positions.iter().map(turned).collect::<Option<_>>()?;
+        let listed: Vec<[u32; 3]> = triangles.iter().map(ranked).collect::<Option<_>>()?;
+        let (mut corners, positions) = by_earliest(&listed, point.len())?;
+        drop(listed);
+        let place = |v: u32| &points[point[v as usize] as usize];
+        for [a, b, c] in &mut corners {
+            if filtered_orient2d(place(*a), place(*b), place(*c)).is_lt() {
+                std::mem::swap(b, c);
+            }
+        }
         let halves = u32::try_from(3 * corners.len())
             .ok()
             .filter(|&halves| halves < NONE)?;
@@ -404,10 +404,14 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
         values.into_iter().collect()
     }
 
-    /// Which sides of a triangle are pieces of edges: the sum of 1, 2 and 4.
-    pub(super) fn mark(&self, t: u32) -> u8 {
-        let pieces = |k: u32| self.pieces[self.side[(3 * t + k) as usize] as usize];
-        (0..3).map(|k| u8::from(pieces(k) > 0) << k).sum()
+    /// For each triangle which sides are pieces of edges: the sum of 1, 2 and 4.
+    pub(super) fn marks(&self) -> Vec<u8> {
+        let piece = |&side: &u32| u8::from(self.pieces[side as usize] > 0);
+        let mark = |sides: &[u32; 3]| {
+            let [first, second, third] = sides.each_ref().map(piece);
+            first | second << 1 | third << 2
+        };
+        self.side.as_chunks().0.iter().map(mark).collect()
     }
 }
 
@@ -417,22 +421,23 @@ fn ends(corners: &[[u32; 3]], half: u32) -> [u32; 2] {
     [corners[t][k], corners[t][(k + 1) % 3]]
 }
 
-/// The positions of ranks in ascending order, equal ones as they stand.
-fn by_rank(ranks: &[u32], count: usize) -> Vec<usize> {
+/// Triangles by their earliest corners, which stand first, and for each its position in the list.
+fn by_earliest(listed: &[[u32; 3]], count: usize) -> Option<(Vec<[u32; 3]>, Vec<u32>)> {
     let mut starts = vec![0_usize; count + 1];
-    for &rank in ranks {
-        starts[rank as usize + 1] += 1;
+    for corners in listed {
+        starts[corners[0] as usize + 1] += 1;
     }
     for rank in 0..count {
         starts[rank + 1] += starts[rank];
     }
-    let mut positions = vec![0; ranks.len()];
-    for (position, &rank) in ranks.iter().enumerate() {
-        let start = &mut starts[rank as usize];
-        positions[*start] = position;
+    let (mut sorted, mut positions) = (vec![[0; 3]; listed.len()], vec![0; listed.len()]);
+    for (position, corners) in listed.iter().enumerate() {
+        let start = &mut starts[corners[0] as usize];
+        sorted[*start] = *corners;
+        positions[*start] = u32::try_from(position).ok()?;
         *start += 1;
     }
-    positions
+    Some((sorted, positions))
 }
 
 /// For each point its place among the distinct points, and for each place its first point; `None` if there are too many,
