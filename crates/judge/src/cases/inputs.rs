@@ -97,7 +97,12 @@ pub(super) fn pierced(
     may_touch: bool,
     holes: RangeInclusive<usize>,
 ) -> Question {
-    let most = if *holes.end() > 3 { POINTS } else { MOST };
+    let most = match holes.end() {
+        0..=3 => MOST,
+        // The outline, and three vertices a hole.
+        4..=9 => 4 + 3 * holes.end(),
+        _ => POINTS,
+    };
     loop {
         let question = of_polygons(random, Rings::Sieves, may_touch, most);
         let found = question.polygons.iter().map(|rings| rings.len() - 1).max();
@@ -105,6 +110,12 @@ pub(super) fn pierced(
             return question;
         }
     }
+}
+
+/// The same, with holes that touch or not.
+pub(super) fn holes(random: &mut Random, holes: RangeInclusive<usize>) -> Question {
+    let may_touch = random.one_in(2);
+    pierced(random, may_touch, holes)
 }
 
 /// Polygons in the holes of others.
@@ -117,6 +128,57 @@ pub(super) fn islands(random: &mut Random) -> Question {
             return question;
         }
     }
+}
+
+/// Four or five rings, each within the one before.
+pub(super) fn deep(random: &mut Random) -> Question {
+    let depth = if random.one_in(3) { 4 } else { 5 };
+    let may_touch = random.one_in(2);
+    loop {
+        let question = of_polygons(random, Rings::Stars, may_touch, 30);
+        if question.rings().count() == depth {
+            return question;
+        }
+    }
+}
+
+/// Nine edges or more from one point to places on a circle about it.
+pub(super) fn spokes(random: &mut Random) -> Question {
+    const WAYS: [[f64; 2]; 12] = [
+        [5.0, 0.0],
+        [4.0, 3.0],
+        [3.0, 4.0],
+        [0.0, 5.0],
+        [-3.0, 4.0],
+        [-4.0, 3.0],
+        [-5.0, 0.0],
+        [-4.0, -3.0],
+        [-3.0, -4.0],
+        [0.0, -5.0],
+        [3.0, -4.0],
+        [4.0, -3.0],
+    ];
+    let mut ends = WAYS.map(|way| {
+        let far = random.pick(&[1.0, 1.0, 2.0, 3.0]);
+        way.map(|x| far * x)
+    });
+    for at in 1..ends.len() {
+        ends.swap(at, random.below(at + 1));
+    }
+    let mut points = ends[random.below(4)..].to_vec();
+    let hub = random.below(points.len() + 1);
+    points.insert(hub, [0.0, 0.0]);
+    let others = (0..points.len()).filter(|&end| end != hub);
+    let edges: Vec<[usize; 2]> = others
+        .map(|end| {
+            if random.one_in(2) {
+                [hub, end]
+            } else {
+                [end, hub]
+            }
+        })
+        .collect();
+    Question::new(&points, &edges)
 }
 
 fn of_polygons(random: &mut Random, shape: Rings, may_touch: bool, most: usize) -> Question {

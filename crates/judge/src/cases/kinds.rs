@@ -1,24 +1,13 @@
 //! The kinds of cases that are made, each with what must be special about it and what must not.
 
-use std::collections::BTreeSet;
-
-use sweep_cdt_testing::Random;
 use sweep_cdt_testing::generators::{Pattern, Rings, Shape};
 use sweep_cdt_testing::judge::{Question, Special};
 
 use super::inputs::{
-    MOST, islands, no_edges, pairs, pierced, plain, ringed, scaled, shaped, some_pattern,
+    deep, holes, islands, no_edges, pairs, pierced, plain, ringed, scaled, shaped, some_pattern,
+    spokes,
 };
-
-/// A kind of cases.
-pub(super) struct Kind {
-    pub(super) name: &'static str,
-    pub(super) about: &'static str,
-    count: usize,
-    make: fn(&mut Random) -> Question,
-    must: &'static [Special],
-    must_not: &'static [Special],
-}
+use super::kind::Kind;
 
 const NONE: &[Special] = &[];
 use Special::{
@@ -43,7 +32,7 @@ macro_rules! kind {
 pub(super) const KINDS: &[Kind] = &[
     kind!(
         "few-points",
-        24,
+        32,
         "none, one or two points, some equal, and edges among them",
         NONE,
         NONE,
@@ -451,7 +440,7 @@ pub(super) const KINDS: &[Kind] = &[
     ),
     kind!(
         "many-holes",
-        30,
+        36,
         "polygons with 4 to 20 holes, of up to 64 points",
         &[Special::Holes],
         &[OverlappingRings],
@@ -461,37 +450,52 @@ pub(super) const KINDS: &[Kind] = &[
             pierced(r, may_touch, least..=20)
         }
     ),
+    kind!(
+        "one-circle",
+        40,
+        "points of one circle with nothing in it",
+        NONE,
+        NONE,
+        |r| plain(r, Shape::Round, no_edges, &[])
+    ),
+    kind!(
+        "spokes",
+        36,
+        "nine edges or more at a vertex",
+        NONE,
+        &[CrossingEdges],
+        spokes
+    ),
+    kind!(
+        "four-holes",
+        32,
+        "polygons with four holes",
+        &[Special::Holes],
+        &[OverlappingRings],
+        |r| holes(r, 4..=4)
+    ),
+    kind!(
+        "five-holes",
+        32,
+        "polygons with five holes",
+        &[Special::Holes],
+        &[OverlappingRings],
+        |r| holes(r, 5..=5)
+    ),
+    kind!(
+        "six-to-nine-holes",
+        32,
+        "polygons with six to nine holes",
+        &[Special::Holes],
+        &[OverlappingRings],
+        |r| holes(r, 6..=9)
+    ),
+    kind!(
+        "deep-nests",
+        66,
+        "four or five rings, each within the one before",
+        &[Special::Holes],
+        &[OverlappingRings],
+        deep
+    ),
 ];
-
-/// The first inputs of a kind that are as it says, each once.
-pub(super) fn made(kind: &Kind) -> Vec<Question> {
-    let mut questions = Vec::new();
-    let mut seen = BTreeSet::new();
-    let start = kind
-        .name
-        .bytes()
-        .fold(7, |hash: u64, byte| hash.wrapping_mul(31) + u64::from(byte));
-    for seed in (start..).take(200 * kind.count) {
-        let mut question = (kind.make)(&mut Random::new(seed));
-        if !kind.must.contains(&EdgesWithoutLength) {
-            // Many programs do not take these: they are a kind of their own.
-            let points = &question.points;
-            let has_length = |&[a, b]: &[usize; 2]| !points[a].iter().eq(&points[b]);
-            question.edges.retain(has_length);
-        }
-        if questions.len() == kind.count {
-            break;
-        }
-        let is_sized = (question.points.len() <= MOST || kind.name == "many-holes")
-            && (kind.name == "few-points" || question.points.len() > 2);
-        if !is_sized || !question.is_sound() || !seen.insert(format!("{question:?}")) {
-            continue;
-        }
-        let specials = question.specials();
-        let has = |special: &Special| specials.contains(special);
-        if kind.must.iter().all(has) && !kind.must_not.iter().any(has) {
-            questions.push(question);
-        }
-    }
-    questions
-}

@@ -5,6 +5,7 @@
 
 mod found;
 mod inputs;
+mod kind;
 mod kinds;
 
 use std::fs;
@@ -13,7 +14,8 @@ use std::path::PathBuf;
 use sweep_cdt_testing::suite::{Case, header};
 
 use found::found;
-use kinds::{KINDS, made};
+use kind::made;
+use kinds::KINDS;
 
 /// The licence of what is made here.
 const OWN: &str = "MIT OR Apache-2.0";

@@ -15,6 +15,7 @@ mod edges;
 mod points;
 mod polygons;
 mod sieves;
+mod wheels;
 
 use arbitrary::{Result, Unstructured};
 
@@ -59,7 +60,7 @@ pub fn read_named(bytes: &mut Unstructured<'_>) -> Result<(&'static str, Input)>
     if byte >= RINGED {
         return Ok(("rings", ringed(byte, bytes)?));
     }
-    let shape = Shape::ALL[usize::from(byte) % Shape::ALL.len()];
+    let shape = Shape::of(byte);
     Ok((shape.name(), read_shape(shape, bytes)?))
 }
 
@@ -71,7 +72,7 @@ fn ringed(shape: u8, bytes: &mut Unstructured<'_>) -> Result<Input> {
     let (style, n): (u8, u8) = bytes.arbitrary()?;
     let most = match usize::from(n) {
         n if n > 2 * POINTS => POINTS,
-        n => RINGS.max(n % (POINTS + 1)),
+        n => RINGS + 2 * n % (POINTS + 1 - RINGS),
     };
     let with_others = style & 3 == 3;
     let (mut points, rings) = polygons(Rings::of(shape, with_others), true, most, bytes)?;
@@ -87,8 +88,8 @@ fn ringed(shape: u8, bytes: &mut Unstructured<'_>) -> Result<Input> {
     Ok(Input { points, edges })
 }
 
-/// Rings have at least so many points where there are few.
-const RINGS: usize = 13;
+/// Rings have at most so many points where there are few: a quadrangle with four triangles as holes.
+const RINGS: usize = 16;
 
 /// The sides of a ring.
 pub fn ring_sides(ring: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {

@@ -3,6 +3,7 @@
 use arbitrary::{Result, Unstructured};
 
 use super::bytes::{FAR_POINTS, MAGNITUDES, Points, byte, each, integer, nudged, rounded, wide};
+use super::wheels::around;
 
 /// Special positions of the points of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +44,10 @@ pub enum Shape {
     Magnitudes,
     /// Any finite doubles.
     Raw,
+    /// On one circle with whole coordinates, one after the other, and nothing in it: ties without end.
+    Round,
+    /// All on one line.
+    Flat,
 }
 
 impl Shape {
@@ -64,7 +69,18 @@ impl Shape {
         Shape::Nudged,
         Shape::Magnitudes,
         Shape::Raw,
+        Shape::Round,
+        Shape::Flat,
     ];
+
+    /// The shape that a byte picks: as a rule one of the first sixteen.
+    pub fn of(byte: u8) -> Shape {
+        match byte {
+            144..=155 => Shape::Round,
+            156..=159 => Shape::Flat,
+            _ => Shape::ALL[usize::from(byte % 16)],
+        }
+    }
 
     /// The name.
     pub fn name(self) -> &'static str {
@@ -85,6 +101,8 @@ impl Shape {
             Shape::Nudged => "nudged",
             Shape::Magnitudes => "magnitudes",
             Shape::Raw => "raw",
+            Shape::Round => "round",
+            Shape::Flat => "flat",
         }
     }
 }
@@ -119,7 +137,9 @@ pub(super) fn read(
         })?,
         Shape::Circle => circle(n, bytes)?,
         Shape::OnSegments => on_segments(n, bytes)?,
-        Shape::Line => line(n, bytes)?,
+        Shape::Line => line(n, 32, bytes)?,
+        Shape::Flat => line(n, 0, bytes)?,
+        Shape::Round => round(n, bytes)?,
         Shape::Parabola => {
             let flatness = 2f64.powi(-i32::from(byte(bytes)? & 15));
             each(n, bytes, |_, b| {
@@ -232,6 +252,16 @@ fn circle(n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
     })
 }
 
+fn round(n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
+    let kind = byte(bytes)?;
+    let places = around([25, 325, 625, 4225][usize::from(kind & 3)]);
+    let mut at = usize::from(kind >> 2);
+    each(n.min(places.len()), bytes, |_, b| {
+        at += 1 + usize::from(byte(b)? % 3);
+        Ok(places[at % places.len()].map(f64::from))
+    })
+}
+
 /// Three or more places far apart, and points at exact eighths of the way between two earlier ones.
 fn on_segments(n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
     let mut points = Points::new();
@@ -252,11 +282,12 @@ fn on_segments(n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
     Ok(points)
 }
 
-fn line(n: usize, bytes: &mut Unstructured<'_>) -> Result<Points> {
+/// Points on a line; those of bytes below `beside` are anywhere.
+fn line(n: usize, beside: u8, bytes: &mut Unstructured<'_>) -> Result<Points> {
     let step = [integer(bytes, 3)?, integer(bytes, 3)?];
     each(n, bytes, |_, b| {
         let place = byte(b)?;
-        if place < 32 {
+        if place < beside {
             return Ok([place & 7, place >> 3].map(f64::from));
         }
         let k = f64::from(place) - 144.0;

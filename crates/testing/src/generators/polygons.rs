@@ -9,6 +9,7 @@ use arbitrary::{Result, Unstructured};
 
 use super::bytes::{Made, Place, Points, byte};
 use super::sieves::sieves;
+use super::wheels::wheels;
 
 /// How rings are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,26 +23,30 @@ pub enum Rings {
     /// Some polygons, each with 0 to 20 holes in rows and columns: holes that touch the outline or each other, polygons
     /// in holes and in frames, with a side in common, or a corner.
     Sieves,
+    /// Vertices on circles, ten triangles about one vertex, teeth along a straight side.
+    Wheels,
     /// Walks on a lattice: rings that overlap, repeat and go through themselves.
     Walks,
 }
 
 impl Rings {
     /// Each of them.
-    pub const ALL: [Rings; 5] = [
+    pub const ALL: [Rings; 6] = [
         Rings::Cells,
         Rings::Stars,
         Rings::Strips,
         Rings::Sieves,
+        Rings::Wheels,
         Rings::Walks,
     ];
 
-    /// The shape that a byte picks, every other time a sieve. Walks, the last one, are rings of no valid polygons.
+    /// The shape that a byte picks, every other time a sieve, one in eight wheels. Walks are rings of no valid polygons.
     pub fn of(byte: u8, with_walks: bool) -> Rings {
         let plain = [Rings::Cells, Rings::Stars, Rings::Strips, Rings::Walks];
         let count = plain.len() - usize::from(!with_walks);
-        match byte & 1 {
-            0 => Rings::Sieves,
+        match byte & 7 {
+            0 | 2 | 4 | 6 => Rings::Sieves,
+            7 => Rings::Wheels,
             _ => plain[usize::from(byte >> 1) % count],
         }
     }
@@ -53,6 +58,7 @@ impl Rings {
             Rings::Stars => "stars",
             Rings::Strips => "strips",
             Rings::Sieves => "sieves",
+            Rings::Wheels => "wheels",
             Rings::Walks => "walks",
         }
     }
@@ -76,6 +82,7 @@ pub fn polygons(
         Rings::Stars => stars(may_touch, bytes)?,
         Rings::Strips => strips(bytes)?,
         Rings::Sieves => sieves(may_touch, bytes)?,
+        Rings::Wheels => wheels(may_touch, bytes)?,
         Rings::Walks => walks(bytes)?,
     };
     while rings.iter().flatten().map(Vec::len).sum::<usize>() > most {

@@ -57,7 +57,7 @@ type Without = fn(&mut Question, Range<usize>);
 /// How many things of that kind there are.
 type Count = fn(&Question) -> usize;
 
-const KINDS: [(Count, Without); 5] = [
+const KINDS: [(Count, Without); 6] = [
     (
         |q| q.operations.len(),
         |q, range| drop(q.operations.drain(range)),
@@ -69,6 +69,7 @@ const KINDS: [(Count, Without); 5] = [
     (|q| q.rings().count(), without_holes),
     (|q| q.edges.len(), |q, range| drop(q.edges.drain(range))),
     (|q| q.points.len(), without_points),
+    (|q| q.points.len(), without_equal_points),
 ];
 
 impl Search<'_> {
@@ -238,4 +239,22 @@ fn without_points(question: &mut Question, range: Range<usize>) {
             is_kept
         }
     });
+}
+
+/// Leaves out points that are equal to earlier ones, at which edges and rings end then.
+fn without_equal_points(question: &mut Question, range: Range<usize>) {
+    for v in range.rev() {
+        let [others @ .., point] = &question.points[..=v] else {
+            continue;
+        };
+        let Some(first) = others.iter().position(|other| other == point) else {
+            continue;
+        };
+        let ends = question.edges.as_flattened_mut().iter_mut();
+        let corners = question.polygons.iter_mut().flatten().flatten();
+        ends.chain(corners)
+            .filter(|end| **end == v)
+            .for_each(|end| *end = first);
+        without_points(question, v..v + 1);
+    }
 }
