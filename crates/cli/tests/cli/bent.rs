@@ -1,6 +1,6 @@
 //! Meshes with vertices that were added on edges, and rounded, by programs: verified against what they were made of.
 //!
-//! `a.json` is the sample A of Triangle, and `a.pq.json` its mesh by the options `pq` (package `triangle` of PyPI,
+//! `a.json` is the sample A of Triangle, and `a.pq.json` its mesh by the options `pq` (package `triangle` of `PyPI`,
 //! 20250106); `gmsh.json` is a polygon with a hole and an edge, and `gmsh.msh` its mesh by Gmsh, which prints 16 digits.
 
 use std::fs;
@@ -79,7 +79,7 @@ fn is_on_edge(mesh: &Value, p: [f64; 2], own: usize) -> bool {
     let input: Value =
         serde_json::from_str(&fs::read_to_string(format!("{MESHES}/a.json")).unwrap()).unwrap();
     let at = |v: &Value| {
-        let v = v.as_u64().unwrap() as usize;
+        let v = usize::try_from(v.as_u64().unwrap()).unwrap();
         assert!(v < own);
         [0, 1].map(|i| mesh["points"][v][i].as_f64().unwrap())
     };

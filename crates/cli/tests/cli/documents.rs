@@ -20,7 +20,8 @@ fn on_one_line(text: &str) -> String {
 
 /// The help of a subcommand on one line.
 fn help(subcommand: &str) -> String {
-    let command = sweep_cdt(&folder(&[]), &format!("{subcommand} --help")).output();
+    let folder = folder(&[]);
+    let command = sweep_cdt(&folder, &format!("{subcommand} --help")).output();
     on_one_line(printed(&command.expect("the command starts")))
 }
 

@@ -160,11 +160,9 @@ fn largest_chunk(read: &mut (impl Read + Seek + Send), length: u64) -> Result<u6
         place += chunk.byte_count;
     }
     let points = chunks.iter().map(|chunk| chunk.point_count);
-    let (count, most) = (
-        header.number_of_points(),
-        points.clone().map(u128::from).sum(),
-    );
-    if u128::from(count) > most {
+    let count = header.number_of_points();
+    let most = points.clone().fold(0_u64, u64::saturating_add);
+    if count > most {
         return Err(format!(
             "its header says {count} points, and its chunks have at most {most}"
         ));

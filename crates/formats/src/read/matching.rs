@@ -66,7 +66,7 @@ impl Matching {
         refuse_non_finite(written, points)?;
         if self.by_number && is_soup {
             let message = "the triangles are coordinates, and their vertices have no numbers";
-            return Err(ReadError::of_file(&written.file(), message).into());
+            return Err(ReadError::of_file(written.file(), message).into());
         }
         let by_number = || greatest(points.iter().zip(own));
         if self.by_number {

@@ -66,8 +66,8 @@ pub fn write_certificate<S: Coordinate>(
         .ok_or_else(wrong)?;
     let (lower, order) = tiling.in_order().ok_or_else(wrong)?;
     let values = match polygons {
-        None => Some(tiling.values(&is_inside).ok_or_else(other_interior)?),
-        Some(polygons) if tiling.are_covered(&polygons.rings, &is_inside) => None,
+        None => Some(tiling.values(is_inside).ok_or_else(other_interior)?),
+        Some(polygons) if tiling.are_covered(&polygons.rings, is_inside) => None,
         Some(_) => return Err(other_interior()),
     };
 
