@@ -51,7 +51,8 @@ fn vertices_may_be_added_where_that_is_allowed() {
     let folder = folder(&[("a.poly", FRAME), ("more.poly", &more)]);
     printed_despite_losses(&run(&folder, "more.poly --inside holes -o b.obj"));
     let refused = verify(&folder, "a.poly b.obj --domain holes");
-    let hint = "(--steiner allows for vertices that were added, --by-number ignores coordinates)\n";
+    let hint = "(--steiner allows for vertices that were added, --by-number ignores coordinates, write the result with all \
+                digits, 17, or without coordinates)\n";
     assert_eq!(refused.status.code(), Some(1));
     assert!(text(&refused.stderr).ends_with(hint));
 

@@ -175,8 +175,8 @@ fn other_numbers_of_vertices_are_matched_by_coordinates_alone() {
         let folder = with_result(&files);
         let error = text(&verify(&folder, &format!("in.json {name}")).stderr).to_owned();
         let expected = " is at (9, 9), where the input has none: the nearest is vertex 0 at (0.25, 0.5), by 8.75 \
-             (--steiner allows for vertices that were added, \
-             --by-number ignores coordinates)\n";
+             (--steiner allows for vertices that were added, --by-number ignores coordinates, write the result with all \
+             digits, 17, or without coordinates)\n";
         assert!(error.ends_with(expected), "{error}");
         printed(&verify(&folder, &format!("in.json {name} --by-number")));
     }

@@ -120,7 +120,8 @@ impl ResultError {
             } => vec![WayOut::Tolerance(tolerance)],
             ResultError::Stranger { is_numbered, .. } => {
                 let by_number = is_numbered.then_some(WayOut::ByNumber);
-                [WayOut::Steiner].into_iter().chain(by_number).collect()
+                let ways_out = [WayOut::Steiner].into_iter().chain(by_number);
+                ways_out.chain([WayOut::AllDigits]).collect()
             }
             ResultError::Ambiguous { .. } | ResultError::Shared { .. } => vec![WayOut::AllDigits],
             ResultError::Unreadable(_) | ResultError::NonFinite { .. } => Vec::new(),
