@@ -1,9 +1,10 @@
-//! How many instructions a triangulation takes, against the numbers of the last recording.
+//! How many instructions the library takes for its tasks, against the numbers of the last recording.
 //!
 //! `cargo bench -p sweep-cdt-benches --bench instructions` fails if one differs by more than 2 % from benches/instructions.txt;
 //! `-- --record` writes that file anew. Instructions are counted by `valgrind`, without which the check says so
-//! and passes: first for a process that only makes the input, then for one that triangulates it too. The
-//! difference varies by less than 0.1 %.
+//! and passes: first for a process that only makes the input, then for one that does the work too. The
+//! difference varies by less than 0.1 %. To compare two commits, copy this file, `Cargo.toml` and `instructions.txt` into
+//! the earlier one, record there, and check here.
 //!
 //! The counts depend on the compiler, on the machine's instructions and a little on the system's library. These stand
 //! in the first lines of the file; where they are others, the counts are printed and nothing is compared.
@@ -12,24 +13,172 @@ use std::fs;
 use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
-use sweep_cdt_testing::{Input, clouds, data, segments};
+use num_rational::BigRational;
+use sweep_cdt::crossings::crossings;
+use sweep_cdt::interior::FillRule;
+use sweep_cdt::verify::verify;
+use sweep_cdt::{Algorithm, Triangulator};
+use sweep_cdt_testing::{Input, clouds, data, families, segments};
 
 /// By how much a count may differ.
 const TOLERANCE: f64 = 0.02;
 
 const FILE: &str = "benches/instructions.txt";
 
-/// Makes an input.
-type Make = fn() -> Input;
+/// Makes an input, and works on it so many times.
+type Work = fn(usize);
 
-const INPUTS: [(&str, Make); 6] = [
-    ("uniform", || clouds::uniform(100_000)),
-    ("clusters", || clouds::clusters(100_000)),
-    ("contours", data::contours),
-    ("lattice", || clouds::shuffled_lattice(100_000)),
-    ("circle", || clouds::circle(100_000)),
-    ("segments", || segments(100_000)),
+const WORKS: [(&str, Work); 15] = [
+    ("uniform", |times| {
+        triangulated(&clouds::uniform(100_000), times);
+    }),
+    ("clusters", |times| {
+        triangulated(&clouds::clusters(100_000), times);
+    }),
+    ("contours", |times| triangulated(&data::contours(), times)),
+    ("lattice", |times| {
+        triangulated(&clouds::shuffled_lattice(100_000), times);
+    }),
+    ("circle", |times| {
+        triangulated(&clouds::circle(100_000), times);
+    }),
+    ("segments", |times| triangulated(&segments(100_000), times)),
+    ("session", session_of_tens),
+    ("polygons", polygons_inside),
+    ("rationals", rationals),
+    ("statistics", |times| {
+        let work =
+            |input: &Input| Triangulator::new().triangulate_with_stats(&input.points, &input.edges);
+        worked(&clouds::uniform(100_000), times, |input| {
+            drop(black_box(work(input).expect("a valid input")));
+        });
+    }),
+    ("bands", two_bands),
+    ("conquered", |times| {
+        let triangulator = Triangulator::new().algorithm(Algorithm::DivideAndConquer);
+        worked(&clouds::uniform(100_000), times, |input| {
+            let result = triangulator.triangulate(&input.points, &input.edges);
+            drop(black_box(result.expect("a valid input")));
+        });
+    }),
+    ("verify", verified),
+    ("crossings", |times| {
+        let input = families::crossed()
+            .next()
+            .expect("a family")
+            .of_edges(20_000);
+        worked(&input, times, |input| {
+            let found = crossings(&input.points, &input.edges);
+            drop(black_box(found.expect("a valid input")));
+        });
+    }),
+    ("stream", streamed),
 ];
+
+fn worked(input: &Input, times: usize, work: impl Fn(&Input)) {
+    for _ in 0..times {
+        work(input);
+    }
+}
+
+fn triangulated(input: &Input, times: usize) {
+    worked(input, times, |input| {
+        let result = sweep_cdt::triangulate(&input.points, &input.edges);
+        drop(black_box(result.expect("a valid input")));
+    });
+}
+
+/// Ten thousand inputs of ten points and two edges.
+fn session_of_tens(times: usize) {
+    let input = clouds::uniform(100_000);
+    worked(&input, times, |input| {
+        let mut session = Triangulator::new().session();
+        for points in input.points.chunks(10) {
+            let mut by_y: Vec<usize> = (0..10).collect();
+            by_y.sort_unstable_by(|&v, &w| points[v][1].total_cmp(&points[w][1]));
+            let edges = [[by_y[0], by_y[1]], [by_y[8], by_y[9]]];
+            black_box(
+                session
+                    .triangulate(points, &edges)
+                    .expect("a valid input")
+                    .len(),
+            );
+        }
+    });
+}
+
+/// Stars of 30 corners.
+fn polygons_inside(times: usize) {
+    let stars = clouds::uniform(3_000).points;
+    let corner = |center: [f64; 2], k: usize| {
+        let angle = std::f64::consts::TAU * k as f64 / 30.0;
+        let radius = 1.0 + (k % 2) as f64;
+        [
+            center[0] + radius * angle.cos(),
+            center[1] + radius * angle.sin(),
+        ]
+    };
+    let points = |&center: &[f64; 2]| (0..30).map(|k| corner(center, k)).collect::<Vec<_>>();
+    let stars: Vec<Vec<[f64; 2]>> = stars.iter().map(points).collect();
+    let edges: Vec<[usize; 2]> = (0..30).map(|k| [k, (k + 1) % 30]).collect();
+    for _ in 0..times {
+        let mut session = Triangulator::new().session();
+        for points in &stars {
+            let inside = session.triangulate_inside(points, &edges, FillRule::EvenOdd);
+            black_box(inside.expect("a valid input").len());
+        }
+    }
+}
+
+fn rationals(times: usize) {
+    let input = clouds::uniform(5_000);
+    let fraction =
+        |x: f64| BigRational::from_float(x).expect("finite") / BigRational::from_integer(3.into());
+    let points: Vec<_> = input.points.iter().map(|p| p.map(fraction)).collect();
+    for _ in 0..times {
+        let result = sweep_cdt::triangulate(&points, &[]);
+        drop(black_box(result.expect("a valid input")));
+    }
+}
+
+/// In two bands, on one thread.
+fn two_bands(times: usize) {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let pool = pool.expect("a pool");
+    worked(&clouds::uniform(100_000), times, |input| {
+        let result = pool.install(|| {
+            let triangulator = Triangulator::new().bands(2);
+            triangulator.triangulate_parallel(&input.points, &input.edges)
+        });
+        drop(black_box(result.expect("a valid input")));
+    });
+}
+
+fn verified(times: usize) {
+    let input = segments(100_000);
+    let result = sweep_cdt::triangulate(&input.points, &input.edges).expect("a valid input");
+    let triangles: Vec<[usize; 3]> = result.triangles().collect();
+    worked(&input, times, |input| {
+        let report = verify(&input.points, &input.edges, &triangles);
+        black_box(report.expect("a right result"));
+    });
+}
+
+fn streamed(times: usize) {
+    let mut input = clouds::uniform(100_000);
+    input
+        .points
+        .sort_unstable_by(|p, q| p[1].total_cmp(&q[1]).then(p[0].total_cmp(&q[0])));
+    worked(&input, times, |input| {
+        let mut count = 0;
+        let mut stream = Triangulator::new().stream(|_| count += 1);
+        for (number, point) in (0..).zip(&input.points) {
+            stream.push(number, *point).expect("an ordered point");
+        }
+        stream.finish().expect("a valid input");
+        black_box(count);
+    });
+}
 
 fn main() -> ExitCode {
     // Cargo itself adds an argument, `--bench`.
@@ -46,14 +195,10 @@ fn main() -> ExitCode {
     }
 }
 
-/// The work that is counted: makes an input, and triangulates it so many times.
+/// The work that is counted.
 fn run(name: &str, times: usize) {
-    let input = INPUTS.iter().find(|(other, _)| *other == name);
-    let input = input.expect("an input").1();
-    for _ in 0..times {
-        let result = sweep_cdt::triangulate(&input.points, &input.edges);
-        black_box(result.expect("a valid input"));
-    }
+    let work = WORKS.iter().find(|(other, _)| *other == name);
+    work.expect("a name of some work").1(times);
 }
 
 fn check(is_recording: bool) -> ExitCode {
@@ -66,7 +211,7 @@ fn check(is_recording: bool) -> ExitCode {
     let is_compared = !is_recording && recorded.starts_with(&place);
     let mut text = place.clone();
     let mut is_good = true;
-    for (name, _) in INPUTS {
+    for (name, _) in WORKS {
         let count = count(name, 1) - count(name, 0);
         text.push_str(&format!("{name} {count}\n"));
         let old = recorded
@@ -89,7 +234,7 @@ fn check(is_recording: bool) -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// The instructions of a process that triangulates an input so many times.
+/// The instructions of a process that does some work so many times.
 fn count(name: &str, times: usize) -> u64 {
     let this = std::env::current_exe().expect("this program");
     let output = Command::new("valgrind")
