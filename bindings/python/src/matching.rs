@@ -97,51 +97,43 @@ fn exactly(points: &[[f64; 2]]) -> PyResult<Vec<[BigRational; 2]>> {
 
 /// The exception for vertices that cannot be matched.
 fn refusal(py: Python<'_>, error: &ResultError) -> PyErr {
-    let attributes = PyDict::new(py);
-    let set = match error {
+    let (vertex, at, nearest, candidates) = match error {
         ResultError::Stranger {
             vertex,
             at,
             nearest,
             ..
-        } => (|| {
-            attributes.set_item("vertex", vertex)?;
-            attributes.set_item("at", (at[0], at[1]))?;
+        } => {
             let nearest = nearest.as_ref().map(|nearest| nearest.of_input);
-            attributes.set_item("nearest", nearest)
-        })(),
+            (Some(*vertex), Some(*at), nearest, None)
+        }
         ResultError::Ambiguous {
             vertex,
             at,
             of_input,
             ..
-        } => (|| {
-            attributes.set_item("vertex", vertex)?;
-            attributes.set_item("at", (at[0], at[1]))?;
-            attributes.set_item("candidates", (of_input[0], of_input[1]))
-        })(),
+        } => (Some(*vertex), Some(*at), None, Some(*of_input)),
         ResultError::Shared {
             vertices, of_input, ..
-        } => (|| {
-            attributes.set_item("vertex", vertices[1])?;
-            attributes.set_item("nearest", of_input)
-        })(),
-        ResultError::NonFinite { vertex, .. } => attributes.set_item("vertex", vertex),
-        _ => Ok(()),
+        } => (Some(vertices[1]), None, Some(*of_input), None),
+        ResultError::NonFinite { vertex, .. } => (Some(*vertex), None, None, None),
+        _ => (None, None, None, None),
     };
-    if let Err(error) = set {
+    let attributes = PyDict::new(py);
+    let set = || {
+        attributes.set_item("vertex", vertex)?;
+        attributes.set_item("at", at.map(|[x, y]| (x, y)))?;
+        attributes.set_item("nearest", nearest)?;
+        attributes.set_item("candidates", candidates.map(|[v, w]| (v, w)))
+    };
+    if let Err(error) = set() {
         return error;
     }
-    let words = |way: &WayOut| match way {
+    let message = error.with_ways_out(|way| match way {
         WayOut::Tolerance(tolerance) => format!("tolerance={} accepts it", tolerance.text()),
         WayOut::Steiner => "steiner=True allows for vertices that were added".to_owned(),
         WayOut::ByNumber => "by_number=True ignores coordinates".to_owned(),
         _ => "pass the points of the result with all digits, or its triangles alone".to_owned(),
-    };
-    let ways_out: Vec<String> = error.ways_out().iter().map(words).collect();
-    let message = match ways_out.as_slice() {
-        [] => error.to_string(),
-        _ => format!("{error} ({})", ways_out.join(", ")),
-    };
+    });
     exception(py, "MatchError", message, &attributes)
 }

@@ -220,6 +220,17 @@ def test_a_tolerance_is_offered_up_to_half_of_the_least_distance():
                 sweep_cdt.verify(points, moved, tolerance=np.nextafter(double, 0))
 
 
+def test_added_vertices_of_exact_points():
+    side = Fraction(2, 3)
+    points = [[0, 0], [side, 0], [side, side], [0, side]]
+    result = {"vertices": [*points, [side / 2, side / 2]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]}
+    report = sweep_cdt.verify(points, result, [[0, 2]], steiner=True)
+    assert report and report.counts["added_points"] == 1
+    result["triangles"].pop()
+    report = sweep_cdt.verify(points, result, [[0, 2]], steiner=True)
+    assert not report and report.advice
+
+
 def test_added_vertices():
     points = [[0, 0], [2, 0], [2, 2], [0, 2]]
     result = {"vertices": [*points, [1, 1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]}

@@ -465,15 +465,10 @@ fn refusal(error: &ResultError) -> Failure {
     if let ResultError::Unreadable(error) = error {
         return Failure::Error(format!("{error}{}", way_out(error)));
     }
-    let words = |way: &WayOut| match way {
+    Failure::Error(error.with_ways_out(|way| match way {
         WayOut::Tolerance(tolerance) => format!("--tolerance {} accepts it", tolerance.text()),
         WayOut::Steiner => "--steiner allows for vertices that were added".to_owned(),
         WayOut::ByNumber => "--by-number ignores coordinates".to_owned(),
         _ => "write the result with all digits, 17, or without coordinates".to_owned(),
-    };
-    let ways_out: Vec<String> = error.ways_out().iter().map(words).collect();
-    Failure::Error(match ways_out.as_slice() {
-        [] => error.to_string(),
-        _ => format!("{error} ({})", ways_out.join(", ")),
-    })
+    }))
 }

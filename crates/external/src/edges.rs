@@ -10,7 +10,8 @@
 //! An edge whose ends are equal has no length, and is counted and dropped.
 //!
 //! Cost: one reading of the runs, and of each edge a writing of 24 bytes and maybe one of 32, before it is sorted with 40.
-//! The pieces of a bucket on disk are a list, so that memory holds one place for each bucket. If all points are in memory, nothing is written before that.
+//! The pieces of a bucket on disk are a list, so that memory holds one place for each bucket. If all points are in
+//! memory, nothing is written before that.
 
 use std::path::Path;
 

@@ -72,7 +72,7 @@ class SeedError(Error):
 
 class MatchError(Error):
     """A vertex of a result is none of the input: `vertex`, its place `at`, and the `nearest` one of the input; or it may
-    be two of the input, the `candidates`."""
+    be two of the input, the `candidates`. An attribute that says nothing is `None`."""
 
     vertex: int
     at: tuple[float, float]

@@ -35,8 +35,15 @@ class Question:
 
     def own(self) -> Input:
         """The input without the points that were added."""
-        given = self.given
-        return given if self.added_from is None else Input(given.points[: self.added_from], given.edges)
+        given, count = self.given, self.added_from
+        if count is None:
+            return given
+        if given.is_exact:
+            # Two numbers a point.
+            points = _native.ExactPoints(*(part[: 2 * count] for part in given.points.parts()))
+        else:
+            points = given.points[:count]
+        return Input(points, given.edges)
 
     def answer(self, **changes: Any) -> dict[str, Any]:
         """The verifier's answer, with some things changed."""

@@ -103,6 +103,15 @@ pub enum WayOut {
 }
 
 impl ResultError {
+    /// The error, and behind it in brackets the ways out, each in the caller's words.
+    pub fn with_ways_out(&self, words: impl Fn(&WayOut) -> String) -> String {
+        let ways_out: Vec<String> = self.ways_out().iter().map(words).collect();
+        match ways_out.as_slice() {
+            [] => self.to_string(),
+            _ => format!("{self} ({})", ways_out.join(", ")),
+        }
+    }
+
     /// What a user can do, if anything is known.
     pub fn ways_out(&self) -> Vec<WayOut> {
         match *self {

@@ -1,5 +1,5 @@
-//! Vertices that are rounded, or differ from the input's by no more than a tolerance: which ones they may be, and why
-//! they are refused.
+//! Which vertices of the input a vertex may be that is rounded, or that differs by no more than a tolerance; and why such
+//! vertices are refused.
 //!
 //! Each coordinate has a range, from the least to the greatest number that the input's may be. The ends are numbers of the
 //! input's type, so comparing decides exactly.

@@ -1,4 +1,4 @@
-//! How the coordinates of a result are written: by that a reader knows how they may be rounded, and where to point at.
+//! How the coordinates of a result are written. The text tells how they may be rounded, and messages name its line.
 
 use std::borrow::Cow;
 

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use sweep_cdt_testing::arbitrary::Unstructured;
-use sweep_cdt_testing::generators::{POINTS, Pattern, Rings, Shape, polygons, read_shape};
+use sweep_cdt_testing::generators::{POINTS, Pattern, Rings, Shape, around, polygons, read_shape};
 use sweep_cdt_testing::judge::Question;
 use sweep_cdt_testing::{Input, Random};
 
@@ -144,24 +144,11 @@ pub(super) fn deep(random: &mut Random) -> Question {
 
 /// Nine edges or more from one point to places on a circle about it.
 pub(super) fn spokes(random: &mut Random) -> Question {
-    const WAYS: [[f64; 2]; 12] = [
-        [5.0, 0.0],
-        [4.0, 3.0],
-        [3.0, 4.0],
-        [0.0, 5.0],
-        [-3.0, 4.0],
-        [-4.0, 3.0],
-        [-5.0, 0.0],
-        [-4.0, -3.0],
-        [-3.0, -4.0],
-        [0.0, -5.0],
-        [3.0, -4.0],
-        [4.0, -3.0],
-    ];
-    let mut ends = WAYS.map(|way| {
+    let mut ends: Vec<[f64; 2]> = Vec::new();
+    for place in around(25) {
         let far = random.pick(&[1.0, 1.0, 2.0, 3.0]);
-        way.map(|x| far * x)
-    });
+        ends.push(place.map(|x| far * f64::from(x)));
+    }
     for at in 1..ends.len() {
         ends.swap(at, random.below(at + 1));
     }

@@ -23,6 +23,7 @@ pub use bytes::{BYTES, EDGES, FAR_POINTS, POINTS};
 pub use edges::{Pattern, drop_crossings};
 pub use points::Shape;
 pub use polygons::{Polygons, Rings, polygons};
+pub use wheels::around;
 
 use sweep_cdt_generate::Random;
 

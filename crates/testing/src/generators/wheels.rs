@@ -21,8 +21,8 @@ pub(super) fn wheels(may_touch: bool, bytes: &mut Unstructured<'_>) -> Result<Ma
     }
 }
 
-/// The whole places at this squared distance from the origin, counter-clockwise from the right.
-pub(super) fn around(square: i32) -> Vec<Place> {
+/// The whole places at this squared distance from the origin, counter-clockwise from the right: 12 for 25.
+pub fn around(square: i32) -> Vec<Place> {
     let root = square.isqrt();
     let above = (-root..=root)
         .rev()

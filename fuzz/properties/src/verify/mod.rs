@@ -33,22 +33,6 @@ use sweep_cdt_testing::{Input, generators};
 /// As many points, triangles or edges of garbage at most.
 const GARBAGE: usize = 12;
 
-/// Points on a circle about the origin, counter-clockwise.
-const RIM: [[f64; 2]; 12] = [
-    [5.0, 0.0],
-    [4.0, 3.0],
-    [3.0, 4.0],
-    [0.0, 5.0],
-    [-3.0, 4.0],
-    [-4.0, 3.0],
-    [-5.0, 0.0],
-    [-4.0, -3.0],
-    [-3.0, -4.0],
-    [0.0, -5.0],
-    [3.0, -4.0],
-    [4.0, -3.0],
-];
-
 /// So many bytes come before those of a generated input at most: which case, and three changes.
 pub const LEAD: usize = 13;
 
@@ -143,6 +127,12 @@ fn garbage(bytes: &mut Unstructured<'_>) -> Result<Case> {
     Ok(case)
 }
 
+/// So many points on a circle about the origin, counter-clockwise.
+fn rim(n: usize) -> impl Iterator<Item = [f64; 2]> {
+    let places = generators::around(25);
+    (0..n).map(move |i| places[i * places.len() / n].map(f64::from))
+}
+
 /// Triangles from a hub to points around it, each over so many of them: above one they go round more than
 /// once, on one closed line or on more, and no two of them conflict.
 fn wound(bytes: &mut Unstructured<'_>) -> Result<Case> {
@@ -150,7 +140,7 @@ fn wound(bytes: &mut Unstructured<'_>) -> Result<Case> {
     let n = 3 + usize::from(counts[0] % 5);
     let over = 1 + usize::from(counts[1] % 3);
     let mut points = vec![[0.0, 0.0]];
-    points.extend((0..n).map(|i| RIM[i * RIM.len() / n]));
+    points.extend(rim(n));
     let triangles = (0..n).map(|i| [0, 1 + i, 1 + (i + over) % n]);
     Ok(Case {
         triangles: triangles.collect(),
@@ -165,9 +155,9 @@ fn dented(bytes: &mut Unstructured<'_>) -> Result<Case> {
     let n = 5 + usize::from(counts[0] % 8);
     let over = 1 + usize::from(counts[1] % 2);
     let mut points = vec![[0.0, 0.0]];
-    for i in 0..n {
+    for place in rim(n) {
         let distance = *bytes.choose(&[1.0, 1.0, 1.0, 0.5, 0.25, 0.125, 1.0 - f64::EPSILON])?;
-        points.push(RIM[i * RIM.len() / n].map(|x| distance * x));
+        points.push(place.map(|x| distance * x));
     }
     let triangles = (0..n).map(|i| [0, 1 + i, 1 + (i + over) % n]);
     Ok(Case {
