@@ -18,7 +18,7 @@ pub struct Effort {
 impl Default for Effort {
     fn default() -> Effort {
         Effort {
-            patience: 16,
+            patience: 8,
             limit: 1 << 22,
             visited: 0,
             swept: 0,
