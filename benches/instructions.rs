@@ -171,7 +171,7 @@ fn streamed(times: usize) {
         .sort_unstable_by(|p, q| p[1].total_cmp(&q[1]).then(p[0].total_cmp(&q[0])));
     worked(&input, times, |input| {
         let mut count = 0;
-        let mut stream = Triangulator::new().stream(|_| count += 1);
+        let mut stream = sweep_cdt_stream::Stream::new(Triangulator::new(), |_| count += 1);
         for (number, point) in (0..).zip(&input.points) {
             stream.push(number, *point).expect("an ordered point");
         }

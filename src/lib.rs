@@ -19,7 +19,6 @@ mod pslg;
 pub mod scalar;
 mod session;
 mod settings;
-pub mod stream;
 mod sweep;
 #[doc(hidden)]
 pub mod threads;
@@ -33,6 +32,8 @@ pub use input::triangulate_from;
 pub use observe::stats::{ByCause, Counters, Stats};
 pub use pslg::{Pslg, Region};
 pub use session::Session;
+#[doc(hidden)]
+pub use settings::Ties;
 pub use settings::{Algorithm, Corners, Heuristics};
 pub use triangulation::Triangulation;
 pub use triangulation::canonical::CanonicalGroups;

@@ -69,8 +69,9 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
     }
 
     /// [`triangulate`](Session::triangulate) with a rule for vertices on one circle. Its steps are passed on, if somebody
-    /// wants them.
-    pub(crate) fn triangulate_window<S: Scalar>(
+    /// wants them. For the windows of streams, in the package `sweep-cdt-stream`.
+    #[doc(hidden)]
+    pub fn triangulate_window<S: Scalar>(
         &mut self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],

@@ -158,7 +158,7 @@ pub(crate) struct Settings<'p> {
 /// At which of several vertices on one circle the diagonals between them end. Alone of the settings it changes the result;
 /// only a stream sets it, for windows whose coordinates it exchanges.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Ties {
+pub enum Ties {
     /// At the leftmost one, the upper one of two: the canonical rule.
     #[default]
     Leftmost,

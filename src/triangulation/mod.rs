@@ -66,6 +66,19 @@ impl Triangulation {
         self.corners(&self.triangles[t])
     }
 
+    /// The vertices in the order of the sweep, one for each set of equal points. For windows of streams.
+    #[doc(hidden)]
+    pub fn sweep_order(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    /// The vertices of triangle `t` by their places in that order.
+    #[doc(hidden)]
+    #[inline]
+    pub fn places(&self, t: usize) -> [usize; 3] {
+        self.triangles[t].vertices().map(VertexId::index)
+    }
+
     /// All triangles, by number.
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = [usize; 3]> + Clone + '_ {
         self.triangles.iter().map(|triangle| self.corners(triangle))

@@ -103,7 +103,6 @@ mod runs;
 mod scanline;
 mod sides;
 mod soup;
-mod stream;
 mod turns;
 mod verifier;
 mod violation;
@@ -111,7 +110,6 @@ mod violation;
 pub use depth::{Depth, Depths};
 pub use regions::Regions;
 pub use report::{Level, Report, Violations};
-pub use stream::{StreamReport, StreamVerifier, StreamViolation};
 pub use verifier::Verifier;
 pub use violation::{Offenders, Violation};
 

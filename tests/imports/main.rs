@@ -60,17 +60,40 @@ fn no_two_files_import_each_other() {
 #[test]
 fn the_verifier_uses_the_scalars_and_nothing_else() {
     let arrows = arrows_of_this_repository();
-    let out: Vec<&Arrow> = arrows
-        .iter()
-        .filter(|arrow| arrow.from.starts_with("src/verify/"))
-        .filter(|arrow| !arrow.to.starts_with("src/verify/"))
-        .filter(|arrow| arrow.to != "src/threads.rs")
-        .collect();
-    let (to_scalars, others): (Vec<&Arrow>, Vec<&Arrow>) = out
-        .into_iter()
-        .partition(|arrow| arrow.to.starts_with("src/scalar/"));
+    let out = leaving("src/verify/", &arrows);
+    let out = out.into_iter().filter(|arrow| arrow.to != "src/threads.rs");
+    let (to_scalars, others): (Vec<&Arrow>, Vec<&Arrow>) =
+        out.partition(|arrow| arrow.to.starts_with("src/scalar/"));
     assert!(!to_scalars.is_empty());
     assert_eq!(others, [] as [&Arrow; 0]);
+}
+
+/// Of its own package nothing, and of the library the scalars and the names of levels.
+#[test]
+fn so_does_the_verifier_of_streams() {
+    let folder = "crates/stream/src/verify/";
+    let arrows = arrows_of_this_repository();
+    assert_eq!(leaving(folder, &arrows), [] as [&Arrow; 0]);
+    let mut tree = Tree::new();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    read(&root.join(folder), folder, &mut tree);
+    let mut uses = 0;
+    for (file, text) in &tree {
+        let lines = text.lines().map(str::trim_start);
+        let code = lines.filter(|line| !line.starts_with("//"));
+        for path in code.flat_map(|line| line.split("sweep_cdt::").skip(1)) {
+            let is_allowed = path.starts_with("scalar::") || path.starts_with("verify::Level");
+            assert!(is_allowed, "{file}: {path}");
+            uses += 1;
+        }
+    }
+    assert!(uses > 5, "{uses}");
+}
+
+/// The arrows from a folder to other ones.
+fn leaving<'a>(folder: &str, arrows: &'a [Arrow]) -> Vec<&'a Arrow> {
+    let from = arrows.iter().filter(|arrow| arrow.from.starts_with(folder));
+    from.filter(|arrow| !arrow.to.starts_with(folder)).collect()
 }
 
 /// Whether one of two files is the `mod.rs` of a folder that the other one lies in.

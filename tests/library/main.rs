@@ -43,7 +43,6 @@ mod scalars;
 mod serialized;
 mod slant;
 mod statistics;
-mod stream;
 mod trace;
 #[path = "../verify/mod.rs"]
 mod verify;

@@ -4,7 +4,8 @@ use std::io;
 
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
-use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::trace::Event;
+use sweep_cdt_trace::Trace;
 use sweep_cdt::{Pslg, Triangulator};
 use sweep_cdt_draw::{StepsPage, StepsSheet};
 

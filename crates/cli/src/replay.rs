@@ -3,9 +3,9 @@
 use std::io::Write;
 
 use sweep_cdt::scalar::Measure;
-use sweep_cdt::trace::{BadTrace, Trace};
-use sweep_cdt_formats::read_trace;
 use sweep_cdt_formats::{Coordinate, InputFormat};
+use sweep_cdt_trace::read_trace;
+use sweep_cdt_trace::{BadTrace, Trace};
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};

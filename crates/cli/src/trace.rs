@@ -8,7 +8,8 @@ use sweep_cdt::scalar::{Measure, Scalar};
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Error, Pslg};
 use sweep_cdt_draw::{StepsPage, StepsSheet};
-use sweep_cdt_formats::{Coordinate, Named, write_trace};
+use sweep_cdt_formats::{Coordinate, Named};
+use sweep_cdt_trace::write_trace;
 
 use crate::shared::arguments::InputArgs;
 use crate::shared::arithmetic::{Given, Job, ScalarArgs};
@@ -167,10 +168,10 @@ impl<S: Scalar> Written<'_, S> {
         }
     }
 
-    fn trace(&mut self) -> sweep_cdt::trace::Trace {
+    fn trace(&mut self) -> sweep_cdt_trace::Trace {
         let skipped = self.steps.start() - 1;
         let events = std::mem::take(&mut self.events);
-        sweep_cdt::trace::Trace { skipped, events }
+        sweep_cdt_trace::Trace { skipped, events }
     }
 }
 

@@ -44,7 +44,6 @@ mod remark;
 mod split;
 mod system;
 mod threads;
-mod trace;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
@@ -62,7 +61,6 @@ pub use read::{
 pub use remark::Remark;
 pub use split::Splitting;
 pub use system::CoordinateSystem;
-pub use trace::{read_trace, write_trace};
 pub use write::{
     CrossingsFormat, OutputFormat, not_written, write, write_certificate, write_crossings,
     write_graph, write_interior, write_lines, write_node, write_violations,

@@ -3,8 +3,9 @@
 
 use sweep_cdt::front::{AnyFront, FrontSearch};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::trace::Event;
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt_trace::Trace;
 
 /// The choices of a run, beside the scalar.
 #[derive(Clone, Debug)]

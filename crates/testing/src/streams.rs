@@ -4,10 +4,10 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use sweep_cdt::front::AnyFront;
-use sweep_cdt::stream::{Final, StreamError};
-use sweep_cdt::verify::{Level, StreamVerifier, StreamViolation, Verifier};
+use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt::{Error, Triangulation, Triangulator};
 use sweep_cdt_generate::Random;
+use sweep_cdt_stream::{Final, Stream, StreamError, StreamVerifier, StreamViolation};
 
 use crate::Input;
 use crate::oracle::Answer;
@@ -55,30 +55,29 @@ fn collected<S: Sample + Clone>(
     };
     let mut hull = Vec::new();
     let small = |number: u64| usize::try_from(number).expect("a position");
-    let mut stream = Triangulator::new()
-        .front(way.front.clone())
-        .stream(|found| match found {
-            Final::Triangle {
-                corners,
-                constrained,
-            } => {
-                let corners = corners.map(small);
-                let first = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
-                let mut lowest_first = corners;
-                lowest_first.rotate_left(first);
-                answer.triangles.push(lowest_first);
-                for side in (0..3).filter(|&side| constrained[side]) {
-                    let [u, v] = [1, 2].map(|i| corners[(side + i) % 3]);
-                    answer.constrained.push([u.min(v), u.max(v)]);
-                }
+    let triangulator = Triangulator::new().front(way.front.clone());
+    let stream = Stream::new(triangulator, |found| match found {
+        Final::Triangle {
+            corners,
+            constrained,
+        } => {
+            let corners = corners.map(small);
+            let first = (0..3).min_by_key(|&i| corners[i]).unwrap_or(0);
+            let mut lowest_first = corners;
+            lowest_first.rotate_left(first);
+            answer.triangles.push(lowest_first);
+            for side in (0..3).filter(|&side| constrained[side]) {
+                let [u, v] = [1, 2].map(|i| corners[(side + i) % 3]);
+                answer.constrained.push([u.min(v), u.max(v)]);
             }
-            Final::HullSide { ends } => hull.push(ends.map(small)),
-            Final::Duplicate { number, of } => {
-                answer.representatives[small(number)] = small(of);
-            }
-            other => panic!("{other:?} is unknown"),
-        })
-        .window(way.window);
+        }
+        Final::HullSide { ends } => hull.push(ends.map(small)),
+        Final::Duplicate { number, of } => {
+            answer.representatives[small(number)] = small(of);
+        }
+        other => panic!("{other:?} is unknown"),
+    });
+    let mut stream = stream.window(way.window);
     let by_x = |u: &&[S; 2], v: &&[S; 2]| u[0].compare(&v[0]);
     if way.is_range_known
         && let (Some([least, _]), Some([most, _])) =
@@ -120,7 +119,7 @@ fn collected<S: Sample + Clone>(
 
 /// Pushes each vertex, and the edges that begin there.
 fn feed<S: Sample + Clone, O: FnMut(Final)>(
-    stream: &mut sweep_cdt::stream::Stream<'_, S, O, AnyFront>,
+    stream: &mut Stream<'_, S, O, AnyFront>,
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     sorted: &[usize],

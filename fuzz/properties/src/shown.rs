@@ -16,11 +16,12 @@ use std::time::Duration;
 use std::{fs, io, thread};
 
 use sweep_cdt::crossings::crossings;
-use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::trace::Event;
 use sweep_cdt::{Error, Pslg, Triangulation, Triangulator};
 use sweep_cdt_draw::{CrossingsPicture, ResultPicture};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::judge::quietly;
+use sweep_cdt_trace::Trace;
 
 use crate::file::{File, json};
 

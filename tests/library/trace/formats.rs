@@ -1,9 +1,9 @@
 //! How steps are written, and what is read: parts of a trace, texts that are none, JSON lines.
 
 use sweep_cdt::Heuristics;
-use sweep_cdt::trace::Trace;
-use sweep_cdt_formats::read_trace;
 use sweep_cdt_testing::Input;
+use sweep_cdt_trace::Trace;
+use sweep_cdt_trace::read_trace;
 
 use super::{lines, steps, text};
 use crate::cases;

@@ -11,12 +11,13 @@ use std::fmt::Write;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::front::AnyFront;
-use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::trace::Event;
 use sweep_cdt::{Corners, Heuristics};
-use sweep_cdt_formats::write_trace;
 use sweep_cdt_testing::generators::medium;
 use sweep_cdt_testing::runs::{Sample, convert};
 use sweep_cdt_testing::{Input, Random, Steps, data};
+use sweep_cdt_trace::Trace;
+use sweep_cdt_trace::write_trace;
 
 use crate::{assert_snapshot, cases};
 

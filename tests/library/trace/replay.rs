@@ -1,10 +1,10 @@
 //! A trace replays to the result; a damaged one is refused, or means the same.
 
 use sweep_cdt::Heuristics;
-use sweep_cdt::trace::{BadTrace, Trace};
-use sweep_cdt_formats::read_trace;
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::{Input, Steps};
+use sweep_cdt_trace::read_trace;
+use sweep_cdt_trace::{BadTrace, Trace};
 
 use super::{HEURISTICS, lines, steps, text};
 use crate::cases;

@@ -14,9 +14,9 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use sweep_cdt::Triangulator;
-use sweep_cdt::stream::{Final, Stream, StreamError, StreamStats};
-use sweep_cdt::verify::{Level, StreamVerifier, StreamViolation};
-use sweep_cdt_external::{Statistics, Summary, SweepOrder};
+use sweep_cdt::verify::Level;
+use sweep_cdt_stream::external::{Statistics, Summary, SweepOrder};
+use sweep_cdt_stream::{Final, Stream, StreamError, StreamStats, StreamVerifier, StreamViolation};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::FileArgument;
@@ -125,7 +125,7 @@ struct Written<'a, 'w> {
 
 /// Why a stream ends early.
 enum Trouble {
-    Order(sweep_cdt_external::Error),
+    Order(sweep_cdt_stream::external::Error),
     Stream(StreamError),
     Violation(StreamViolation),
     Out(io::Error),
@@ -341,7 +341,8 @@ impl StreamCommand {
         let window = self.window.map_or(WINDOW, NonZeroUsize::get);
         let most = most.max(window.saturating_mul(2));
         let limit = most / 2;
-        let mut stream: Stream<'_, f64, _> = Triangulator::new().stream(&mut found).limit(limit);
+        let stream = Stream::<f64, _>::new(Triangulator::new(), &mut found);
+        let mut stream = stream.limit(limit);
         if points > 0 {
             stream = stream.between(x[0], x[1]);
         }

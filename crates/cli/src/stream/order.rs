@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use bytesize::ByteSize;
-use sweep_cdt_external::{Error, Input, InputFormat, Sorting, SweepOrder, open};
+use sweep_cdt_stream::external::{Error, Input, InputFormat, Sorting, SweepOrder, open};
 
 use crate::shared::failure::Failure;
 use crate::shared::files::{FileArgument, FilesRead, format_of_input, format_parser, size};

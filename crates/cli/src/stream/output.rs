@@ -4,7 +4,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use sweep_cdt_external::{Input, Summary};
+use sweep_cdt_stream::external::{Input, Summary};
 
 use super::beside::Beside;
 use super::numbers::Width;

@@ -2,8 +2,9 @@
 
 use std::io::Write;
 
-use sweep_cdt::verify::{Level, StreamReport, StreamVerifier, StreamViolation};
-use sweep_cdt_external::SweepOrder;
+use sweep_cdt::verify::Level;
+use sweep_cdt_stream::external::SweepOrder;
+use sweep_cdt_stream::{StreamReport, StreamVerifier, StreamViolation};
 
 use super::numbers::Triangles;
 use super::order::{Sorted, is_one_place};

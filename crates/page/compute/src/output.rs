@@ -2,10 +2,11 @@
 
 use std::error::Error;
 
+use sweep_cdt::Error as Refusal;
 use sweep_cdt::crossings::Exact;
-use sweep_cdt::{Error as Refusal, trace};
 use sweep_cdt_draw::{Output, StepsPage};
-use sweep_cdt_formats::{Coordinate, GraphFile, write_graph, write_trace};
+use sweep_cdt_formats::{Coordinate, GraphFile, write_graph};
+use sweep_cdt_trace::write_trace;
 
 use super::input::named;
 use super::picture::Picture;
@@ -84,8 +85,8 @@ fn write_steps<S: Coordinate>(
                 None => page.write(out)?,
             }
         }
-        Trace::Txt => trace::Trace { skipped: 0, events }.write_text(out)?,
-        Trace::Jsonl => write_trace(&trace::Trace { skipped: 0, events }, out)?,
+        Trace::Txt => sweep_cdt_trace::Trace { skipped: 0, events }.write_text(out)?,
+        Trace::Jsonl => write_trace(&sweep_cdt_trace::Trace { skipped: 0, events }, out)?,
     }
     Ok(())
 }

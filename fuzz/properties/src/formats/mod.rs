@@ -14,14 +14,14 @@ use std::panic::catch_unwind;
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
 use sweep_cdt::scalar::Measure;
-use sweep_cdt::trace::Trace;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt::{Heuristics, Pslg};
 use sweep_cdt_draw::ViolationsPicture;
 use sweep_cdt_formats::{
     Column, Coordinate, GraphFile, Input, Numbering, ResultFormat, Source, read, read_result,
-    read_trace, write_trace,
 };
+use sweep_cdt_trace::Trace;
+use sweep_cdt_trace::{read_trace, write_trace};
 
 use self::again::source;
 use self::files::{READERS, Reader};

@@ -5,9 +5,10 @@
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use sweep_cdt::trace::{Event, PointCase, Trace, Vertex, Why};
+use sweep_cdt::trace::{Event, PointCase, Vertex, Why};
 use sweep_cdt::{Algorithm, ByCause, Heuristics, Triangulation, Triangulator};
 use sweep_cdt_testing::Input;
+use sweep_cdt_trace::Trace;
 
 /// Panics unless another observed run, which reports its progress, has the same result as this one, with the counters
 /// of this trace. (A run that only counts may defer edges.)

@@ -2,7 +2,8 @@
 
 use std::mem::discriminant;
 
-use sweep_cdt::trace::{Event, Trace};
+use sweep_cdt::trace::Event;
+use sweep_cdt_trace::Trace;
 
 use sweep_cdt_testing::Random;
 

@@ -10,17 +10,18 @@ mod counts;
 mod damage;
 
 use sweep_cdt::Heuristics;
-use sweep_cdt::trace::{Event, Trace, Vertex, Why};
+use sweep_cdt::trace::{Event, Vertex, Why};
+use sweep_cdt_trace::Trace;
 
 use counts::judge_counts;
 use damage::{Damage, Kind};
 
 use crate::file::File;
 use crate::{reached, share};
-use sweep_cdt_formats::{read_trace, write_trace};
 use sweep_cdt_testing::Random;
 use sweep_cdt_testing::Steps;
 use sweep_cdt_testing::{Input, generators};
+use sweep_cdt_trace::{read_trace, write_trace};
 
 /// The property for the choices and the input that the bytes stand for.
 pub fn test(bytes: &[u8]) {

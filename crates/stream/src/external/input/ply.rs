@@ -1,0 +1,183 @@
+//! Stanford's `.ply`, as text or binary: the elements `vertex` and `edge`, read in pieces.
+//!
+//! The header is read as for a file in memory. Of the elements that follow, the points are read first, and then the edges:
+//! from where the points ended, or from the begin once more where edges stand before the points. All other elements and
+//! properties are read over.
+
+use std::path::Path;
+
+use sweep_cdt_formats::ply::Header;
+use sweep_cdt_formats::{ReadError, Source, quoted};
+
+use crate::external::input::Input;
+use crate::external::input::file::InputFile;
+use crate::external::input::ply_body::{Body, Element, Piece, Property};
+
+/// No header is longer.
+const LONGEST_HEADER: usize = 1 << 20;
+
+/// A `.ply`.
+#[derive(Debug)]
+pub(super) struct Ply {
+    body: Body,
+    elements: Vec<Element>,
+    /// The element that is read, and how many of its records are.
+    element: usize,
+    record: u64,
+    /// The place of the points among the elements.
+    vertex: usize,
+    /// Where the body begins: the byte, and the lines before it.
+    begin: (u64, usize),
+    /// Whether edges are read, and no points any more.
+    is_at_edges: bool,
+}
+
+impl Ply {
+    pub(super) fn open(path: &Path) -> Result<Ply, ReadError> {
+        let mut file = InputFile::open(path)?;
+        let mut bytes = Vec::new();
+        file.read(LONGEST_HEADER, &mut bytes)?;
+        let source = Source::new(&file.name, bytes);
+        let (header, lines, length) = Header::read(&source)?;
+        let begin = (length as u64, lines);
+        let mut elements = Vec::new();
+        let mut vertex = None;
+        for element in &header.elements {
+            let names = match element.name {
+                b"vertex" if vertex.is_none() => Some([b"x".as_slice(), b"y"]),
+                b"edge" => Some([b"vertex1".as_slice(), b"vertex2"]),
+                _ => None,
+            };
+            let place = |name: &[u8]| {
+                let place = element.place(&[name]);
+                let place = place.filter(|&place| element.properties[place].length.is_none());
+                place.ok_or_else(|| {
+                    let [element, property] = [element.name, name].map(quoted);
+                    file.error(format!("the element {element} has no property {property}"))
+                })
+            };
+            // Records without properties take no bytes, so that there may be any number of them.
+            let names = names.filter(|_| !element.properties.is_empty());
+            let pair = match names {
+                Some([a, b]) => Some([place(a)?, place(b)?]),
+                None => None,
+            };
+            if element.name == b"vertex" && pair.is_some() {
+                vertex = Some(elements.len());
+            }
+            let properties = element.properties.iter().map(|property| Property {
+                kind: property.kind,
+                length: property.length,
+            });
+            elements.push(Element {
+                name: String::from_utf8_lossy(element.name).into_owned(),
+                count: match element.properties.is_empty() {
+                    true => 0,
+                    false => element.count as u64,
+                },
+                properties: properties.collect(),
+                pair,
+            });
+        }
+        let Some(vertex) = vertex else {
+            return Err(file.error("there is no element `vertex`"));
+        };
+        let [x, y] = elements[vertex].pair.expect("it has x and y");
+        let kind = |at: usize| elements[vertex].properties[at].kind;
+        if kind(x) != kind(y) {
+            return Err(file.error("x and y have different types"));
+        }
+        let mut ply = Ply {
+            body: Body::new(file, header.encoding),
+            elements,
+            element: 0,
+            record: 0,
+            vertex,
+            begin,
+            is_at_edges: false,
+        };
+        ply.body.go_to(begin)?;
+        Ok(ply)
+    }
+
+    /// The pairs of the next records of the element that is read, some of them or all. There is one.
+    fn next_pairs<T>(
+        &mut self,
+        most: u64,
+        pairs: &mut Vec<[T; 2]>,
+        value: impl Fn(&Piece<'_>) -> Result<T, ReadError>,
+    ) -> Result<(), ReadError> {
+        let element = &self.elements[self.element];
+        let count = most.min(element.count - self.record);
+        self.body.read(element, self.record, count, pairs, value)?;
+        self.record += count;
+        Ok(())
+    }
+
+    /// Goes to the next element of which `is_wanted` is true, or to the end.
+    fn go_to_element(
+        &mut self,
+        is_wanted: impl Fn(usize, &Element) -> bool,
+    ) -> Result<(), ReadError> {
+        while let Some(element) = self.elements.get(self.element) {
+            let is_read = self.record == element.count;
+            if !is_read && is_wanted(self.element, element) {
+                return Ok(());
+            }
+            if is_read {
+                (self.element, self.record) = (self.element + 1, 0);
+            } else {
+                self.skip()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads over what is left of an element.
+    fn skip(&mut self) -> Result<(), ReadError> {
+        let element = &self.elements[self.element];
+        self.body.skip(element, self.record)?;
+        self.record = element.count;
+        Ok(())
+    }
+}
+
+impl Input for Ply {
+    fn name(&self) -> &str {
+        &self.body.file().name
+    }
+
+    fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
+        let vertex = self.vertex;
+        self.go_to_element(|at, _| at >= vertex)?;
+        if self.element == self.vertex {
+            return self.next_pairs(RECORDS, points, |piece| piece.coordinate());
+        }
+        self.body.file().check()
+    }
+
+    fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
+        let vertex = self.vertex;
+        if !self.is_at_edges {
+            self.is_at_edges = true;
+            let before = &self.elements[..vertex];
+            if before.iter().any(|element| element.pair.is_some()) {
+                (self.element, self.record) = (0, 0);
+                self.body.go_to(self.begin)?;
+            }
+        }
+        self.go_to_element(|at, element| at != vertex && element.pair.is_some())?;
+        if self.element < self.elements.len() {
+            return self.next_pairs(RECORDS, edges, |piece| piece.index("a vertex's number"));
+        }
+        self.body.file().check()
+    }
+
+    fn progress(&self) -> (u64, u64) {
+        let file = self.body.file();
+        (file.at, file.length)
+    }
+}
+
+/// How many records are read at once.
+const RECORDS: u64 = 1 << 13;

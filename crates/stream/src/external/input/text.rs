@@ -1,0 +1,288 @@
+//! Points as text, `.csv`, `.xyz` and `.txt`, read in pieces.
+//!
+//! The first row of such a file says what separates the fields, which columns are x and y, and how many there are. So
+//! each piece is read as a file of its own that begins as the whole one does, up to its first row: by the reader of whole
+//! files, and on all cores. A piece may be wrong because it ends within a quoted field. So a piece that is refused is read
+//! once more up to where quotes are closed, and with what follows it, and an error counts only if that does not help.
+
+use std::ops::Range;
+use std::path::Path;
+
+use sweep_cdt::threads::on_all_cores;
+use sweep_cdt_formats::{Input as Whole, InputFormat, ReadError, Source, read};
+
+use crate::external::input::Input;
+use crate::external::input::file::InputFile;
+
+/// The bytes of a piece, and of the pieces that are read at once.
+const PIECE: usize = 1 << 17;
+const BLOCK: usize = 8 * PIECE;
+/// The most that a row, or what stands before the first one, may have.
+const LONGEST: usize = 2 * BLOCK;
+/// The most lines of a row of names, some of which may stand in quotes.
+const MOST_LINES: usize = 16;
+
+/// Points as text.
+#[derive(Debug)]
+pub(super) struct Text {
+    file: InputFile,
+    begin: Begin,
+    /// The points of the begin, until they are taken.
+    first: Vec<[f64; 2]>,
+    /// What is read of the file behind the points that were taken, and how many lines come before that.
+    bytes: Vec<u8>,
+    lines: usize,
+}
+
+/// How a file begins, up to the first row and with it.
+#[derive(Debug)]
+struct Begin {
+    name: String,
+    text: Vec<u8>,
+    lines: usize,
+    /// How many points that is: none, if the row holds names.
+    points: usize,
+}
+
+impl Text {
+    pub(super) fn open(path: &Path) -> Result<Text, ReadError> {
+        let mut file = InputFile::open(path)?;
+        let mut bytes = Vec::new();
+        let mut length = loop {
+            file.read(PIECE, &mut bytes)?;
+            if let Some(length) = first_row(&bytes, file.left() == 0) {
+                break length;
+            }
+            if bytes.len() > LONGEST {
+                return Err(file.error("the first row does not end: is this a text?"));
+            }
+        };
+        let mut begin = Begin {
+            name: file.name.clone(),
+            text: bytes[..length].to_vec(),
+            lines: 0,
+            points: 0,
+        };
+        let mut first = begin.points_with(&[]);
+        for _ in 1..MOST_LINES {
+            if first.is_ok() {
+                break;
+            }
+            // The row may go on behind the end of a line.
+            length = line_end(&bytes, length, true).unwrap_or(bytes.len());
+            begin.text = bytes[..length].to_vec();
+            first = begin.points_with(&[]).or(first);
+        }
+        let first = first?;
+        bytes.drain(..length);
+        begin.points = first.len();
+        begin.lines = line_ends(&begin.text);
+        Ok(Text {
+            file,
+            lines: begin.lines,
+            begin,
+            first,
+            bytes,
+        })
+    }
+
+    /// Appends the points of the pieces that are in memory, up to the first that is refused, and goes on behind them.
+    fn take_pieces(&mut self, points: &mut Vec<[f64; 2]>) {
+        let pieces = pieces(&self.bytes, self.file.left() == 0);
+        let of_piece = |piece: Range<usize>| {
+            let end = piece.end;
+            (end, self.begin.points_with(&self.bytes[piece]))
+        };
+        let mut end = 0;
+        for (piece_end, found) in on_all_cores(pieces, of_piece) {
+            let Ok(found) = found else { break };
+            points.extend(found);
+            end = piece_end;
+        }
+        self.pass(end);
+    }
+
+    /// Appends the points of as long a piece as is not refused.
+    fn take_longer(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
+        loop {
+            let is_all = self.file.left() == 0;
+            let is_long = self.bytes.len() > LONGEST;
+            let mut end = match pieces(&self.bytes, is_all).last() {
+                Some(last) => last.end,
+                None => 0,
+            };
+            let mut found = self.begin.points_with(&self.bytes[..end]);
+            if found.is_err() && !is_all {
+                let outside = end_outside_quotes(&self.bytes[..end]);
+                let sooner = self.begin.points_with(&self.bytes[..outside]);
+                if outside > 0 && sooner.is_ok() {
+                    (end, found) = (outside, sooner);
+                }
+            }
+            match found {
+                Ok(_) if end == 0 && is_long => {
+                    let message = "the line does not end: is this a text?";
+                    return Err(self.file.error_in_line(self.lines + 1, message));
+                }
+                Ok(found) if end > 0 => {
+                    points.extend(found);
+                    self.pass(end);
+                    return Ok(());
+                }
+                Err(mut error) if is_all || is_long => {
+                    let behind = |line: usize| match line.checked_sub(self.begin.lines) {
+                        Some(line) => self.lines + line,
+                        None => line,
+                    };
+                    error.line = error.line.map(behind);
+                    return Err(error);
+                }
+                _ => self
+                    .file
+                    .read(self.bytes.len().max(PIECE), &mut self.bytes)?,
+            }
+        }
+    }
+
+    /// Goes on behind so many bytes.
+    fn pass(&mut self, length: usize) {
+        self.lines += line_ends(&self.bytes[..length]);
+        self.bytes.drain(..length);
+    }
+}
+
+impl Begin {
+    /// The points of a piece, as if it followed the begin.
+    fn points_with(&self, piece: &[u8]) -> Result<Vec<[f64; 2]>, ReadError> {
+        let source = Source::new(&self.name, [&self.text, piece].concat());
+        match read(InputFormat::Csv, &source, None)? {
+            Whole::Doubles(file) => {
+                let mut points = file.graph.points;
+                points.drain(..self.points);
+                Ok(points)
+            }
+            Whole::Rationals(_) => Err(ReadError::of_file(
+                &self.name,
+                "there are fractions, which are read only where all points are in memory",
+            )),
+        }
+    }
+}
+
+impl Input for Text {
+    fn name(&self) -> &str {
+        &self.file.name
+    }
+
+    fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
+        let before = points.len();
+        points.append(&mut self.first);
+        while points.len() == before {
+            let room = BLOCK.saturating_sub(self.bytes.len());
+            self.file.read(room, &mut self.bytes)?;
+            if self.bytes.is_empty() {
+                return self.file.check();
+            }
+            let left = self.bytes.len();
+            self.take_pieces(points);
+            if self.bytes.len() == left {
+                self.take_longer(points)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn next_edges(&mut self, _edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
+        Ok(())
+    }
+
+    fn progress(&self) -> (u64, u64) {
+        (self.file.at, self.file.length)
+    }
+}
+
+/// Where the line ends that begins here; `None` if it goes on behind the bytes.
+fn line_end(bytes: &[u8], from: usize, is_all: bool) -> Option<usize> {
+    let end = from + memchr::memchr2(b'\n', b'\r', &bytes[from..])?;
+    match (bytes[end], bytes.get(end + 1)) {
+        (b'\r', Some(b'\n')) => Some(end + 2),
+        // A line feed may follow.
+        (b'\r', None) if !is_all => None,
+        _ => Some(end + 1),
+    }
+}
+
+/// How many lines end.
+fn line_ends(bytes: &[u8]) -> usize {
+    let ends = memchr::memchr2_iter(b'\n', b'\r', bytes);
+    ends.filter(|&end| bytes[end] == b'\n' || bytes.get(end + 1) != Some(&b'\n'))
+        .count()
+}
+
+/// Where the first line ends that may be a row: no comment, and not blanks and separators alone; `None` if that is not
+/// known yet.
+fn first_row(bytes: &[u8], is_all: bool) -> Option<usize> {
+    let mut from = 0;
+    while from < bytes.len() {
+        let end = match line_end(bytes, from, is_all) {
+            Some(end) => end,
+            None if is_all => bytes.len(),
+            None => return None,
+        };
+        let line = bytes[from..end].trim_ascii();
+        let is_comment = line.starts_with(b"#") || line.starts_with(b"\xef\xbb\xbf#");
+        let is_of_excel = line.len() <= 8 && memchr::memmem::find(line, b"sep=").is_some();
+        let is_empty = line.iter().all(|byte| b" \t\x0c,;\"".contains(byte));
+        if !(is_comment || is_of_excel || is_empty) {
+            return Some(end);
+        }
+        from = end;
+    }
+    is_all.then_some(bytes.len())
+}
+
+/// Where the last line ends before which quotes are closed, as far as their number tells.
+fn end_outside_quotes(bytes: &[u8]) -> usize {
+    let (mut is_open, mut end) = (false, 0);
+    for at in memchr::memchr3_iter(b'"', b'\n', b'\r', bytes) {
+        match bytes[at] {
+            b'"' => is_open = !is_open,
+            _ if !is_open => end = at + 1,
+            _ => {}
+        }
+    }
+    end
+}
+
+/// Pieces of whole lines; the last line is one only if it is the last of the file.
+fn pieces(bytes: &[u8], is_all: bool) -> Vec<Range<usize>> {
+    // A carriage return ends a line where no line feeds do.
+    let has_feeds = memchr::memchr(b'\n', bytes).is_some();
+    let end_from = |from: usize| {
+        let rest = bytes.get(from..)?;
+        let end = match has_feeds {
+            true => memchr::memchr(b'\n', rest)?,
+            false => memchr::memchr(b'\r', rest)?,
+        };
+        Some(from + end + 1)
+    };
+    let mut pieces = Vec::new();
+    let mut begin = 0;
+    while let Some(end) = end_from(begin + PIECE) {
+        pieces.push(begin..end);
+        begin = end;
+    }
+    let rest = &bytes[begin..];
+    let last = match has_feeds {
+        _ if is_all => Some(rest.len()),
+        true => memchr::memrchr(b'\n', rest).map(|end| end + 1),
+        // A line feed may follow the last one.
+        false => memchr::memrchr(b'\r', &rest[..rest.len().saturating_sub(1)]).map(|end| end + 1),
+    };
+    if let Some(length) = last
+        && length > 0
+    {
+        pieces.push(begin..begin + length);
+    }
+    pieces
+}

@@ -1,0 +1,215 @@
+//! Triangle's `.node` and `.poly`, read in pieces.
+//!
+//! ```text
+//! .node    <vertices> 2 <attributes> <markers>        counts; only the first one is needed
+//!          <vertex> <x> <y> [attributes] [marker]     numbered from 0 or from 1
+//!
+//! .poly    as .node; 0 vertices: they are in the .node beside it
+//!          <segments> <markers>
+//!          <segment> <vertex> <vertex> [marker]       numbered from 0 or from 1
+//! ```
+//!
+//! Numbers must be consecutive, as where the file is in memory. All that follows on a line is read over, and so are holes
+//! and regions.
+
+use std::path::Path;
+
+use sweep_cdt_formats::{ReadError, quoted};
+
+use crate::external::input::Input;
+use crate::external::input::file::InputFile;
+use crate::external::input::lines::{Line, Lines, coordinate};
+
+/// How many records are read at once.
+const RECORDS: u64 = 1 << 13;
+
+/// Vertices, and maybe edges.
+#[derive(Debug)]
+pub(super) struct Triangle {
+    /// The file with the vertices, and that with the edges if it is another one.
+    vertices: Lines,
+    edges: Option<Lines>,
+    has_edges: bool,
+    vertex: Records,
+    /// Unknown until all vertices are read.
+    edge: Option<Records>,
+}
+
+/// Records of one kind, with consecutive numbers.
+#[derive(Debug)]
+struct Records {
+    /// The name of a record in messages.
+    name: &'static str,
+    /// The name of its number there.
+    number: &'static str,
+    /// How many there must be, and how many are read.
+    count: u64,
+    read: u64,
+    /// The number of the first one: 0 or 1.
+    first: u64,
+}
+
+impl Records {
+    /// Appends what `read` makes of the rest of the next lines, some of them or all that are left.
+    fn next<T>(
+        &mut self,
+        lines: &mut Lines,
+        list: &mut Vec<T>,
+        read: impl Fn(&mut Line<'_>) -> Result<T, ReadError>,
+    ) -> Result<(), ReadError> {
+        let end = self.count.min(self.read + RECORDS);
+        while self.read < end {
+            let mut line = lines.expect(|| {
+                let Records { name, count, .. } = self;
+                format!("{name} {} of {count}", self.read + 1)
+            })?;
+            let number = index(&mut line, self.number)?;
+            if self.read == 0 {
+                if number > 1 {
+                    return Err(line.error(format!("the first number is {number}, not 0 or 1")));
+                }
+                self.first = number;
+            }
+            let expected = self.read + self.first;
+            if number != expected {
+                return Err(line.error(format!("the number is {number}, not {expected}")));
+            }
+            list.push(read(&mut line)?);
+            self.read += 1;
+        }
+        Ok(())
+    }
+}
+
+impl Triangle {
+    /// Opens a `.node`, or a `.poly` and maybe the `.node` beside it.
+    pub(super) fn open(path: &Path, is_poly: bool) -> Result<Triangle, ReadError> {
+        let mut vertices = Lines::new(InputFile::open(path)?, 0);
+        let mut count = vertex_count(&mut vertices)?;
+        let mut edges = None;
+        if is_poly && count == 0 {
+            let node = InputFile::open(&path.with_extension("node"))?;
+            edges = Some(std::mem::replace(&mut vertices, Lines::new(node, 0)));
+            count = vertex_count(&mut vertices)?;
+        }
+        Ok(Triangle {
+            vertices,
+            edges,
+            has_edges: is_poly,
+            vertex: Records {
+                name: "vertex",
+                number: "a vertex's number",
+                count,
+                read: 0,
+                first: 0,
+            },
+            edge: None,
+        })
+    }
+
+    /// The file that is read now.
+    fn file(&self) -> &InputFile {
+        match &self.edges {
+            Some(lines) if self.edge.is_some() => &lines.file,
+            _ => &self.vertices.file,
+        }
+    }
+}
+
+/// The number of vertices in the first line.
+fn vertex_count(lines: &mut Lines) -> Result<u64, ReadError> {
+    let mut line = lines.expect(|| "the number of vertices".to_owned())?;
+    let count = index(&mut line, "a number of vertices")?;
+    match line.token() {
+        None | Some(b"2") => Ok(count),
+        Some(b"3") => Err(line.error(
+            "3 coordinates are announced, and only x and y are read: leave out z and announce 2",
+        )),
+        Some(other) => {
+            let shown = quoted(other);
+            Err(line.error(format!("{shown} is not 2, the number of coordinates")))
+        }
+    }
+}
+
+/// The next token as a whole number; `what` it is stands in the message if it is none.
+fn index(line: &mut Line<'_>, what: &str) -> Result<u64, ReadError> {
+    let token = line.expect(what)?;
+    let text = std::str::from_utf8(token).ok();
+    text.and_then(|text| text.parse().ok())
+        .ok_or_else(|| line.error(format!("{} is not {what}", quoted(token))))
+}
+
+impl Input for Triangle {
+    fn name(&self) -> &str {
+        &self.file().name
+    }
+
+    fn first(&self) -> [u64; 2] {
+        let first_edge = self.edge.as_ref().map_or(0, |edge| edge.first);
+        [self.vertex.first, first_edge]
+    }
+
+    fn next_points(&mut self, points: &mut Vec<[f64; 2]>) -> Result<(), ReadError> {
+        let Triangle {
+            vertices, vertex, ..
+        } = self;
+        if vertex.read < vertex.count {
+            return vertex.next(vertices, points, |line| {
+                let mut value = |what| {
+                    let token = line.expect(what)?;
+                    coordinate(token, |why| line.error(why))
+                };
+                Ok([value("an x coordinate")?, value("a y coordinate")?])
+            });
+        }
+        let is_node = !self.has_edges || self.edges.is_some();
+        if is_node && vertices.advance()? {
+            let count = vertex.count;
+            let message = format!("the first line announces only {count} vertices");
+            return Err(vertices.line().error(message));
+        }
+        vertices.file.check()
+    }
+
+    fn next_edges(&mut self, edges: &mut Vec<[u64; 2]>) -> Result<(), ReadError> {
+        if !self.has_edges {
+            return Ok(());
+        }
+        let lines = self.edges.as_mut().unwrap_or(&mut self.vertices);
+        let edge = match &mut self.edge {
+            Some(edge) => edge,
+            none => {
+                let mut line = lines.expect(|| "the number of edges".to_owned())?;
+                none.insert(Records {
+                    name: "edge",
+                    number: "an edge's number",
+                    count: index(&mut line, "a number of edges")?,
+                    read: 0,
+                    first: 0,
+                })
+            }
+        };
+        if edge.read == edge.count {
+            return lines.file.check();
+        }
+        let first = self.vertex.first;
+        edge.next(lines, edges, |line| {
+            let mut end = || {
+                let number = index(line, "a vertex's number")?;
+                number.checked_sub(first).ok_or_else(|| {
+                    line.error("vertex 0 does not exist: the vertices are numbered from 1")
+                })
+            };
+            Ok([end()?, end()?])
+        })
+    }
+
+    fn progress(&self) -> (u64, u64) {
+        let files = [Some(&self.vertices), self.edges.as_ref()];
+        let files = files.into_iter().flatten().map(|lines| &lines.file);
+        files.fold((0, 0), |(done, all), file| {
+            (done + file.at, all + file.length)
+        })
+    }
+}

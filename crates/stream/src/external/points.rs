@@ -1,0 +1,128 @@
+//! The points on their way from the input to runs.
+//!
+//! A run is sorted and written while the next one is read.
+
+use std::path::Path;
+
+use sweep_cdt::threads::beside;
+
+use crate::external::error::Error;
+use crate::external::input::Input;
+use crate::external::memory::Account;
+use crate::external::record::Point;
+use crate::external::sorter::{Runs, Sorted, reserve};
+use crate::external::summary::Summary;
+
+/// The points, sorted.
+pub(crate) struct Points {
+    pub(crate) sorted: Sorted<Point>,
+    pub(crate) summary: Summary,
+}
+
+/// Reads the points and sorts them in runs.
+pub(crate) fn sort(
+    input: &mut (dyn Input + '_),
+    account: Account,
+    folder: &Path,
+    progress: &mut dyn FnMut(u64, u64),
+) -> Result<Points, Error> {
+    let capacity = account.run::<Point>();
+    let mut runs = Runs::new(account, folder);
+    let mut filler = Filler::new(capacity);
+    let (mut filled, mut full) = (Vec::new(), Vec::new());
+    filler.fill(input, &mut filled, progress)?;
+    while filled.len() == capacity && !filler.is_at_end {
+        std::mem::swap(&mut filled, &mut full);
+        let first = full[0].number;
+        let (mut read, mut written) = (Ok(()), Ok(()));
+        beside(
+            &mut || read = filler.fill(input, &mut filled, progress),
+            &mut || written = runs.add(&mut full, first),
+        );
+        read?;
+        written?;
+    }
+    drop(full);
+    let first = filled.first().map_or(0, |point| point.number);
+    Ok(Points {
+        sorted: runs.finish(filled, first)?,
+        summary: filler.summary,
+    })
+}
+
+/// Points on their way from the input to a run.
+struct Filler {
+    capacity: usize,
+    /// Points that were read, and how many of them are in a run.
+    block: Vec<[f64; 2]>,
+    at: usize,
+    is_at_end: bool,
+    summary: Summary,
+}
+
+impl Filler {
+    fn new(capacity: usize) -> Filler {
+        Filler {
+            capacity,
+            block: Vec::new(),
+            at: 0,
+            is_at_end: false,
+            summary: Summary {
+                points: 0,
+                edges: 0,
+                edges_without_length: 0,
+                x: [f64::INFINITY, f64::NEG_INFINITY],
+                y: [f64::INFINITY, f64::NEG_INFINITY],
+            },
+        }
+    }
+
+    /// Puts the next points in the place of others, as many as a run has.
+    fn fill(
+        &mut self,
+        input: &mut (dyn Input + '_),
+        points: &mut Vec<Point>,
+        progress: &mut dyn FnMut(u64, u64),
+    ) -> Result<(), Error> {
+        points.clear();
+        loop {
+            let room = self.capacity - points.len();
+            let block = &self.block[self.at..];
+            let block = &block[..block.len().min(room)];
+            self.at += block.len();
+            reserve(points, block.len(), self.capacity)?;
+            for &[x, y] in block {
+                // -0.0 + 0.0 is 0.0, and all else stays as it is.
+                let (x, y) = (x + 0.0, y + 0.0);
+                if !(x.is_finite() && y.is_finite()) {
+                    return Err(Error::NonFinite {
+                        file: input.name().to_owned(),
+                        point: self.summary.points + input.first()[0],
+                    });
+                }
+                let number = self.summary.points;
+                points.push(Point { y, x, number });
+                self.summary.points += 1;
+                widen(&mut self.summary.x, x);
+                widen(&mut self.summary.y, y);
+            }
+            if self.at < self.block.len() {
+                return Ok(());
+            }
+            self.block.clear();
+            self.at = 0;
+            input.next_points(&mut self.block)?;
+            let (done, all) = input.progress();
+            progress(done, all);
+            if self.block.is_empty() {
+                self.is_at_end = true;
+                return Ok(());
+            }
+        }
+    }
+}
+
+fn widen(interval: &mut [f64; 2], value: f64) {
+    interval[0] = interval[0].min(value);
+    interval[1] = interval[1].max(value);
+}
