@@ -9,8 +9,9 @@
 rustc=$1
 shift
 
-# The packages of this repository and the targets themselves keep the counters.
+# The packages that are tested and the targets themselves keep the counters.
 case " $* " in
+*" sweep_cdt_draw "* | *" sweep_cdt_generate "* | *" sweep_cdt_testing "*) others=-Cpasses=sancov-module ;;
 *" --crate-name sweep_cdt"* | *" fuzz_targets/"*) others= ;;
 *) others=-Cpasses=sancov-module ;;
 esac
