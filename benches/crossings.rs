@@ -49,7 +49,13 @@ fn main() {
             };
             let (start, mut effort) = (Instant::now(), Effort::default());
             let found = crossings_with(&input.points, &input.edges, &mut effort);
-            let pairs = found.expect("a valid input").len();
+            let pairs = match found {
+                Ok(found) => found.len(),
+                Err(error) => {
+                    println!("{:56} {:>8} {error}", family.name(), input.edges.len());
+                    break;
+                }
+            };
             let listing: Work = work(&effort, start, pairs);
             let (start, mut effort) = (Instant::now(), Effort::default());
             split_with(&input.points, &input.edges, &mut effort).expect("a valid input");
