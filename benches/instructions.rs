@@ -17,7 +17,7 @@ use num_rational::BigRational;
 use sweep_cdt::crossings::crossings;
 use sweep_cdt::interior::FillRule;
 use sweep_cdt::verify::verify;
-use sweep_cdt::{Algorithm, Triangulator};
+use sweep_cdt::{Algorithm, Bands, Stats, Triangulator, Watch};
 use sweep_cdt_testing::{Input, clouds, data, families, segments};
 
 /// By how much a count may differ.
@@ -47,10 +47,11 @@ const WORKS: [(&str, Work); 15] = [
     ("polygons", polygons_inside),
     ("rationals", rationals),
     ("statistics", |times| {
-        let work =
-            |input: &Input| Triangulator::new().triangulate_with_stats(&input.points, &input.edges);
         worked(&clouds::uniform(100_000), times, |input| {
-            drop(black_box(work(input).expect("a valid input")));
+            let mut stats = Stats::default();
+            let watch = Watch::new().stats(&mut stats);
+            let result = Triangulator::new().run(&input.points, &input.edges, watch);
+            drop(black_box((result.expect("a valid input"), stats)));
         });
     }),
     ("bands", two_bands),
@@ -147,8 +148,8 @@ fn two_bands(times: usize) {
     let pool = pool.expect("a pool");
     worked(&clouds::uniform(100_000), times, |input| {
         let result = pool.install(|| {
-            let triangulator = Triangulator::new().bands(2);
-            triangulator.triangulate_parallel(&input.points, &input.edges)
+            let bands = Bands::new().count(2);
+            Triangulator::new().triangulate_parallel(&input.points, &input.edges, bands)
         });
         drop(black_box(result.expect("a valid input")));
     });

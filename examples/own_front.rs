@@ -9,10 +9,10 @@
 use std::collections::VecDeque;
 
 use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, HashTable, Linear, SkipList};
-use sweep_cdt::{Error, Run, Triangulator};
+use sweep_cdt::{Algorithm, Error, Stats, Triangulator, Watch};
 
 /// The last `size` vertices put on the front, each with its x.
-#[derive(Clone, Default)]
+#[derive(Default)]
 struct Recent {
     size: usize,
     nodes: VecDeque<(FrontNode, f64)>,
@@ -46,28 +46,30 @@ impl FrontSearch for Recent {
 fn main() -> Result<(), Error> {
     let points = scattered(20_000);
     println!("front        steps along it   sweeping   compared");
-    measure("hash table", HashTable::default(), &points)?;
-    measure("skip list", SkipList::default(), &points)?;
-    measure("linear", Linear::default(), &points)?;
+    measure("hash table", &mut HashTable::default(), &points)?;
+    measure("skip list", &mut SkipList::default(), &points)?;
+    measure("linear", &mut Linear::default(), &points)?;
     for size in [1, 10, 100] {
-        let front = Recent {
+        let mut front = Recent {
             size,
             ..Recent::default()
         };
-        let front = measure(&format!("recent {size}"), front, &points)?;
+        measure(&format!("recent {size}"), &mut front, &points)?;
         println!("{:>49}", front.compared);
     }
     Ok(())
 }
 
-/// Triangulates, prints the steps and the time, and returns the front.
-fn measure<F: FrontSearch + Clone>(name: &str, front: F, points: &[[f64; 2]]) -> Result<F, Error> {
-    let Run { stats, front, .. } = Triangulator::new()
-        .front(front)
-        .triangulate_with_stats(points, &[])?;
+/// Triangulates, and prints the steps and the time.
+fn measure(name: &str, front: &mut dyn FrontSearch, points: &[[f64; 2]]) -> Result<(), Error> {
+    let mut stats = Stats::default();
+    let watch = Watch::new().front(front).stats(&mut stats);
+    // The default algorithm abandons a sweep whose walks are long.
+    let triangulator = Triangulator::new().algorithm(Algorithm::Sweep);
+    triangulator.run(points, &[], watch)?;
     let steps = stats.counters.front_steps;
     println!("{name:<12} {steps:>14} {:>10.2?}", stats.sweeping);
-    Ok(front)
+    Ok(())
 }
 
 /// Points all over a square, by the fractional parts of multiples of two irrational numbers.

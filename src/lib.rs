@@ -26,6 +26,7 @@ pub mod trace;
 mod triangulation;
 mod triangulator;
 pub mod verify;
+mod watch;
 
 pub use error::Error;
 pub use input::triangulate_from;
@@ -40,7 +41,10 @@ pub use triangulation::canonical::CanonicalGroups;
 pub use triangulation::locate::Location;
 pub use triangulation::stars::{Corner, VertexStars};
 pub use triangulation::with_points::WithPoints;
-pub use triangulator::{Run, Triangulator};
+pub use triangulator::Triangulator;
+#[cfg(feature = "parallel")]
+pub use watch::Bands;
+pub use watch::Watch;
 
 /// The constrained Delaunay triangulation of `points` with `edges`, by the sweep line of Domiter and Žalik (2008).
 ///

@@ -1,16 +1,12 @@
 //! Many inputs, one after the other, in the same memory.
 
-use core::fmt;
-
 use crate::error::Error;
-use crate::front::{FrontSearch, HashTable};
 use crate::interior::{FillRule, InteriorError};
-use crate::observe::probe::Observer;
 use crate::scalar::Scalar;
 use crate::settings::{Algorithm, Settings, Ties};
 use crate::sweep::{self, PolygonScratch, Scratch};
-use crate::trace::Event;
 use crate::triangulation::Triangulation;
+use crate::watch::Watch;
 
 /// Triangulates one input after the other, and keeps its memory from each to the next.
 ///
@@ -31,31 +27,24 @@ use crate::triangulation::Triangulation;
 /// assert_eq!(triangles, 1 + 2 + 3 + 4 + 5 + 6 + 7);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
-pub struct Session<'p, F = HashTable> {
-    settings: Settings<'p>,
-    /// The search structure as it was given.
-    front: F,
-    /// The search structure as the last run left it.
-    search: Option<F>,
+#[derive(Debug)]
+pub struct Session {
+    settings: Settings,
     scratch: Scratch,
     result: Option<Triangulation>,
     polygon: PolygonScratch,
 }
 
-impl<'p, F> Session<'p, F> {
-    pub(crate) fn new(settings: Settings<'p>, front: F) -> Self {
+impl Session {
+    pub(crate) fn new(settings: Settings) -> Self {
         Session {
             settings,
-            front,
-            search: None,
             scratch: Scratch::kept(),
             result: None,
             polygon: PolygonScratch::default(),
         }
     }
-}
 
-impl<F: FrontSearch + Clone> Session<'_, F> {
     /// The constrained Delaunay triangulation of `points` with `edges`. The next call overwrites it; clone it to keep.
     ///
     /// # Errors
@@ -65,40 +54,30 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
         points: &[[S; 2]],
         edges: &[[usize; 2]],
     ) -> Result<&Triangulation, Error> {
-        self.triangulate_window(points, edges, Ties::default(), None)
+        self.run(points, edges, Watch::new())
     }
 
-    /// [`triangulate`](Session::triangulate) with a rule for vertices on one circle. Its steps are passed on, if somebody
-    /// wants them. For the windows of streams, in the package `sweep-cdt-stream`.
-    #[doc(hidden)]
-    pub fn triangulate_window<S: Scalar>(
+    /// [`triangulate`](Session::triangulate), watched as [`Triangulator::run`](crate::Triangulator::run) is.
+    ///
+    /// # Errors
+    /// See [`Error`].
+    pub fn run<S: Scalar>(
         &mut self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
-        ties: Ties,
-        steps: Option<&mut dyn FnMut(Event)>,
+        watch: Watch<'_>,
     ) -> Result<&Triangulation, Error> {
         if let Some(result) = self.result.take() {
             self.scratch.recycle(result);
         }
-        let mut search = self.search.take().unwrap_or_else(|| self.front.clone());
-        let scratch = &mut self.scratch;
-        let mut settings = self.settings;
-        settings.ties = ties;
-        let result = if steps.is_some() {
-            settings.algorithm = settings.algorithm.observed();
-            let probe = Observer {
-                events: steps,
-                ..Observer::default()
-            };
-            let run = sweep::run(points, edges, settings, &mut search, probe, scratch);
-            run.map(|(result, _)| result)
-        } else {
-            let run = sweep::run(points, edges, settings, &mut search, (), scratch);
-            run.map(|(result, ())| result)
-        };
-        self.search = Some(search);
-        Ok(self.result.insert(result?))
+        let result = sweep::run(points, edges, self.settings, watch, &mut self.scratch)?;
+        Ok(self.result.insert(result))
+    }
+
+    /// The rule for vertices on one circle in later calls. For the windows of streams, in the package `sweep-cdt-stream`.
+    #[doc(hidden)]
+    pub fn set_ties(&mut self, ties: Ties) {
+        self.settings.ties = ties;
     }
 
     /// The triangles inside by a [`FillRule`], in canonical order: those that [`Triangulation::interior`] finds in the
@@ -151,15 +130,5 @@ impl<F: FrontSearch + Clone> Session<'_, F> {
             self.polygon.triangles = list;
         }
         Ok(&self.polygon.triangles)
-    }
-}
-
-impl<F: fmt::Debug> fmt::Debug for Session<'_, F> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Session")
-            .field("algorithm", &self.settings.algorithm)
-            .field("heuristics", &self.settings.heuristics)
-            .field("front", &self.front)
-            .finish_non_exhaustive()
     }
 }

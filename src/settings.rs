@@ -19,13 +19,16 @@
 #[non_exhaustive]
 pub enum Algorithm {
     /// The sweep. Where it flips many sides, it goes on with the paper's heuristics. Where it flips more than a budget
-    /// linear in its work, it is abandoned: divide and conquer goes on or, with edges, begins anew. A run whose steps
-    /// are [observed](crate::Triangulator::observe) sweeps to its end.
+    /// linear in its work, it is abandoned: divide and conquer goes on or, with edges, begins anew.
     #[default]
     Auto,
     /// The sweep of Domiter and Žalik (2008), to its end and with the heuristics given. Fast on ordinary inputs; O(n^2)
     /// on some, such as the outline of a square with nothing inside.
     Sweep,
+    /// [`Sweep`](Algorithm::Sweep), and edges are inserted as in the paper: each in its event, however many triangles it
+    /// pierces, and pseudo-polygons from one end to the other. The steps of such a run are a trace that can be replayed.
+    /// O(n^2) on a hatch, too.
+    Paper,
     /// Divide and conquer for the points (Lee and Schachter 1980; Guibas and Stolfi 1985), then the edges one by one
     /// (Anglada 1997): O(n log n) for the points, whatever they are.
     DivideAndConquer,
@@ -42,16 +45,6 @@ pub enum Algorithm {
     /// edges one by one, for comparison. O(n^2) on some inputs.
     #[cfg(feature = "comparison")]
     Sweep2005,
-}
-
-impl Algorithm {
-    /// The algorithm of a run whose steps are observed: a trace shows a sweep to its end.
-    pub(crate) fn observed(self) -> Algorithm {
-        match self {
-            Algorithm::Auto => Algorithm::Sweep,
-            other => other,
-        }
-    }
 }
 
 /// The two heuristics of the point event, which change the work, never the result.
@@ -145,13 +138,12 @@ impl Default for Heuristics {
 }
 
 /// A function that is called as `progress(swept, vertices)` at intervals.
-pub(crate) type Progress<'p> = Option<&'p dyn Fn(usize, usize)>;
+pub(crate) type Progress<'a> = Option<&'a mut dyn FnMut(usize, usize)>;
 
-#[derive(Clone, Copy)]
-pub(crate) struct Settings<'p> {
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Settings {
     pub(crate) algorithm: Algorithm,
     pub(crate) heuristics: Heuristics,
-    pub(crate) progress: Progress<'p>,
     pub(crate) ties: Ties,
 }
 

@@ -58,15 +58,16 @@ impl fmt::Display for Vertex {
 ///
 /// ```
 /// use sweep_cdt::trace::{Event, PointCase, Vertex};
-/// use sweep_cdt::Triangulator;
+/// use sweep_cdt::{Triangulator, Watch};
 ///
 /// let mut cases = Vec::new();
 /// let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]];
-/// Triangulator::new().observe(&points, &[], |event| {
+/// let mut keep = |event| {
 ///     if let Event::Point { vertex, case, .. } = event {
 ///         cases.push((vertex, case));
 ///     }
-/// })?;
+/// };
+/// Triangulator::new().run(&points, &[], Watch::new().events(&mut keep))?;
 /// let expected = [(Vertex::Input(1), PointCase::Middle), (Vertex::Input(2), PointCase::Left)];
 /// assert_eq!(cases, expected);
 /// # Ok::<(), sweep_cdt::Error>(())

@@ -10,23 +10,19 @@
 //! A front may be far longer than sqrt(n): that of a row, or of edges that hang down from one vertex. So the table
 //! grows: when the front has more than eight nodes for each equal interval, each interval is cut into four, which
 //! inherit its node. Nodes are counted each time that half as many vertices again have joined the front, O(n) in all.
-//! When long walks add up to more than a few steps a vertex, the table asks for the x-ranks of all vertices and
-//! searches among these ([`XRankSet`]). So a search costs O(log n) at worst, averaged over a run.
 //!
-//! Differs from the paper: an entry outlives its node, as the search notices; intervals are cut, quantiles or x-ranks.
+//! Differs from the paper: an entry outlives its node, as the search notices; intervals are cut, or end at quantiles.
 
 use alloc::vec::Vec;
-use core::any::Any;
 use core::iter::successors;
 
 use super::intervals::Intervals;
 use super::list::{Front, FrontNode};
-use super::search::{FrontInput, FrontSearch, WalkBudget};
+use super::search::{FrontInput, FrontSearch};
 use super::work::{Tally, Work};
-use super::x_rank_set::XRankSet;
 use crate::bucket::sampled;
 
-/// Intervals of x that remember their last insertion: O(1) expected, O(log n) at worst. The default.
+/// Intervals of x that remember their last insertion: O(1) expected. The default.
 /// [`HashTable::counting`] makes a `HashTable<Work>`, which counts its work.
 #[derive(Clone, Debug)]
 pub struct HashTable<T = ()> {
@@ -37,7 +33,6 @@ pub struct HashTable<T = ()> {
     /// Once the node inserted last has this rank or a later one, the nodes of the front are counted.
     look: usize,
     searched: (f64, usize),
-    walk_budget: WalkBudget,
     tally: T,
 }
 
@@ -80,12 +75,11 @@ impl<T: Tally> HashTable<T> {
             last: FrontNode::from_rank(0),
             look: 0,
             searched: (f64::NAN, 0),
-            walk_budget: WalkBudget::default(),
             tally,
         }
     }
 
-    /// Counts the nodes of the front, and cuts equal intervals until there are enough. Quantiles and x-ranks stay.
+    /// Counts the nodes of the front, and cuts equal intervals until there are enough. Quantiles stay.
     #[cold]
     #[inline(never)]
     fn grow(&mut self, front: &Front) {
@@ -112,35 +106,24 @@ impl<T: Tally> HashTable<T> {
 impl<T: Tally> FrontSearch for HashTable<T> {
     fn begin(&mut self, input: FrontInput<'_>) {
         let n = input.len();
-        let count = if self.walk_budget.has_ended() {
-            self.intervals = Intervals::Ranks(XRankSet::new(n));
-            n
+        let count = if n < FEW { 1 } else { n.isqrt() + 1 };
+        let [of_each, most] = SAMPLE;
+        let most = if count > 1 {
+            most.min(of_each * count)
         } else {
-            let count = if n < FEW { 1 } else { n.isqrt() + 1 };
-            let [of_each, most] = SAMPLE;
-            let most = if count > 1 {
-                most.min(of_each * count)
-            } else {
-                0
-            };
-            let sample = sampled(n, most).collect();
-            let (intervals, count) = Intervals::new(sample, |v| input.x(v), count);
-            self.intervals = intervals;
-            self.tally = T::default();
-            count
+            0
         };
+        let sample = sampled(n, most).collect();
+        let (intervals, count) = Intervals::new(sample, |v| input.x(v), count);
+        self.intervals = intervals;
+        self.tally = T::default();
         self.table.clear();
         let none = FrontNode::from_rank(n);
         self.table.resize(count, none);
         self.last = FrontNode::from_rank(0);
         self.look = LOAD * count;
         self.searched = (f64::NAN, 0);
-        self.walk_budget = WalkBudget::with(n);
         self.hold();
-    }
-
-    fn wants_ranks(&mut self, steps: usize) -> bool {
-        self.walk_budget.ends(steps)
     }
 
     #[inline(always)]
@@ -157,16 +140,6 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         };
         if let Some(node) = live(self.table[at], tally) {
             return node;
-        }
-        if let Intervals::Ranks(places) = &mut self.intervals {
-            // Nodes that have left the front are forgotten on the way.
-            while let Some(place) = places.last_up_to(at, tally) {
-                if let Some(node) = live(self.table[place], tally) {
-                    return node;
-                }
-                places.remove(place, tally);
-            }
-            return front.left_end();
         }
         let around = (1..=REACH).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
         around
@@ -185,61 +158,14 @@ impl<T: Tally> FrontSearch for HashTable<T> {
             (searched, at) if searched.total_cmp(&x).is_eq() => at,
             _ => self.intervals.number(x, self.table.len(), tally),
         };
-        if let Intervals::Ranks(places) = &mut self.intervals {
-            places.insert(at, tally);
-        }
         self.table[at] = node;
         self.last = node;
-    }
-
-    fn as_any(&mut self) -> Option<&mut dyn Any> {
-        Some(self)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Front, FrontInput, FrontNode, FrontSearch, HashTable, Work};
-
-    /// With x-ranks a search finds the very node, and passes over entries of nodes that have left the front.
-    #[test]
-    fn with_places_no_step_is_left() {
-        const COUNT: usize = 200;
-        let equal = [[7.0, 0.0]; COUNT];
-        let mut table = HashTable::default();
-        table.begin(FrontInput::new(&equal));
-        assert!(!table.wants_ranks(4 * COUNT), "as many steps are borne");
-        assert!(table.wants_ranks(1));
-
-        // Every other vertex is on the front. The x-rank of a vertex is its rank.
-        let places: Vec<[f64; 2]> = (0..COUNT).map(|place| [place as f64, 0.0]).collect();
-        table.begin(FrontInput::new(&places));
-        let mut front = Front::new(COUNT);
-        let mut left = front.left_end();
-        for node in (0..COUNT).step_by(2).map(FrontNode::from_rank) {
-            front.insert(node, left);
-            table.inserted(node, places[node.rank()][0]);
-            left = node;
-        }
-        for gone in (2..COUNT).filter(|rank| rank % 6 == 2) {
-            front.remove(FrontNode::from_rank(gone));
-        }
-        for place in 0..COUNT {
-            let is_on_front = |rank: &usize| rank.is_multiple_of(2) && rank % 6 != 2;
-            let last = (0..=place)
-                .rev()
-                .find(is_on_front)
-                .map(FrontNode::from_rank);
-            assert_eq!(table.locate(place as f64, &front), last.expect("0 is"));
-        }
-
-        table.begin(FrontInput::new(&equal));
-        assert_eq!(format!("{table:?}"), {
-            let mut new = HashTable::default();
-            new.begin(FrontInput::new(&equal));
-            format!("{new:?}")
-        });
-    }
 
     /// Twenty-four vertices begin the intervals 0, 1, 2 and 4 of five. Four join the front; each look is counted.
     #[test]
@@ -269,17 +195,6 @@ mod tests {
         front.remove(nodes[1]);
         assert_eq!(table.locate(1.0, &front), nodes[0]);
         expected.visited += 2;
-        assert_eq!(table.work(), expected);
-
-        // With x-ranks the words of the set count, one for up to 64 x-ranks, and earlier counts stay.
-        assert!(table.wants_ranks(1000));
-        table.begin(FrontInput::new(&points));
-        table.inserted(nodes[2], 2.0);
-        assert_eq!(table.locate(3.0, &front), nodes[2]);
-        expected.updates += 1;
-        // The word changed; the empty entry of the x-rank, the word, and the entry found.
-        expected.visited += 1 + 3;
-        expected.bytes = entries.max(24 * size_of::<FrontNode>() as u64 + 8);
         assert_eq!(table.work(), expected);
 
         table.begin(FrontInput::new(&points));

@@ -1,9 +1,9 @@
-//! The intervals of x of the [hash table](super::hash_table), chosen by a sample of the points, or by x-rank.
+//! The intervals of x of the [hash table](super::hash_table), chosen by a sample of the points.
 //!
 //! If the sample spreads evenly, the intervals have equal widths, and finding one takes a few instructions. They span
 //! all but the outermost of the sample: points far away, or at infinity, fall in the first or last interval and widen
 //! no other. Otherwise the intervals end at quantiles of the sample, so that each holds as many points, and finding one
-//! takes O(log n). If neither helps, the table asks for x-ranks, and each of them is an interval.
+//! takes O(log n).
 //!
 //! The sample may spread evenly as a whole where the front does not: clusters side by side and one above the other
 //! crowd it here at one height and there at another. So the sample is also cut into slabs, and the equal intervals
@@ -11,7 +11,6 @@
 //! 4.1.) More intervals would be empty, or hold a node that has left the front.
 
 use super::work::Tally;
-use super::x_rank_set::XRankSet;
 use crate::bucket::bucket;
 use alloc::vec::Vec;
 
@@ -21,8 +20,6 @@ pub(super) enum Intervals {
     Equal { low: f64, factor: f64 },
     /// The intervals end at these x, ascending; the last one has no end.
     Quantiles(Vec<f64>),
-    /// `x` is an x-rank, with an interval of its own; the set of x-ranks that have had a node.
-    Ranks(XRankSet),
 }
 
 impl Default for Intervals {
@@ -124,7 +121,6 @@ impl Intervals {
                 tally.count(|work| work.comparisons += 1);
                 end <= x
             }),
-            Intervals::Ranks(_) => bucket(x, count),
         }
     }
 
@@ -132,7 +128,6 @@ impl Intervals {
         match self {
             Intervals::Equal { .. } => 0,
             Intervals::Quantiles(ends) => size_of_val(&ends[..]),
-            Intervals::Ranks(places) => places.bytes(),
         }
     }
 }

@@ -6,20 +6,18 @@
 //!
 //! | structure | finds a place in | good for |
 //! |---|---|---|
-//! | [`HashTable`] | O(1) expected, O(log n) at worst | everything measured; the default |
+//! | [`HashTable`] | O(1) expected | everything measured; the default |
 //! | [`SkipList`] | O(log n) expected | comparison |
 //! | [`Linear`] | O(n) | points that come next to the one before |
 //!
-//! A structure knows x as a double, which may tell too little: crowded, equal or infinite. If its answers lead to long
-//! walks, it may ask for *x-ranks* instead: the numbers of the vertices from left to right, by exact comparison
-//! ([`FrontSearch::wants_ranks`]). [`HashTable`] and [`SkipList`] do; their costs above are averages over a run.
+//! A structure knows x as a double, which may tell too little: crowded, equal or infinite. Then walks are long. They spend
+//! the budget that flips spend, too, and divide and conquer takes over where it ends ([`crate::Algorithm::Auto`]).
 //!
-//! [`AnyFront`] is one of the three, chosen by name at run time. `HashTable::counting` and `SkipList::counting` count
+//! `HashTable::counting` and `SkipList::counting` count
 //! their work ([`Work`]). To test a structure without a sweep, make a [`Front`] and a [`FrontInput`] by hand.
 //!
 //! Differs from the paper: the paper has the hash table only; the others are for comparison.
 
-mod any;
 mod dispatch;
 mod hash_table;
 mod intervals;
@@ -28,14 +26,12 @@ mod list;
 mod search;
 mod skip_list;
 mod work;
-mod x_rank_set;
 
-pub use any::AnyFront;
 pub(crate) use dispatch::Search;
 pub use hash_table::HashTable;
 pub use linear::Linear;
 pub(crate) use list::Direction;
 pub use list::{Front, FrontNode};
-pub use search::{FrontInput, FrontSearch, LONG_WALK};
+pub use search::{FrontInput, FrontSearch};
 pub use skip_list::SkipList;
 pub use work::{Tally, Work};

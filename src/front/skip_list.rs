@@ -1,11 +1,10 @@
 //! A skip list over the nodes of the front (Pugh 1990). All nodes are linked in order of x at level 0. About one in
 //! four nodes of a level is linked at the next level too, so that a search from the top passes O(log n) nodes. A fixed
-//! hash of the rank decides which, so the list is the same in every run. Among equal x a search names any node; if the
-//! walks there are long, the list asks for x-ranks. Cost: O(log n) expected for search, insertion and removal on any
-//! front; 64 bytes for each vertex on the front at one time.
+//! hash of the rank decides which, so the list is the same in every run. Among equal x a search names any node. Cost:
+//! O(log n) expected for search, insertion and removal on any front; 64 bytes for each vertex on the front at one time.
 
 use super::list::{Front, FrontNode};
-use super::search::{FrontInput, FrontSearch, WalkBudget};
+use super::search::{FrontInput, FrontSearch};
 use super::work::{Tally, Work};
 use crate::ids::narrow;
 use alloc::vec;
@@ -17,7 +16,6 @@ pub struct SkipList<T = ()> {
     /// Tower 0 is the head; the towers in `free` are not in use.
     towers: Vec<Tower>,
     free: Vec<u32>,
-    walk_budget: WalkBudget,
     tally: T,
 }
 
@@ -63,18 +61,11 @@ impl SkipList<Work> {
 }
 
 impl<T: Tally> FrontSearch for SkipList<T> {
-    fn begin(&mut self, input: FrontInput<'_>) {
+    fn begin(&mut self, _: FrontInput<'_>) {
         self.towers.clear();
         self.towers.push(Tower::HEAD);
         self.free.clear();
-        if !self.walk_budget.has_ended() {
-            self.tally = T::default();
-        }
-        self.walk_budget = WalkBudget::with(input.len());
-    }
-
-    fn wants_ranks(&mut self, steps: usize) -> bool {
-        self.walk_budget.ends(steps)
+        self.tally = T::default();
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
@@ -121,7 +112,6 @@ impl<T: Tally> SkipList<T> {
         SkipList {
             towers: vec![Tower::HEAD],
             free: Vec::new(),
-            walk_budget: WalkBudget::default(),
             tally,
         }
     }
@@ -234,10 +224,6 @@ mod tests {
         assert!(height(high) > 4);
         assert_eq!(list.work().rearranged, expected.rearranged);
 
-        // The list asks for x-ranks in the middle of a run.
-        assert!(list.wants_ranks(1000));
-        list.begin(FrontInput::new(&points));
-        assert_eq!(list.work().rearranged, expected.rearranged);
         list.begin(FrontInput::new(&points));
         assert_eq!(list.work(), Work::default());
     }

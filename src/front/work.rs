@@ -7,19 +7,20 @@ use core::fmt;
 /// The work of a search structure in a run, without the steps along the front that the sweep takes afterwards.
 ///
 /// ```
-/// use sweep_cdt::Triangulator;
 /// use sweep_cdt::front::SkipList;
+/// use sweep_cdt::{Triangulator, Watch};
 ///
 /// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]];
-/// let triangulator = Triangulator::new().front(SkipList::counting());
-/// let work = triangulator.triangulate_with_stats(&points, &[])?.front.work();
+/// let mut front = SkipList::counting();
+/// Triangulator::new().run(&points, &[], Watch::new().front(&mut front))?;
+/// let work = front.work();
 /// // Each vertex joins the list. The place of the second one is compared with the first, and so on.
 /// assert!(work.updates >= 3 && work.comparisons >= 3);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
-    /// Comparisons of numbers: x, ranks or x-ranks.
+    /// Comparisons of numbers: x or ranks.
     pub comparisons: u64,
     /// Nodes, entries or words looked at.
     pub visited: u64,

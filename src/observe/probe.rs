@@ -42,6 +42,15 @@ pub(crate) struct Observer<'o> {
     pub(crate) events: Option<&'o mut dyn FnMut(Event)>,
 }
 
+impl<'o> Observer<'o> {
+    pub(crate) fn of(events: Option<&'o mut dyn FnMut(Event)>) -> Self {
+        Observer {
+            recorder: Recorder::default(),
+            events,
+        }
+    }
+}
+
 impl Probe for Observer<'_> {
     const RECORDS: bool = true;
 
@@ -75,7 +84,7 @@ impl fmt::Debug for Observer<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Observer")
             .field("recorder", &self.recorder)
-            .field("wants_events", &self.wants_events())
+            .field("wants_events", &self.events.is_some())
             .finish()
     }
 }

@@ -10,10 +10,11 @@ use crate::scalar::Stage;
 /// clock (no feature `std`, or `wasm32-unknown-unknown`). The feature `serde` writes fields by name, times in seconds.
 ///
 /// ```
-/// use sweep_cdt::Triangulator;
+/// use sweep_cdt::{Stats, Triangulator, Watch};
 ///
 /// let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]];
-/// let stats = Triangulator::new().triangulate_with_stats(&points, &[])?.stats;
+/// let mut stats = Stats::default();
+/// Triangulator::new().run(&points, &[], Watch::new().stats(&mut stats))?;
 /// assert_eq!((stats.triangles, stats.hull), (1, 3));
 /// assert_eq!(stats.counters.survived.sum(), 1);
 /// # Ok::<(), sweep_cdt::Error>(())

@@ -2,8 +2,8 @@
 
 use core::cmp::Ordering;
 
+use super::Scalar;
 use super::forward::forward;
-use super::{Measure, Scalar};
 
 impl Scalar for f32 {
     const APPROX_IS_EXACT: bool = true;
@@ -22,5 +22,3 @@ impl Scalar for f32 {
 
     forward!(predicates: f64, |&x: &f32| f64::from(x));
 }
-
-impl Measure for f32 {}

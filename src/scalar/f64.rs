@@ -18,8 +18,9 @@ use num_traits::float::FloatCore;
 use robust::Coord;
 
 use super::doubles::{exponent, power};
+use super::forward::forward;
 use super::integer_points::{largest, whole};
-use super::{Measure, Scalar, Stage, wide};
+use super::{Scalar, Stage, wide};
 
 impl Scalar for f64 {
     const APPROX_IS_EXACT: bool = true;
@@ -36,22 +37,24 @@ impl Scalar for f64 {
         self.partial_cmp(other).expect("coordinates are numbers")
     }
 
+    forward!(signs);
+
     #[cold]
-    fn orient2d(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d_by_stage(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2]) -> (Ordering, Stage) {
         if let Some([a, b]) = differences([a, b], c) {
             return (wide::turn(a, b), Stage::Integers);
         }
         let points = [a, b, c];
         let Some(points) = moderate(points) else {
             let [a, b, c] = big(points);
-            return BigInt::orient2d(&a, &b, &c);
+            return BigInt::orient2d_by_stage(&a, &b, &c);
         };
         let [a, b, c] = points.map(|[x, y]| Coord { x, y });
         (sign(robust::orient2d(a, b, c)), Stage::Expansions)
     }
 
     #[cold]
-    fn in_circle(
+    fn in_circle_by_stage(
         &a: &[Self; 2],
         &b: &[Self; 2],
         &c: &[Self; 2],
@@ -63,14 +66,12 @@ impl Scalar for f64 {
         let points = [a, b, c, d];
         let Some(points) = moderate(points) else {
             let [a, b, c, d] = big(points);
-            return BigInt::in_circle(&a, &b, &c, &d);
+            return BigInt::in_circle_by_stage(&a, &b, &c, &d);
         };
         let [a, b, c, d] = points.map(|[x, y]| Coord { x, y });
         (sign(robust::incircle(a, b, c, d)), Stage::Expansions)
     }
-}
 
-impl Measure for f64 {
     fn depth(&a: &[Self; 2], &b: &[Self; 2], &c: &[Self; 2], &d: &[Self; 2]) -> Option<f64> {
         let [a, b, c, d] = big([a, b, c, d]);
         BigInt::depth(&a, &b, &c, &d)

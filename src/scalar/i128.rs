@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 
 use super::forward::forward;
-use super::{Measure, Scalar, Stage, all_doubles, integer};
+use super::{Scalar, Stage, all_doubles, integer};
 
 /// The differences of points to a last one, if they fit in 128 bits.
 fn differences<const N: usize>(
@@ -44,27 +44,32 @@ impl Scalar for i128 {
         Some((if self < other { -size } else { size }, 0))
     }
 
+    forward!(signs);
+
     fn compare(&self, other: &Self) -> Ordering {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d_by_stage(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         if let Some([a, b]) = differences([a, b], c) {
             return integer::turn(a, b);
         }
         let [a, b, c] = big([a, b, c]);
-        BigInt::orient2d(&a, &b, &c)
+        BigInt::orient2d_by_stage(&a, &b, &c)
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle_by_stage(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
         if let Some(rows) = differences([a, b, c], d) {
             return integer::in_circle(rows);
         }
         let [a, b, c, d] = big([a, b, c, d]);
-        BigInt::in_circle(&a, &b, &c, &d)
+        BigInt::in_circle_by_stage(&a, &b, &c, &d)
     }
-}
 
-impl Measure for i128 {
     forward!(sizes: BigInt, |&x: &i128| BigInt::from(x));
 }

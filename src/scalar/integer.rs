@@ -9,7 +9,7 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 
 use super::forward::forward;
-use super::{Measure, Scalar, Stage, all_doubles, determinants, wide};
+use super::{Scalar, Stage, all_doubles, determinants, wide};
 
 impl Scalar for i64 {
     fn approx(&self) -> f64 {
@@ -31,9 +31,7 @@ impl Scalar for i64 {
     }
 
     forward!(predicates: i128, |&x: &i64| i128::from(x));
-}
 
-impl Measure for i64 {
     forward!(sizes: i128, |&x: &i64| i128::from(x));
 }
 
@@ -50,8 +48,6 @@ impl Scalar for i32 {
 
     forward!(predicates: f64, |&x: &i32| f64::from(x));
 }
-
-impl Measure for i32 {}
 
 /// The sign of the turn from `a` to `b`, two differences to the same point, and the stage that decided it.
 pub(super) fn turn(a: [i128; 2], b: [i128; 2]) -> (Ordering, Stage) {

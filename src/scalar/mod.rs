@@ -3,7 +3,7 @@
 //! [`Scalar`] is the contract. A coordinate type gives an approximation of a value, a double; the order of two values;
 //! and two exact signs: on which side of a line, and of a circle, a point lies. The approximations feed the
 //! floating-point filter, which returns a sign only if it is certain, and choose what only costs time: hash buckets,
-//! and the angles of the heuristics. All else saves time. [`Measure`] tells the verifier how much is wrong.
+//! and the angles of the heuristics. All else saves time, or tells the verifier how much is wrong.
 //!
 //! Each sign comes from the first stage that is certain of it: the filter for doubles; doubles that are not rounded,
 //! as all points are on a lattice; doubles as integers in one unit; doubles that are the coordinates; the type's
@@ -47,7 +47,6 @@ mod wide;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-pub use measure::Measure;
 pub(crate) use predicates::{ExactPoints, NearTies, Predicates};
 pub use predicates::{filtered_in_circle, filtered_orient2d};
 pub(crate) use rational::integers;
@@ -66,25 +65,24 @@ pub use unbounded::Unbounded;
 /// the sweep may return a wrong result, panic, or take long. The verifier, which asks the same predicates, is no judge
 /// of them. `sweep-cdt-testing`, a package of the repository, has a test for a type of your own: `conformance`.
 ///
-/// A predicate answers at once with an [`Ordering`], the sign of the determinant, and the [`Stage`] that decided it,
-/// which is counted and changes nothing: [`Stage::Own`] for your own arithmetic. Sweep and verifier ask only where the
+/// A predicate answers with an [`Ordering`], the sign of the determinant. Sweep and verifier ask only where the
 /// floating-point filter leaves the sign open; [`filtered_orient2d`] and [`filtered_in_circle`] do so for a few points.
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use sweep_cdt::scalar::{Scalar, Stage};
+/// use sweep_cdt::scalar::Scalar;
 ///
 /// let (a, b, c) = ([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]);
-/// assert_eq!(Scalar::orient2d(&a, &b, &c), (Ordering::Greater, Stage::Integers));
-/// assert_eq!(Scalar::in_circle(&a, &b, &c, &[1.0, 1.0]).0, Ordering::Equal);
+/// assert_eq!(Scalar::orient2d(&a, &b, &c), Ordering::Greater);
+/// assert_eq!(Scalar::in_circle(&a, &b, &c, &[1.0, 1.0]), Ordering::Equal);
 /// ```
 ///
 /// A type of your own can use another: signs do not change if all coordinates are multiplied by one positive number, so
-/// `i64` does for fixed-point numbers. The empty implementation of [`Measure`] lets the verifier judge them:
+/// `i64` does for fixed-point numbers:
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use sweep_cdt::scalar::{Measure, Scalar, Stage};
+/// use sweep_cdt::scalar::Scalar;
 ///
 /// /// A number of 65536ths.
 /// #[derive(Clone, Copy)]
@@ -107,21 +105,14 @@ pub use unbounded::Unbounded;
 ///         Scalar::as_doubles(&points.iter().map(whole).collect::<Vec<_>>())
 ///     }
 ///
-///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
 ///         Scalar::orient2d(&whole(a), &whole(b), &whole(c))
 ///     }
 ///
-///     fn in_circle(
-///         a: &[Self; 2],
-///         b: &[Self; 2],
-///         c: &[Self; 2],
-///         d: &[Self; 2],
-///     ) -> (Ordering, Stage) {
+///     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
 ///         Scalar::in_circle(&whole(a), &whole(b), &whole(c), &whole(d))
 ///     }
 /// }
-///
-/// impl Measure for Fixed {}
 ///
 /// let points = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|point| point.map(Fixed));
 /// let result = sweep_cdt::triangulate(&points, &[[0, 2]])?;
@@ -201,15 +192,67 @@ pub trait Scalar: Sized {
     /// The exact order of two coordinates.
     fn compare(&self, other: &Self) -> Ordering;
 
-    /// `Greater` if `a`, `b`, `c` turn left (counter-clockwise), `Less` right, `Equal` if on one line; and the stage.
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage);
+    /// `Greater` if `a`, `b`, `c` turn left (counter-clockwise), `Less` right, `Equal` if on one line.
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering;
 
     /// For a counter-clockwise triangle `a`, `b`, `c`: `Greater` if `d` lies inside its circumcircle, `Less` outside,
-    /// `Equal` on it; and the stage that decided it. Swapping two of the first three points reverses the sign.
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage);
+    /// `Equal` on it. Swapping two of the first three points reverses the sign.
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering;
+
+    /// [`orient2d`](Scalar::orient2d) with the arithmetic that decided it, which is counted.
+    #[doc(hidden)]
+    fn orient2d_by_stage(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        (Self::orient2d(a, b, c), Stage::Own)
+    }
+
+    /// [`in_circle`](Scalar::in_circle) with the arithmetic that decided it.
+    #[doc(hidden)]
+    fn in_circle_by_stage(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
+        (Self::in_circle(a, b, c, d), Stage::Own)
+    }
+
+    /// How deep `d` lies in the circumcircle of a counter-clockwise triangle `a`, `b`, `c`: the power of `d` to the
+    /// circle in units of the squared radius, positive inside, 1 at the centre. `None` if the type does not tell.
+    ///
+    /// The sign must be that of [`in_circle`](Scalar::in_circle), the size right to some units of 2^-52 of itself.
+    ///
+    /// ```
+    /// use sweep_cdt::scalar::Scalar;
+    ///
+    /// let [a, b, c] = [[0_i64, 0], [4, 0], [4, 4]];
+    /// assert_eq!(Scalar::depth(&a, &b, &c, &[2, 2]), Some(1.0));
+    /// assert_eq!(Scalar::depth(&a, &b, &c, &[0, 4]), Some(0.0));
+    /// assert_eq!(Scalar::depth(&a, &b, &c, &[1, 3]), Some(0.75));
+    /// ```
+    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
+        let [a, b, c, d] = measure::coordinates([a, b, c, d])?;
+        Scalar::depth(&a, &b, &c, &d)
+    }
+
+    /// The height of `b` over the line from `a` to `c`, in units of their distance, positive where `a`, `b`, `c` turn
+    /// left. `None` if they turn by a right angle or more, or if the type does not tell.
+    ///
+    /// The sign must be that of [`orient2d`](Scalar::orient2d), the size as right as that of [`depth`](Scalar::depth).
+    ///
+    /// ```
+    /// use sweep_cdt::scalar::Scalar;
+    ///
+    /// let turn = Scalar::height(&[0.0, 0.0], &[1.0, -1e-17], &[2.0, 0.0]);
+    /// assert_eq!(turn, Some(0.5e-17));
+    /// ```
+    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
+        let [a, b, c] = measure::coordinates([a, b, c])?;
+        Scalar::height(&a, &b, &c)
+    }
 }
 
 /// The exact arithmetic that decided a sign where the floating-point filter did not.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {

@@ -63,12 +63,12 @@ impl<S: Scalar> ExactPoints for &[[S; 2]] {
 
     fn orient2d(&self, points: [u32; 3]) -> (Ordering, Stage) {
         let [a, b, c] = points.map(|i| &self[i as usize]);
-        S::orient2d(a, b, c)
+        S::orient2d_by_stage(a, b, c)
     }
 
     fn in_circle(&self, points: [u32; 4]) -> (Ordering, Stage) {
         let [a, b, c, d] = points.map(|i| &self[i as usize]);
-        S::in_circle(a, b, c, d)
+        S::in_circle_by_stage(a, b, c, d)
     }
 }
 
@@ -200,7 +200,7 @@ fn orient2d_below_filter(
     }
     let (sign, stage) = if are_coordinates(doubles, scale) {
         let [a, b, c] = &doubles;
-        f64::orient2d(a, b, c)
+        f64::orient2d_by_stage(a, b, c)
     } else {
         exact()
     };
@@ -228,7 +228,7 @@ fn in_circle_below_filter(
     } else if are_coordinates(doubles, scale) {
         note();
         let [a, b, c, d] = &doubles;
-        f64::in_circle(a, b, c, d)
+        f64::in_circle_by_stage(a, b, c, d)
     } else {
         exact()
     };
@@ -252,7 +252,9 @@ fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: &Scale) -> boo
 pub fn filtered_orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Ordering {
     let (doubles, scale) = scaled([a, b, c]);
     let filtered = filter::orient2d(doubles, scale);
-    filtered.unwrap_or_else(|| orient2d_below_filter(doubles, &scale, || S::orient2d(a, b, c)).0)
+    filtered.unwrap_or_else(|| {
+        orient2d_below_filter(doubles, &scale, || S::orient2d_by_stage(a, b, c)).0
+    })
 }
 
 /// `Greater` if `d` lies inside the circle through `a`, `b`, `c`, as [`Scalar::in_circle`] says, behind the filter.
@@ -269,7 +271,7 @@ pub fn filtered_in_circle<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2], d: &[S;
     let (doubles, scale) = scaled([a, b, c, d]);
     let filtered = filter::in_circle(doubles, scale);
     filtered.unwrap_or_else(|| {
-        let exact = || S::in_circle(a, b, c, d);
+        let exact = || S::in_circle_by_stage(a, b, c, d);
         in_circle_below_filter(doubles, &scale, || {}, exact).0
     })
 }

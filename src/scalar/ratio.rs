@@ -15,7 +15,7 @@ use num_rational::{BigRational, Ratio};
 use super::doubles::power;
 use super::forward::forward;
 use super::rational::{odd_part, odd_unit, whole};
-use super::{Measure, Scalar, all_doubles};
+use super::{Scalar, all_doubles};
 
 /// Numerator and denominator, the latter made positive where `new_raw` left it negative.
 fn parts(number: &Ratio<i64>) -> [i128; 2] {
@@ -65,8 +65,6 @@ impl Scalar for Ratio<i64> {
     }
 
     forward!(predicates: BigRational, big);
-}
 
-impl Measure for Ratio<i64> {
     forward!(sizes: BigRational, big);
 }

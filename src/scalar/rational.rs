@@ -12,8 +12,9 @@ use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::determinants::{determinant, minus, turn};
+use super::forward::forward;
 use super::unbounded::approx_quotient;
-use super::{Measure, Scalar, Stage, all_doubles, integer};
+use super::{Scalar, Stage, all_doubles, integer};
 
 impl Scalar for BigRational {
     /// Whether the denominator is not zero, as `new_raw` may make it.
@@ -44,14 +45,16 @@ impl Scalar for BigRational {
         })
     }
 
+    forward!(signs);
+
     fn compare(&self, other: &Self) -> Ordering {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d_by_stage(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         let points = [a, b, c];
         if let Some([a, b, c]) = doubles(points) {
-            return f64::orient2d(&a, &b, &c);
+            return f64::orient2d_by_stage(&a, &b, &c);
         }
         let ([a, b, c], _) = integers(points);
         let rows = [minus(&a, &c), minus(&b, &c)];
@@ -61,10 +64,15 @@ impl Scalar for BigRational {
         }
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle_by_stage(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
         let points = [a, b, c, d];
         if let Some([a, b, c, d]) = doubles(points) {
-            return f64::in_circle(&a, &b, &c, &d);
+            return f64::in_circle_by_stage(&a, &b, &c, &d);
         }
         let ([a, b, c, d], _) = integers(points);
         let rows = [a, b, c].map(|p| minus(&p, &d));
@@ -73,9 +81,7 @@ impl Scalar for BigRational {
             None => (determinant(&rows).cmp(&BigInt::ZERO), Stage::BigIntegers),
         }
     }
-}
 
-impl Measure for BigRational {
     fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
         let ([a, b, c, d], _) = integers([a, b, c, d]);
         BigInt::depth(&a, &b, &c, &d)

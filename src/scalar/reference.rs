@@ -9,8 +9,8 @@ use core::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 
+use super::Scalar;
 use super::forward::forward;
-use super::{Measure, Scalar};
 
 /// Makes `&T` a scalar for types that can be cloned.
 macro_rules! references {
@@ -40,11 +40,11 @@ macro_rules! references {
             }
 
             forward!(predicates: $type, |&number: &Self| <$type>::clone(number));
-        }
 
-        impl Measure for &$type {
             forward!(sizes: $type, |&number: &Self| <$type>::clone(number));
-        }
+
+}
+
     )+ };
 }
 

@@ -11,7 +11,7 @@ use rug::{Integer, Rational};
 
 use super::determinants::{Arithmetic, determinant, minus, turn};
 use super::forward::forward;
-use super::{Measure, Scalar, Stage, all_doubles};
+use super::{Scalar, Stage, all_doubles};
 
 impl Scalar for Rational {
     fn approx(&self) -> f64 {
@@ -38,29 +38,34 @@ impl Scalar for Rational {
         Some((x, i64::from(power) - shift))
     }
 
+    forward!(signs);
+
     fn compare(&self, other: &Self) -> Ordering {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d_by_stage(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         if let Some([a, b, c]) = doubles([a, b, c]) {
-            return f64::orient2d(&a, &b, &c);
+            return f64::orient2d_by_stage(&a, &b, &c);
         }
         (turn(&minus(a, c), &minus(b, c)), Stage::Own)
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle_by_stage(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
         if let Some([a, b, c, d]) = doubles([a, b, c, d]) {
-            return f64::in_circle(&a, &b, &c, &d);
+            return f64::in_circle_by_stage(&a, &b, &c, &d);
         }
         (
             determinant(&[a, b, c].map(|p| minus(p, d))).cmp0(),
             Stage::Own,
         )
     }
-}
 
-impl Measure for Rational {
     forward!(sizes: BigRational, pure);
 }
 

@@ -9,7 +9,7 @@ use rug::Integer;
 use super::determinants::{determinant, minus, turn};
 use super::forward::forward;
 use super::rug::big;
-use super::{Measure, Scalar, Stage, all_doubles};
+use super::{Scalar, Stage, all_doubles};
 
 impl Scalar for Integer {
     fn approx(&self) -> f64 {
@@ -25,22 +25,27 @@ impl Scalar for Integer {
         Some((x, i64::from(power)))
     }
 
+    forward!(signs);
+
     fn compare(&self, other: &Self) -> Ordering {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d_by_stage(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         (turn(&minus(a, c), &minus(b, c)), Stage::Own)
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle_by_stage(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
         (
             determinant(&[a, b, c].map(|p| minus(p, d))).cmp0(),
             Stage::Own,
         )
     }
-}
 
-impl Measure for Integer {
     forward!(sizes: BigInt, big);
 }

@@ -11,7 +11,8 @@ use num_traits::{ToPrimitive, Zero};
 
 use super::determinants::{Arithmetic, determinant, minus, turn};
 use super::doubles::power;
-use super::{Scalar, Stage, all_doubles};
+use super::forward::forward;
+use super::{Scalar, Stage, all_doubles, measure};
 
 /// Marks a number whose `+`, `-`, `*` and comparisons are exact and never overflow, which makes it a [`Scalar`].
 ///
@@ -28,7 +29,7 @@ use super::{Scalar, Stage, all_doubles};
 ///
 /// let point = |x: i32, y: i32| [BigInt::from(x).pow(99), BigInt::from(y).pow(99)];
 /// let (a, b, c) = (point(-3, -5), point(0, 0), point(3, 5));
-/// assert_eq!(Scalar::orient2d(&a, &b, &c).0, Ordering::Equal);
+/// assert_eq!(Scalar::orient2d(&a, &b, &c), Ordering::Equal);
 /// ```
 pub trait Unbounded:
     Clone + Ord + Zero + Sub<Output = Self> + Mul<Output = Self> + ToPrimitive
@@ -76,17 +77,32 @@ impl<T: Unbounded> Scalar for T {
         (self.clone() - other.clone()).near()
     }
 
+    forward!(signs);
+
     fn compare(&self, other: &Self) -> Ordering {
         self.cmp(other)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d_by_stage(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
         (turn(&minus(a, c), &minus(b, c)), T::STAGE)
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle_by_stage(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
         let rows = [a, b, c].map(|p| minus(p, d));
         (determinant(&rows).cmp(&T::zero()), T::STAGE)
+    }
+
+    fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
+        measure::depth([a, b, c, d], T::near)
+    }
+
+    fn height(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Option<f64> {
+        measure::height([a, b, c], T::near)
     }
 }
 

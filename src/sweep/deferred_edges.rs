@@ -15,8 +15,8 @@
 //! stay below. An edge that comes to its limit is put off: its pockets are filled, and nothing is removed.
 //!
 //! Why it is right: the triangulation is the only one (the canonical rule), so the order of the edges is free. Where
-//! edges cross, the pair that the paper's order meets first is named ([`super::first_crossing`]). Runs whose steps are
-//! observed defer nothing.
+//! edges cross, the pair that the paper's order meets first is named ([`super::first_crossing`]). With
+//! [`Algorithm::Paper`](crate::Algorithm::Paper) no edge is deferred.
 //!
 //! Cost. When i of k deferred edges are in, chosen at random, no side of the triangulation crosses more than
 //! O((k / i) log k) of the others, with high probability: a segment that crosses more than that is crossed by one of the
@@ -63,7 +63,7 @@ impl DeferredEdges {
         DeferredEdges {
             list: Vec::new(),
             were_any: false,
-            allowance: if delaunay.is_observed() {
+            allowance: if delaunay.is_paper {
                 u64::MAX
             } else {
                 PER_VERTEX * vertices
@@ -258,7 +258,6 @@ mod tests {
         }
     }
 
-    /// A run whose steps are observed inserts the edges in the paper's order.
     #[test]
     fn deferred_edges_give_the_result_of_the_plain_order() {
         let random = &mut Random::new();
@@ -271,8 +270,8 @@ mod tests {
                 without_crossings(random, size)
             };
             let (points, edges) = &input;
-            let plain = Triangulator::new().observe(points, edges, |_| {});
-            let plain = plain.map(|run| run.triangulation);
+            let plain = Triangulator::new().algorithm(Algorithm::Paper);
+            let plain = plain.triangulate(points, edges);
             *(if plain.is_ok() {
                 &mut valid
             } else {

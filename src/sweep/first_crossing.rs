@@ -43,7 +43,7 @@ impl<P: Probe> Sweep<'_, P> {
         // No edge begins at the first vertex, so all parts come before.
         let mut end = Moment::Pending(Reverse(VertexId::new(0)));
         loop {
-            self.divide_and_conquer_points(0);
+            self.divide_and_conquer_points();
             self.deferred.allow_all();
             match self.insert_before(end) {
                 Ok(pending) => return self.crossing_at(end, pending),

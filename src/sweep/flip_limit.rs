@@ -1,7 +1,7 @@
 //! How many flips change the heuristics, abandon the sweep, or prove the scalar wrong. Cost: one subtraction a flip.
 //!
 //! The *budget* grows with the work: by some flips for each vertex swept, each corner of a chain that is filled, and
-//! each vertex when the hull is completed. Unused flips are kept, up to a *reserve*. So the budget is linear in the
+//! each vertex when the hull is completed. Long walks along the front spend it, too. Unused flips are kept, up to a *reserve*. So the budget is linear in the
 //! size of the input and what its edges pierce, and vertices that need far more flips are noticed soon. Ordinary inputs
 //! need a small part of the budget. When it is spent, divide and conquer takes over ([`crate::Algorithm::Auto`]). Where
 //! bands are joined, the reserve is the whole budget.
@@ -25,6 +25,8 @@ const FOR_HULL: u64 = 2;
 const RESERVE: u64 = if cfg!(fuzzing) { 4 } else { 1000 };
 /// Flips for each vertex that are no excess.
 const COMMON: u64 = 4;
+/// Steps along the front that cost as much as a flip.
+const STEPS: u64 = 8;
 /// The excess brings the paper's heuristics beyond the reserve divided by this: a later change helps less.
 const FOR_PAPER: u64 = 8;
 
@@ -117,6 +119,19 @@ impl FlipLimit {
         self.left -= 1;
         if self.left == 0 {
             self.reached();
+        }
+    }
+
+    /// Spends what a long walk along the front costs, if there is a budget.
+    #[cold]
+    pub(super) fn spend_steps(&mut self, steps: usize) {
+        if self.stage == Stage::Budget {
+            let flips = (steps as u64 / STEPS).min(self.left);
+            self.left -= flips;
+            self.counted -= flips;
+            if self.left == 0 {
+                self.reached();
+            }
         }
     }
 

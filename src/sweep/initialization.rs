@@ -9,7 +9,7 @@ use super::Sweep;
 use super::scratch::{Held, Lent, Scratch};
 use super::vertices::ApproxPoints;
 use crate::error::Error;
-use crate::front::{Front, FrontInput, Search};
+use crate::front::{Front, FrontInput, FrontSearch, Search};
 use crate::ids::{BorderId, VertexId, narrow};
 use crate::memory::{expect_room, of_triangulation};
 use crate::mesh::HalfEdge;
@@ -63,12 +63,13 @@ pub(super) fn initialize<S: Scalar>(
 pub(super) fn begin<'a, P: Probe>(
     points: &'a dyn ExactPoints,
     chains: EdgeChainBuilder,
-    settings: Settings<'_>,
-    mut search: Search<'a>,
+    settings: Settings,
+    front: Option<&'a mut dyn FrontSearch>,
     probe: P,
     mut held: Held,
     lent: &'a mut Lent,
 ) -> Sweep<'a, P> {
+    let mut search = Search::with(front, take(&mut held.table));
     search.begin(FrontInput::new(&held.vertices.approx));
     // Each vertex has a border half-edge: the segment of the front that starts there.
     let n = held.vertices.len();

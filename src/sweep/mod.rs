@@ -69,12 +69,12 @@ use crate::settings::{Algorithm, Heuristics, Progress, Settings};
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 use crate::triangulation::edge_chains::EdgeChainBuilder;
+use crate::watch::Watch;
 #[cfg(feature = "parallel")]
-pub(crate) use bands::{BandProbe, run as run_in_bands};
+pub(crate) use bands::run as run_in_bands;
 use deferred_edges::DeferredEdges;
 use delaunay::{ChainVertex, Delaunay};
 use edges::Edges;
-use flip_limit::FlipLimit;
 use pending_edges::{PendingEdges, VertexTriangles};
 pub(crate) use polygon::{PolygonScratch, triangulate_rings};
 use predicates::SweepPredicates;
@@ -87,83 +87,92 @@ use traversal::Traversed;
 const CHECK: u32 = 16;
 const REPORT: u32 = 4096;
 
-/// Runs the three parts of section 3.2, or divide and conquer in place of the first two. Returns result and probe.
-///
-/// What follows the initialization knows neither the scalar nor the search structure by type, and there are two probes:
-/// so this crate compiles the sweep twice, and no crate that uses it once more.
-pub(crate) fn run<S: Scalar, P: RunProbe>(
+/// Runs the three parts of section 3.2, or divide and conquer in place of the first two.
+pub(crate) fn run<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-    settings: Settings<'_>,
-    search: &mut dyn FrontSearch,
-    mut probe: P,
+    settings: Settings,
+    watch: Watch<'_>,
+    scratch: &mut Scratch,
+) -> Result<Triangulation, Error> {
+    let Watch {
+        front,
+        progress,
+        events,
+        stats,
+        ..
+    } = watch;
+    let is_watched = stats.is_some() || events.is_some();
+    let mut observer = is_watched.then(|| Observer::of(events));
+    if let Some(observer) = &mut observer {
+        observer.recorder.clock(Phase::Initialization);
+    }
+    let chains = initialization::initialize(points, edges, scratch)?;
+    let call = Call {
+        chains,
+        settings,
+        front,
+        progress,
+    };
+    let (result, observer) = triangulate_observed(&points, call, observer, scratch)?;
+    if let (Some(stats), Some(observer)) = (stats, observer) {
+        *stats = observer.recorder.finish(points.len(), edges.len(), &result);
+    }
+    Ok(result)
+}
+
+/// What a run is given beside its points and edges.
+struct Call<'a> {
+    chains: EdgeChainBuilder,
+    settings: Settings,
+    front: Option<&'a mut dyn FrontSearch>,
+    progress: Progress<'a>,
+}
+
+/// Triangulates the vertices and edges that are in `scratch`. What follows the initialization knows neither the scalar nor
+/// the search structure by type: so this crate compiles the sweep twice, and no crate that uses it once more.
+#[inline(never)]
+fn triangulate_observed<'o>(
+    points: &dyn ExactPoints,
+    call: Call<'_>,
+    observer: Option<Observer<'o>>,
+    scratch: &mut Scratch,
+) -> Result<(Triangulation, Option<Observer<'o>>), Error> {
+    match observer {
+        None => Ok((triangulate(points, call, (), scratch)?.0, None)),
+        Some(observer) => {
+            let (result, observer) = triangulate(points, call, observer, scratch)?;
+            Ok((result, Some(observer)))
+        }
+    }
+}
+
+fn triangulate<P: Probe>(
+    points: &dyn ExactPoints,
+    call: Call<'_>,
+    probe: P,
     scratch: &mut Scratch,
 ) -> Result<(Triangulation, P), Error> {
-    probe.begin(Phase::Initialization);
-    let chains = initialization::initialize(points, edges, scratch)?;
-    let search = Search::with(search);
-    P::triangulate(&points, chains, settings, search, probe, scratch)
-}
-
-/// A probe for which [`triangulate`] is compiled in this crate.
-pub(crate) trait RunProbe: Probe + Sized {
-    /// Calls [`triangulate`].
-    fn triangulate<'a>(
-        points: &'a dyn ExactPoints,
-        chains: EdgeChainBuilder,
-        settings: Settings<'_>,
-        search: Search<'a>,
-        probe: Self,
-        scratch: &'a mut Scratch,
-    ) -> Result<(Triangulation, Self), Error>;
-}
-
-macro_rules! run_probe {
-    ($($probe:ty),*) => {
-        $(
-            impl RunProbe for $probe {
-                #[inline(never)]
-                fn triangulate<'a>(
-                    points: &'a dyn ExactPoints,
-                    chains: EdgeChainBuilder,
-                    settings: Settings<'_>,
-                    search: Search<'a>,
-                    probe: Self,
-                    scratch: &'a mut Scratch,
-                ) -> Result<(Triangulation, Self), Error> {
-                    triangulate(points, chains, settings, search, probe, scratch)
-                }
-            }
-        )*
-    };
-}
-
-run_probe!((), Observer<'_>);
-
-/// Triangulates the vertices and edges that are in `scratch`.
-#[inline(always)]
-fn triangulate<'a, P: Probe>(
-    points: &'a dyn ExactPoints,
-    chains: EdgeChainBuilder,
-    settings: Settings<'_>,
-    search: Search<'a>,
-    probe: P,
-    scratch: &'a mut Scratch,
-) -> Result<(Triangulation, P), Error> {
+    let Call {
+        chains,
+        settings,
+        front,
+        progress,
+    } = call;
+    let front = front.map(|front| front as _);
     let held = take(&mut scratch.held);
     let lent = &mut scratch.lent;
-    let mut sweep = initialization::begin(points, chains, settings, search, probe, held, lent);
-    let result = sweep.triangulate(settings).map(|()| sweep.finalize());
+    let mut sweep = initialization::begin(points, chains, settings, front, probe, held, lent);
+    let result = sweep
+        .triangulate(settings, progress)
+        .map(|()| sweep.finalize());
     let chains = take(&mut sweep.chains);
     let (held, probe) = sweep.give_back();
     scratch.held = held;
-    match result {
-        Ok(triangulation) => Ok((triangulation, probe)),
-        Err(error) => {
-            scratch.ends = chains.into_ends();
-            Err(error)
-        }
+    if result.is_err() {
+        scratch.ends = chains.into_ends();
     }
+    Ok((result?, probe))
 }
 
 /// A vertex that is being added, with its approximations, which are looked up once.
@@ -202,15 +211,15 @@ impl<'a, P: Probe> Sweep<'a, P> {
     fn new(
         points: &'a dyn ExactPoints,
         chains: EdgeChainBuilder,
-        settings: Settings<'_>,
+        settings: Settings,
         search: Search<'a>,
         probe: P,
         held: Held,
         lent: &'a mut Lent,
     ) -> Self {
         let predicates = SweepPredicates::new(points, held.vertices).with_ties(settings.ties);
-        let has_budget = settings.algorithm == Algorithm::Auto;
-        let delaunay = Delaunay::new(held.mesh, predicates, has_budget, probe, &mut lent.delaunay);
+        let algorithm = settings.algorithm;
+        let delaunay = Delaunay::new(held.mesh, predicates, algorithm, probe, &mut lent.delaunay);
         let deferred = DeferredEdges::new(&delaunay);
         lent.vertex_triangles.clear();
         Sweep {
@@ -233,14 +242,14 @@ impl<'a, P: Probe> Sweep<'a, P> {
 
     /// Ends, and returns what the state held, with the probe.
     fn give_back(self) -> (Held, P) {
-        let delaunay = self.delaunay;
         let held = Held {
-            vertices: delaunay.predicates.vertices,
-            mesh: delaunay.mesh,
+            vertices: self.delaunay.predicates.vertices,
+            mesh: self.delaunay.mesh,
             front: Some(self.front),
+            table: self.search.into_table(),
             traversed: self.traversed,
         };
-        (held, delaunay.probe)
+        (held, self.delaunay.probe)
     }
 
     /// The heuristics of the next point event: the caller's, or the paper's where these flip too much.
@@ -268,8 +277,7 @@ impl<'a, P: Probe> Sweep<'a, P> {
             vertex: name(p.id),
             after: name(left),
         });
-        let x = self.delaunay.predicates.search_x_approx(p.id, p.approx);
-        self.search.inserted(FrontNode::new(p.id), x);
+        self.search.inserted(FrontNode::new(p.id), p.approx[0]);
     }
 
     /// Takes `v`, which triangles now cover, off the front.
@@ -281,7 +289,7 @@ impl<'a, P: Probe> Sweep<'a, P> {
             .report(|name| Event::FrontRemove { vertex: name(v) });
         let predicates = &self.delaunay.predicates;
         self.search
-            .removed(FrontNode::new(v), || predicates.search_x(v));
+            .removed(FrontNode::new(v), || predicates.approx(v)[0]);
     }
 
     /// Fills the front from node `from` to node `to`, both real, up to its upper hull.
@@ -329,8 +337,8 @@ impl<'a, P: Probe> Sweep<'a, P> {
 
 impl<P: Probe> Sweep<'_, P> {
     /// Triangulates up to the hull, with all edges, artificial triangles around it.
-    fn triangulate(&mut self, settings: Settings<'_>) -> Result<(), Error> {
-        match self.triangulate_in_any_order(settings) {
+    fn triangulate(&mut self, settings: Settings, progress: Progress<'_>) -> Result<(), Error> {
+        match self.triangulate_in_any_order(settings, progress) {
             Err(Error::CrossingEdges { .. }) if self.deferred.were_any() => {
                 Err(self.first_crossing())
             }
@@ -340,10 +348,16 @@ impl<P: Probe> Sweep<'_, P> {
 
     /// Triangulates, but where edges have been deferred, edges that cross need not be those that the paper's order meets
     /// first.
-    fn triangulate_in_any_order(&mut self, settings: Settings<'_>) -> Result<(), Error> {
-        let swept = match settings.algorithm {
-            Algorithm::DivideAndConquer => 0,
-            Algorithm::Auto | Algorithm::Sweep => self.sweep_to_hull(settings.progress)?,
+    fn triangulate_in_any_order(
+        &mut self,
+        settings: Settings,
+        progress: Progress<'_>,
+    ) -> Result<(), Error> {
+        let is_swept = match settings.algorithm {
+            Algorithm::DivideAndConquer => false,
+            Algorithm::Auto | Algorithm::Sweep | Algorithm::Paper => {
+                self.sweep_to_hull(progress)?
+            }
             #[cfg(feature = "comparison")]
             Algorithm::Incremental => self.insert_at_random()?,
             #[cfg(feature = "comparison")]
@@ -351,36 +365,28 @@ impl<P: Probe> Sweep<'_, P> {
             #[cfg(feature = "comparison")]
             Algorithm::Sweep2005 => self.sweep_without_artificial()?,
         };
-        if swept < self.delaunay.predicates.vertices.len() {
-            self.divide_and_conquer(swept)?;
+        if !is_swept && self.delaunay.predicates.vertices.len() > 0 {
+            self.divide_and_conquer()?;
         }
         self.delaunay.probe.begin(Phase::Finalization);
         self.insert_pending()?;
         self.insert_deferred()
     }
 
-    /// Sweeps, and completes the hull. Returns how many vertices lie within it: fewer than all if the budget of flips
-    /// is spent, and none if divide and conquer must begin anew.
-    fn sweep_to_hull(&mut self, progress: Progress<'_>) -> Result<usize, Error> {
-        let n = self.delaunay.predicates.vertices.len();
-        let swept = self.sweep(progress)?;
-        if swept < n {
-            // Sub-triangulations are merged only where no edges are, and one vertex is none.
-            if !self.edges.is_empty() || swept + 1 == n {
-                return Ok(0);
-            }
-            self.delaunay.flip_limit = FlipLimit::new(n, true);
-            self.delaunay.legalize_all();
+    /// Sweeps, and completes the hull. Returns false if the budget is spent.
+    fn sweep_to_hull(&mut self, progress: Progress<'_>) -> Result<bool, Error> {
+        if !self.sweep(progress)? {
+            return Ok(false);
         }
-        self.delaunay.flip_limit.grant_for_hull(swept);
+        let n = self.delaunay.predicates.vertices.len();
+        self.delaunay.flip_limit.grant_for_hull(n);
         self.complete_hull();
-        let is_spent = self.delaunay.flip_limit.is_spent();
-        Ok(if is_spent { 0 } else { swept })
+        Ok(!self.delaunay.flip_limit.is_spent())
     }
 
-    /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Returns how many
-    /// vertices have been swept: fewer than all if the budget of flips is spent.
-    fn sweep(&mut self, progress: Progress<'_>) -> Result<usize, Error> {
+    /// Sweeping (section 3.4): stops at every vertex, for a point event and the edges that end there. Returns false if
+    /// the budget is spent.
+    fn sweep(&mut self, mut progress: Progress<'_>) -> Result<bool, Error> {
         self.delaunay.probe.begin(Phase::Sweeping);
         let n = self.delaunay.predicates.vertices.len();
         for v in (0..n).map(VertexId::at) {
@@ -394,15 +400,15 @@ impl<P: Probe> Sweep<'_, P> {
             if v.number() % CHECK == 0 {
                 self.delaunay.flip_limit.grant_for_vertices(CHECK);
                 if self.delaunay.flip_limit.is_spent() {
-                    return Ok(v.index() + 1);
+                    return Ok(false);
                 }
                 if v.number() % REPORT == 0
-                    && let Some(progress) = progress
+                    && let Some(progress) = &mut progress
                 {
                     progress(v.index(), n);
                 }
             }
         }
-        Ok(n)
+        Ok(true)
     }
 }

@@ -17,18 +17,20 @@
 //! and no test of orientation is needed. Cost: a search, a few walk steps, and a constant number of triangles and flips
 //! on average. Differs from the paper: the left case is the middle case, and then one corner closed.
 
-use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater};
 use core::hint::select_unpredictable;
 
 use super::heuristics::Obtuse;
 use super::{NewVertex, Sweep};
-use crate::front::{Direction, FrontInput, FrontNode, LONG_WALK};
+use crate::front::Direction;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::settings::Corners;
 use crate::trace::{Event, PointCase, Why};
+
+/// Walks of more steps than this spend the budget of flips.
+const LONG_WALK: usize = if cfg!(fuzzing) { 2 } else { 32 };
 
 impl<P: Probe> Sweep<'_, P> {
     /// Adds vertex `v`, the next one in sweep order.
@@ -98,8 +100,7 @@ impl<P: Probe> Sweep<'_, P> {
     #[inline(always)]
     pub(super) fn segment_under(&mut self, p: NewVertex) -> (VertexId, bool) {
         let predicates = &self.delaunay.predicates;
-        let x = predicates.search_x_approx(p.id, p.approx);
-        let start = self.search.locate(x, &self.front);
+        let start = self.search.locate(p.approx[0], &self.front);
         assert!(
             self.front.contains(start),
             "the search structure named a node off the front"
@@ -129,29 +130,8 @@ impl<P: Probe> Sweep<'_, P> {
             c.point_events += 1;
         });
         if steps > LONG_WALK {
-            self.report_walk(steps);
+            self.delaunay.flip_limit.spend_steps(steps);
         }
         (at, order == Equal)
-    }
-
-    /// Tells the search structure of a long walk, and gives it x-ranks instead of x if it asks for them.
-    #[cold]
-    fn report_walk(&mut self, steps: usize) {
-        let predicates = &mut self.delaunay.predicates;
-        if predicates.has_x_ranks() || !self.search.wants_ranks(steps) {
-            return;
-        }
-        predicates.rank_by_x();
-        let n = predicates.vertices.len();
-        let by_rank: Vec<[f64; 2]> = (0..n)
-            .map(|v| [predicates.search_x(VertexId::at(v)), 0.0])
-            .collect();
-        self.search.begin(FrontInput::new(&by_rank));
-        let mut at = self.front.next(predicates.artificial.left);
-        while at != predicates.artificial.right {
-            self.search
-                .inserted(FrontNode::new(at), predicates.search_x(at));
-            at = self.front.next(at);
-        }
     }
 }

@@ -8,13 +8,11 @@
 //! Delaunay triangulation, and Lawson's flips still end. Where a stream exchanges the coordinates of a window, the rule is
 //! exchanged with them ([`Ties::Lowest`]).
 
-use alloc::vec;
-use alloc::vec::Vec;
 use core::cmp::Ordering::{self, Equal, Greater, Less};
 
 use super::artificial::{self, Artificial};
 use super::vertices::Vertices;
-use crate::ids::{VertexId, narrow};
+use crate::ids::VertexId;
 use crate::observe::probe::Probe;
 use crate::scalar::{ExactPoints, NearTies, Predicates, filter};
 use crate::settings::Ties;
@@ -25,8 +23,6 @@ pub(super) struct SweepPredicates<'a> {
     points: &'a dyn ExactPoints,
     pub(super) vertices: Vertices,
     pub(super) artificial: Artificial,
-    /// For each vertex its x-rank, from left to right, if the search structure asked for x-ranks.
-    x_ranks: Vec<u32>,
     near_ties: NearTies,
     ties: Ties,
 }
@@ -40,7 +36,6 @@ impl<'a> SweepPredicates<'a> {
             points,
             vertices,
             artificial,
-            x_ranks: Vec::new(),
             near_ties: NearTies::default(),
             ties: Ties::default(),
         }
@@ -57,38 +52,9 @@ impl<'a> SweepPredicates<'a> {
         self.vertices.approx[v.index()]
     }
 
-    /// The key that a search structure gets for a vertex: its x, or its x-rank.
-    #[inline(always)]
-    pub(super) fn search_x(&self, v: VertexId) -> f64 {
-        self.search_x_approx(v, self.approx(v))
-    }
-
-    /// The key that a search structure gets for a vertex with these approximations.
-    #[inline(always)]
-    pub(super) fn search_x_approx(&self, v: VertexId, approx: [f64; 2]) -> f64 {
-        match self.x_ranks.get(v.index()) {
-            Some(&rank) => f64::from(rank),
-            None => approx[0],
-        }
-    }
-
     #[inline(always)]
     pub(super) fn is_artificial(&self, v: VertexId) -> bool {
         self.artificial.contains(v)
-    }
-
-    pub(super) fn has_x_ranks(&self) -> bool {
-        !self.x_ranks.is_empty()
-    }
-
-    /// Ranks the vertices from left to right, those of equal x in sweep order.
-    pub(super) fn rank_by_x(&mut self) {
-        let mut order: Vec<VertexId> = (0..self.vertices.len()).map(VertexId::at).collect();
-        order.sort_unstable_by(|&a, &b| self.compare_x(a, b).then(a.cmp(&b)));
-        self.x_ranks = vec![0; order.len()];
-        for (rank, v) in order.into_iter().enumerate() {
-            self.x_ranks[v.index()] = narrow(rank);
-        }
     }
 
     /// Order by x; P-1 before and P-2 after all.

@@ -10,7 +10,7 @@ use super::edges::Edges;
 use super::pending_edges::VertexTriangles;
 use super::traversal::Traversed;
 use super::vertices::{SortBuffers, Vertices};
-use crate::front::Front;
+use crate::front::{Front, HashTable};
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::Mesh;
 use crate::triangulation::Triangulation;
@@ -35,6 +35,8 @@ pub(super) struct Held {
     pub(super) mesh: Mesh,
     /// None before the first run.
     pub(super) front: Option<Front>,
+    /// The default search structure of the front.
+    pub(super) table: HashTable,
     pub(super) traversed: Traversed,
 }
 
@@ -81,9 +83,9 @@ impl Scratch {
 
 #[cfg(test)]
 mod tests {
-    use crate::front::HashTable;
-    use crate::settings::{Algorithm, Heuristics, Settings, Ties};
+    use crate::settings::Settings;
     use crate::sweep::{Scratch, run};
+    use crate::watch::Watch;
 
     /// Of each array that grows with the input, how much it holds without asking for more.
     fn room(scratch: &Scratch) -> [usize; 6] {
@@ -100,18 +102,13 @@ mod tests {
 
     #[test]
     fn an_error_leaves_memory_and_nothing_else() {
-        let settings = Settings {
-            algorithm: Algorithm::Auto,
-            heuristics: Heuristics::FAST,
-            progress: None,
-            ties: Ties::default(),
-        };
+        let settings = Settings::default();
         let square = [[0, 0], [4, 0], [4, 4], [0, 4]];
         let right = [[0, 2], [1, 2]];
-        let (mut scratch, mut front) = (Scratch::kept(), HashTable::default());
+        let mut scratch = Scratch::kept();
         let mut runs = |edges: [[usize; 2]; 2]| {
-            let run = run(&square, &edges, settings, &mut front, (), &mut scratch);
-            let result = run.map(|(result, ())| result.canonical_triangles());
+            let run = run(&square, &edges, settings, Watch::new(), &mut scratch);
+            let result = run.map(|result| result.canonical_triangles());
             (result, room(&scratch))
         };
         runs(right).0.expect("edges that do not cross");

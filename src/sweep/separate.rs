@@ -24,10 +24,9 @@ use super::initialization::{begin, initialize};
 use super::scratch::Scratch;
 use super::traversal::{CrossedSide, Departure};
 use crate::error::Error;
-use crate::front::{HashTable, Search};
 use crate::ids::VertexId;
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::{Algorithm, Heuristics, Settings, Ties};
+use crate::settings::{Algorithm, Settings};
 use crate::triangulation::edge_chains::EdgeChainBuilder;
 
 /// Edges by their positions in the list of all.
@@ -62,15 +61,11 @@ fn separate_vertices(
     }
     let settings = Settings {
         algorithm: Algorithm::DivideAndConquer,
-        heuristics: Heuristics::FAST,
-        progress: None,
-        ties: Ties::default(),
+        ..Settings::default()
     };
-    let mut front = HashTable::default();
-    let search = Search::with(&mut front);
     let (held, lent) = (take(&mut scratch.held), &mut scratch.lent);
-    let mut sweep = begin(points, chains, settings, search, (), held, lent);
-    sweep.divide_and_conquer_points(0);
+    let mut sweep = begin(points, chains, settings, None, (), held, lent);
+    sweep.divide_and_conquer_points();
     sweep.deferred.allow_all();
     sweep.separate(most)
 }

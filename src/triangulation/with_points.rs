@@ -1,7 +1,7 @@
 //! A triangulation with its points. A [`Triangulation`] holds indices alone. [`Triangulation::with_points`] borrows the
 //! points once, and the view locates, verifies, and finds the interior of seeds.
 
-use crate::scalar::{Measure, Scalar};
+use crate::scalar::Scalar;
 use crate::triangulation::Triangulation;
 use crate::verify::{Report, Violations, verify};
 use alloc::vec::Vec;
@@ -44,7 +44,7 @@ impl Triangulation {
     }
 }
 
-impl<S: Measure> WithPoints<'_, S> {
+impl<S: Scalar> WithPoints<'_, S> {
     /// Checks the triangulation with the exact verifier, which shares only the signs of [`crate::scalar`] (filter and
     /// exact predicates) with the sweep. `edges` are those triangulated; [`mod@crate::verify`] says what is proved.
     ///

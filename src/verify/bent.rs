@@ -25,7 +25,7 @@ use core::cmp::Ordering;
 
 use super::sides::Sides;
 use super::soup::{Soup, Tally};
-use crate::scalar::{Measure, Scalar};
+use crate::scalar::Scalar;
 
 /// A chain of sides beside a line.
 #[derive(Debug)]
@@ -41,7 +41,7 @@ impl Bend {
     ///
     /// From v to w it goes forward if a-v-w and v-w-b both turn by less than a right angle: the sum of the two scalar
     /// products is that of v-w and a-b less the square of v-w.
-    pub(super) fn of<S: Measure>(
+    pub(super) fn of<S: Scalar>(
         soup: &Soup<'_, S>,
         [a, b]: [u32; 2],
         vertices: Vec<u32>,
@@ -69,7 +69,7 @@ impl Bend {
 
 /// The chain beside the line from `a` to `b`, from a vertex `at` on it up to the next one on it. The line leaves `at`
 /// between two neighbours, `right` and `left` of it.
-pub(super) fn beside<S: Measure>(
+pub(super) fn beside<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     [a, b]: [u32; 2],

@@ -29,10 +29,10 @@ use super::scanline;
 use super::sides::Sides;
 use super::soup::Soup;
 use super::violation::Violation;
-use crate::scalar::{Measure, Scalar};
+use crate::scalar::Scalar;
 
 /// Checks the boundary against the declared domain, or else the hull. Returns its runs through added points.
-pub(super) fn check<S: Measure>(
+pub(super) fn check<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     domain: Option<&DeclaredBoundary>,
@@ -67,7 +67,7 @@ fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
 
 /// Checks that the boundary is one convex chain that goes round once. It is not empty: otherwise every side had two
 /// triangles, crossing one would never change how many triangles cover a point, and that number is 0 far away.
-fn check_hull<S: Measure>(soup: &Soup<'_, S>, sides: &Sides, record: &mut Record) -> Vec<Run> {
+fn check_hull<S: Scalar>(soup: &Soup<'_, S>, sides: &Sides, record: &mut Record) -> Vec<Run> {
     // If each vertex starts at most one side, the sides are closed chains.
     let boundary = sides.boundary.iter();
     let mut boundary: Vec<[u32; 2]> = boundary.map(|&side| soup.side(side)).collect();
@@ -121,7 +121,7 @@ fn chains(sides: &[[u32; 2]]) -> Vec<Vec<u32>> {
 }
 
 /// Checks that a closed chain never turns right nor back, and that it goes round once; of a run that is bent its line.
-fn check_convex<S: Measure>(
+fn check_convex<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     chain: &[u32],
@@ -158,7 +158,7 @@ fn check_convex<S: Measure>(
 
 /// Reports the wrong turns of a closed chain, and its runs that are bent, with depths if all turns go on and the chain
 /// neither crosses nor covers itself.
-fn report_turns<S: Measure>(
+fn report_turns<S: Scalar>(
     soup: &Soup<'_, S>,
     chain: &[u32],
     wrong: &[[u32; 3]],

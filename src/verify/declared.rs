@@ -13,7 +13,7 @@ use super::runs::Run;
 use super::sides::Sides;
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
-use crate::scalar::{Measure, Scalar};
+use crate::scalar::Scalar;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -37,7 +37,7 @@ impl DeclaredBoundary {
     }
 
     /// Checks that the boundary of the triangles is the declared one, but for runs that are bent. Returns its runs.
-    pub(super) fn check_boundary<S: Measure>(
+    pub(super) fn check_boundary<S: Scalar>(
         &self,
         soup: &Soup<'_, S>,
         sides: &Sides,

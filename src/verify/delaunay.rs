@@ -8,7 +8,7 @@ use super::report::{Findings, Level, Record};
 use super::sides::Sides;
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
-use crate::scalar::Measure;
+use crate::scalar::Scalar;
 
 /// Findings and counts of a chunk of triangles.
 struct Part {
@@ -21,7 +21,7 @@ struct Part {
     uncanonical: usize,
 }
 
-pub(super) fn check<S: Measure, C: Schedule<S>>(
+pub(super) fn check<S: Scalar, C: Schedule<S>>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     progress: &Progress<'_>,
@@ -64,7 +64,7 @@ pub(super) fn check<S: Measure, C: Schedule<S>>(
 
 impl Part {
     /// Checks the side from `a` to `b` of triangle `a`, `b`, `c`; `d` is opposite to it in the triangle of its twin.
-    fn check_side<S: Measure>(&mut self, soup: &Soup<'_, S>, side: usize, twin: usize) {
+    fn check_side<S: Scalar>(&mut self, soup: &Soup<'_, S>, side: usize, twin: usize) {
         let [[a, b, c], [_, _, d]] = [side, twin].map(|side| corners(soup, side));
         self.free += 1;
         match soup.predicates.in_circle([a, b, c, d], &mut self.tally) {
@@ -89,7 +89,7 @@ impl Part {
     }
 
     /// Adds the wrong sides to the findings, each from the triangle with the higher number, by these numbers.
-    fn report<S: Measure>(&mut self, soup: &Soup<'_, S>) {
+    fn report<S: Scalar>(&mut self, soup: &Soup<'_, S>) {
         let triangles = |sides: &[usize; 2]| sides.map(|side| soup.number(side / 3));
         for sides in &mut self.wrong {
             let [one, other] = triangles(sides);

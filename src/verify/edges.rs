@@ -29,11 +29,11 @@ use super::runs::Run;
 use super::sides::{Sides, range};
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
-use crate::scalar::{Measure, Scalar};
+use crate::scalar::Scalar;
 
 /// Checks the edges, given by number and the ranks of their ends, and constrains their sides. The runs are those of the
 /// boundary that pass added points.
-pub(super) fn check<S: Measure>(
+pub(super) fn check<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &mut Sides,
     edges: &[(usize, [u32; 2])],
@@ -182,7 +182,7 @@ impl<'a> EdgeChains<'a> {
     }
 
     /// Follows an edge from one end to the other.
-    fn follow<S: Measure>(&mut self, soup: &Soup<'_, S>, sides: &Sides, edge: [u32; 2]) -> Walk {
+    fn follow<S: Scalar>(&mut self, soup: &Soup<'_, S>, sides: &Sides, edge: [u32; 2]) -> Walk {
         let [a, b] = edge;
         let forward = soup.predicates.order(a, b);
         let is_past = |v| soup.predicates.order(b, v) == forward;

@@ -113,7 +113,7 @@ pub use report::{Level, Report, Violations};
 pub use verifier::Verifier;
 pub use violation::{Offenders, Violation};
 
-use crate::scalar::Measure;
+use crate::scalar::Scalar;
 
 /// Verifies that `triangles` is a constrained Delaunay triangulation of `points` with `edges`.
 ///
@@ -141,7 +141,7 @@ use crate::scalar::Measure;
 /// assert!(verify(&points, &[[0, 2]], &[[0, 1, 2], [0, 2, 3]]).is_ok());
 /// # Ok::<(), sweep_cdt::verify::Violations>(())
 /// ```
-pub fn verify<S: Measure>(
+pub fn verify<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     triangles: &[[usize; 3]],

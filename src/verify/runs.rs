@@ -13,7 +13,7 @@ use super::depth::Depth;
 use super::sides::Sides;
 use super::soup::{Soup, Tally};
 use super::violation::Violation;
-use crate::scalar::{Measure, Scalar};
+use crate::scalar::Scalar;
 
 /// A run that passes an added point.
 #[derive(Debug)]
@@ -26,7 +26,7 @@ pub(super) struct Run {
 
 impl Run {
     /// The run, if the chain passes an added point and goes forward.
-    pub(super) fn of<S: Measure>(soup: &Soup<'_, S>, sides: &Sides, chain: &[u32]) -> Option<Run> {
+    pub(super) fn of<S: Scalar>(soup: &Soup<'_, S>, sides: &Sides, chain: &[u32]) -> Option<Run> {
         let [first, .., last] = *chain else {
             return None;
         };
@@ -99,7 +99,7 @@ impl Run {
 }
 
 /// The runs of a closed chain, and the chain without the added points beside the lines of its runs.
-pub(super) fn of_chain<S: Measure>(
+pub(super) fn of_chain<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &Sides,
     chain: &[u32],

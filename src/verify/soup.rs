@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::ops::AddAssign;
 
-use crate::scalar::{Measure, NearTies, Predicates, Scalar, Scale, Stage};
+use crate::scalar::{NearTies, Predicates, Scalar, Scale, Stage};
 
 /// How many points or corners of triangles can be verified: ranks and sides are numbers of 31 bits.
 pub(super) const LIMIT: usize = 1 << 31;
@@ -145,7 +145,7 @@ impl<S: Scalar> SoupPredicates<'_, S> {
     }
 }
 
-impl<S: Measure> SoupPredicates<'_, S> {
+impl<S: Scalar> SoupPredicates<'_, S> {
     /// How deep the last vertex lies in the circle of the others, if the scalar tells.
     pub(super) fn depth(&self, vertices: [u32; 4]) -> Option<f64> {
         let [a, b, c, d] = vertices.map(|v| self.point(v));

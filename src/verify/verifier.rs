@@ -12,7 +12,7 @@ use super::regions::{self, Regions};
 use super::report::{Level, Record, Report, Violations};
 use super::runs::Run;
 use super::{boundary, delaunay, edges, sides, turns};
-use crate::scalar::Measure;
+use crate::scalar::Scalar;
 
 /// The verifier with options.
 ///
@@ -175,7 +175,7 @@ impl<'a> Verifier<'a> {
     ///
     /// # Errors
     /// [`Violations`], if `triangles` does not reach the level asked for, by default [`Level::Delaunay`].
-    pub fn verify<S: Measure>(
+    pub fn verify<S: Scalar>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
@@ -190,7 +190,7 @@ impl<'a> Verifier<'a> {
     /// [`Violations`], if `triangles` does not reach the level asked for, by default [`Level::Delaunay`].
     #[cfg(feature = "parallel")]
     #[cfg_attr(docsrs, doc(cfg(feature = "parallel")))]
-    pub fn verify_parallel<S: Measure + Sync>(
+    pub fn verify_parallel<S: Scalar + Sync>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
@@ -200,7 +200,7 @@ impl<'a> Verifier<'a> {
     }
 
     /// The checks, in the order of the table of the parent module.
-    fn check<S: Measure, C: Schedule<S>>(
+    fn check<S: Scalar, C: Schedule<S>>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],

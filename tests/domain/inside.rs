@@ -15,7 +15,7 @@ const CASES: u64 = 2000;
 /// Memory that all cases share, and points of three scalars in it.
 #[derive(Debug)]
 struct Judge {
-    session: Session<'static>,
+    session: Session,
     errors: u32,
 }
 

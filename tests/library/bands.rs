@@ -5,22 +5,24 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::front::Linear;
-use sweep_cdt::scalar::Measure;
-use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt::front::SkipList;
+use sweep_cdt::scalar::Scalar;
+use sweep_cdt::{
+    Algorithm, Bands, Error, Heuristics, Stats, Triangulation, Triangulator, triangulate,
+};
 use sweep_cdt_testing::data::{self, Hard};
 use sweep_cdt_testing::families;
 use sweep_cdt_testing::generators::medium;
 use sweep_cdt_testing::oracle::{Answer, check_links, found};
 use sweep_cdt_testing::runs::{ALGORITHMS, convert};
-use sweep_cdt_testing::{Input, Random};
+use sweep_cdt_testing::{Input, Random, counted};
 
 const BANDS: [usize; 4] = [2, 3, 4, 5];
 
 /// Panics unless these points and edges have the same result in bands, or the same error. Returns whether
 /// bands were swept, in all cases.
-fn agrees<S: Measure + Sync>(
-    triangulator: &Triangulator<'_>,
+fn agrees<S: Scalar + Sync>(
+    triangulator: &Triangulator,
     points: &[[S; 2]],
     edges: &[[usize; 2]],
 ) -> bool {
@@ -28,8 +30,7 @@ fn agrees<S: Measure + Sync>(
     let one = triangulator.triangulate(points, edges);
     let expected: Result<Answer, Error> = one.as_ref().map(answer).map_err(|error| *error);
     BANDS.iter().all(|&bands| {
-        let triangulator = triangulator.clone().bands(bands);
-        let all = triangulator.triangulate_parallel(points, edges);
+        let all = triangulator.triangulate_parallel(points, edges, Bands::new().count(bands));
         let result = all.as_ref().map(answer).map_err(|error| *error);
         assert_eq!(result, expected, "{bands} bands (right: one thread)");
         let (Ok(one), Ok(all)) = (&one, &all) else {
@@ -147,10 +148,6 @@ fn other_settings() {
                 .heuristics(random.pick(&[Heuristics::PAPER, Heuristics::OFF]));
             agrees(&triangulator, &points, &edges);
         }
-        let linear = Triangulator::new().front(Linear::default()).bands(3);
-        let all = linear.triangulate_parallel(&points, &edges).expect("valid");
-        let one = linear.triangulate(&points, &edges).expect("valid");
-        assert_eq!(all.canonical_triangles(), one.canonical_triangles());
     }
 }
 
@@ -240,10 +237,8 @@ fn refused_inputs() {
     let mut points = random.points(100);
     let triangulator = Triangulator::new();
     agrees(&triangulator, &points, &[[0, 1], [2, 100], [101, 3]]);
-    let error = triangulator
-        .clone()
-        .bands(3)
-        .triangulate_parallel(&points, &[[7, 100]]);
+    let bands = || Bands::new().count(3);
+    let error = triangulator.triangulate_parallel(&points, &[[7, 100]], bands());
     assert_eq!(
         error.err(),
         Some(Error::EdgeOutOfRange {
@@ -252,7 +247,7 @@ fn refused_inputs() {
         })
     );
     points[40][1] = f64::NAN;
-    let error = triangulator.bands(3).triangulate_parallel(&points, &[]);
+    let error = triangulator.triangulate_parallel(&points, &[], bands());
     assert_eq!(error.err(), Some(Error::NonFiniteCoordinate { vertex: 40 }));
 }
 
@@ -267,13 +262,13 @@ fn statistics() {
         (contours.points, contours.edges),
     ];
     for (points, edges) in &inputs {
-        let one = Triangulator::new().triangulate_with_stats(points, edges);
+        let one = counted(&Triangulator::new(), points, edges);
         let one = one.expect("valid");
         for bands in BANDS {
-            let all = Triangulator::new()
-                .bands(bands)
-                .triangulate_parallel_with_stats(points, edges);
-            let (all, stats) = all.expect("valid");
+            let mut stats = Stats::default();
+            let bands_with_stats = Bands::new().count(bands).stats(&mut stats);
+            let all = Triangulator::new().triangulate_parallel(points, edges, bands_with_stats);
+            let all = all.expect("valid");
             assert!(
                 !all.triangles().eq(one.triangulation.triangles()),
                 "one sweep"
@@ -294,13 +289,30 @@ fn statistics() {
         }
     }
     // One band is one sweep. What is refused without statistics is refused with them.
-    let triangulator = Triangulator::new().bands(1);
-    let one = triangulator.triangulate_parallel_with_stats(&points, &[]);
-    let whole = triangulator.triangulate_with_stats(&points, &[]);
-    let (one, whole) = (one.expect("valid"), whole.expect("valid"));
-    assert_eq!(one.1.counters, whole.stats.counters);
-    let wrong = triangulator
-        .bands(3)
-        .triangulate_parallel_with_stats(&points, &[[7, 2000]]);
+    let triangulator = Triangulator::new();
+    let mut stats = Stats::default();
+    let one = Bands::new().count(1).stats(&mut stats);
+    let one = triangulator.triangulate_parallel(&points, &[], one);
+    let whole = counted(&triangulator, &points, &[]).expect("valid");
+    one.expect("valid");
+    assert_eq!(stats.counters, whole.stats.counters);
+    let bands = Bands::new().count(3).stats(&mut stats);
+    let wrong = triangulator.triangulate_parallel(&points, &[[7, 2000]], bands);
     assert!(wrong.is_err());
+}
+
+/// Each band has its structure, which the caller reads afterwards; there are no more bands than structures.
+#[test]
+fn structures_come_back() {
+    let points = Random::new(5).points(3000);
+    let mut fronts: Vec<_> = (0..3).map(|_| SkipList::counting()).collect();
+    let bands = Bands::new().count(5).fronts(&mut fronts);
+    let all = Triangulator::new().triangulate_parallel(&points, &[], bands);
+    let one = triangulate(&points, &[]).expect("valid");
+    let expected = one.canonical_triangles();
+    assert!(all.expect("valid").canonical_triangles() == expected);
+    for front in &fronts {
+        // Nearly all of a third of the points join the front of the band.
+        assert!((900..3000).contains(&front.work().updates), "{front:?}");
+    }
 }

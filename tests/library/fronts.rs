@@ -3,21 +3,24 @@
 use std::fmt::Debug;
 
 use num_bigint::BigInt;
-use sweep_cdt::front::{AnyFront, FrontInput, FrontSearch, HashTable, Linear, SkipList};
+use sweep_cdt::front::{FrontInput, FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Algorithm, Counters, Triangulator};
-use sweep_cdt_testing::Random;
-use sweep_cdt_testing::fronts::Choice;
+use sweep_cdt_testing::{AnyFront, Random, counted, counted_with};
 
 use crate::statistics::{raster, square};
 
+/// The counters of a run of the sweep with this structure.
+fn with_front<S: Scalar>(front: &mut dyn FrontSearch, points: &[[S; 2]]) -> Counters {
+    let triangulator = Triangulator::new().algorithm(Algorithm::Sweep);
+    let run = counted_with(&triangulator, points, &[], front);
+    run.expect("no edges").stats.counters
+}
+
 /// How many steps of the walk a structure left, a point.
-fn steps_a_point<F: FrontSearch + Clone + Default>(points: &[[f64; 2]]) -> f64 {
-    let run = Triangulator::new()
-        .front(F::default())
-        .triangulate_with_stats(points, &[]);
-    let stats = run.expect("no edges cross").stats;
-    stats.counters.front_steps as f64 / points.len() as f64
+fn steps_a_point<F: FrontSearch + Default>(points: &[[f64; 2]]) -> f64 {
+    let counters = with_front(&mut F::default(), points);
+    counters.front_steps as f64 / points.len() as f64
 }
 
 /// Random points in a square, x to some odd power: the higher, the more crowd around zero.
@@ -51,12 +54,7 @@ fn an_input_is_the_vertices() {
 /// A structure that an earlier run has filled works as a new one does.
 fn assert_forgets<F: FrontSearch + Clone + Debug>(new: &F) {
     let [large, small] = [70, 10].map(square);
-    let count = |front: F, points: &[[f64; 2]]| {
-        let triangulator = Triangulator::new().front(front);
-        let run = triangulator.triangulate_with_stats(points, &[]);
-        run.map(|run| (run.stats.counters, run.front))
-            .expect("no edges")
-    };
+    let count = |mut front: F, points: &[[f64; 2]]| (with_front(&mut front, points), front);
     for [first, second] in [[&large, &small], [&small, &large]] {
         let (_, used) = count(new.clone(), first);
         let (expected, fresh) = count(new.clone(), second);
@@ -76,10 +74,8 @@ fn every_front_forgets_an_earlier_run() {
 }
 
 /// Steps along the front for each vertex.
-fn whole_steps_a_point<F: FrontSearch + Clone + Default, S: Scalar>(points: &[[S; 2]]) -> u64 {
-    let triangulator = Triangulator::new().front(F::default());
-    let run = triangulator.triangulate_with_stats(points, &[]);
-    run.expect("no edges").stats.counters.front_steps / points.len() as u64
+fn whole_steps_a_point<F: FrontSearch + Default, S: Scalar>(points: &[[S; 2]]) -> u64 {
+    with_front(&mut F::default(), points).front_steps / points.len() as u64
 }
 
 /// A fifth of the points in a millionth of the width and height: equal intervals would be crowded.
@@ -116,8 +112,8 @@ fn points_placed_beside_the_sample_make_no_search_long() {
             *x = 0.5 + 1e-9 * *x;
         }
     }
-    // First it bears four steps a vertex, then it asks for places.
-    assert!(whole_steps_a_point::<HashTable, _>(&points) < 6);
+    let steps = steps_a_point::<HashTable>(&points);
+    assert!(steps < 12.0, "{steps} steps a point");
 }
 
 /// A row far from most points, where doubles cannot tell its points apart, and points above it.
@@ -131,44 +127,16 @@ fn with_equal_doubles() -> Vec<[BigInt; 2]> {
     points
 }
 
+/// Long walks spend the budget of flips: divide and conquer takes over.
 #[test]
-fn points_with_equal_doubles_make_no_search_long() {
+fn where_walks_are_long_the_sweep_is_abandoned() {
     let points = with_equal_doubles();
-    assert!(whole_steps_a_point::<HashTable, _>(&points) < 6);
-    assert!(whole_steps_a_point::<SkipList, _>(&points) < 6);
-}
-
-/// The counters of a run with a front of the table of runs, which asks for the ranks by x where doubles tell too
-/// little, are those of the structure in it.
-#[test]
-fn a_run_of_the_table_reaches_the_ranks() {
-    fn counters(front: impl FrontSearch + Clone, points: &[[BigInt; 2]]) -> Counters {
-        let run = Triangulator::new()
-            .front(front)
-            .triangulate_with_stats(points, &[]);
-        run.expect("no edges").stats.counters
-    }
-    let points = with_equal_doubles();
-    for front in AnyFront::all() {
-        let expected = match &front {
-            AnyFront::HashTable(structure) => counters(structure.clone(), &points),
-            AnyFront::SkipList(structure) => counters(structure.clone(), &points),
-            AnyFront::Linear(structure) => counters(*structure, &points),
-            other => panic!("{other:?} is not compared"),
-        };
-        let name = front.name();
-        let choice = Choice {
-            front,
-            algorithm: Algorithm::default(),
-            ..Choice::default()
-        };
-        let run = choice.triangulator().triangulate_with_stats(&points, &[]);
-        let counters = run.expect("no edges").stats.counters;
-        assert_eq!(counters, expected, "{name}");
-        if name != "linear" {
-            assert!(counters.front_steps < 6 * points.len() as u64, "{name}");
-        }
-    }
+    let run = counted(&Triangulator::new(), &points, &[]).expect("no edges");
+    let steps = run.stats.counters.front_steps;
+    assert!(run.stats.is_divided && steps < 20 * points.len() as u64);
+    let sweep = Triangulator::new().algorithm(Algorithm::Sweep);
+    let sweep = sweep.triangulate(&points, &[]).expect("no edges");
+    assert!(run.triangulation.canonical_triangles() == sweep.canonical_triangles());
 }
 
 #[test]

@@ -45,3 +45,49 @@ fn ends_that_are_no_points_are_refused() {
         Ok(4)
     );
 }
+
+/// Settings and results go from thread to thread, and sessions too.
+#[test]
+fn public_types_are_send_and_sync() {
+    fn assert_both<T: Send + Sync>() {}
+    fn assert_copied<T: Copy + Send + Sync>() {}
+    assert_copied::<sweep_cdt::Triangulator>();
+    assert_copied::<sweep_cdt::Algorithm>();
+    assert_copied::<sweep_cdt::Heuristics>();
+    assert_copied::<sweep_cdt::Corners>();
+    assert_copied::<sweep_cdt::Corner>();
+    assert_copied::<sweep_cdt::Counters>();
+    assert_copied::<sweep_cdt::ByCause>();
+    assert_copied::<sweep_cdt::Stats>();
+    assert_copied::<sweep_cdt::Error>();
+    assert_copied::<sweep_cdt::Location>();
+    assert_copied::<sweep_cdt::trace::Event>();
+    assert_copied::<sweep_cdt::interior::FillRule<'_>>();
+    assert_both::<sweep_cdt::Session>();
+    assert_both::<sweep_cdt::Triangulation>();
+    assert_both::<sweep_cdt::CanonicalGroups>();
+    assert_both::<sweep_cdt::Pslg<f64>>();
+    assert_both::<sweep_cdt::Region<f64>>();
+    assert_both::<sweep_cdt::VertexStars<'_>>();
+    assert_both::<sweep_cdt::WithPoints<'_, f64>>();
+    assert_both::<sweep_cdt::crossings::Crossing<f64>>();
+    assert_both::<sweep_cdt::crossings::Split<f64>>();
+    assert_both::<sweep_cdt::crossings::SplitError>();
+    assert_both::<sweep_cdt::interior::Interior<'_>>();
+    assert_both::<sweep_cdt::interior::InteriorError>();
+    assert_both::<sweep_cdt::interior::Ring>();
+    assert_both::<sweep_cdt::interior::Seed>();
+    assert_both::<sweep_cdt::front::Front>();
+    assert_both::<sweep_cdt::front::FrontInput<'_>>();
+    assert_both::<sweep_cdt::front::FrontNode>();
+    assert_both::<sweep_cdt::front::HashTable>();
+    assert_both::<sweep_cdt::front::SkipList>();
+    assert_both::<sweep_cdt::front::Linear>();
+    assert_both::<sweep_cdt::front::Work>();
+    assert_both::<sweep_cdt::verify::Verifier<'_>>();
+    assert_both::<sweep_cdt::verify::Regions<'_>>();
+    assert_both::<sweep_cdt::verify::Report>();
+    assert_both::<sweep_cdt::verify::Violations>();
+    assert_both::<sweep_cdt::verify::Violation>();
+    assert_both::<sweep_cdt::verify::Depths>();
+}

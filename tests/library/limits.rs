@@ -6,9 +6,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::interior::FillRule;
-use sweep_cdt::scalar::{Measure, Scalar, Stage};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Violation, verify};
-use sweep_cdt::{Algorithm, Error, Triangulation, Triangulator, triangulate};
+use sweep_cdt::{Algorithm, Bands, Error, Triangulation, Triangulator, triangulate};
 use sweep_cdt_testing::Random;
 use sweep_cdt_testing::oracle::{exact_verdict, found};
 use sweep_cdt_testing::runs::ALGORITHMS;
@@ -121,16 +121,14 @@ impl Scalar for Nothing {
         Equal
     }
 
-    fn orient2d(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> (Ordering, Stage) {
-        (Equal, Stage::Own)
+    fn orient2d(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
+        Equal
     }
 
-    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> (Ordering, Stage) {
-        (Equal, Stage::Own)
+    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
+        Equal
     }
 }
-
-impl Measure for Nothing {}
 
 #[test]
 fn more_than_can_be_numbered_is_refused() {
@@ -162,7 +160,7 @@ fn what_there_is_no_memory_for_is_refused() {
         assert_eq!(error, Error::OutOfMemory { bytes });
         let sentence = "out of memory: the triangulation takes some 805306368 bytes";
         assert_eq!(error.to_string(), sentence);
-        let run = Triangulator::new().triangulate_parallel(&points, &[]);
+        let run = Triangulator::new().triangulate_parallel(&points, &[], Bands::new());
         assert_eq!(run.unwrap_err(), Error::OutOfMemory { bytes });
         return;
     }
@@ -206,21 +204,21 @@ impl<const KIND: u8> Scalar for Wrong<KIND> {
         self.0.total_cmp(&other.0)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
         let [a, b, c] = [a, b, c].map(|p| p.map(|x| x.0));
         if KIND == RANDOM {
-            (random(&[&a, &b, &c]), Stage::Own)
+            random(&[&a, &b, &c])
         } else {
             Scalar::orient2d(&a, &b, &c)
         }
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
         if KIND == ALWAYS_INSIDE {
-            return (Greater, Stage::Own);
+            return Greater;
         }
         let [a, b, c, d] = [a, b, c, d].map(|p| p.map(|x| x.0));
-        (random(&[&a, &b, &c, &d]), Stage::Own)
+        random(&[&a, &b, &c, &d])
     }
 }
 

@@ -4,13 +4,13 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::{Event, Vertex};
-use sweep_cdt::{Algorithm, Heuristics, Triangulator};
+use sweep_cdt::{Algorithm, Heuristics, Triangulator, Watch};
 use sweep_cdt_testing::Random;
 
 /// The distinct points as the sweep comes to them, by index, and the duplicates.
 fn swept<S: Scalar>(points: &[[S; 2]]) -> (Vec<usize>, Vec<[usize; 2]>) {
     let mut order = Vec::new();
-    let note = |event| {
+    let mut note = |event| {
         if let Event::Sorted {
             vertex: Vertex::Input(index),
         } = event
@@ -21,9 +21,9 @@ fn swept<S: Scalar>(points: &[[S; 2]]) -> (Vec<usize>, Vec<[usize; 2]>) {
     let triangulator = Triangulator::new()
         .algorithm(Algorithm::Sweep)
         .heuristics(Heuristics::PAPER);
-    let run = triangulator.observe(points, &[], note);
-    let run = run.expect("a valid input");
-    (order, run.triangulation.duplicates().collect())
+    let result = triangulator.run(points, &[], Watch::new().events(&mut note));
+    let result = result.expect("a valid input");
+    (order, result.duplicates().collect())
 }
 
 /// The expected order, by a single sort.

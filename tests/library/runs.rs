@@ -24,7 +24,7 @@ mod gmp {
     use std::cmp::Ordering;
 
     use rug::Rational;
-    use sweep_cdt::scalar::{Measure, Scalar, Stage};
+    use sweep_cdt::scalar::Scalar;
     use sweep_cdt_testing::runs::Sample;
 
     /// A `rug::Rational`, as a type of its own that can be a [`Sample`].
@@ -52,21 +52,14 @@ mod gmp {
             self.0.compare(&other.0)
         }
 
-        fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
             let [a, b, c] = [a, b, c].map(Gmp::inner);
             Rational::orient2d(&a, &b, &c)
         }
 
-        fn in_circle(
-            a: &[Self; 2],
-            b: &[Self; 2],
-            c: &[Self; 2],
-            d: &[Self; 2],
-        ) -> (Ordering, Stage) {
+        fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
             let [a, b, c, d] = [a, b, c, d].map(Gmp::inner);
             Rational::in_circle(&a, &b, &c, &d)
         }
     }
-
-    impl Measure for Gmp {}
 }

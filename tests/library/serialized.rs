@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use sweep_cdt::interior::FillRule;
 use sweep_cdt::verify::{Level, verify};
 use sweep_cdt::{Error, Location, Triangulation, Triangulator, triangulate};
-use sweep_cdt_testing::Random;
+use sweep_cdt_testing::{Random, counted};
 
 use crate::location::input;
 
@@ -268,8 +268,7 @@ fn damaged_data_is_refused_or_answers() {
 #[test]
 fn other_results_are_data_too() {
     let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
-    let stats = Triangulator::new()
-        .triangulate_with_stats(&points, &[])
+    let stats = counted(&Triangulator::new(), &points, &[])
         .expect("no edges")
         .stats;
     let back = |value: Value| serde_json::from_value(value).expect("it was written so");

@@ -1,14 +1,14 @@
 //! Edges in any order: what the edges of slanted families pierce and flip is bounded, whatever the order of the input;
 //! the result, and the crossing that is named, are those of the paper's order.
 
-use sweep_cdt::{Algorithm, Error, Triangulator};
+use sweep_cdt::{Algorithm, Bands, Error, Triangulator};
 use sweep_cdt_testing::families::{self, Order};
 use sweep_cdt_testing::oracle::check;
-use sweep_cdt_testing::{Input, Random};
+use sweep_cdt_testing::{Input, Random, counted};
 
 /// Flips that the points alone need, beyond those of edges.
-fn flips_of_points(input: &Input, triangulator: &Triangulator<'_>) -> u64 {
-    let run = triangulator.triangulate_with_stats(&input.points, &[]);
+fn flips_of_points(input: &Input, triangulator: &Triangulator) -> u64 {
+    let run = counted(triangulator, &input.points, &[]);
     run.expect("valid points").stats.counters.flips
 }
 
@@ -23,7 +23,7 @@ fn no_order_of_edges_is_bad() {
                 for order in Order::ALL {
                     let input = order.of(&input);
                     let triangulator = Triangulator::new().algorithm(algorithm);
-                    let run = triangulator.triangulate_with_stats(&input.points, &input.edges);
+                    let run = counted(&triangulator, &input.points, &input.edges);
                     let counters = run.expect("edges that do not cross").stats.counters;
                     let pierced = counters.pierced as f64;
                     let flips = counters.flips as f64;
@@ -59,24 +59,22 @@ fn small_members_are_right() {
     }
 }
 
-/// Runs whose steps are observed insert the edges in the paper's order.
 #[test]
 fn deferred_edges_give_the_result_of_the_papers_order() {
     for family in families::slanted() {
         println!("{}", family.name);
         for order in Order::ALL {
             let Input { points, edges } = order.of(&(family.member)(1000));
-            let plain = Triangulator::new().observe(&points, &edges, |_| {});
-            let plain = plain.expect("edges that do not cross").triangulation;
+            let plain = Triangulator::new().algorithm(Algorithm::Paper);
+            let plain = plain.triangulate(&points, &edges);
+            let plain = plain.expect("edges that do not cross");
             let triangulator = Triangulator::new();
             let results = [
                 triangulator.triangulate(&points, &edges),
                 triangulator
                     .algorithm(Algorithm::DivideAndConquer)
                     .triangulate(&points, &edges),
-                Triangulator::new()
-                    .bands(2)
-                    .triangulate_parallel(&points, &edges),
+                triangulator.triangulate_parallel(&points, &edges, Bands::new().count(2)),
             ];
             for result in results {
                 let result = result.expect("edges that do not cross");
@@ -101,7 +99,8 @@ fn the_crossing_of_the_papers_order_is_named() {
                 let at = random.below(edges.len() + 1);
                 edges.insert(at, [random.below(points.len()), random.below(points.len())]);
             }
-            let plain = Triangulator::new().observe(&points, &edges, |_| {}).err();
+            let plain = Triangulator::new().algorithm(Algorithm::Paper);
+            let plain = plain.triangulate(&points, &edges).err();
             for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
                 let here = Triangulator::new()
                     .algorithm(algorithm)

@@ -1,13 +1,11 @@
-//! What a [`Run`](sweep_cdt::Run) reports of itself: numbers, times, memory, progress, the length of its front, and
-//! what it returns of its settings.
+//! What a run reports of itself: numbers, times, memory, progress, the length of its front.
 
-use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
-use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, Linear};
-use sweep_cdt::{Algorithm, Corners, Heuristics, Stats, Triangulator};
-use sweep_cdt_testing::Random;
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
+use sweep_cdt::{Algorithm, Corners, Heuristics, Stats, Triangulator, Watch};
 use sweep_cdt_testing::runs::ALGORITHMS;
+use sweep_cdt_testing::{Random, counted, counted_with};
 
 /// The first points of a raster, row by row.
 pub(crate) fn raster(count: usize) -> Vec<[f64; 2]> {
@@ -21,7 +19,7 @@ fn numbers_and_times() {
     points.push(points[7]);
     let edges = [[0, 1], [5000, 100]];
     let start = Instant::now();
-    let run = Triangulator::new().triangulate_with_stats(&points, &edges);
+    let run = counted(&Triangulator::new(), &points, &edges);
     let elapsed = start.elapsed();
     let run = run.expect("no edges cross");
     let (result, stats) = (run.triangulation, run.stats);
@@ -37,7 +35,7 @@ fn numbers_and_times() {
 
 /// The bytes that a run reports, and those that arrays of the expected sizes have.
 fn memory(points: &[[f64; 2]], edges: &[[usize; 2]]) -> [usize; 2] {
-    let run = Triangulator::new().triangulate_with_stats(points, edges);
+    let run = counted(&Triangulator::new(), points, edges);
     let stats = run.expect("no edges cross").stats;
     let n = points.len();
     // Two artificial vertices and their triangles; 24 bytes a triangle, 4 an open side, 8 a node.
@@ -65,15 +63,12 @@ fn memory_for_edges_that_pierce_all_triangles() {
 
 #[test]
 fn progress_every_few_thousand_points() {
-    let seen = RefCell::new(Vec::new());
-    let progress = |swept, all| seen.borrow_mut().push((swept, all));
-    let triangulator = Triangulator::new().progress(&progress);
-    let result = triangulator.triangulate(&raster(10_000), &[]);
+    let mut seen = Vec::new();
+    let mut progress = |swept, all| seen.push((swept, all));
+    let watch = Watch::new().progress(&mut progress);
+    let result = Triangulator::new().run(&raster(10_000), &[], watch);
     assert!(result.is_ok());
-    assert_eq!(
-        seen.into_inner(),
-        [0, 4096, 8192].map(|swept| (swept, 10_000))
-    );
+    assert_eq!(seen, [0, 4096, 8192].map(|swept| (swept, 10_000)));
 }
 
 /// So many points squared, scattered in a square.
@@ -100,15 +95,16 @@ impl FrontSearch for Counting {
     }
 }
 
+/// In a session, too: each run begins the structure once.
 #[test]
-fn the_front_that_was_used_comes_back() {
+fn each_run_begins_its_front_anew() {
     let points = square(5);
-    let triangulator = Triangulator::new().front(Counting::default());
-    let counted = triangulator.triangulate_with_stats(&points, &[]);
-    let observed = triangulator.observe(&points, &[], |_| ());
-    for run in [counted, observed] {
-        let front = run.expect("no edges").front;
-        assert_eq!((front.begun, front.searches), (1, points.len() - 1));
+    let (mut front, mut session) = (Counting::default(), Triangulator::new().session());
+    for runs in 1..4 {
+        let watch = Watch::new().front(&mut front);
+        session.run(&points, &[], watch).expect("no edges");
+        let searches = runs * (points.len() - 1);
+        assert_eq!((front.begun, front.searches), (runs, searches));
     }
 }
 
@@ -121,6 +117,8 @@ struct Lengths {
 }
 
 impl FrontSearch for Lengths {
+    fn begin(&mut self, _: FrontInput<'_>) {}
+
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
         self.searches += 1;
         self.sum += self.now;
@@ -144,14 +142,12 @@ fn the_mean_front_is_that_of_all_searches() {
     points.extend((2..22).map(f64::from).map(|i| [i, i * i]));
     points.push([1e3, 500.0]);
     let of = |algorithm| {
-        let triangulator = Triangulator::new().front(Lengths::default());
-        let run = triangulator
-            .algorithm(algorithm)
-            .triangulate_with_stats(&points, &[[0, 1]]);
-        let run = run.expect("one edge");
+        let mut front = Lengths::default();
+        let triangulator = Triangulator::new().algorithm(algorithm);
+        let run = counted_with(&triangulator, &points, &[[0, 1]], &mut front).expect("one edge");
         let counters = run.stats.counters;
         assert_eq!(counters.survived.sum(), run.triangulation.len() as u64);
-        let seen = [run.front.searches, run.front.sum];
+        let seen = [front.searches, front.sum];
         assert_eq!([counters.point_events, counters.front_lengths], seen);
         let mean = seen[1] as f64 / seen[0].max(1) as f64;
         assert!((counters.mean_front() - mean).abs() < 1e-9, "{algorithm:?}");
@@ -162,7 +158,8 @@ fn the_mean_front_is_that_of_all_searches() {
     };
     assert_eq!(of(Algorithm::Sweep), 499);
     for &(name, algorithm) in ALGORITHMS {
-        let expected = if name == "sweep of 2005" { 499 } else { 0 };
+        let is_sweep = matches!(name, "the paper's order" | "sweep of 2005");
+        let expected = if is_sweep { 499 } else { 0 };
         assert_eq!(of(algorithm), expected, "{name}");
     }
 }
@@ -175,9 +172,7 @@ fn obtuse_corners_are_closed_up_to_their_angle() {
     let closed = |corners| {
         let mut heuristics = Heuristics::OFF;
         heuristics.corners = corners;
-        let run = Triangulator::new()
-            .heuristics(heuristics)
-            .triangulate_with_stats(&points, &[]);
+        let run = counted(&Triangulator::new().heuristics(heuristics), &points, &[]);
         run.expect("no edges").stats.counters.made.narrow_corners
     };
     for (corners, expected) in [
@@ -200,29 +195,6 @@ fn obtuse_corners_are_closed_up_to_their_angle() {
 }
 
 #[test]
-fn settings_hold_in_any_order_and_for_every_kind_of_run() {
-    let points = square(10);
-    let calls = Cell::new(0);
-    let progress = |_, _| calls.set(calls.get() + 1);
-    let first = Triangulator::new().progress(&progress);
-    let first = first.heuristics(Heuristics::OFF).front(Linear::default());
-    let last = Triangulator::new().front(Linear::default());
-    let last = last.heuristics(Heuristics::OFF).progress(&progress);
-    for triangulator in [first, last] {
-        let kinds = [
-            triangulator.triangulate_with_stats(&points, &[]),
-            triangulator.observe(&points, &[], |_| ()),
-        ];
-        for run in kinds {
-            let made = run.expect("no edges").stats.counters.made;
-            assert_eq!((made.narrow_corners, made.basins), (0, 0));
-        }
-        triangulator.triangulate(&points, &[]).expect("no edges");
-        assert_eq!(calls.replace(0), 3);
-    }
-}
-
-#[test]
 fn an_observed_run_has_the_statistics_of_any_other() {
     let (points, edges) = (square(20), [[0, 399], [3, 7]]);
     let timeless = |stats: Stats| {
@@ -231,10 +203,15 @@ fn an_observed_run_has_the_statistics_of_any_other() {
         (stats.points, stats.triangles, stats.memory, stats.counters)
     };
     let triangulator = Triangulator::new();
-    let counted = triangulator.triangulate_with_stats(&points, &edges);
-    let observed = triangulator.observe(&points, &edges, |_| ());
-    let [counted, observed] = [counted, observed].map(|run| run.expect("no edges cross").stats);
-    assert_eq!(timeless(observed), timeless(counted));
+    let mut steps = 0;
+    let mut observer = |_| steps += 1;
+    let mut observed = Stats::default();
+    let watch = Watch::new().events(&mut observer).stats(&mut observed);
+    let result = triangulator.run(&points, &edges, watch);
+    result.expect("no edges cross");
+    let others = counted(&triangulator, &points, &edges).expect("no edges cross");
+    assert_eq!(timeless(observed), timeless(others.stats));
+    assert!(steps > 1000);
 }
 
 /// Sizes that differ so much that only big integers decide, and points on one line and one circle.
@@ -248,7 +225,7 @@ fn signs_from_big_integers_are_counted_as_such() {
         [0.0, 1e200],
         [1e200, 1e200],
     ];
-    let run = Triangulator::new().triangulate_with_stats(&points, &[]);
+    let run = counted(&Triangulator::new(), &points, &[]);
     let counters = run.expect("no edges").stats.counters;
     let big = [counters.orient2d_big, counters.in_circle_big];
     assert!(big.iter().all(|&count| count > 0), "{counters:?}");

@@ -7,7 +7,7 @@ use sweep_cdt::{Algorithm, Counters, Error, Heuristics, Stats, Triangulation, Tr
 use sweep_cdt_testing::families::{self, Family};
 use sweep_cdt_testing::oracle::{Answer, check, found};
 use sweep_cdt_testing::runs::ALGORITHMS;
-use sweep_cdt_testing::{Input, Random, data};
+use sweep_cdt_testing::{Input, Random, counted, data};
 
 use crate::assert_snapshot;
 
@@ -15,7 +15,7 @@ use crate::assert_snapshot;
 pub(crate) const NAMES: &[&str] = &["work"];
 
 /// All counters of a run on some input, under its name.
-fn counted(name: &str, points: &[[f64; 2]], edges: &[[usize; 2]]) -> String {
+fn counters_of(name: &str, points: &[[f64; 2]], edges: &[[usize; 2]]) -> String {
     let mut text = format!(
         "== {name}\npoints {}\nedges {}\n",
         points.len(),
@@ -23,7 +23,7 @@ fn counted(name: &str, points: &[[f64; 2]], edges: &[[usize; 2]]) -> String {
     );
     for (setting, heuristics) in [("fast", Heuristics::FAST), ("paper", Heuristics::PAPER)] {
         let triangulator = Triangulator::new().heuristics(heuristics);
-        let run = triangulator.triangulate_with_stats(points, edges);
+        let run = counted(&triangulator, points, edges);
         let stats = run.expect("a valid input").stats;
         text += &format!("\n{setting} heuristics\n");
         // All counters, whatever there will be: `name: number,` in the middle of the debug format.
@@ -72,13 +72,13 @@ fn the_work_for_larger_inputs() {
         .map(|i| [i % 100, i / 100].map(f64::from))
         .collect();
     let parts = [
-        counted("contours", &contours.points, &contours.edges),
-        counted("uniform", &Random::new(1).points(10_000), &[]),
+        counters_of("contours", &contours.points, &contours.edges),
+        counters_of("uniform", &Random::new(1).points(10_000), &[]),
         // First so little that the hash table keeps intervals of equal width, then so much that it does not.
-        counted("crowded", &crowded(2), &[]),
-        counted("crowded more", &crowded(3), &[]),
-        counted("lattice", &lattice, &[]),
-        counted("comb", &comb.points, &comb.edges),
+        counters_of("crowded", &crowded(2), &[]),
+        counters_of("crowded more", &crowded(3), &[]),
+        counters_of("lattice", &lattice, &[]),
+        counters_of("comb", &comb.points, &comb.edges),
     ];
     assert_snapshot(NAMES[0], &parts.join("\n"));
 }
@@ -95,7 +95,7 @@ const ABANDONED: &[&str] = &[
 
 fn run(input: &Input, algorithm: Algorithm) -> (Triangulation, Stats) {
     let triangulator = Triangulator::new().algorithm(algorithm);
-    let run = triangulator.triangulate_with_stats(&input.points, &input.edges);
+    let run = counted(&triangulator, &input.points, &input.edges);
     let run = run.expect("a valid input");
     let survived = run.stats.counters.survived.sum();
     assert_eq!(survived, run.triangulation.len() as u64, "each has a cause");

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
-use sweep_cdt::scalar::{Measure, Scalar, Stage};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt_testing::conformance::{Nonconformity, conformance};
 
 /// The integer that equals a fraction.
@@ -28,7 +28,7 @@ fn ratio(x: &BigRational) -> Option<Ratio<i64>> {
 }
 
 /// Panics unless so many answers are right.
-fn conforms<S: Measure>(of: impl Fn(&BigRational) -> Option<S>, least: usize) {
+fn conforms<S: Scalar>(of: impl Fn(&BigRational) -> Option<S>, least: usize) {
     match conformance(of) {
         Ok(answers) => assert!(answers > least, "{answers}"),
         Err(fault) => panic!("{}: {fault}", std::any::type_name::<S>()),
@@ -125,9 +125,9 @@ impl<const FAULT: usize> Scalar for Wrong<FAULT> {
         }
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
         let [a, b, c] = [a, b, c].map(whole);
-        let sign = match FAULT {
+        match FAULT {
             0 => {
                 let minus = |p: [i64; 2]| [0, 1].map(|i| p[i].wrapping_sub(c[i]));
                 let (p, q) = (minus(a), minus(b));
@@ -140,29 +140,25 @@ impl<const FAULT: usize> Scalar for Wrong<FAULT> {
                 product(p[0], q[1]).cmp(&product(p[1], q[0]))
             }
             // Only what is straight.
-            10 => Scalar::orient2d(&a, &b, &c).0.then(Ordering::Less),
-            _ => Scalar::orient2d(&a, &b, &c).0,
-        };
-        (sign, Stage::Own)
+            10 => Scalar::orient2d(&a, &b, &c).then(Ordering::Less),
+            _ => Scalar::orient2d(&a, &b, &c),
+        }
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
         let [p, q, r, s] = [a, b, c, d].map(whole);
-        let (exact, _) = Scalar::in_circle(&p, &q, &r, &s);
+        let exact = Scalar::in_circle(&p, &q, &r, &s);
         let depth = i64::depth(&p, &q, &r, &s);
-        let sign = match FAULT {
+        match FAULT {
             // Whatever is hardly inside or outside is on the circle.
             1 if depth.is_some_and(|depth| depth.abs() < 1e-9) => Ordering::Equal,
             // Only what is on the circle.
             12 => exact.then(Ordering::Less),
             13 => rounded::in_circle(a, b, c, d),
             _ => exact,
-        };
-        (sign, Stage::Own)
+        }
     }
-}
 
-impl<const FAULT: usize> Measure for Wrong<FAULT> {
     fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
         let [a, b, c, d] = [a, b, c, d].map(whole);
         let depth = i64::depth(&a, &b, &c, &d)?;

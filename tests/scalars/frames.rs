@@ -3,16 +3,17 @@
 
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
-use sweep_cdt::scalar::{Measure, Scalar, Unbounded};
+use sweep_cdt::scalar::{Scalar, Unbounded};
 use sweep_cdt::verify::verify;
 use sweep_cdt::{Counters, Triangulator};
+use sweep_cdt_testing::counted;
 
 use super::crude::Crude;
 use super::*;
 
 /// The work for these points; panics unless the verifier finds the result right.
-fn work<S: Measure>(points: &[[S; 2]]) -> Work {
-    let run = Triangulator::new().triangulate_with_stats(points, &[]);
+fn work<S: Scalar>(points: &[[S; 2]]) -> Work {
+    let run = counted(&Triangulator::new(), points, &[]);
     let run = run.expect("no edges");
     let triangles: Vec<_> = run.triangulation.triangles().collect();
     let report = verify(points, &[], &triangles).expect("a right result");
@@ -83,7 +84,7 @@ fn at<S>(place: impl Fn(i64) -> S) -> Vec<[S; 2]> {
 }
 
 /// No sign is left open, and no walk is long.
-fn check_filtered<S: Measure>(points: &[[S; 2]], what: &str) {
+fn check_filtered<S: Scalar>(points: &[[S; 2]], what: &str) {
     let found = work(points);
     assert!(found.exact + found.verified_exact < 20, "{what}: {found:?}");
     assert!(found.steps < 2 * points.len() as u64, "{what}: {found:?}");

@@ -76,9 +76,9 @@ fn check<S: Scalar>(points: &[[S; 2]; 4], expected: [Ordering; 3], what: &str) {
     let near: Vec<f64> = points.iter().flatten().map(S::approx).collect();
     let scalar = std::any::type_name::<S>();
     let exact = (
-        S::orient2d(a, b, c).0,
-        S::in_circle(a, b, c, d).0,
-        S::in_circle(b, a, c, d).0,
+        S::orient2d(a, b, c),
+        S::in_circle(a, b, c, d),
+        S::in_circle(b, a, c, d),
     );
     let filtered = (
         filtered_orient2d(a, b, c),

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Verifier, Violation, Violations, verify};
 use sweep_cdt_testing::oracle::arrangement::fractions;
 use sweep_cdt_testing::oracle::refined::{faulty_sides, height, is_near};
@@ -192,7 +192,7 @@ fn a_boundary_that_covers_itself_is_not_measured() {
 fn every_scalar_tells_sizes() {
     let square = [[0, 0], [1000, 0], [1000, 999], [0, 1000]];
     let triangles = [[0, 1, 3], [1, 2, 3]];
-    fn greatest<S: Measure>(points: &[[S; 2]], triangles: &[[usize; 3]]) -> f64 {
+    fn greatest<S: Scalar>(points: &[[S; 2]], triangles: &[[usize; 3]]) -> f64 {
         let violations = verify(points, &[], triangles).unwrap_err();
         violations.depth().expect("it is measured").get()
     }

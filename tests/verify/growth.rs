@@ -5,7 +5,7 @@
 use std::cell::Cell;
 use std::cmp::Ordering;
 
-use sweep_cdt::scalar::{Measure, Scalar, Stage};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Violation, verify};
 use sweep_cdt_testing::Random;
@@ -150,18 +150,16 @@ impl Scalar for Counting {
         self.0.compare(&other.0)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
         let [a, b, c] = [a, b, c].map(Counting::inner);
         f64::orient2d(&a, &b, &c)
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
         let [a, b, c, d] = [a, b, c, d].map(Counting::inner);
         f64::in_circle(&a, &b, &c, &d)
     }
 }
-
-impl Measure for Counting {}
 
 /// How many distinct points there are, and how many comparisons of coordinates that took.
 fn distinct(points: &[[f64; 2]]) -> (usize, usize) {

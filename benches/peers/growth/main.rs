@@ -27,9 +27,9 @@ use std::time::Instant;
 
 use others::{columns, compile_cgal, run_spade, time_cgal, time_spade};
 use peak_alloc::PeakAlloc;
-use sweep_cdt::front::{FrontSearch, HashTable, SkipList};
+use sweep_cdt::front::{FrontSearch, SkipList};
 use sweep_cdt::verify::verify;
-use sweep_cdt::{Algorithm, Triangulator};
+use sweep_cdt::{Algorithm, Stats, Triangulator, Watch};
 use sweep_cdt_testing::{Input, families};
 
 #[global_allocator]
@@ -122,20 +122,18 @@ struct Row {
 fn measure(input: &Input, n: usize, name: &str) -> Row {
     let before = MEMORY.current_usage();
     MEMORY.reset_peak_usage();
-    let (default, is_divided, asked) = time_ours::<HashTable>(input, Algorithm::Auto, 1);
+    let (default, is_divided, asked) = time_ours(input, Algorithm::Auto, None, 1);
     let bytes = (MEMORY.peak_usage() - before) as f64 / input.points.len() as f64;
-    let least = time_ours::<HashTable>(input, Algorithm::Auto, 2)
-        .0
-        .min(default);
-    let sweep = (n <= MOST_SWEPT).then(|| time_ours::<HashTable>(input, Algorithm::Sweep, 1).0);
+    let least = time_ours(input, Algorithm::Auto, None, 2).0.min(default);
+    let sweep = (n <= MOST_SWEPT).then(|| time_ours(input, Algorithm::Sweep, None, 1).0);
     let has_hub = ["star", "asterisk", "edge many times"]
         .iter()
         .any(|word| name.contains(word));
     Row {
         default: least,
-        skip_list: time_ours::<SkipList>(input, Algorithm::Auto, 3).0,
+        skip_list: time_ours(input, Algorithm::Auto, Some(&mut SkipList::default()), 3).0,
         sweep,
-        divide: time_ours::<HashTable>(input, Algorithm::DivideAndConquer, 3).0,
+        divide: time_ours(input, Algorithm::DivideAndConquer, None, 3).0,
         is_divided,
         asked,
         bytes,
@@ -148,28 +146,34 @@ fn measure(input: &Input, n: usize, name: &str) -> Row {
 }
 
 /// The least of so many runs, whether the last one was divided, and what the input asked for.
-fn time_ours<F: FrontSearch + Clone + Default>(
+fn time_ours(
     input: &Input,
     algorithm: Algorithm,
+    mut front: Option<&mut dyn FrontSearch>,
     runs: usize,
 ) -> (f64, bool, f64) {
-    let triangulator = Triangulator::new().front(F::default()).algorithm(algorithm);
+    let triangulator = Triangulator::new().algorithm(algorithm);
     let n = input.points.len() as f64;
     let mut least = f64::INFINITY;
     let mut last = (false, 0.0);
     for _ in 0..runs {
         let start = Instant::now();
-        let run = triangulator.triangulate_with_stats(&input.points, &input.edges);
+        let mut stats = Stats::default();
+        let mut watch = Watch::new().stats(&mut stats);
+        if let Some(front) = &mut front {
+            watch = watch.front(&mut **front);
+        }
+        let result = triangulator.run(&input.points, &input.edges, watch);
         least = least.min(1e9 * start.elapsed().as_secs_f64() / n);
-        let run = run.expect("a valid input");
+        let result = result.expect("a valid input");
         // Equal edges share their chain, and ask for it once.
         let is_repeated = input.edges.windows(2).any(|pair| pair[0] == pair[1]);
         let listed = if is_repeated { 1 } else { input.edges.len() };
         let passed: usize = (0..listed)
-            .map(|e| run.triangulation.edge_chain(e).len().saturating_sub(2))
+            .map(|e| result.edge_chain(e).len().saturating_sub(2))
             .sum();
-        let asked = run.stats.counters.pierced as f64 + passed as f64;
-        last = (run.stats.is_divided, asked / n);
+        let asked = stats.counters.pierced as f64 + passed as f64;
+        last = (stats.is_divided, asked / n);
     }
     (least, last.0, last.1)
 }

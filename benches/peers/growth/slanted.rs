@@ -6,9 +6,9 @@
 use std::path::Path;
 use std::time::Instant;
 
-use sweep_cdt::{Algorithm, Counters, Error, Stats, Triangulator};
-use sweep_cdt_testing::Input;
+use sweep_cdt::{Algorithm, Bands, Counters, Stats, Triangulator};
 use sweep_cdt_testing::families::{self, Order};
+use sweep_cdt_testing::{Input, counted};
 
 use crate::others::{columns, time_cgal, time_spade};
 
@@ -114,26 +114,17 @@ fn measure(input: &Input) -> Row {
         bands: 0.0,
     };
     let auto = Triangulator::new();
-    let divide = auto.clone().algorithm(Algorithm::DivideAndConquer);
-    let in_bands = Triangulator::new().bands(2);
+    let divide = auto.algorithm(Algorithm::DivideAndConquer);
     type Counted<'c> = &'c dyn Fn(&[[usize; 2]]) -> Counters;
     let counted: [Counted<'_>; 3] = [
+        &|edges| of_one(&auto, input, edges),
+        &|edges| of_one(&divide, input, edges),
         &|edges| {
-            counters(
-                auto.triangulate_with_stats(&input.points, edges)
-                    .map(|run| run.stats),
-            )
-        },
-        &|edges| {
-            counters(
-                divide
-                    .triangulate_with_stats(&input.points, edges)
-                    .map(|run| run.stats),
-            )
-        },
-        &|edges| {
-            let result = in_bands.triangulate_parallel_with_stats(&input.points, edges);
-            counters(result.map(|(_, stats)| stats))
+            let mut stats = Stats::default();
+            let bands = Bands::new().count(2).stats(&mut stats);
+            let result = auto.triangulate_parallel(&input.points, edges, bands);
+            result.expect("edges that do not cross");
+            stats.counters
         },
     ];
     for count in counted {
@@ -142,7 +133,7 @@ fn measure(input: &Input) -> Row {
         let flips = with.flips.saturating_sub(without.flips) as f64;
         row.flips = row.flips.max(flips / (with.pierced as f64).max(n));
     }
-    let one = |triangulator: &Triangulator<'_>| {
+    let one = |triangulator: &Triangulator| {
         timed(&|| {
             let result = triangulator.triangulate(&input.points, &input.edges);
             result.expect("edges that do not cross");
@@ -150,12 +141,13 @@ fn measure(input: &Input) -> Row {
     };
     (row.default, row.divide) = (one(&auto), one(&divide));
     row.bands = timed(&|| {
-        let result = in_bands.triangulate_parallel(&input.points, &input.edges);
+        let result = auto.triangulate_parallel(&input.points, &input.edges, Bands::new().count(2));
         result.expect("edges that do not cross");
     });
     row
 }
 
-fn counters(stats: Result<Stats, Error>) -> Counters {
-    stats.expect("edges that do not cross").counters
+fn of_one(triangulator: &Triangulator, input: &Input, edges: &[[usize; 2]]) -> Counters {
+    let run = counted(triangulator, &input.points, edges);
+    run.expect("edges that do not cross").stats.counters
 }

@@ -56,7 +56,7 @@ pub(crate) fn ours_inside(input: &Input, stopwatch: &mut Stopwatch) -> Answer {
 }
 
 thread_local! {
-    static SESSION: RefCell<Session<'static>> = RefCell::new(Triangulator::new().session());
+    static SESSION: RefCell<Session> = RefCell::new(Triangulator::new().session());
     static EARCUT: RefCell<Earcut<f64>> = RefCell::new(Earcut::new());
 }
 

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use pyo3::prelude::*;
-use sweep_cdt::front::{AnyFront, FrontSearch, HashTable, Linear, SkipList, Work};
+use sweep_cdt::front::{FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Algorithm, Heuristics, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Heuristics, Stats, Triangulation, Triangulator};
 
 use crate::calls::Watch;
 use crate::errors::{Fault, refused};
@@ -14,13 +14,26 @@ use crate::input::Graph;
 /// The names of the fronts; the default comes first.
 #[pyfunction]
 pub(crate) fn fronts() -> Vec<&'static str> {
-    AnyFront::all().iter().map(AnyFront::name).collect()
+    FRONTS.map(|(name, _)| name).to_vec()
+}
+
+const FRONTS: [(&str, Front); 3] = [
+    ("hash", Front::Hash),
+    ("skip-list", Front::SkipList),
+    ("linear", Front::Linear),
+];
+
+#[derive(Clone, Copy, Debug)]
+enum Front {
+    Hash,
+    SkipList,
+    Linear,
 }
 
 /// What a run is made with.
 #[derive(Debug)]
 pub(crate) struct Settings {
-    front: AnyFront,
+    front: Front,
     pub(crate) heuristics: Heuristics,
     algorithm: Algorithm,
 }
@@ -44,8 +57,10 @@ impl Settings {
     /// The settings of the names of a front, heuristics and an algorithm.
     pub(crate) fn named((front, rules, algorithm): (String, String, String)) -> PyResult<Settings> {
         let names = ["auto", "sweep", "divide-and-conquer"];
+        let named = |&(name, kind)| (name == front).then_some(kind);
+        let found = FRONTS.iter().find_map(named);
         Ok(Settings {
-            front: AnyFront::named(&front).ok_or_else(|| unknown("front", &front, &fronts()))?,
+            front: found.ok_or_else(|| unknown("front", &front, &fronts()))?,
             heuristics: heuristics(&rules)?,
             algorithm: match &*algorithm {
                 "auto" => Algorithm::Auto,
@@ -63,33 +78,24 @@ pub(crate) fn run<S: Scalar>(
     settings: &Settings,
     watch: &Watch,
 ) -> Result<(Triangulation, String), Fault> {
-    match settings.front {
-        AnyFront::HashTable(_) => with(graph, settings, watch, HashTable::counting(), |front| {
-            Some(front.work())
-        }),
-        AnyFront::SkipList(_) => with(graph, settings, watch, SkipList::counting(), |front| {
-            Some(front.work())
-        }),
-        _ => with(graph, settings, watch, Linear::default(), |_| None),
-    }
-}
-
-fn with<S: Scalar, F: FrontSearch + Clone>(
-    graph: &Graph<'_, S>,
-    settings: &Settings,
-    watch: &Watch,
-    front: F,
-    work: impl Fn(&F) -> Option<Work>,
-) -> Result<(Triangulation, String), Fault> {
-    let progress = |_, _| watch.look();
-    let triangulator = Triangulator::new()
-        .front(front)
-        .heuristics(settings.heuristics)
-        .algorithm(settings.algorithm)
-        .progress(&progress);
-    let run = triangulator.triangulate_with_stats(graph.points, graph.edges)?;
-    let mut text = serde_json::to_string(&run.stats).expect("numbers by name are JSON");
-    if let Some(work) = work(&run.front) {
+    let run = |front: &mut dyn FrontSearch| {
+        let (mut stats, mut progress) = (Stats::default(), |_, _| watch.look());
+        let watch = sweep_cdt::Watch::new();
+        let watch = watch.front(front).stats(&mut stats).progress(&mut progress);
+        let result = Triangulator::new()
+            .heuristics(settings.heuristics)
+            .algorithm(settings.algorithm)
+            .run(graph.points, graph.edges, watch)?;
+        Ok::<_, Fault>((result, stats))
+    };
+    let (mut table, mut list) = (HashTable::counting(), SkipList::counting());
+    let ((result, stats), work) = match settings.front {
+        Front::Hash => (run(&mut table)?, Some(table.work())),
+        Front::SkipList => (run(&mut list)?, Some(list.work())),
+        Front::Linear => (run(&mut Linear::default())?, None),
+    };
+    let mut text = serde_json::to_string(&stats).expect("numbers by name are JSON");
+    if let Some(work) = work {
         // The object goes on.
         text.pop();
         write!(
@@ -99,5 +105,5 @@ fn with<S: Scalar, F: FrontSearch + Clone>(
         )
         .expect("strings grow");
     }
-    Ok((run.triangulation, text))
+    Ok((result, text))
 }

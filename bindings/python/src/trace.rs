@@ -5,9 +5,9 @@ use std::io;
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use sweep_cdt::trace::Event;
-use sweep_cdt_trace::Trace;
-use sweep_cdt::{Pslg, Triangulator};
+use sweep_cdt::{Algorithm, Pslg, Triangulator};
 use sweep_cdt_draw::{StepsPage, StepsSheet};
+use sweep_cdt_trace::Trace;
 
 use crate::calls::call;
 use crate::input::{Input, with_graph};
@@ -30,14 +30,17 @@ pub(crate) fn trace(py: Python<'_>, input: Input<'_>, rules: &str) -> PyResult<S
         let size = graph.points.len() + graph.edges.len();
         call(py, size, 1, |watch| {
             let mut events = Vec::new();
-            let observer = |event| {
+            let mut observer = |event| {
                 events.push(event);
                 if events.len() % 65536 == 0 {
                     watch.look();
                 }
             };
-            let triangulator = Triangulator::new().heuristics(rules);
-            triangulator.observe(graph.points, graph.edges, observer)?;
+            let triangulator = Triangulator::new().algorithm(Algorithm::Paper);
+            let steps = sweep_cdt::Watch::new().events(&mut observer);
+            triangulator
+                .heuristics(rules)
+                .run(graph.points, graph.edges, steps)?;
             let trace = Trace { skipped: 0, events };
             Ok(Steps { trace })
         })

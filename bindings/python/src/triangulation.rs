@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use sweep_cdt::crossings::joined;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Location, Triangulation, Triangulator};
+use sweep_cdt::{Bands, Location, Triangulation, Triangulator};
 
 use crate::calls::{Watch, call};
 use crate::errors::{Fault, refused};
@@ -102,11 +102,11 @@ fn plain<S: Scalar + Sync>(
     watch: &Watch,
 ) -> Result<Triangulation, Fault> {
     if threads != 1 {
-        return Ok(Triangulator::new().triangulate_parallel(points, edges)?);
+        return Ok(Triangulator::new().triangulate_parallel(points, edges, Bands::new())?);
     }
-    let progress = |_, _| watch.look();
-    let triangulator = Triangulator::new().progress(&progress);
-    Ok(triangulator.triangulate(points, edges)?)
+    let mut progress = |_, _| watch.look();
+    let shown = sweep_cdt::Watch::new().progress(&mut progress);
+    Ok(Triangulator::new().run(points, edges, shown)?)
 }
 
 /// An array of `N` columns.

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use sweep_cdt::Triangulator;
 use sweep_cdt::interior::locate_seeds;
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Depths, Level, Regions, Report, Verifier, Violation, Violations};
 
 use crate::calls::{Watch, call};
@@ -83,7 +83,7 @@ fn level(name: &str) -> PyResult<Level> {
     })
 }
 
-fn run<S: Measure + Sync>(
+fn run<S: Scalar + Sync>(
     verifier: Verifier<'_>,
     points: &[[S; 2]],
     edges: &[[usize; 2]],
@@ -97,7 +97,7 @@ fn run<S: Measure + Sync>(
 }
 
 /// Verifies that triangles fill the interior by a rule.
-fn inside<S: Measure + Sync + Clone>(
+fn inside<S: Scalar + Sync + Clone>(
     rule: Rule,
     graph: &Graph<'_, S>,
     triangles: &[[usize; 3]],
@@ -108,9 +108,9 @@ fn inside<S: Measure + Sync + Clone>(
     // The hull of the input's own points, proven right.
     let own = question.added_from.unwrap_or(graph.points.len());
     let points = &graph.points[..own.min(graph.points.len())];
-    let progress = |_, _| watch.look();
-    let triangulator = Triangulator::new().progress(&progress);
-    let hull = triangulator.triangulate(points, graph.edges)?;
+    let mut progress = |_, _| watch.look();
+    let shown = sweep_cdt::Watch::new().progress(&mut progress);
+    let hull = Triangulator::new().run(points, graph.edges, shown)?;
     let own_triangles: Vec<[usize; 3]> = hull.triangles().collect();
     let proof = run(
         Verifier::new(),

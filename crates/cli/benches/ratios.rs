@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use num_rational::BigRational;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Triangulation, Triangulator, triangulate};
+use sweep_cdt::{Bands, Triangulation, Triangulator, triangulate};
 use sweep_cdt_testing::{Input, clouds, data};
 
 /// Measures a pair, whose name it gets, in so many rounds.
@@ -116,7 +116,7 @@ fn time_of<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> f64 {
 fn compare_threads(name: &str, input: &Input, rounds: usize) {
     let triangulator = Triangulator::new();
     let all = || {
-        let result = triangulator.triangulate_parallel(&input.points, &input.edges);
+        let result = triangulator.triangulate_parallel(&input.points, &input.edges, Bands::new());
         result.expect("a valid input")
     };
     let sorted = |result: &Triangulation| result.canonical_triangles();

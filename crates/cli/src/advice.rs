@@ -9,7 +9,7 @@
 use std::cmp::Reverse;
 use std::fmt::Write;
 
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Depth, Level, Verifier, Violation, Violations};
 use sweep_cdt_formats::{Coordinate, Triangles};
 
@@ -50,7 +50,7 @@ const ROUNDING: f64 = 1e-12;
 /// Depths up to this one come from rounding to single precision.
 const SINGLE: f64 = 1e-5;
 
-impl<S: Coordinate, T: Measure + Sync> Advised<'_, S, T> {
+impl<S: Coordinate, T: Scalar + Sync> Advised<'_, S, T> {
     /// The line.
     pub(crate) fn line(&self) -> String {
         let violations = match self.answer {

@@ -7,7 +7,7 @@
 //!
 //! Cost: that of a triangulation, and a sort of the triangles.
 
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::triangulate;
 use sweep_cdt_formats::Coordinate;
 
@@ -15,7 +15,7 @@ use crate::shared::arithmetic::Given;
 use crate::shared::failure::Failure;
 
 /// All triangles, and for each whether it is of the result. The result must be right.
-pub(crate) fn completed<S: Coordinate, T: Measure + Sync>(
+pub(crate) fn completed<S: Coordinate, T: Scalar + Sync>(
     given: &Given<'_, S, T>,
     triangles: &[[usize; 3]],
 ) -> Result<(Vec<[usize; 3]>, Vec<bool>), Failure> {

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt_formats::{Coordinate, InputFormat};
 use sweep_cdt_trace::read_trace;
 use sweep_cdt_trace::{BadTrace, Trace};
@@ -106,7 +106,7 @@ struct Comparison<'a> {
 }
 
 impl Job for Comparison<'_> {
-    fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
         let mut events = Vec::new();
         let observer = |event| events.push(event);
         let (points, edges) = (given.points, &given.file.graph.edges);

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 
-use sweep_cdt::scalar::{Measure, Scalar};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Error, Pslg};
 use sweep_cdt_draw::{StepsPage, StepsSheet};
@@ -210,7 +210,7 @@ struct Run<'a> {
 }
 
 impl Job for Run<'_> {
-    fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
         let Given { file, points, .. } = given;
         let graph = &file.graph;
         let [first, last] = [self.arguments.from, self.arguments.to].map(NonZeroUsize::get);

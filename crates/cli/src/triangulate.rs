@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 
 use sweep_cdt::Triangulation;
 use sweep_cdt::interior::Interior;
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_formats::{Coordinate, GraphFile, Splitting};
 
@@ -200,7 +200,7 @@ struct Run<'a> {
 }
 
 impl Job for Run<'_> {
-    fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
         let Given { file, points, .. } = given;
         let graph = &file.graph;
         let arguments = self.arguments;

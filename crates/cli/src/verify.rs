@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt_draw::ViolationsPicture;
 use sweep_cdt_formats::{
@@ -326,7 +326,7 @@ struct Run<'a> {
 }
 
 impl Job for Run<'_> {
-    fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure> {
         let Given { file, scalar, .. } = given;
         let ResultFiles {
             format,

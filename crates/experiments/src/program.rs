@@ -13,7 +13,7 @@ use crate::{Contestant, standard};
 /// experiments that compare structures.
 ///
 /// ```no_run
-/// use sweep_cdt::front::{Front, FrontNode, FrontSearch};
+/// use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
 /// use sweep_cdt_experiments::{Contestant, fronts::Structure, main_with};
 ///
 /// /// Starts at the right end.
@@ -21,6 +21,8 @@ use crate::{Contestant, standard};
 /// struct RightEnd;
 ///
 /// impl FrontSearch for RightEnd {
+///     fn begin(&mut self, _: FrontInput<'_>) {}
+///
 ///     fn locate(&mut self, _x: f64, front: &Front) -> FrontNode {
 ///         front.right_end()
 ///     }

@@ -2,15 +2,14 @@
 //!
 //! The table of `runs` has streams of every scalar with every front, so that small inputs meet the oracle.
 
-use sweep_cdt::front::AnyFront;
 use sweep_cdt::verify::Level;
-use sweep_cdt::{Error, Triangulator, triangulate};
+use sweep_cdt::{Error, Triangulator, Watch, triangulate};
 use sweep_cdt_stream::{Final, Stream, StreamError, StreamVerifier, StreamViolation};
 use sweep_cdt_testing::data::Hard;
 use sweep_cdt_testing::generators::{drop_crossings, medium, small};
 use sweep_cdt_testing::oracle::{crosses, found};
 use sweep_cdt_testing::streams::{Altered, Feeding, Streaming, streamed};
-use sweep_cdt_testing::{Input, Random, families};
+use sweep_cdt_testing::{AnyFront, Input, Random, families};
 
 /// Tries windows of several sizes, with and without the range of x.
 fn assert_as_in_memory(input: &Input, windows: &[usize]) {
@@ -79,7 +78,9 @@ fn the_steps_of_a_window_are_passed_on() {
         points.sort_by_key(|&[x, y]| (y, x));
         let swept = points.map(place);
         let mut expected = Vec::new();
-        let run = Triangulator::new().observe(&swept, &[], |event| expected.push(event));
+        let mut push = |event| expected.push(event);
+        let watch = Watch::new().events(&mut push);
+        let run = Triangulator::new().run(&swept, &[], watch);
         run.expect("points");
         let mut steps = Vec::new();
         let mut stream = Stream::new(Triangulator::new(), |_| {}).observe(|event, numbers| {

@@ -5,9 +5,9 @@ use std::fmt::Debug;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::scalar::{Measure, Scalar};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::verify;
-use sweep_cdt::{Error, Triangulator, triangulate};
+use sweep_cdt::{Algorithm, Error, Triangulator, Watch, triangulate};
 
 /// One line for each case.
 pub fn report() -> Vec<String> {
@@ -67,7 +67,7 @@ fn all_scalars(name: &str, points: &[[i32; 2]], lines: &mut Vec<String>) {
 }
 
 /// The result and its steps without edges, with edges that do not cross, and with edges that do.
-fn line<S: Measure + Clone>(name: &str, points: &[[S; 2]]) -> String {
+fn line<S: Scalar + Clone>(name: &str, points: &[[S; 2]]) -> String {
     let edges = sides_of_every_other(points);
     let crossing: Vec<[usize; 2]> = (1..points.len()).map(|v| [v, v / 2]).collect();
     let mut line = format!("{name}: {} points", points.len());
@@ -103,8 +103,12 @@ type Triangles = Result<Vec<[usize; 3]>, Error>;
 /// The triangles, and a digest of all steps.
 fn run<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> (Triangles, u64) {
     let mut steps = FNV;
-    let result = Triangulator::new().observe(points, edges, |event| steps = digest(steps, &event));
-    let triangles = result.map(|run| run.triangulation.triangles().collect());
+    let mut observer = |event| steps = digest(steps, &event);
+    let watch = Watch::new().events(&mut observer);
+    let result = Triangulator::new()
+        .algorithm(Algorithm::Paper)
+        .run(points, edges, watch);
+    let triangles = result.map(|result| result.triangles().collect());
     (triangles, steps)
 }
 

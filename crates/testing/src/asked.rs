@@ -180,7 +180,7 @@ fn circles(points: &[[f64; 2]], result: &Triangulation) -> Vec<usize> {
             .into_iter()
             .find(|v| !corners.contains(v));
         let [a, b, c] = corners.map(|v| &points[v]);
-        other.is_some_and(|d| f64::in_circle(a, b, c, &points[d]).0.is_eq())
+        other.is_some_and(|d| f64::in_circle(a, b, c, &points[d]).is_eq())
     };
     let same = |t: usize, side: usize| {
         let free = !result.is_constrained(t, side);

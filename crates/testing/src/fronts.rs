@@ -1,11 +1,15 @@
 //! A run with settings that are chosen when the program runs; one with every step of it, and whether another run
 //! takes the same steps.
 
-use sweep_cdt::front::{AnyFront, FrontSearch};
+#[cfg(feature = "parallel")]
+use sweep_cdt::Bands;
+use sweep_cdt::front::FrontSearch;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator, Watch};
 use sweep_cdt_trace::Trace;
+
+use crate::any_front::AnyFront;
 
 /// The choices of a run, beside the scalar.
 #[derive(Clone, Debug)]
@@ -37,10 +41,9 @@ impl Default for Choice {
 }
 
 impl Choice {
-    /// The triangulator with these choices; bands are left out.
-    pub fn triangulator(&self) -> Triangulator<'static, AnyFront> {
+    /// The triangulator with these choices; front and bands belong to a call.
+    pub fn triangulator(&self) -> Triangulator {
         Triangulator::new()
-            .front(self.front.clone())
             .heuristics(self.heuristics)
             .algorithm(self.algorithm)
     }
@@ -58,11 +61,15 @@ pub fn triangulate<S: Scalar + Sync>(
     let triangulator = choice.triangulator();
     #[cfg(feature = "parallel")]
     if choice.bands > 1 {
-        return triangulator
-            .bands(choice.bands)
-            .triangulate_parallel(points, edges);
+        let mut fronts = vec![choice.front.clone(); choice.bands];
+        let bands = Bands::new().count(choice.bands);
+        let bands = match choice.front {
+            AnyFront::HashTable(_) => bands,
+            _ => bands.fronts(&mut fronts),
+        };
+        return triangulator.triangulate_parallel(points, edges, bands);
     }
-    triangulator.triangulate(points, edges)
+    triangulator.run(points, edges, choice.front.clone().watch())
 }
 
 /// The steps of a run and its result.
@@ -79,9 +86,9 @@ impl Steps {
     /// The steps of this input in these numbers, with the default front.
     pub fn of<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]], heuristics: Heuristics) -> Steps {
         let mut trace = Trace::default();
-        let front = AnyFront::default();
         let mut observer = |event| trace.events.push(event);
-        let result = observe(points, edges, front, heuristics, &mut observer);
+        let watch = Watch::new().events(&mut observer);
+        let result = paper(heuristics).run(points, edges, watch);
         Steps {
             heuristics,
             trace,
@@ -95,11 +102,12 @@ impl Steps {
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
-        front: impl FrontSearch + Clone,
+        front: &mut dyn FrontSearch,
         name: &str,
     ) {
         self.compare(edges.len(), name, |observer| {
-            observe(points, edges, front, self.heuristics, observer)
+            let watch = Watch::new().front(front).events(observer);
+            paper(self.heuristics).run(points, edges, watch)
         });
     }
 
@@ -129,17 +137,11 @@ impl Steps {
     }
 }
 
-/// Triangulates with a front, and passes every step to `observer`.
-fn observe<S: Scalar>(
-    points: &[[S; 2]],
-    edges: &[[usize; 2]],
-    front: impl FrontSearch + Clone,
-    heuristics: Heuristics,
-    observer: &mut dyn FnMut(Event),
-) -> Result<Triangulation, Error> {
-    let triangulator = Triangulator::new().front(front).heuristics(heuristics);
-    let run = triangulator.observe(points, edges, observer)?;
-    Ok(run.triangulation)
+/// The sweep whose steps can be replayed.
+fn paper(heuristics: Heuristics) -> Triangulator {
+    Triangulator::new()
+        .algorithm(Algorithm::Paper)
+        .heuristics(heuristics)
 }
 
 /// Whether two results of an input with this many edges are equal in everything, numbers of triangles too.

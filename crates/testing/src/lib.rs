@@ -21,10 +21,12 @@
 //!
 //! docs/testing.md describes the tests that are made of this.
 
+pub mod any_front;
 pub mod asked;
 pub mod binary;
 pub mod clouds;
 pub mod conformance;
+pub mod counted;
 pub mod data;
 pub mod families;
 pub mod fronts;
@@ -41,8 +43,10 @@ mod samples;
 pub mod streams;
 pub mod suite;
 
+pub use any_front::AnyFront;
 pub use arbitrary;
 pub use clouds::segments;
+pub use counted::{counted, counted_with};
 pub use data::Input;
 pub use fronts::Steps;
 pub use oracle::boundary;

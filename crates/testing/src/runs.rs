@@ -1,7 +1,7 @@
 //! The table of runs: every scalar with every front and every setting of the heuristics, and every scalar
 //! with the other algorithms, in bands, and in memory that all inputs before it have used.
 //!
-//! A new front is a variant of the crate's [`AnyFront`], a new scalar one line in [`all`] and a [`Sample`] that says how
+//! A new front is a variant of [`AnyFront`], a new scalar one line in [`all`] and a [`Sample`] that says how
 //! it is made of a double.
 
 use std::cell::RefCell;
@@ -10,10 +10,10 @@ use std::cell::RefCell;
 use num_bigint::BigInt;
 #[cfg(feature = "runs")]
 use num_rational::{BigRational, Ratio};
-use sweep_cdt::front::AnyFront;
 use sweep_cdt::{Algorithm, Error, Heuristics, Session, Triangulator};
 
 use crate::Input;
+use crate::any_front::AnyFront;
 use crate::fronts::{Choice, triangulate};
 use crate::oracle::{Answer, Verdict, found};
 pub use crate::samples::{Archetype, Sample, convert};
@@ -49,6 +49,7 @@ const HEURISTICS: &[(&str, Heuristics)] = &[
 /// The algorithms beside the sweep, with their names.
 pub const ALGORITHMS: &[(&str, Algorithm)] = &[
     ("divide and conquer", Algorithm::DivideAndConquer),
+    ("the paper's order", Algorithm::Paper),
     #[cfg(feature = "comparison")]
     ("incremental", Algorithm::Incremental),
     #[cfg(feature = "comparison")]
@@ -185,7 +186,7 @@ fn call<S: Sample>(input: &Input, choice: &Choice) -> Option<Outcome> {
 
 thread_local! {
     /// The memory that runs of this thread keep, whatever their scalar.
-    static SESSION: RefCell<Session<'static>> = RefCell::new(Triangulator::new().session());
+    static SESSION: RefCell<Session> = RefCell::new(Triangulator::new().session());
 }
 
 fn call_in_kept_memory<S: Sample>(input: &Input, _: &Choice) -> Option<Outcome> {

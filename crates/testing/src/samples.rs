@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{FromPrimitive, ToPrimitive};
-use sweep_cdt::scalar::{Measure, Scalar, Stage};
+use sweep_cdt::scalar::Scalar;
 
 use crate::oracle::common_denominator;
 
@@ -18,7 +18,7 @@ pub fn convert<S: Sample>(points: &[[f64; 2]]) -> Option<Vec<[S; 2]>> {
 }
 
 /// A scalar that can be made of a double.
-pub trait Sample: Measure + Sync {
+pub trait Sample: Scalar + Sync {
     /// Exactly this number, if the type can hold it.
     fn of(x: f64) -> Option<Self>;
 }
@@ -99,25 +99,22 @@ impl Scalar for Archetype {
         self.0.cmp(&other.0)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
         let [a, b, c] = whole([a, b, c]);
         let left = (&b[0] - &a[0]) * (&c[1] - &a[1]);
-        let sign = left.cmp(&((&b[1] - &a[1]) * (&c[0] - &a[0])));
-        (sign, Stage::Own)
+        left.cmp(&((&b[1] - &a[1]) * (&c[0] - &a[0])))
     }
 
-    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
         let [a, b, c, d] = whole([a, b, c, d]);
         let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|p| [0, 1].map(|i| &p[i] - &d[i]));
         let lift = |x: &BigInt, y: &BigInt| x * x + y * y;
         let det = lift(&ax, &ay) * (&bx * &cy - &by * &cx)
             + lift(&bx, &by) * (&cx * &ay - &cy * &ax)
             + lift(&cx, &cy) * (&ax * &by - &ay * &bx);
-        (det.cmp(&BigInt::ZERO), Stage::Own)
+        det.cmp(&BigInt::ZERO)
     }
 }
-
-impl Measure for Archetype {}
 
 impl Sample for Archetype {
     fn of(x: f64) -> Option<Archetype> {

@@ -3,13 +3,13 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use sweep_cdt::front::AnyFront;
 use sweep_cdt::verify::{Level, Verifier};
 use sweep_cdt::{Error, Triangulation, Triangulator};
 use sweep_cdt_generate::Random;
 use sweep_cdt_stream::{Final, Stream, StreamError, StreamVerifier, StreamViolation};
 
 use crate::Input;
+use crate::any_front::AnyFront;
 use crate::oracle::Answer;
 use crate::samples::{Sample, convert};
 
@@ -55,8 +55,7 @@ fn collected<S: Sample + Clone>(
     };
     let mut hull = Vec::new();
     let small = |number: u64| usize::try_from(number).expect("a position");
-    let triangulator = Triangulator::new().front(way.front.clone());
-    let stream = Stream::new(triangulator, |found| match found {
+    let stream = Stream::new(Triangulator::new(), |found| match found {
         Final::Triangle {
             corners,
             constrained,
@@ -77,7 +76,11 @@ fn collected<S: Sample + Clone>(
         }
         other => panic!("{other:?} is unknown"),
     });
+    let mut front = way.front.clone();
     let mut stream = stream.window(way.window);
+    if !matches!(front, AnyFront::HashTable(_)) {
+        stream = stream.front(&mut front);
+    }
     let by_x = |u: &&[S; 2], v: &&[S; 2]| u[0].compare(&v[0]);
     if way.is_range_known
         && let (Some([least, _]), Some([most, _])) =
@@ -119,7 +122,7 @@ fn collected<S: Sample + Clone>(
 
 /// Pushes each vertex, and the edges that begin there.
 fn feed<S: Sample + Clone, O: FnMut(Final)>(
-    stream: &mut Stream<'_, S, O, AnyFront>,
+    stream: &mut Stream<'_, S, O>,
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     sorted: &[usize],
@@ -179,7 +182,7 @@ fn chain<S: Sample>(points: &[[S; 2]], of: &[usize], [u, v]: [usize; 2]) -> Vec<
         let [low, high, w] = [low, high, w].map(|v| &points[v]);
         sweep_order(low, w).is_le()
             && sweep_order(w, high).is_le()
-            && (sweep_order(low, high).is_eq() || S::orient2d(low, high, w).0.is_eq())
+            && (sweep_order(low, high).is_eq() || S::orient2d(low, high, w).is_eq())
     };
     let mut chain: Vec<usize> = (0..points.len())
         .filter(|&w| of[w] == w && is_on(w))

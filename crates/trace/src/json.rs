@@ -35,12 +35,12 @@ fn is_first(step: &usize) -> bool {
 /// Writes a trace as JSON Lines.
 ///
 /// ```
-/// use sweep_cdt::Triangulator;
+/// use sweep_cdt::{Triangulator, Watch};
 /// use sweep_cdt_trace::{Trace, read_trace, write_trace};
 ///
 /// let mut trace = Trace::default();
-/// Triangulator::new()
-///     .observe(&[[0, 0], [3, 0], [0, 2]], &[], |event| trace.events.push(event))?;
+/// let mut push = |event| trace.events.push(event);
+/// Triangulator::new().run(&[[0, 0], [3, 0], [0, 2]], &[], Watch::new().events(&mut push))?;
 /// let mut lines = Vec::new();
 /// write_trace(&trace, &mut lines)?;
 /// assert_eq!(read_trace(&String::from_utf8(lines)?)?, trace);

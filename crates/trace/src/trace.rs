@@ -11,13 +11,14 @@ use crate::{replay, text};
 /// The events of a run, or of a part of it.
 ///
 /// ```
-/// use sweep_cdt::Triangulator;
+/// use sweep_cdt::{Algorithm, Triangulator, Watch};
 /// use sweep_cdt_trace::Trace;
 ///
 /// let mut trace = Trace::default();
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-/// let run = Triangulator::new()
-///     .observe(&points, &[[0, 2]], |event| trace.events.push(event))?;
+/// let mut push = |event| trace.events.push(event);
+/// let watch = Watch::new().events(&mut push);
+/// let result = Triangulator::new().algorithm(Algorithm::Paper).run(&points, &[[0, 2]], watch)?;
 ///
 /// let mut text = Vec::new();
 /// trace.write_text(&mut text)?;
@@ -26,7 +27,7 @@ use crate::{replay, text};
 ///
 /// let read = Trace::parse(&text)?;
 /// assert_eq!(read, trace);
-/// assert_eq!(read.replay()?, run.triangulation.canonical_triangles());
+/// assert_eq!(read.replay()?, result.canonical_triangles());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -63,7 +64,8 @@ impl Trace {
 
     /// Rebuilds the result on an empty mesh, triangle by triangle, without any geometry.
     ///
-    /// Returns the triangles as [`canonical_triangles`](sweep_cdt::Triangulation::canonical_triangles) does. Every step
+    /// The run must have been one with [`Algorithm::Paper`](sweep_cdt::Algorithm::Paper): others have steps that no event
+    /// names, and are refused where such a step is missing. Returns the triangles as [`canonical_triangles`](sweep_cdt::Triangulation::canonical_triangles) does. Every step
     /// must be one that the sweep could take on the mesh and the front that the steps before it made:
     ///
     /// - vertices are swept in the order that the trace begins with, each once, on a segment of the front;
@@ -102,12 +104,13 @@ impl Trace {
     /// its first step on. Every change is noticed. A trace may begin later than the run and end earlier.
     ///
     /// ```
-    /// use sweep_cdt::Triangulator;
+    /// use sweep_cdt::{Triangulator, Watch};
     /// use sweep_cdt_trace::Trace;
     ///
     /// let mut events = Vec::new();
     /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
-    /// Triangulator::new().observe(&points, &[], |event| events.push(event))?;
+    /// let mut push = |event| events.push(event);
+    /// Triangulator::new().run(&points, &[], Watch::new().events(&mut push))?;
     /// let trace = Trace { skipped: 2, events: events[2..5].to_vec() };
     /// trace.compare(&events)?;
     ///

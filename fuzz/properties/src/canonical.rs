@@ -15,7 +15,7 @@ use std::cmp::Ordering;
 
 use sweep_cdt::interior::{FillRule, InteriorError, Ring};
 use sweep_cdt::scalar::filtered_orient2d;
-use sweep_cdt::{Algorithm, Corners, Error, Heuristics, Triangulator, triangulate};
+use sweep_cdt::{Algorithm, Bands, Corners, Error, Heuristics, Triangulator, triangulate};
 
 use crate::reached;
 use sweep_cdt_testing::Random;
@@ -253,8 +253,8 @@ fn judge_polygons(points: &[[f64; 2]], ring: &[[usize; 2]]) {
 /// In bands the answer is the same, and of several crossings the same one is named.
 fn judge_bands(Input { points, edges }: &Input, here: Option<&Answer>, random: &mut Random) {
     let bands = 2 + random.below(4);
-    let run = Triangulator::new().bands(bands);
-    let there = run.triangulate_parallel(points, edges);
+    let run = Triangulator::new();
+    let there = run.triangulate_parallel(points, edges, Bands::new().count(bands));
     let answer = there.map(|result| {
         check_links(&result);
         found(&result, points.len(), edges.len())

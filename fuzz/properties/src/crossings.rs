@@ -5,7 +5,7 @@
 
 use num_rational::BigRational;
 use sweep_cdt::crossings::{Crossing, Effort, Split, crossings, crossings_with, split};
-use sweep_cdt::scalar::{Measure, Scalar};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Error, Triangulation, triangulate};
 use sweep_cdt_testing::oracle::arrangement::{self, Exact, fractions, is_nearest};
 use sweep_cdt_testing::oracle::{Graph, check_answer, found};
@@ -163,7 +163,7 @@ fn judge_rounded(
 
 /// The triangulation of the pieces, which the verifier and the oracle accept, and in which each edge runs from its
 /// first end to its second.
-fn triangulated<S: Measure>(
+fn triangulated<S: Scalar>(
     split: &Split<S>,
     exact: &[Exact],
     points: &[Exact],

@@ -7,7 +7,7 @@
 
 use arbitrary::{Result, Unstructured};
 use sweep_cdt::Heuristics;
-use sweep_cdt::front::{self, Front, FrontInput, FrontNode, FrontSearch, HashTable, SkipList};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, HashTable, SkipList};
 use sweep_cdt_experiments::fronts::AnyFront;
 use sweep_cdt_experiments::{Contestant, standard};
 
@@ -56,24 +56,24 @@ fn judge(Input { points, edges }: &Input, choices: u64) {
     let steps = Steps::of(points, edges, heuristics);
     let random = &mut Random::new(choices / 3);
     let is_chosen = |random: &mut Random| random.one_in(CHOSEN);
-    for front in front::AnyFront::all() {
+    for mut front in sweep_cdt_testing::AnyFront::all() {
         if is_chosen(random) {
             let name = front.name();
-            steps.assert_same(points, edges, front, name);
+            steps.assert_same(points, edges, &mut front, name);
         }
     }
     for contestant in standard() {
         if is_chosen(random) {
-            let front = contestant.front().clone();
-            steps.assert_same(points, edges, front, contestant.name());
+            let mut front = contestant.front().clone();
+            steps.assert_same(points, edges, &mut front, contestant.name());
         }
     }
     if is_chosen(random) {
-        let astray = Astray::default();
-        steps.assert_same(points, edges, astray, "a structure that leads astray");
+        let mut astray = Astray::default();
+        steps.assert_same(points, edges, &mut astray, "a structure that leads astray");
     }
     if is_chosen(random) {
-        steps.assert_same(points, edges, Idle, "a structure that knows nothing");
+        steps.assert_same(points, edges, &mut Idle, "a structure that knows nothing");
     }
 }
 
@@ -85,6 +85,10 @@ struct Astray {
 }
 
 impl FrontSearch for Astray {
+    fn begin(&mut self, _: FrontInput<'_>) {
+        self.nodes.clear();
+    }
+
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
         self.turn += 1;
         match self.turn % 3 {

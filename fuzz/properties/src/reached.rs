@@ -80,12 +80,12 @@ const REACHABLE: [Reachable; 16] = [
 impl Run {
     fn of(Input { points, edges }: &Input) -> Run {
         let Steps { trace, result, .. } = Steps::of(points, edges, Heuristics::PAPER);
-        let counted = Triangulator::new().triangulate_with_stats(points, edges);
+        let run = sweep_cdt_testing::counted(&Triangulator::new(), points, edges);
         Run {
             edges: edges.len(),
             events: trace.events,
             result,
-            counters: counted.map_or_else(|_| Counters::default(), |run| run.stats.counters),
+            counters: run.map_or_else(|_| Counters::default(), |run| run.stats.counters),
         }
     }
 

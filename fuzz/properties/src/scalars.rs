@@ -9,15 +9,14 @@
 use bnum::types::I256;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
-use sweep_cdt::front::AnyFront;
-use sweep_cdt::scalar::{Measure, Scalar};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation};
 
 use crate::reached;
-use sweep_cdt_testing::Steps;
 use sweep_cdt_testing::fronts::{self, Choice};
 use sweep_cdt_testing::oracle::{self, Integers, found};
 use sweep_cdt_testing::runs::{Archetype, Sample, convert};
+use sweep_cdt_testing::{AnyFront, Steps};
 use sweep_cdt_testing::{Input, generators};
 
 /// The property for the choices and the input that the bytes stand for.
@@ -118,13 +117,13 @@ fn agrees_by_reference(Input { points, edges }: &Input, steps: &Steps) {
 
 /// Panics unless the same points in another scalar lead through the same steps, to a result that the
 /// verifier accepts with that scalar's predicates.
-fn assert_same_steps<S: Measure>(
+fn assert_same_steps<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     steps: &Steps,
     name: &str,
 ) {
-    steps.assert_same(points, edges, AnyFront::default(), name);
+    steps.assert_same(points, edges, &mut AnyFront::default(), name);
     if let Ok(result) = &steps.result {
         let report = result.with_points(points).verify(edges);
         assert!(

@@ -17,7 +17,7 @@ use std::{fs, io, thread};
 
 use sweep_cdt::crossings::crossings;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Error, Pslg, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Error, Pslg, Triangulation, Triangulator, Watch};
 use sweep_cdt_draw::{CrossingsPicture, ResultPicture};
 use sweep_cdt_testing::Input;
 use sweep_cdt_testing::judge::quietly;
@@ -89,13 +89,15 @@ fn swept(input: &Input) -> (Vec<Event>, Result<Result<Triangulation, Error>, Str
     let events = Arc::new(Mutex::new(Vec::new()));
     let (input, seen) = (input.clone(), Arc::clone(&events));
     let result = within(PATIENCE, move || {
-        let run = Triangulator::new().observe(&input.points, &input.edges, |event| {
+        let mut observer = |event| {
             let mut seen = seen.lock().unwrap_or_else(PoisonError::into_inner);
             if seen.len() < STEPS {
                 seen.push(event);
             }
-        });
-        run.map(|run| run.triangulation)
+        };
+        let watch = Watch::new().events(&mut observer);
+        let triangulator = Triangulator::new().algorithm(Algorithm::Paper);
+        triangulator.run(&input.points, &input.edges, watch)
     });
     let seen = events.lock().unwrap_or_else(PoisonError::into_inner);
     (seen.clone(), result)

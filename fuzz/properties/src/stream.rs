@@ -2,12 +2,11 @@
 //! says of each list of triangles what the verifier in memory says, in any order and at each level.
 
 use num_rational::BigRational;
-use sweep_cdt::front::AnyFront;
 use sweep_cdt::triangulate;
 use sweep_cdt::verify::Level;
 use sweep_cdt_testing::oracle::{crosses, found};
 use sweep_cdt_testing::streams::{Altered, Feeding, Streaming, streamed};
-use sweep_cdt_testing::{Input, Random, generators};
+use sweep_cdt_testing::{AnyFront, Input, Random, generators};
 
 use crate::{reached, share};
 

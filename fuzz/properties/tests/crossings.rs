@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 
 use num_rational::BigRational;
 use sweep_cdt::crossings::{Exact, SplitError, crossings, split};
-use sweep_cdt::scalar::{Scalar, Stage};
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Error, triangulate};
 use sweep_cdt_properties::crossings::{Rounded, judge};
 use sweep_cdt_testing::{Input, Random, minimize};
@@ -182,12 +182,12 @@ impl Scalar for Wrong {
         self.0.compare(&other.0)
     }
 
-    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
         let [a, b, c] = [a, b, c].map(|point| point.each_ref().map(Scalar::approx));
         f64::orient2d(&a, &b, &c)
     }
 
-    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> (Ordering, Stage) {
+    fn in_circle(_: &[Self; 2], _: &[Self; 2], _: &[Self; 2], _: &[Self; 2]) -> Ordering {
         unreachable!("nothing is triangulated")
     }
 }

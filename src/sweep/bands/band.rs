@@ -1,6 +1,5 @@
 //! One band: swept as if it were all there is, and then enclosed in ghosts. Cost: that of the sweep.
 
-use alloc::boxed::Box;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::mem::take;
@@ -9,18 +8,16 @@ use super::super::divide_and_conquer::SubTriangulation;
 use super::super::initialization::begin;
 use super::super::scratch::{Held, Lent};
 use super::super::vertices::Vertices;
-use super::BandProbe;
 use super::partition::Edge;
 use crate::error::Error;
-use crate::front::{FrontSearch, Search};
+use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::mesh::Mesh;
+use crate::observe::probe::{Observer, Probe};
+use crate::observe::recorder::Recorder;
 use crate::scalar::ExactPoints;
 use crate::settings::Settings;
 use crate::triangulation::edge_chains::EdgeChainBuilder;
-
-/// The search structure of a band.
-pub(crate) type Structure<'f> = Box<dyn FrontSearch + Send + 'f>;
 
 /// A band before the sweep.
 pub(super) struct Band<'f> {
@@ -29,17 +26,18 @@ pub(super) struct Band<'f> {
     pub(super) edges: Vec<Vec<Edge>>,
     /// The rank of the band's first vertex in the whole.
     pub(super) first: usize,
-    pub(super) search: Structure<'f>,
+    /// The search structure, if the caller gives one.
+    pub(super) front: Option<&'f mut (dyn FrontSearch + Send)>,
 }
 
 /// A band after the sweep. Vertices and triangles are numbered within the band.
 #[derive(Debug)]
-pub(super) struct Swept<C> {
+pub(super) struct Swept {
     pub(super) vertices: Vertices,
     pub(super) mesh: Mesh,
     pub(super) part: SubTriangulation,
     pub(super) chains: EdgeChainBuilder,
-    pub(super) counts: C,
+    pub(super) counts: Option<Recorder>,
 }
 
 /// The input: what all bands share.
@@ -49,20 +47,31 @@ pub(super) struct Shared<'a> {
     pub(super) inputs: Arc<Vec<[u32; 2]>>,
     /// The number of all vertices, which is also the number of the ghosts' common vertex.
     pub(super) outside: VertexId,
+    pub(super) settings: Settings,
+    /// Whether the work is counted.
+    pub(super) counts: bool,
 }
 
 impl Shared<'_> {
     /// Triangulates a band of at least two vertices with the edges within it.
-    pub(super) fn sweep<P: BandProbe>(
-        &self,
-        Band {
+    pub(super) fn sweep(&self, band: Band<'_>) -> Result<Swept, Error> {
+        if !self.counts {
+            return Ok(self.sweep_with(band, ())?.0);
+        }
+        let (swept, observer) = self.sweep_with(band, Observer::default())?;
+        Ok(Swept {
+            counts: Some(observer.recorder),
+            ..swept
+        })
+    }
+
+    fn sweep_with<P: Probe>(&self, band: Band<'_>, probe: P) -> Result<(Swept, P), Error> {
+        let Band {
             vertices,
             edges,
             first,
-            mut search,
-        }: Band<'_>,
-        settings: Settings<'_>,
-    ) -> Result<Swept<P::Counts>, Error> {
+            front,
+        } = band;
         let n = vertices.len();
         let mut held = Held {
             vertices,
@@ -76,29 +85,30 @@ impl Shared<'_> {
         lent.edges.list(n, edges.iter().flatten().copied());
         drop(edges);
         let chains = EdgeChainBuilder::new(Arc::clone(&self.inputs));
-        let (search, probe) = (Search::with(&mut *search), P::default());
+        let (points, settings) = (self.points, self.settings);
         let mut sweep = begin(
-            self.points,
+            points,
             chains,
             settings,
-            search,
+            front.map(|front| front as _),
             probe,
             held,
             &mut lent,
         );
-        sweep.triangulate(settings)?;
+        sweep.triangulate(settings, None)?;
         let bytes = sweep.heap_bytes();
         sweep.delaunay.probe.record(|r| r.stats.memory = bytes);
         let part = sweep.enclose(n, VertexId::at(self.outside.index() - first));
         let chains = take(&mut sweep.chains);
         let (mut held, probe) = sweep.give_back();
         held.vertices.approx.truncate(n);
-        Ok(Swept {
+        let swept = Swept {
             vertices: held.vertices,
             mesh: held.mesh,
             part,
             chains,
-            counts: probe.counts(),
-        })
+            counts: None,
+        };
+        Ok((swept, probe))
     }
 }

@@ -9,23 +9,23 @@ use super::super::Sweep;
 use super::super::divide_and_conquer::MergeMode;
 use super::super::flip_limit::FlipLimit;
 use super::super::scratch::{Held, Lent};
-use super::BandProbe;
 use super::band::Swept;
 use super::partition::Edge;
-use crate::front::{Front, Search};
+use crate::front::{Front, HashTable, Search};
 use crate::ids::narrow;
+use crate::observe::probe::Probe;
+use crate::observe::recorder::Recorder;
 use crate::scalar::ExactPoints;
 use crate::settings::Settings;
 use alloc::vec;
 use alloc::vec::Vec;
 
 /// Joins two bands or more into a sweep whose hull is complete. `None` after too many flips, or where an edge is wrong.
-pub(super) fn join<'a, P: BandProbe>(
+pub(super) fn join<'a, P: Probe>(
     points: &'a dyn ExactPoints,
-    bands: Vec<Swept<P::Counts>>,
+    bands: Vec<Swept>,
     crossing: Vec<Edge>,
-    settings: Settings<'_>,
-    search: Search<'a>,
+    settings: Settings,
     mut probe: P,
     lent: &'a mut Lent,
 ) -> Option<Sweep<'a, P>> {
@@ -33,14 +33,14 @@ pub(super) fn join<'a, P: BandProbe>(
     let lowest = bands.next().expect("there are two bands");
     let (mut mesh, mut vertices, mut chains) = (lowest.mesh, lowest.vertices, lowest.chains);
     let (mut n, mut triangles) = (vertices.len(), mesh.len());
-    probe.add(lowest.counts, 0);
+    add_counts(&mut probe, lowest.counts, 0);
     let mut parts = vec![lowest.part];
     let (mut starts, mut meshes, mut others) = (Vec::new(), Vec::new(), Vec::new());
     for band in bands {
         starts.push((n, triangles));
         parts.push(band.part.moved(narrow(triangles)));
         chains.append(band.chains).ok()?;
-        probe.add(band.counts, triangles);
+        add_counts(&mut probe, band.counts, triangles);
         n += band.vertices.len();
         triangles += band.mesh.len();
         meshes.push(band.mesh);
@@ -66,6 +66,8 @@ pub(super) fn join<'a, P: BandProbe>(
         front: Some(front),
         ..Held::default()
     };
+    // The front is at its end: nothing is searched any more.
+    let search = Search::with(None, HashTable::default());
     let mut sweep = Sweep::new(points, chains, settings, search, probe, held, lent);
     let delaunay = &mut sweep.delaunay;
     // Whatever the algorithm, joining is given up where it flips too much.
@@ -89,4 +91,11 @@ pub(super) fn join<'a, P: BandProbe>(
     sweep.insert_pending().ok()?;
     sweep.insert_deferred().ok()?;
     Some(sweep)
+}
+
+/// Adds the counts of a band whose triangles come after the first `triangles` of all bands.
+fn add_counts(probe: &mut impl Probe, counts: Option<Recorder>, triangles: usize) {
+    if let Some(counts) = counts {
+        probe.record(|recorder| recorder.add_band(counts, triangles));
+    }
 }

@@ -51,17 +51,17 @@ fn key(height: f64) -> u64 {
 }
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Sweeps with a beach line, and then inserts the edges; afterwards the hull is complete. Returns how many vertices
-    /// lie within it: all, or none if all lie on one line or the sweep led to no triangulation.
-    pub(in crate::sweep) fn sweep_beach_line(&mut self) -> Result<usize, Error> {
+    /// Sweeps with a beach line, and then inserts the edges; afterwards the hull is complete. Returns false if all
+    /// vertices lie on one line or the sweep led to no triangulation.
+    pub(in crate::sweep) fn sweep_beach_line(&mut self) -> Result<bool, Error> {
         let n = self.delaunay.predicates.vertices.len();
         if self.begin_off_line().is_none() {
-            return Ok(0);
+            return Ok(false);
         }
         self.clear();
         let line = self.delaunay.beach_line();
         if !self.delaunay.is_convex(&line) {
-            return Ok(0);
+            return Ok(false);
         }
         self.delaunay.legalize_all();
         let start = self.delaunay.ghosts_around(&line);

@@ -39,11 +39,11 @@ use crate::observe::probe::Probe;
 use crate::trace::Why;
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Inserts points, then edges, and completes the hull. Returns the number of vertices, or 0 if all lie on one line.
-    pub(in crate::sweep) fn insert_at_random(&mut self) -> Result<usize, Error> {
+    /// Inserts points, then edges, and completes the hull. Returns false if all vertices lie on one line.
+    pub(in crate::sweep) fn insert_at_random(&mut self) -> Result<bool, Error> {
         let n = self.delaunay.predicates.vertices.len();
         let Some(off_line) = self.begin_off_line() else {
-            return Ok(0);
+            return Ok(false);
         };
         self.clear();
         self.delaunay.triangle_of_first(off_line);

@@ -21,7 +21,7 @@ use core::cmp::Ordering::Equal;
 use super::Sweep;
 use super::delaunay::Delaunay;
 use crate::error::Error;
-use crate::ids::VertexId;
+use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::observe::recorder::Phase;
@@ -42,15 +42,23 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay.mesh.reset_borders(n + 2);
     }
 
-    /// Inserts the edges where ghosts surround all vertices; returns the number of these. For `start` see `hand_over`.
-    fn finish_from_ghosts(&mut self, start: HalfEdge) -> Result<usize, Error> {
+    /// Inserts the edges where ghosts surround all vertices. For `start` see `hand_over`.
+    fn finish_from_ghosts(&mut self, start: HalfEdge) -> Result<bool, Error> {
         self.hand_over(start);
         self.insert_all()?;
-        Ok(self.delaunay.predicates.vertices.len())
+        Ok(true)
     }
 }
 
 impl<P: Probe> Delaunay<'_, P> {
+    /// Legalizes all sides.
+    fn legalize_all(&mut self) {
+        for t in (0..self.mesh.len()).map(TriangleId::at) {
+            self.stack([0, 1, 2].map(|side| HalfEdge::new(t, side)));
+            self.legalize();
+        }
+    }
+
     /// The first vertex in sweep order that does not lie on the line of the first two, if there is one.
     fn first_off_line(&mut self) -> Option<VertexId> {
         let [a, b] = [0, 1].map(VertexId::new);

@@ -59,12 +59,12 @@ impl LowerHull {
 }
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Sweeps the points, and then inserts the edges; afterwards the hull is complete. Returns how many vertices lie
-    /// within it: all, or none if they all lie on one line.
-    pub(in crate::sweep) fn sweep_without_artificial(&mut self) -> Result<usize, Error> {
+    /// Sweeps the points, and then inserts the edges; afterwards the hull is complete. Returns false if all vertices
+    /// lie on one line.
+    pub(in crate::sweep) fn sweep_without_artificial(&mut self) -> Result<bool, Error> {
         let n = self.delaunay.predicates.vertices.len();
         let Some(off_line) = self.begin_off_line() else {
-            return Ok(0);
+            return Ok(false);
         };
         let first = off_line.index() + 1;
         for v in (1..first).map(VertexId::at) {
@@ -92,7 +92,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.complete_hull();
         self.enclose_lower_hull(&hull);
         self.insert_all()?;
-        Ok(n)
+        Ok(true)
     }
 
     /// The last real node of the front in a direction.

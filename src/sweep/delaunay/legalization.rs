@@ -83,21 +83,6 @@ impl<P: Probe> Delaunay<'_, P> {
         }
     }
 
-    /// Legalizes all sides, or stops when the budget of flips is spent.
-    pub(in crate::sweep) fn legalize_all(&mut self) {
-        for t in (0..self.mesh.len()).map(TriangleId::at) {
-            // Each side from the lower-numbered of its two triangles.
-            let sides = [0, 1, 2].map(|i| HalfEdge::new(t, i)).into_iter();
-            let mesh = &self.mesh;
-            let is_first = |&side: &HalfEdge| {
-                let twin = mesh.twin(side);
-                !twin.is_border() && twin.triangle() > t
-            };
-            self.flip_stack.extend(sides.filter(is_first));
-            self.legalize();
-        }
-    }
-
     #[inline(always)]
     fn flip_and_stack(&mut self, side: HalfEdge) {
         let twin = self.flip(side);

@@ -15,6 +15,7 @@ use super::predicates::SweepPredicates;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
 use crate::observe::probe::Probe;
+use crate::settings::Algorithm;
 use crate::trace::{Event, Vertex, Why};
 use cavity::Polygons;
 pub(super) use fill::ChainVertex;
@@ -30,13 +31,15 @@ pub(super) struct Buffers {
 }
 
 /// Triangles, predicates, and the sides that legalization still has to test. The whole sweep uses
-/// the first four fields; the others are this folder's own.
+/// the first five fields; the others are this folder's own.
 #[derive(Debug)]
 pub(super) struct Delaunay<'a, P> {
     pub(super) mesh: Mesh,
     pub(super) predicates: SweepPredicates<'a>,
     pub(super) flip_limit: FlipLimit,
     pub(super) probe: P,
+    /// Whether edges are inserted as in the paper.
+    pub(super) is_paper: bool,
     flip_stack: &'a mut Vec<HalfEdge>,
     /// Of [`Delaunay::insert_run`].
     run: &'a mut Run,
@@ -45,14 +48,15 @@ pub(super) struct Delaunay<'a, P> {
 }
 
 impl<'a, P: Probe> Delaunay<'a, P> {
-    /// The triangles of `mesh`, with the predicates of their vertices. `has_budget` if the work may be abandoned.
+    /// The triangles of `mesh`, with the predicates of their vertices.
     pub(super) fn new(
         mesh: Mesh,
         predicates: SweepPredicates<'a>,
-        has_budget: bool,
+        algorithm: Algorithm,
         probe: P,
         buffers: &'a mut Buffers,
     ) -> Self {
+        let has_budget = algorithm == Algorithm::Auto;
         let flip_limit = FlipLimit::new(predicates.vertices.len(), has_budget);
         let Buffers {
             flip_stack,
@@ -66,6 +70,7 @@ impl<'a, P: Probe> Delaunay<'a, P> {
             predicates,
             flip_limit,
             probe,
+            is_paper: algorithm == Algorithm::Paper,
             flip_stack,
             run,
             polygons,

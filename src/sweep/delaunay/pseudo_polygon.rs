@@ -89,11 +89,11 @@ use core::mem::take;
 const SHORT: usize = if cfg!(any(test, fuzzing)) { 3 } else { 16 };
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Fills a pseudo-polygon if its chain is long, and nobody watches the steps. Of the chain only the part of the edge
+    /// Fills a pseudo-polygon if its chain is long, unless the paper's order is asked for. Of the chain only the part of the edge
     /// is left. Returns whether the pseudo-polygon has been filled.
     pub(super) fn fill_in_random_order(&mut self, chain: &mut PseudoPolygonChain) -> bool {
         let len = chain.corners.len();
-        if len <= SHORT || self.is_observed() {
+        if len <= SHORT || self.is_paper {
             return false;
         }
         let mut run = take(self.run);
@@ -158,6 +158,7 @@ mod tests {
     use super::Delaunay;
     use crate::ids::{TriangleId, VertexId};
     use crate::mesh::HalfEdge;
+    use crate::settings::Algorithm;
     use alloc::vec;
     use alloc::vec::Vec;
     use core::cmp::Ordering::Greater;
@@ -188,7 +189,13 @@ mod tests {
             number[input as usize] = VertexId::at(rank);
         }
         let predicates = SweepPredicates::new(&points, vertices);
-        let mut delaunay = Delaunay::new(held.mesh, predicates, true, (), &mut lent.delaunay);
+        let mut delaunay = Delaunay::new(
+            held.mesh,
+            predicates,
+            Algorithm::Auto,
+            (),
+            &mut lent.delaunay,
+        );
         delaunay.mesh.begin(points.len(), 0);
         let mut first = None;
         let mut spoke = HalfEdge::border(delaunay.mesh.add_border());

@@ -11,34 +11,16 @@
 
 use super::super::Sweep;
 use super::super::flip_limit::inexact_scalar;
+#[cfg(feature = "parallel")]
 use super::SubTriangulation;
-use crate::ids::{BorderId, VertexId};
+use crate::ids::BorderId;
+#[cfg(feature = "parallel")]
+use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use alloc::vec::Vec;
 
 impl<P: Probe> Sweep<'_, P> {
-    /// Encloses the `vertices` vertices swept, two or more, in ghosts with the vertex `outside`.
-    pub(in crate::sweep) fn enclose(
-        &mut self,
-        vertices: usize,
-        outside: VertexId,
-    ) -> SubTriangulation {
-        let mut ghosts = self.lower_ghosts();
-        self.add_upper_ghosts(&mut ghosts);
-        let highest = VertexId::at(vertices - 1);
-        let part = SubTriangulation {
-            first: self.starting_at(VertexId::new(0), &ghosts),
-            last: self.starting_at(highest, &ghosts),
-        };
-        for (i, &ghost) in ghosts.iter().enumerate() {
-            let next = ghosts[(i + 1) % ghosts.len()];
-            self.delaunay.join_ghosts(ghost, next);
-            self.delaunay.mesh.set_opposite(ghost, outside);
-        }
-        part
-    }
-
     /// The artificial triangles of the lower hull as ghosts, counter-clockwise; the one with both P-1 and P-2 retires.
     pub(in crate::sweep) fn lower_ghosts(&mut self) -> Vec<HalfEdge> {
         let artificial = self.delaunay.predicates.artificial;
@@ -61,6 +43,30 @@ impl<P: Probe> Sweep<'_, P> {
             }
         }
         ghosts
+    }
+}
+
+#[cfg(feature = "parallel")]
+impl<P: Probe> Sweep<'_, P> {
+    /// Encloses the `vertices` vertices swept, two or more, in ghosts with the vertex `outside`.
+    pub(in crate::sweep) fn enclose(
+        &mut self,
+        vertices: usize,
+        outside: VertexId,
+    ) -> SubTriangulation {
+        let mut ghosts = self.lower_ghosts();
+        self.add_upper_ghosts(&mut ghosts);
+        let highest = VertexId::at(vertices - 1);
+        let part = SubTriangulation {
+            first: self.starting_at(VertexId::new(0), &ghosts),
+            last: self.starting_at(highest, &ghosts),
+        };
+        for (i, &ghost) in ghosts.iter().enumerate() {
+            let next = ghosts[(i + 1) % ghosts.len()];
+            self.delaunay.join_ghosts(ghost, next);
+            self.delaunay.mesh.set_opposite(ghost, outside);
+        }
+        part
     }
 
     /// Adds ghosts for the upper hull, from right to left.

@@ -9,12 +9,10 @@
 //! inserts the edges in sweep order, so that of several crossings the same one is found. Cost of the edges: see
 //! [`super::edge_event`] and [`super::pending_edges`].
 //!
-//! A sweep that is abandoned leaves its lower vertices triangulated. If there are no edges, ghosts enclose them as a
-//! sub-triangulation ([`enclose`]). With edges all begins anew: no constrained side may go.
-//!
 //! Differs from Guibas and Stolfi: triangles with ghosts in place of a quad-edge structure (after Shewchuk 1996); a
 //! loop with a stack in place of the recursion; ties follow the canonical rule; halves are divided by y.
 
+#[cfg(any(feature = "comparison", feature = "parallel"))]
 mod enclose;
 mod ghosts;
 mod hand_over;
@@ -62,15 +60,14 @@ pub(super) enum MergeMode {
 
 impl<P: Probe> Sweep<'_, P> {
     /// Triangulates without sweeping, and inserts each edge down to the first vertex on it; afterwards the hull is
-    /// complete. The first `swept` vertices keep their triangles, whose hull is complete. If there are any, two other
-    /// vertices or more follow, and there are no edges.
-    pub(super) fn divide_and_conquer(&mut self, swept: usize) -> Result<(), Error> {
-        self.divide_and_conquer_points(swept);
+    /// complete. What a sweep has made is forgotten.
+    pub(super) fn divide_and_conquer(&mut self) -> Result<(), Error> {
+        self.divide_and_conquer_points();
         self.insert_all()
     }
 
     /// Triangulates the points without sweeping, in the same way.
-    pub(super) fn divide_and_conquer_points(&mut self, swept: usize) {
+    pub(super) fn divide_and_conquer_points(&mut self) {
         self.delaunay.probe.begin(Phase::Sweeping);
         let n = self.delaunay.predicates.vertices.len();
         self.delaunay.probe.record(|r| r.stats.is_divided = true);
@@ -79,20 +76,13 @@ impl<P: Probe> Sweep<'_, P> {
         self.pending.clear();
         self.deferred = DeferredEdges::new(&self.delaunay);
         self.vertex_triangles.clear();
-        let lower =
-            (swept > 0).then(|| self.enclose(swept, self.delaunay.predicates.artificial.left));
         self.front.begin(n);
-        if lower.is_none() {
-            self.delaunay.mesh.clear();
-        }
+        self.delaunay.mesh.clear();
         self.delaunay.mesh.reset_borders(n + 2);
         if n == 1 {
             self.first_triangle();
         } else {
-            let mut whole = self.delaunay.triangulate(swept);
-            if let Some(lower) = lower {
-                whole = self.delaunay.merge(lower, whole, MergeMode::Delete);
-            }
+            let whole = self.delaunay.triangulate();
             self.hand_over(whole.first);
         }
     }
@@ -117,12 +107,12 @@ impl<P: Probe> Sweep<'_, P> {
 }
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Triangulates all vertices from rank `first` on, of which there are at least two.
-    fn triangulate(&mut self, first: usize) -> SubTriangulation {
+    /// Triangulates all vertices, of which there are at least two.
+    fn triangulate(&mut self) -> SubTriangulation {
         let n = self.predicates.vertices.len();
         let mut parts: Vec<(u32, SubTriangulation)> = Vec::new();
-        for leaf in 0..(n - first) / 2 {
-            let from = first + 2 * leaf;
+        for leaf in 0..n / 2 {
+            let from = 2 * leaf;
             // The last leaf has three vertices if their number is odd.
             let to = if from + 3 == n { n } else { from + 2 };
             let mut part = self.leaf(from, to);
@@ -142,74 +132,5 @@ impl<P: Probe> Delaunay<'_, P> {
             whole = self.merge(before, whole, MergeMode::Delete);
         }
         whole
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::initialization::{begin, initialize};
-    use super::super::scratch::Scratch;
-    use crate::front::{HashTable, Search};
-    use crate::ids::VertexId;
-    use crate::settings::{Algorithm, Heuristics, Settings, Ties};
-    use crate::triangulation::Triangulation;
-    use crate::verify::verify;
-
-    const SETTINGS: Settings<'_> = Settings {
-        algorithm: Algorithm::Sweep,
-        heuristics: Heuristics::FAST,
-        progress: None,
-        ties: Ties::Leftmost,
-    };
-
-    /// The triangulation after a sweep that is abandoned after `swept` vertices.
-    fn after(swept: usize, points: &[[f64; 2]]) -> Triangulation {
-        let mut scratch = Scratch::default();
-        let mut front = HashTable::default();
-        let front = Search::with(&mut front);
-        let chains = initialize(points, &[], &mut scratch).expect("valid points");
-        let Scratch { held, mut lent, .. } = scratch;
-        let mut sweep = begin(&points, chains, SETTINGS, front, (), held, &mut lent);
-        for v in (1..swept).map(VertexId::at) {
-            sweep.point_event(v);
-        }
-        if swept > 0 {
-            sweep.complete_hull();
-        }
-        sweep.divide_and_conquer(swept).expect("no edges");
-        sweep.finalize()
-    }
-
-    fn check(points: &[[f64; 2]]) {
-        let whole = after(0, points);
-        for swept in 2..=points.len() - 2 {
-            let result = after(swept, points);
-            let triangles = result.canonical_triangles();
-            assert_eq!(triangles, whole.canonical_triangles(), "{swept} swept");
-            assert!(
-                result.hull().eq(whole.hull()),
-                "another hull, {swept} swept"
-            );
-            let report = verify(points, &[], &triangles).expect("a triangulation");
-            assert!(report.is_canonical(), "{swept} swept");
-        }
-    }
-
-    #[test]
-    fn goes_on_after_any_vertex() {
-        let lattice = |i: u32| [i % 5, i / 5].map(f64::from);
-        let inputs: [&dyn Fn(u32) -> [f64; 2]; 6] = [
-            &lattice,
-            &|i| [f64::from(i), 0.0],
-            &|i| [0.0, f64::from(i)],
-            &|i| [f64::from(i), f64::from(2 * i)],
-            &|i| [f64::from(i * i % 23), f64::from(i * 7 % 25)],
-            // A row, and a point above it.
-            &|i| [f64::from(i), f64::from(i / 24)],
-        ];
-        for input in inputs {
-            let points: Vec<_> = (0..25).map(input).collect();
-            check(&points);
-        }
     }
 }

@@ -49,6 +49,7 @@ use super::scratch::Scratch;
 use super::vertices::ApproxPoints;
 use crate::ids::{TriangleId, VertexId, narrow};
 use crate::scalar::{ExactPoints, Scalar};
+use crate::settings::Algorithm;
 use crate::triangulation::canonical::{CanonicalBuffers, canonical_into};
 use chains::Chains;
 use rings::Rings;
@@ -108,7 +109,7 @@ fn sweep(
     mesh.begin(n, 0);
     let predicates = SweepPredicates::new(points, vertices);
     let mut sweep = PolygonSweep {
-        delaunay: Delaunay::new(mesh, predicates, true, (), &mut lent.delaunay),
+        delaunay: Delaunay::new(mesh, predicates, Algorithm::Auto, (), &mut lent.delaunay),
         rings: &polygon.rings,
         status: &mut polygon.status,
         chains: &mut polygon.chains,

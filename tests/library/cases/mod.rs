@@ -7,9 +7,9 @@ mod table;
 
 use sweep_cdt::{Counters, Error, Heuristics, Triangulator, triangulate};
 
-use sweep_cdt_testing::Input;
 use sweep_cdt_testing::minimize;
 use sweep_cdt_testing::oracle::{check, verdict};
+use sweep_cdt_testing::{Input, counted};
 
 use crate::runs;
 use table::{CASES, PAPER};
@@ -57,7 +57,7 @@ fn the_papers_situations_occur() {
     let with = |heuristics, name| -> Counters {
         let Input { points, edges } = input(name);
         let triangulator = Triangulator::new().heuristics(heuristics);
-        let result = triangulator.triangulate_with_stats(&points, &edges);
+        let result = counted(&triangulator, &points, &edges);
         result.expect("a valid case").stats.counters
     };
     let paper = |name| with(Heuristics::PAPER, name);
@@ -140,10 +140,7 @@ fn crossing_edges_are_named() {
 fn a_raster_needs_no_flip() {
     let points: Vec<[i32; 2]> = (0..100).map(|i| [i % 10, i / 10]).collect();
     for heuristics in [Heuristics::FAST, Heuristics::PAPER, Heuristics::OFF] {
-        let run = Triangulator::new()
-            .heuristics(heuristics)
-            .triangulate_with_stats(&points, &[])
-            .unwrap();
+        let run = counted(&Triangulator::new().heuristics(heuristics), &points, &[]).unwrap();
         assert_eq!(
             (run.triangulation.len(), run.stats.counters.flips),
             (162, 0),
@@ -171,9 +168,7 @@ fn long_convex_chains_take_few_flips() {
         (&cubic, vec![]),
     ] {
         for heuristics in [Heuristics::FAST, Heuristics::OFF] {
-            let run = Triangulator::new()
-                .heuristics(heuristics)
-                .triangulate_with_stats(points, &edges);
+            let run = counted(&Triangulator::new().heuristics(heuristics), points, &edges);
             let flips = run.expect("no edges cross").stats.counters.flips;
             assert!(
                 flips < 4 * points.len() as u64,

@@ -10,12 +10,11 @@ use std::fmt::Write;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::front::AnyFront;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Corners, Heuristics};
 use sweep_cdt_testing::generators::medium;
 use sweep_cdt_testing::runs::{Sample, convert};
-use sweep_cdt_testing::{Input, Random, Steps, data};
+use sweep_cdt_testing::{AnyFront, Input, Random, Steps, data};
 use sweep_cdt_trace::Trace;
 use sweep_cdt_trace::write_trace;
 
@@ -151,9 +150,9 @@ fn check(name: &str, input: &Input, heuristics: Heuristics, lines: &[&str]) {
 /// Panics unless the steps in these numbers, if they hold the points, are the same with every front.
 fn assert_same<S: Sample>(input: &Input, expected: &Steps) {
     if let Some(points) = convert::<S>(&input.points) {
-        for front in AnyFront::all() {
+        for mut front in AnyFront::all() {
             let name = format!("{}, {}", std::any::type_name::<S>(), front.name());
-            expected.assert_same(&points, &input.edges, front, &name);
+            expected.assert_same(&points, &input.edges, &mut front, &name);
         }
     }
 }
@@ -181,12 +180,12 @@ fn assert_same_steps(input: &Input, heuristics: Heuristics) {
     assert!(expected.result.is_ok(), "{:?}", expected.result);
     assert!(expected.trace.events.len() > 3 * points.len());
     // The steps are those of the first one.
-    for front in AnyFront::all().into_iter().skip(1) {
+    for mut front in AnyFront::all().into_iter().skip(1) {
         let name = front.name();
-        expected.assert_same(points, edges, front, name);
+        expected.assert_same(points, edges, &mut front, name);
     }
     let points = convert::<BigRational>(points).expect("a rational holds a double");
-    expected.assert_same(&points, edges, AnyFront::default(), "BigRational");
+    expected.assert_same(&points, edges, &mut AnyFront::default(), "BigRational");
 }
 
 #[test]

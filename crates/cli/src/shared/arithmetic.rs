@@ -13,7 +13,7 @@ use rug::Rational;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::{InteriorError, Seed};
 use sweep_cdt::memory::of_triangulation;
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Error, Pslg, Region};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 
@@ -46,7 +46,7 @@ enum Kind {
 /// The work of a subcommand on its input, in any arithmetic.
 pub(crate) trait Job {
     /// Does it.
-    fn run<S: Coordinate, T: Measure + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure>;
+    fn run<S: Coordinate, T: Scalar + Sync>(self, given: Given<'_, S, T>) -> Result<(), Failure>;
 }
 
 /// An input in the arithmetic of a run.

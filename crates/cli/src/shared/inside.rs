@@ -6,7 +6,7 @@
 use std::fmt;
 
 use sweep_cdt::interior::{FillRule, Interior, InteriorError, locate_seeds};
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Regions, Verifier, Violation};
 use sweep_cdt::{Triangulation, triangulate};
 use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
@@ -216,7 +216,7 @@ struct Wanted {
 
 /// Verifies that triangles fill the hull, or the interior by a rule, and that they have the attributes of its regions, if
 /// the result has any. The first `own` points are the input's, the others added.
-pub(crate) fn answer<S: Coordinate, T: Measure + Sync>(
+pub(crate) fn answer<S: Coordinate, T: Scalar + Sync>(
     rule: Inside,
     given: &Given<'_, S, T>,
     own: usize,
@@ -234,7 +234,7 @@ pub(crate) fn answer<S: Coordinate, T: Measure + Sync>(
 
 /// The answers by all rules by which the triangles may be right; the one that was asked for is the first. Fails where the
 /// input has no triangulation.
-pub(crate) fn answers<S: Coordinate, T: Measure + Sync>(
+pub(crate) fn answers<S: Coordinate, T: Scalar + Sync>(
     given: &Given<'_, S, T>,
     own: usize,
     verifier: Verifier<'_>,
@@ -271,7 +271,7 @@ pub(crate) fn answers<S: Coordinate, T: Measure + Sync>(
     Ok(rules.into_iter().filter_map(answer).collect())
 }
 
-fn in_hull<S: Coordinate, T: Measure + Sync>(
+fn in_hull<S: Coordinate, T: Scalar + Sync>(
     given: &Given<'_, S, T>,
     verifier: Verifier<'_>,
     triangles: &Triangles,
@@ -281,7 +281,7 @@ fn in_hull<S: Coordinate, T: Measure + Sync>(
 }
 
 /// The triangulation of the hull of the first `own` points.
-fn proven<S: Coordinate, T: Measure + Sync>(
+fn proven<S: Coordinate, T: Scalar + Sync>(
     given: &Given<'_, S, T>,
     own: usize,
 ) -> Result<Triangulation, Failure> {
@@ -332,7 +332,7 @@ impl Wanted {
     }
 
     /// The answer, with the attributes of regions where the rule has them.
-    fn answer<S: Coordinate, T: Measure + Sync>(
+    fn answer<S: Coordinate, T: Scalar + Sync>(
         &self,
         rule: Inside,
         given: &Given<'_, S, T>,
@@ -359,7 +359,7 @@ impl Wanted {
         self.verify(given, verifier.regions(regions), list)
     }
 
-    fn verify<S, T: Measure + Sync>(
+    fn verify<S, T: Scalar + Sync>(
         &self,
         given: &Given<'_, S, T>,
         verifier: Verifier<'_>,

@@ -2,7 +2,7 @@
 
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
-use sweep_cdt::{Pslg, Triangulator};
+use sweep_cdt::{Bands, Pslg, Triangulator};
 use sweep_cdt_formats::{Column, Coordinate, GraphFile, Input};
 use sweep_cdt_terrain::Surface;
 
@@ -127,7 +127,7 @@ fn interpolated<S: Coordinate + Exact>(
         edges: graph.edges.iter().filter_map(edge).collect(),
         ..Pslg::default()
     };
-    let result = Triangulator::new().triangulate_parallel(&part.points, &part.edges);
+    let result = Triangulator::new().triangulate_parallel(&part.points, &part.edges, Bands::new());
     let result = result.map_err(|error| {
         let error = error.renumbered(|v| known[v] + file.numbering.vertex, |edge| edge);
         Failure::Error(format!("{name}: heights cannot be interpolated: {error}"))

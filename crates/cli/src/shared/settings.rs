@@ -1,13 +1,11 @@
 //! Algorithm and settings: they change the time and never the result.
 
-use std::cell::RefCell;
-
 use clap::ValueEnum;
-use sweep_cdt::front::{AnyFront, HashTable, Linear, SkipList};
+use sweep_cdt::front::{Linear, SkipList};
 use sweep_cdt::memory::of_bands;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Algorithm, Error, Heuristics, Stats, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Bands, Error, Heuristics, Stats, Triangulation, Triangulator, Watch};
 
 use super::resources::{Progress, has_room};
 
@@ -73,45 +71,54 @@ impl Settings {
         edges: &[[usize; 2]],
         stats: bool,
     ) -> Result<(Triangulation, Option<Stats>), Error> {
-        let progress = RefCell::new(Progress::new("sweeping"));
-        let show = |swept, points| progress.borrow_mut().show(swept, points);
+        // Other fronts are for comparison, on one thread.
+        let is_parallel = matches!(self.front, Front::Hash) && !stats;
         let triangulator = Triangulator::new()
-            .front(self.front())
             .algorithm(self.algorithm())
-            .heuristics(self.heuristics())
-            .progress(&show);
-        if stats {
-            let run = triangulator.triangulate_with_stats(points, edges)?;
-            return Ok((run.triangulation, Some(run.stats)));
+            .heuristics(self.heuristics());
+        if is_parallel && has_room(of_bands(points.len(), edges.len()) as u64) {
+            let result = triangulator.triangulate_parallel(points, edges, Bands::new())?;
+            return Ok((result, None));
         }
-        let bytes = of_bands(points.len(), edges.len()) as u64;
-        let result = if has_room(bytes) {
-            triangulator.triangulate_parallel(points, edges)?
-        } else {
-            triangulator.triangulate(points, edges)?
-        };
-        Ok((result, None))
+        let mut progress = Progress::new("sweeping");
+        let mut show = |swept, points| progress.show(swept, points);
+        let mut found = Stats::default();
+        let mut watch = Watch::new().progress(&mut show);
+        if stats {
+            watch = watch.stats(&mut found);
+        }
+        let result = self.run(triangulator, points, edges, watch)?;
+        Ok((result, stats.then_some(found)))
     }
 
-    /// Triangulates by the sweep, and reports every step to `observer`.
+    /// Triangulates by the sweep in the paper's order, and reports every step to `observer`.
     pub(crate) fn observe<S: Scalar>(
         &self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
-        observer: impl FnMut(Event),
+        mut observer: impl FnMut(Event),
     ) -> Result<Triangulation, Error> {
         let triangulator = Triangulator::new()
-            .front(self.front())
+            .algorithm(Algorithm::Paper)
             .heuristics(self.heuristics());
-        let run = triangulator.observe(points, edges, observer)?;
-        Ok(run.triangulation)
+        let watch = Watch::new().events(&mut observer);
+        self.run(triangulator, points, edges, watch)
     }
 
-    fn front(&self) -> AnyFront {
+    /// A run with the front that was chosen.
+    fn run<S: Scalar>(
+        &self,
+        triangulator: Triangulator,
+        points: &[[S; 2]],
+        edges: &[[usize; 2]],
+        watch: Watch<'_>,
+    ) -> Result<Triangulation, Error> {
         match self.front {
-            Front::Hash => AnyFront::HashTable(HashTable::default()),
-            Front::SkipList => AnyFront::SkipList(SkipList::default()),
-            Front::Linear => AnyFront::Linear(Linear::default()),
+            Front::Hash => triangulator.run(points, edges, watch),
+            Front::SkipList => {
+                triangulator.run(points, edges, watch.front(&mut SkipList::default()))
+            }
+            Front::Linear => triangulator.run(points, edges, watch.front(&mut Linear::default())),
         }
     }
 

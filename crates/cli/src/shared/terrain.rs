@@ -1,8 +1,8 @@
 //! Terrain: an input with heights, triangulated, and its part that is inside.
 
-use sweep_cdt::Triangulator;
 use sweep_cdt::crossings::Exact;
 use sweep_cdt::interior::Interior;
+use sweep_cdt::{Bands, Triangulator};
 use sweep_cdt_formats::{Coordinate, GraphFile, Input};
 use sweep_cdt_terrain::Surface;
 
@@ -78,7 +78,8 @@ impl TerrainArgs {
             ));
         };
         let graph = &file.graph;
-        let result = Triangulator::new().triangulate_parallel(&graph.points, &graph.edges);
+        let result =
+            Triangulator::new().triangulate_parallel(&graph.points, &graph.edges, Bands::new());
         let result = result.map_err(|error| {
             let advice = SplitArgs::advice(&error);
             failure(&format!("{}{advice}", located(file, error)))

@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::io::{self, Write};
 use std::sync::Mutex;
 
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Depth, Level, Report, Verifier, Violation, Violations};
 use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
 
@@ -16,7 +16,7 @@ use super::tables::{NAME, NUMBER, grouped};
 pub(crate) type Answer = Result<Report, Violations>;
 
 /// Verifies on all cores, with a progress bar where that takes long.
-pub(crate) fn verify<T: Measure + Sync>(
+pub(crate) fn verify<T: Scalar + Sync>(
     verifier: Verifier<'_>,
     points: &[[T; 2]],
     edges: &[[usize; 2]],

@@ -41,14 +41,15 @@ const MOST_EXACT: usize = 5000;
 /// steps on the page are about and some of the others. It says so.
 ///
 /// ```
-/// use sweep_cdt::Pslg;
+/// use sweep_cdt::{Algorithm, Pslg, Triangulator, Watch};
 /// use sweep_cdt_draw::StepsPage;
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
 /// let graph = Pslg { points, edges: vec![[0, 2]], ..Pslg::default() };
 /// let mut events = Vec::new();
-/// sweep_cdt::Triangulator::new()
-///     .observe(&graph.points, &graph.edges, |event| events.push(event))?;
+/// let mut push = |event| events.push(event);
+/// let watch = Watch::new().events(&mut push);
+/// Triangulator::new().algorithm(Algorithm::Paper).run(&graph.points, &graph.edges, watch)?;
 /// let mut page = Vec::new();
 /// StepsPage::new(&graph, &events).write(&mut page)?;
 /// assert!(page.starts_with(b"<!DOCTYPE html>"));

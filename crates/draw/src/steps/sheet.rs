@@ -21,14 +21,15 @@ const NOTE: i64 = 20 * PIXEL;
 /// A sheet with some steps of a run, as SVG.
 ///
 /// ```
-/// use sweep_cdt::Pslg;
+/// use sweep_cdt::{Algorithm, Pslg, Triangulator, Watch};
 /// use sweep_cdt_draw::StepsSheet;
 ///
 /// let points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
 /// let graph = Pslg { points, edges: vec![[0, 2]], ..Pslg::default() };
 /// let mut events = Vec::new();
-/// sweep_cdt::Triangulator::new()
-///     .observe(&graph.points, &graph.edges, |event| events.push(event))?;
+/// let mut push = |event| events.push(event);
+/// let watch = Watch::new().events(&mut push);
+/// Triangulator::new().algorithm(Algorithm::Paper).run(&graph.points, &graph.edges, watch)?;
 /// let mut sheet = Vec::new();
 /// StepsSheet::new(&graph, &events).steps(5..=10).write(&mut sheet)?;
 /// assert!(sheet.starts_with(b"<svg "));

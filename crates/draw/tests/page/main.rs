@@ -15,7 +15,7 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Pslg, Triangulator};
+use sweep_cdt::{Algorithm, Pslg, Triangulator, Watch};
 use sweep_cdt_draw::StepsPage;
 use tempfile::TempDir;
 
@@ -25,9 +25,11 @@ const ALL: RangeInclusive<usize> = 1..=usize::MAX;
 
 fn events(graph: &Pslg<f64>) -> Vec<Event> {
     let mut events = Vec::new();
-    Triangulator::new()
-        .observe(&graph.points, &graph.edges, |event| events.push(event))
-        .expect("a correct input");
+    let mut push = |event| events.push(event);
+    let watch = Watch::new().events(&mut push);
+    let triangulator = Triangulator::new().algorithm(Algorithm::Paper);
+    let result = triangulator.run(&graph.points, &graph.edges, watch);
+    result.expect("a correct input");
     events
 }
 

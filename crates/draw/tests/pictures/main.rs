@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 use sweep_cdt::trace::{Event, PointCase, PseudoPolygon, Vertex};
 use sweep_cdt::verify::Verifier;
-use sweep_cdt::{Pslg, Triangulator, triangulate};
+use sweep_cdt::{Algorithm, Pslg, Triangulator, Watch, triangulate};
 use sweep_cdt_draw::{ResultPicture, StepsSheet, ViolationsPicture};
 use sweep_cdt_formats::{GraphFile, Numbering, ResultFormat, Source, read_result};
 
@@ -59,9 +59,11 @@ fn result() {
 fn sheet(steps: RangeInclusive<usize>, most: usize) -> String {
     let graph = graph();
     let mut events = Vec::new();
-    Triangulator::new()
-        .observe(&graph.points, &graph.edges, |event| events.push(event))
-        .expect("a correct input");
+    let mut push = |event| events.push(event);
+    let watch = Watch::new().events(&mut push);
+    let triangulator = Triangulator::new().algorithm(Algorithm::Paper);
+    let result = triangulator.run(&graph.points, &graph.edges, watch);
+    result.expect("a correct input");
     let sheet = StepsSheet::new(&graph, &events).steps(steps).most(most);
     text(|out| sheet.write(out))
 }

@@ -50,6 +50,8 @@ impl Structure for Linear {
 pub struct FromEnd;
 
 impl FrontSearch for FromEnd {
+    fn begin(&mut self, _: FrontInput<'_>) {}
+
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
         front.left_end()
     }
@@ -92,10 +94,6 @@ impl FrontSearch for AnyFront {
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
         self.0.front().locate(x, front)
-    }
-
-    fn wants_ranks(&mut self, steps: usize) -> bool {
-        self.0.front().wants_ranks(steps)
     }
 
     fn inserted(&mut self, node: FrontNode, x: f64) {

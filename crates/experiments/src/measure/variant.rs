@@ -5,9 +5,10 @@ use std::error::Error;
 use std::fmt;
 use std::time::Duration;
 
-use sweep_cdt::{Algorithm, Heuristics, Run, Stats, Triangulation, Triangulator};
-use sweep_cdt_testing::Input;
+use sweep_cdt::{Algorithm, Heuristics, Stats, Triangulation, Triangulator};
+use sweep_cdt_testing::counted::Counted;
 use sweep_cdt_testing::runs::{Sample, convert};
+use sweep_cdt_testing::{Input, counted, counted_with};
 
 use super::row::{Row, Timed};
 use super::watched::Watched;
@@ -69,13 +70,13 @@ impl Variant {
         let variant = Variant::new(
             name,
             move |input, row| {
-                let run = Triangulator::new()
-                    .front(Watched::new(counted.front().clone()))
+                let triangulator = Triangulator::new()
                     .algorithm(algorithm)
-                    .heuristics(heuristics)
-                    .triangulate_with_stats(&input.points, &input.edges)?;
-                row.see(run.front.seen);
-                row.work(run.front.structure.work());
+                    .heuristics(heuristics);
+                let mut front = Watched::new(counted.front().clone());
+                let run = counted_with(&triangulator, &input.points, &input.edges, &mut front)?;
+                row.see(front.seen);
+                row.work(front.structure.work());
                 take_over(&run, row);
                 Ok(())
             },
@@ -91,9 +92,8 @@ impl Variant {
     pub(crate) fn scalar<S: Sample + 'static>(name: &str) -> Variant {
         let points =
             |input: &Input| convert::<S>(&input.points).expect("the scalar holds the coordinates");
-        let run = |points: &[[S; 2]], input: &Input| {
-            Triangulator::new().triangulate_with_stats(points, &input.edges)
-        };
+        let run =
+            |points: &[[S; 2]], input: &Input| counted(&Triangulator::new(), points, &input.edges);
         Variant::new(
             name,
             move |input, row| {
@@ -129,7 +129,7 @@ fn timed(run: impl FnOnce() -> Result<Stats>) -> Result<Timed> {
     })
 }
 
-fn take_over<F>(run: &Run<F>, row: &mut Row) {
+fn take_over(run: &Counted, row: &mut Row) {
     row.count(&run.stats);
     row.result = format!("{:016x}", fingerprint(&run.triangulation));
 }

@@ -66,10 +66,6 @@ impl<F: FrontSearch> FrontSearch for Watched<F> {
         node
     }
 
-    fn wants_ranks(&mut self, steps: usize) -> bool {
-        self.structure.wants_ranks(steps)
-    }
-
     fn inserted(&mut self, node: FrontNode, x: f64) {
         self.seen.length += 1;
         self.seen.greatest_length = self.seen.greatest_length.max(self.seen.length);

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use sweep_cdt::front::{Front, FrontNode, FrontSearch};
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
 use sweep_cdt_experiments::fronts::Structure;
 use sweep_cdt_experiments::{Contestant, run};
 use sweep_cdt_formats::{InputFormat, write_graph};
@@ -178,6 +178,8 @@ fn cells_run_one_by_one_give_the_same_as_all_together() {
 struct RightEnd;
 
 impl FrontSearch for RightEnd {
+    fn begin(&mut self, _: FrontInput<'_>) {}
+
     fn locate(&mut self, _: f64, front: &Front) -> FrontNode {
         front.right_end()
     }

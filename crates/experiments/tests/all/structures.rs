@@ -189,7 +189,7 @@ fn assert_same_steps(Input { points, edges }: &Input, heuristics: Heuristics, fr
     let steps = Steps::of(points, edges, heuristics);
     for contestant in standard() {
         let name = format!("{} on {from}", contestant.name());
-        steps.assert_same(points, edges, contestant.front().clone(), &name);
+        steps.assert_same(points, edges, &mut contestant.front().clone(), &name);
     }
 }
 

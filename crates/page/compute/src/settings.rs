@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 
 use sweep_cdt::crossings::{Exact, SplitError, crossings};
-use sweep_cdt::front::{AnyFront, HashTable, Linear, SkipList};
+use sweep_cdt::front::{Linear, SkipList};
 use sweep_cdt::interior::{FillRule, Interior, InteriorError};
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Error, Heuristics, Pslg, Stats, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Error, Heuristics, Pslg, Stats, Triangulation, Triangulator, Watch};
 use sweep_cdt_formats::{Coordinate, GraphFile};
 
 use super::request::{Front, Inside, Preset, Settings};
@@ -30,24 +30,31 @@ impl Settings {
         Pslg { points, edges, .. }: &Pslg<S>,
         steps: Option<&mut Vec<Event>>,
     ) -> Result<(Triangulation, Stats), Error> {
-        let front = match self.front {
-            Front::Hash => AnyFront::HashTable(HashTable::default()),
-            Front::SkipList => AnyFront::SkipList(SkipList::default()),
-            Front::Linear => AnyFront::Linear(Linear::default()),
-        };
-        let triangulator = Triangulator::new()
-            .front(front)
-            .algorithm(self.method.into())
-            .heuristics(match self.heuristics {
-                Preset::Fast => Heuristics::FAST,
-                Preset::Paper => Heuristics::PAPER,
-                Preset::Off => Heuristics::OFF,
-            });
-        let run = match steps {
-            None => triangulator.triangulate_with_stats(points, edges)?,
-            Some(steps) => triangulator.observe(points, edges, |event| steps.push(event))?,
-        };
-        Ok((run.triangulation, run.stats))
+        let (mut skip_list, mut linear) = (SkipList::default(), Linear::default());
+        let mut stats = Stats::default();
+        let mut watch = Watch::new().stats(&mut stats);
+        match self.front {
+            Front::Hash => {}
+            Front::SkipList => watch = watch.front(&mut skip_list),
+            Front::Linear => watch = watch.front(&mut linear),
+        }
+        let mut push;
+        let mut algorithm = self.method.into();
+        if let Some(steps) = steps {
+            algorithm = Algorithm::Paper;
+            push = |event| steps.push(event);
+            watch = watch.events(&mut push);
+        }
+        let triangulator =
+            Triangulator::new()
+                .algorithm(algorithm)
+                .heuristics(match self.heuristics {
+                    Preset::Fast => Heuristics::FAST,
+                    Preset::Paper => Heuristics::PAPER,
+                    Preset::Off => Heuristics::OFF,
+                });
+        let result = triangulator.run(points, edges, watch)?;
+        Ok((result, stats))
     }
 
     /// The interior; nothing, if that is the whole hull.

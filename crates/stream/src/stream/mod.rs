@@ -49,7 +49,7 @@ pub use retire::Final;
 pub use stats::{Alive, StreamStats};
 
 use finality::Line;
-use sweep_cdt::front::{FrontSearch, HashTable};
+use sweep_cdt::front::FrontSearch;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
 use sweep_cdt::{Session, Triangulator};
@@ -92,10 +92,11 @@ const SHARE: usize = 7;
 /// assert_eq!((stats.vertices, stats.triangles, triangles.len()), (5, 4, 4));
 /// # Ok::<(), sweep_cdt_stream::StreamError>(())
 /// ```
-pub struct Stream<'p, S, O, F = HashTable> {
-    session: Session<'p, F>,
+pub struct Stream<'a, S, O> {
+    session: Session,
     out: O,
-    steps: Option<Box<Steps<'p>>>,
+    front: Option<&'a mut dyn FrontSearch>,
+    steps: Option<Box<Steps<'a>>>,
     window: Window<S>,
     /// The vertices lie between these two x.
     between: Option<[S; 2]>,
@@ -108,12 +109,13 @@ pub struct Stream<'p, S, O, F = HashTable> {
     failed: Option<StreamError>,
 }
 
-impl<'p, S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'p, S, O, F> {
+impl<'a, S: Scalar + Clone, O: FnMut(Final)> Stream<'a, S, O> {
     /// A stream with these settings, which passes on to `out` what is final.
-    pub fn new(triangulator: Triangulator<'p, F>, out: O) -> Self {
+    pub fn new(triangulator: Triangulator, out: O) -> Self {
         Stream {
             session: triangulator.session(),
             out,
+            front: None,
             steps: None,
             window: Window::default(),
             between: None,
@@ -122,6 +124,13 @@ impl<'p, S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'p, 
             stats: StreamStats::default(),
             failed: None,
         }
+    }
+
+    /// Uses this search structure for the advancing front of each window.
+    #[must_use]
+    pub fn front(mut self, front: &'a mut dyn FrontSearch) -> Self {
+        self.front = Some(front);
+        self
     }
 
     /// Each window gets so many new vertices, at least one, or as many as are alive if these are more. By default a window
@@ -139,7 +148,7 @@ impl<'p, S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'p, 
         self
     }
 
-    /// Passes on each step of the sweep through each window, as [`Triangulator::observe`] does for an input, before what is
+    /// Passes on each step of the sweep through each window, as [`Watch::events`](sweep_cdt::Watch::events) does for an input, before what is
     /// final after it.
     ///
     /// An event names vertices by their positions in the window, and the closure gets the caller's number of each. A window
@@ -166,7 +175,7 @@ impl<'p, S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'p, 
     /// # Ok::<(), sweep_cdt_stream::StreamError>(())
     /// ```
     #[must_use]
-    pub fn observe(mut self, steps: impl FnMut(Event, &[u64]) + 'p) -> Self {
+    pub fn observe(mut self, steps: impl FnMut(Event, &[u64]) + 'a) -> Self {
         self.steps = Some(Box::new(steps));
         self
     }
@@ -280,7 +289,9 @@ impl<'p, S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'p, 
     fn retire(&mut self, next: Option<&[S; 2]>) -> Result<(), StreamError> {
         let line = next.map(|next| Line::new(next, self.between.as_ref()));
         let mut window = mem::take(&mut self.window);
-        let swept = Swept::sweep(&mut window, &mut self.session, self.steps.as_deref_mut());
+        let front = self.front.as_mut().map(|front| &mut **front as _);
+        let steps = self.steps.as_deref_mut();
+        let swept = Swept::sweep(&mut window, &mut self.session, front, steps);
         let swept = swept.map_err(|error| window.renumbered(error))?;
         let (kept, alive) = retire::retire(window, &swept, line.as_ref(), &mut |found| {
             match found {
@@ -313,7 +324,7 @@ impl<'p, S: Scalar + Clone, O: FnMut(Final), F: FrontSearch + Clone> Stream<'p, 
     }
 }
 
-impl<S, O, F> fmt::Debug for Stream<'_, S, O, F> {
+impl<S, O> fmt::Debug for Stream<'_, S, O> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Stream")
             .field("size", &self.size)

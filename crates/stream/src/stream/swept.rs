@@ -23,7 +23,7 @@ use super::window::{Window, narrow};
 use sweep_cdt::front::FrontSearch;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Corner, Error, Session, Ties, Triangulation, VertexStars};
+use sweep_cdt::{Corner, Error, Session, Ties, Triangulation, VertexStars, Watch};
 
 /// What observes the steps of each window; it gets the caller's numbers of the window's vertices.
 pub(super) type Steps<'p> = dyn FnMut(Event, &[u64]) + 'p;
@@ -41,24 +41,29 @@ pub(super) struct Swept<'a> {
 
 impl<'a> Swept<'a> {
     /// Triangulates a window, and brings its vertices into the order of the sweep.
-    pub(super) fn sweep<S: Scalar + Clone, F: FrontSearch + Clone>(
+    pub(super) fn sweep<S: Scalar + Clone>(
         window: &mut Window<S>,
-        session: &'a mut Session<'_, F>,
+        session: &'a mut Session,
+        front: Option<&mut dyn FrontSearch>,
         steps: Option<&mut Steps<'_>>,
     ) -> Result<Self, Error> {
         let is_mirrored = window.is_wide();
-        let ties = if is_mirrored {
+        session.set_ties(if is_mirrored {
             window.exchange_coordinates();
             Ties::Lowest
         } else {
             Ties::Leftmost
-        };
+        });
         let Window { points, edges, .. } = &*window;
+        let mut watch = Watch::new();
+        if let Some(front) = front {
+            watch = watch.front(front);
+        }
         let result = match steps {
-            None => session.triangulate_window(points, edges, ties, None),
+            None => session.run(points, edges, watch),
             Some(steps) => {
                 let mut step = |event| steps(event, window.numbers());
-                session.triangulate_window(points, edges, ties, Some(&mut step))
+                session.run(points, edges, watch.events(&mut step))
             }
         };
         if is_mirrored {

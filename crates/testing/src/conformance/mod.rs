@@ -1,4 +1,4 @@
-//! Whether a scalar keeps its promises: every function of [`Scalar`](sweep_cdt::scalar::Scalar) and [`Measure`] on
+//! Whether a scalar keeps its promises: every function of [`Scalar`] on
 //! many numbers, against determinants of big integers.
 //!
 //! | | file |
@@ -22,7 +22,7 @@ mod samples;
 mod truth;
 
 use num_rational::BigRational;
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 
 pub use nonconformity::Nonconformity;
 use questions::Questions;
@@ -54,7 +54,7 @@ const LEAST: usize = 100;
 /// ```
 /// use std::cmp::Ordering;
 /// use num_traits::ToPrimitive;
-/// use sweep_cdt::scalar::{Measure, Scalar, Stage};
+/// use sweep_cdt::scalar::Scalar;
 /// use sweep_cdt_testing::conformance::{Nonconformity, conformance};
 ///
 /// struct Fixed(i64);
@@ -63,20 +63,20 @@ const LEAST: usize = 100;
 /// #     [a.0.wrapping_sub(c.0), b.0.wrapping_sub(d.0)]
 /// # }
 /// impl Scalar for Fixed {
-///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+///     fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
 ///         let ([ax, ay], [bx, by]) = (minus(a, c), minus(b, c));
-///         (ax.wrapping_mul(by).cmp(&ay.wrapping_mul(bx)), Stage::Own)
+///         ax.wrapping_mul(by).cmp(&ay.wrapping_mul(bx))
 ///     }
 ///     // ...
 /// #     fn approx(&self) -> f64 { self.0 as f64 / 65536.0 }
 /// #     fn compare(&self, other: &Self) -> Ordering { self.0.cmp(&other.0) }
-/// #     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> (Ordering, Stage) {
+/// #     fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
 /// #         let [a, b, c, d] = [a, b, c, d].map(|[x, y]| [x.0, y.0]);
 /// #         Scalar::in_circle(&a, &b, &c, &d)
 /// #     }
 /// }
 ///
-/// impl Measure for Fixed {}
+/// impl Scalar for Fixed {}
 ///
 /// let fixed = |x: &num_rational::BigRational| {
 ///     let whole = x * num_bigint::BigInt::from(65536);
@@ -87,7 +87,7 @@ const LEAST: usize = 100;
 /// };
 /// assert!(call.starts_with("orient2d(["));
 /// ```
-pub fn conformance<S: Measure>(
+pub fn conformance<S: Scalar>(
     of: impl Fn(&BigRational) -> Option<S>,
 ) -> Result<usize, Nonconformity> {
     let (mut tried, mut answers) = (0, 0);

@@ -1,4 +1,4 @@
-//! The questions about one sample: each function of [`Scalar`](sweep_cdt::scalar::Scalar) and [`Measure`], in several
+//! The questions about one sample: each function of [`Scalar`], in several
 //! orders of the points.
 
 use std::cell::Cell;
@@ -8,7 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
-use sweep_cdt::scalar::{Measure, filtered_in_circle, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
 
 use super::nonconformity::Nonconformity;
 use super::samples::Sample;
@@ -27,7 +27,7 @@ pub(super) struct Questions<'a, S> {
     answers: Cell<usize>,
 }
 
-impl<'a, S: Measure> Questions<'a, S> {
+impl<'a, S: Scalar> Questions<'a, S> {
     pub(super) fn new(
         sample: &'a Sample,
         fractions: &'a [[BigRational; 2]; 4],
@@ -111,7 +111,7 @@ impl<'a, S: Measure> Questions<'a, S> {
         let [p, q, r] = [a, b, c].map(|i| &self.points[i]);
         let call = |function: &str| self.call(function, &order[..3]);
         let expected = sign(&area(corners));
-        let exact = || S::orient2d(p, q, r).0;
+        let exact = || S::orient2d(p, q, r);
         self.equal(|| call("orient2d"), exact, expected)?;
         let filtered = || filtered_orient2d(p, q, r);
         self.equal(|| call("filtered_orient2d"), filtered, expected)?;
@@ -134,7 +134,7 @@ impl<'a, S: Measure> Questions<'a, S> {
         let [p, q, r, s] = order.map(|i| &self.points[i]);
         let call = |function: &str| self.call(function, &order);
         let expected = sign(&determinant(corners));
-        let exact = || S::in_circle(p, q, r, s).0;
+        let exact = || S::in_circle(p, q, r, s);
         self.equal(|| call("in_circle"), exact, expected)?;
         let filtered = || filtered_in_circle(p, q, r, s);
         self.equal(|| call("filtered_in_circle"), filtered, expected)?;

@@ -13,7 +13,7 @@ use std::panic::catch_unwind;
 
 use arbitrary::{Result, Unstructured};
 use num_rational::BigRational;
-use sweep_cdt::scalar::Measure;
+use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt::{Heuristics, Pslg};
 use sweep_cdt_draw::ViolationsPicture;
@@ -267,7 +267,7 @@ fn try_reader(reader: Reader, bytes: &[u8], share: usize) {
 }
 
 /// Reads a result, verifies it, and writes and draws what is wrong with it.
-fn try_result<S: Coordinate + Measure>(
+fn try_result<S: Coordinate + Scalar>(
     format: ResultFormat,
     source: &Source,
     node: Option<&Source>,

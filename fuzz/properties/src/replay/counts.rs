@@ -2,35 +2,32 @@
 //!
 //! The trace knows no counters: what is made, flipped and removed is followed here by the vertices of the triangles.
 
-use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use sweep_cdt::trace::{Event, PointCase, Vertex, Why};
-use sweep_cdt::{Algorithm, ByCause, Heuristics, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, ByCause, Heuristics, Stats, Triangulation, Triangulator, Watch};
 use sweep_cdt_testing::Input;
 use sweep_cdt_trace::Trace;
 
-/// Panics unless another observed run, which reports its progress, has the same result as this one, with the counters
-/// of this trace. (A run that only counts may defer edges.)
+/// Panics unless another run in the paper's order, which reports its progress, has the same result as this one, with the
+/// counters of this trace.
 pub(super) fn judge_counts(
     Input { points, edges }: &Input,
     heuristics: Heuristics,
     trace: &Trace,
     expected: &Triangulation,
 ) {
-    let reports = Cell::new(0);
-    let progress = |done, all| {
+    let mut reports = 0;
+    let mut progress = |done, all| {
         assert!(done < all, "{done} of {all}");
-        reports.set(reports.get() + 1);
+        reports += 1;
     };
-    // A run with a trace keeps to its heuristics, whatever they flip.
-    let run = Triangulator::new()
-        .algorithm(Algorithm::Sweep)
-        .heuristics(heuristics)
-        .progress(&progress)
-        .observe(points, edges, |_| {})
-        .expect("as before");
-    let (result, stats) = (run.triangulation, run.stats);
+    let triangulator = Triangulator::new()
+        .algorithm(Algorithm::Paper)
+        .heuristics(heuristics);
+    let mut stats = Stats::default();
+    let watch = Watch::new().progress(&mut progress).stats(&mut stats);
+    let result = triangulator.run(points, edges, watch).expect("as before");
     let counts = [
         stats.points,
         stats.edges,
@@ -48,7 +45,7 @@ pub(super) fn judge_counts(
     assert_eq!(counts, there, "the counts (left)");
     assert!(result.triangles().eq(expected.triangles()));
     assert_eq!(
-        reports.get(),
+        reports,
         u32::from(!points.is_empty()),
         "reports of progress"
     );

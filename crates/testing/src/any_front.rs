@@ -1,30 +1,10 @@
-//! Any of the crate's search structures, chosen at run time: an indirect call more, except for the hash table.
+//! Any of the library's search structures, chosen at run time.
 
-use core::any::Any;
+use sweep_cdt::Watch;
+use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch, HashTable, Linear, SkipList};
 
-use super::hash_table::HashTable;
-use super::linear::Linear;
-use super::list::{Front, FrontNode};
-use super::search::{FrontInput, FrontSearch};
-use super::skip_list::SkipList;
-
-/// One of the crate's search structures, by name or by value.
-///
-/// ```
-/// use sweep_cdt::Triangulator;
-/// use sweep_cdt::front::AnyFront;
-///
-/// let names: Vec<&str> = AnyFront::all().iter().map(AnyFront::name).collect();
-/// assert_eq!(names, ["hash", "skip-list", "linear"]);
-///
-/// let front = AnyFront::named("skip-list").expect("one of the names");
-/// let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.0]];
-/// let run = Triangulator::new().front(front).triangulate_with_stats(&points, &[])?;
-/// assert_eq!((run.triangulation.len(), run.front.name()), (1, "skip-list"));
-/// # Ok::<(), sweep_cdt::Error>(())
-/// ```
+/// One of the library's search structures, by name or by value.
 #[derive(Clone, Debug)]
-#[non_exhaustive]
 pub enum AnyFront {
     /// The default: `hash`.
     HashTable(HashTable),
@@ -60,6 +40,14 @@ impl AnyFront {
         }
     }
 
+    /// What a run with this structure is given; the default is left to the sweep, which calls its own directly.
+    pub fn watch(&mut self) -> Watch<'_> {
+        match self {
+            AnyFront::HashTable(_) => Watch::new(),
+            other => Watch::new().front(other),
+        }
+    }
+
     fn structure(&mut self) -> &mut dyn FrontSearch {
         match self {
             AnyFront::HashTable(structure) => structure,
@@ -75,7 +63,6 @@ impl Default for AnyFront {
     }
 }
 
-// All functions are forwarded: a default of the trait would stand for a structure that does without it.
 impl FrontSearch for AnyFront {
     fn begin(&mut self, input: FrontInput<'_>) {
         self.structure().begin(input);
@@ -85,19 +72,11 @@ impl FrontSearch for AnyFront {
         self.structure().locate(x, front)
     }
 
-    fn wants_ranks(&mut self, steps: usize) -> bool {
-        self.structure().wants_ranks(steps)
-    }
-
     fn inserted(&mut self, node: FrontNode, x: f64) {
         self.structure().inserted(node, x);
     }
 
     fn removed(&mut self, node: FrontNode, x: f64) {
         self.structure().removed(node, x);
-    }
-
-    fn as_any(&mut self) -> Option<&mut dyn Any> {
-        self.structure().as_any()
     }
 }
