@@ -76,8 +76,6 @@ const LEAST: usize = 100;
 /// #     }
 /// }
 ///
-/// impl Scalar for Fixed {}
-///
 /// let fixed = |x: &num_rational::BigRational| {
 ///     let whole = x * num_bigint::BigInt::from(65536);
 ///     whole.is_integer().then(|| whole.to_i64().map(Fixed)).flatten()
