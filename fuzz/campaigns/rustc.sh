@@ -3,8 +3,8 @@
 # typed, builds what a campaign runs.
 #
 # Counters are for the code under test. In the loops of big integers, of other programs and of readers of JSON they cost
-# half of the time, and they make libFuzzer keep inputs that reach nothing new in this crate: crates of others are
-# compiled without them. What is generic is compiled, with counters, where it is used. Weighing comparisons costs more
+# half of the time, and they make libFuzzer keep inputs that reach nothing new in this crate: crates of others, and the
+# packages that draw, generate and judge, are compiled without them. What is generic is compiled, with counters, where it is used. Weighing comparisons costs more
 # executions than it gains with generated inputs. Which assertions are compiled says Cargo.toml, and in how many units.
 rustc=$1
 shift

@@ -13,8 +13,8 @@
 //! A structure knows x as a double, which may tell too little: crowded, equal or infinite. Then walks are long. They spend
 //! the budget that flips spend, too, and divide and conquer takes over where it ends ([`crate::Algorithm::Auto`]).
 //!
-//! `HashTable::counting` and `SkipList::counting` count
-//! their work ([`Work`]). To test a structure without a sweep, make a [`Front`] and a [`FrontInput`] by hand.
+//! `HashTable::counting` and `SkipList::counting` count their work ([`Work`]). To test a structure without a sweep, make
+//! a [`Front`] and a [`FrontInput`] by hand.
 //!
 //! Differs from the paper: the paper has the hash table only; the others are for comparison.
 

@@ -5,15 +5,15 @@ use std::fmt::Debug;
 use num_bigint::BigInt;
 use sweep_cdt::front::{FrontInput, FrontSearch, HashTable, Linear, SkipList};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Algorithm, Counters, Triangulator};
-use sweep_cdt_testing::{AnyFront, Random, counted, counted_with};
+use sweep_cdt::{Algorithm, Counters, Triangulator, Watch};
+use sweep_cdt_testing::{AnyFront, Random, counted, watched};
 
 use crate::statistics::{raster, square};
 
 /// The counters of a run of the sweep with this structure.
 fn with_front<S: Scalar>(front: &mut dyn FrontSearch, points: &[[S; 2]]) -> Counters {
     let triangulator = Triangulator::new().algorithm(Algorithm::Sweep);
-    let run = counted_with(&triangulator, points, &[], front);
+    let run = watched(&triangulator, points, &[], Watch::new().front(front));
     run.expect("no edges").stats.counters
 }
 

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use sweep_cdt::front::{Front, FrontInput, FrontNode, FrontSearch};
 use sweep_cdt::{Algorithm, Corners, Heuristics, Stats, Triangulator, Watch};
 use sweep_cdt_testing::runs::ALGORITHMS;
-use sweep_cdt_testing::{Random, counted, counted_with};
+use sweep_cdt_testing::{Random, counted, watched};
 
 /// The first points of a raster, row by row.
 pub(crate) fn raster(count: usize) -> Vec<[f64; 2]> {
@@ -144,7 +144,8 @@ fn the_mean_front_is_that_of_all_searches() {
     let of = |algorithm| {
         let mut front = Lengths::default();
         let triangulator = Triangulator::new().algorithm(algorithm);
-        let run = counted_with(&triangulator, &points, &[[0, 1]], &mut front).expect("one edge");
+        let watch = Watch::new().front(&mut front);
+        let run = watched(&triangulator, &points, &[[0, 1]], watch).expect("one edge");
         let counters = run.stats.counters;
         assert_eq!(counters.survived.sum(), run.triangulation.len() as u64);
         let seen = [front.searches, front.sum];

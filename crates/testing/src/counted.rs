@@ -1,6 +1,5 @@
 //! A run with its statistics, in one call.
 
-use sweep_cdt::front::FrontSearch;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Error, Stats, Triangulation, Triangulator, Watch};
 
@@ -13,19 +12,18 @@ pub struct Counted {
     pub stats: Stats,
 }
 
-/// Triangulates with statistics and this search structure.
+/// Triangulates with statistics, and otherwise watched as given.
 ///
 /// # Errors
 /// As [`Triangulator::run`].
-pub fn counted_with<S: Scalar>(
+pub fn watched<S: Scalar>(
     triangulator: &Triangulator,
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-    front: &mut dyn FrontSearch,
+    watch: Watch<'_>,
 ) -> Result<Counted, Error> {
     let mut stats = Stats::default();
-    let watch = Watch::new().front(front).stats(&mut stats);
-    let triangulation = triangulator.run(points, edges, watch)?;
+    let triangulation = triangulator.run(points, edges, watch.stats(&mut stats))?;
     Ok(Counted {
         triangulation,
         stats,
@@ -41,10 +39,5 @@ pub fn counted<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
 ) -> Result<Counted, Error> {
-    let mut stats = Stats::default();
-    let triangulation = triangulator.run(points, edges, Watch::new().stats(&mut stats))?;
-    Ok(Counted {
-        triangulation,
-        stats,
-    })
+    watched(triangulator, points, edges, Watch::new())
 }

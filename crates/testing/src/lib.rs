@@ -46,7 +46,7 @@ pub mod suite;
 pub use any_front::AnyFront;
 pub use arbitrary;
 pub use clouds::segments;
-pub use counted::{counted, counted_with};
+pub use counted::{counted, watched};
 pub use data::Input;
 pub use fronts::Steps;
 pub use oracle::boundary;

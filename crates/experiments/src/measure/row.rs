@@ -31,8 +31,6 @@ pub(crate) struct Row {
     pub(crate) searches: u64,
     /// Searches that named the very segment, so that no step followed.
     pub(crate) hits: u64,
-    /// How often the structure was told all vertices anew, with places in the place of x.
-    pub(crate) rebuilds: u64,
     pub(crate) front_mean: f64,
     pub(crate) front_max: u64,
     pub(crate) comparisons: Option<u64>,
@@ -128,7 +126,6 @@ impl Row {
     pub(super) fn see(&mut self, seen: Seen) {
         self.searches = seen.searches;
         self.hits = seen.hits;
-        self.rebuilds = seen.rebuilds;
         self.front_mean = seen.lengths as f64 / seen.searches.max(1) as f64;
         self.front_max = seen.greatest_length;
     }

@@ -5,10 +5,10 @@ use std::error::Error;
 use std::fmt;
 use std::time::Duration;
 
-use sweep_cdt::{Algorithm, Heuristics, Stats, Triangulation, Triangulator};
+use sweep_cdt::{Algorithm, Heuristics, Stats, Triangulation, Triangulator, Watch};
 use sweep_cdt_testing::counted::Counted;
 use sweep_cdt_testing::runs::{Sample, convert};
-use sweep_cdt_testing::{Input, counted, counted_with};
+use sweep_cdt_testing::{Input, counted, watched};
 
 use super::row::{Row, Timed};
 use super::watched::Watched;
@@ -74,7 +74,12 @@ impl Variant {
                     .algorithm(algorithm)
                     .heuristics(heuristics);
                 let mut front = Watched::new(counted.front().clone());
-                let run = counted_with(&triangulator, &input.points, &input.edges, &mut front)?;
+                let run = watched(
+                    &triangulator,
+                    &input.points,
+                    &input.edges,
+                    Watch::new().front(&mut front),
+                )?;
                 row.see(front.seen);
                 row.work(front.structure.work());
                 take_over(&run, row);

@@ -11,8 +11,6 @@ pub(super) struct Seen {
     pub(super) searches: u64,
     /// Searches that named the node to the left of x, or at it: the sweep takes no step.
     pub(super) hits: u64,
-    /// How often it was told all vertices anew, with places in the place of x.
-    pub(super) rebuilds: u64,
     /// Vertices on the front now, and at most.
     pub(super) length: u64,
     pub(super) greatest_length: u64,
@@ -51,9 +49,7 @@ impl<F> Watched<F> {
 
 impl<F: FrontSearch> FrontSearch for Watched<F> {
     fn begin(&mut self, input: FrontInput<'_>) {
-        // The front is told anew when places take the place of x.
         self.seen.length = 0;
-        self.seen.rebuilds += u64::from(!self.xs.is_empty());
         self.xs = vec![0.0; input.len()];
         self.structure.begin(input);
     }
@@ -112,13 +108,12 @@ mod tests {
         let expected = Seen {
             searches: 4,
             hits: 2,
-            rebuilds: 0,
             length: 2,
             greatest_length: 3,
             lengths: 1 + 2 + 3 + 2,
         };
         assert_eq!(watched.seen, expected);
         watched.begin(FrontInput::new(&points));
-        assert_eq!((watched.seen.rebuilds, watched.seen.length), (1, 0));
+        assert_eq!(watched.seen.length, 0);
     }
 }
