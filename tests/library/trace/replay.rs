@@ -1,10 +1,10 @@
 //! A trace replays to the result; a damaged one is refused, or means the same.
 
-use sweep_cdt::Heuristics;
+use sweep_cdt::{Algorithm, Heuristics, Triangulator, Watch};
 use sweep_cdt_testing::data::Hard;
-use sweep_cdt_testing::{Input, Steps};
-use sweep_cdt_trace::read_trace;
-use sweep_cdt_trace::{BadTrace, Trace};
+use sweep_cdt_testing::generators::medium;
+use sweep_cdt_testing::{Input, Random, Steps, families};
+use sweep_cdt_trace::{BadTrace, Trace, read_trace};
 
 use super::{HEURISTICS, lines, steps, text};
 use crate::cases;
@@ -187,4 +187,33 @@ fn edits(word: &str) -> Vec<String> {
         .flatten()
         .filter(|&&other| other != word);
     others.map(|&other| other.to_owned()).collect()
+}
+
+/// Other algorithms than the paper's have steps that no event names: what they pass on replays to the result, or is
+/// refused.
+#[test]
+fn steps_of_other_algorithms_replay_to_the_result_or_are_refused() {
+    let mut refused = 0;
+    let slanted = families::slanted().map(|family| (family.member)(200));
+    let others = (0..300).map(|seed| medium(&mut Random::new(seed)));
+    for Input { points, edges } in slanted.chain(others) {
+        for algorithm in [
+            Algorithm::Auto,
+            Algorithm::Sweep,
+            Algorithm::DivideAndConquer,
+        ] {
+            let mut trace = Trace::default();
+            let mut push = |event| trace.events.push(event);
+            let watch = Watch::new().events(&mut push);
+            let triangulator = Triangulator::new().algorithm(algorithm);
+            let Ok(result) = triangulator.run(&points, &edges, watch) else {
+                continue;
+            };
+            match trace.replay() {
+                Ok(triangles) => assert_eq!(triangles, result.canonical_triangles()),
+                Err(_) => refused += 1,
+            }
+        }
+    }
+    assert!(refused > 300, "{refused}");
 }
