@@ -1,5 +1,7 @@
 //! Many inputs, one after the other, in the same memory.
 
+use core::fmt;
+
 use crate::error::Error;
 use crate::interior::{FillRule, InteriorError};
 use crate::scalar::Scalar;
@@ -27,7 +29,6 @@ use crate::watch::Watch;
 /// assert_eq!(triangles, 1 + 2 + 3 + 4 + 5 + 6 + 7);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
-#[derive(Debug)]
 pub struct Session {
     settings: Settings,
     scratch: Scratch,
@@ -130,5 +131,13 @@ impl Session {
             self.polygon.triangles = list;
         }
         Ok(&self.polygon.triangles)
+    }
+}
+
+impl fmt::Debug for Session {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Session")
+            .field("settings", &self.settings)
+            .finish_non_exhaustive()
     }
 }

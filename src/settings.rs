@@ -18,8 +18,9 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Algorithm {
-    /// The sweep. Where it flips many sides, it goes on with the paper's heuristics. Where it flips more than a budget
-    /// linear in its work, it is abandoned: divide and conquer goes on or, with edges, begins anew.
+    /// The sweep. Where it flips many sides, it goes on with the paper's heuristics. Flips and long walks along the front
+    /// spend a budget, which is linear in the work. Where it is spent, the sweep is abandoned, and divide and conquer
+    /// begins anew.
     #[default]
     Auto,
     /// The sweep of Domiter and Žalik (2008), to its end and with the heuristics given. Fast on ordinary inputs; O(n^2)

@@ -1,7 +1,8 @@
 //! Predicates and sizes that a scalar leaves to another one with all its values. Cost: a conversion of 6 or 8 numbers.
 //! Why it is right: the points are converted exactly, or all by one positive factor, which changes no sign.
 
-/// Writes functions of a [`Scalar`](super::Scalar): the signs by those with stages; predicates or sizes by another type's.
+/// Writes functions of a [`Scalar`](super::Scalar): `signs` by those with stages, `predicates` and `sizes` by those of
+/// another type.
 macro_rules! forward {
     (signs) => {
         fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> ::core::cmp::Ordering {

@@ -1,10 +1,10 @@
 //! How many flips change the heuristics, abandon the sweep, or prove the scalar wrong. Cost: one subtraction a flip.
 //!
 //! The *budget* grows with the work: by some flips for each vertex swept, each corner of a chain that is filled, and
-//! each vertex when the hull is completed. Long walks along the front spend it, too. Unused flips are kept, up to a *reserve*. So the budget is linear in the
-//! size of the input and what its edges pierce, and vertices that need far more flips are noticed soon. Ordinary inputs
-//! need a small part of the budget. When it is spent, divide and conquer takes over ([`crate::Algorithm::Auto`]). Where
-//! bands are joined, the reserve is the whole budget.
+//! each vertex when the hull is completed. Long walks along the front spend it, too. Unused flips are kept, up to a
+//! *reserve*. So the budget is linear in the size of the input and what its edges pierce, and vertices that need far more
+//! flips are noticed soon. Ordinary inputs need a small part of the budget. When it is spent, divide and conquer takes
+//! over ([`crate::Algorithm::Auto`]). Where bands are joined, the reserve is the whole budget.
 //!
 //! The *excess* is what the sweep flips beyond four flips for each vertex. While it is large, the sweep uses the
 //! paper's heuristics; when it is gone, the caller's again. Wide corners flip least on most data. But where points

@@ -100,7 +100,6 @@ pub(crate) fn run<S: Scalar>(
         progress,
         events,
         stats,
-        ..
     } = watch;
     let is_watched = stats.is_some() || events.is_some();
     let mut observer = is_watched.then(|| Observer::of(events));

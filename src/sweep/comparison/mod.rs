@@ -54,7 +54,14 @@ impl<P: Probe> Delaunay<'_, P> {
     /// Legalizes all sides.
     fn legalize_all(&mut self) {
         for t in (0..self.mesh.len()).map(TriangleId::at) {
-            self.stack([0, 1, 2].map(|side| HalfEdge::new(t, side)));
+            // Each side from the lower-numbered of its two triangles.
+            let sides = [0, 1, 2].map(|side| HalfEdge::new(t, side));
+            let is_first = sides.map(|side| {
+                let twin = self.mesh.twin(side);
+                !twin.is_border() && twin.triangle() > t
+            });
+            let sides = sides.into_iter().zip(is_first);
+            self.stack(sides.filter_map(|(side, is_first)| is_first.then_some(side)));
             self.legalize();
         }
     }

@@ -89,8 +89,8 @@ use core::mem::take;
 const SHORT: usize = if cfg!(any(test, fuzzing)) { 3 } else { 16 };
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Fills a pseudo-polygon if its chain is long, unless the paper's order is asked for. Of the chain only the part of the edge
-    /// is left. Returns whether the pseudo-polygon has been filled.
+    /// Fills a pseudo-polygon if its chain is long, and the paper's order is not asked for. Of the chain only the part of
+    /// the edge is left. Returns whether the pseudo-polygon has been filled.
     pub(super) fn fill_in_random_order(&mut self, chain: &mut PseudoPolygonChain) -> bool {
         let len = chain.corners.len();
         if len <= SHORT || self.is_paper {
