@@ -61,7 +61,9 @@ fn main() {
             split_with(&input.points, &input.edges, &mut effort).expect("a valid input");
             let splitting: Work = work(&effort, start, pairs);
             let [listed, split] = *first.get_or_insert([listing[0], splitting[0]]);
-            let growth = [listing[0] / listed, splitting[0] / split];
+            // Some families make neither boxes nor a triangulation.
+            let growth = [(listing[0], listed), (splitting[0], split)];
+            let growth = growth.map(|(now, first)| if now == first { 1.0 } else { now / first });
             worst = worst.max(growth[0]).max(growth[1]);
             println!(
                 "{:56} {:>8} {pairs:>8} {:>8.1} {:>7.2} {:>7.2} {:>8.1} {:>7.2} {:>7.2}",

@@ -1,4 +1,4 @@
-//! Writes the cloud of a laser scanner: `cargo run --release -p sweep-cdt-external --features las --example cloud --
+//! Writes the cloud of a laser scanner: `cargo run --release -p sweep-cdt-stream --features las --example cloud --
 //! 50000000 tile.laz` makes fifty million points, packed if the name ends in `.laz`.
 //!
 //! The scanner flies to and fro and looks to both sides, so that the points lie on a zigzag, some centimetres from an even

@@ -1,6 +1,6 @@
 //! How long sorting takes: nanoseconds a point of generated points, or of a file.
 //!
-//! `cargo run --release -p sweep-cdt-external --example time -- 10000000 256 uniform` sorts ten million points in 256
+//! `cargo run --release -p sweep-cdt-stream --example time -- 10000000 256 uniform` sorts ten million points in 256
 //! megabytes. `uniform`, `rows` (a thousand different y), `clusters`, `equal` and `ordered` (nearly) are kinds of points;
 //! with `edges` at the end an edge joins each point to the next, with `far-edges` to one far from it in the file. A file in
 //! the place of the count is sorted as it is.

@@ -1,6 +1,6 @@
 //! Points and edges in the order of the sweep, sorted in external memory: for inputs that do not fit in memory.
 //!
-//! A sweep needs the points by y, then x, and at each point the edges that begin there. This package reads an [`Input`]
+//! A sweep needs the points by y, then x, and at each point the edges that begin there. This module reads an [`Input`]
 //! once from front to back, in pieces, and sorts it with a stated memory and temporary files. What comes out is a
 //! [`SweepOrder`], one vertex after the other.
 //!
