@@ -6,7 +6,8 @@
 //! edges meet at all ([`super::disjoint`]). If they do, they are separated ([`separate`]): most lines of a hatch cross
 //! nothing, and go into one triangulation. It tells what the rest crosses among them. Crossings within the rest are
 //! looked for again. The crossings that the boxes had found in vain are a debt: the boxes are not tried again before
-//! triangulations have found as many.
+//! triangulations have found as many. A vertex at which two edges were seen to meet is a vertex of later triangulations:
+//! all edges that pass it are separated at once.
 //!
 //! Why it is right: a pair that crosses is in one of two sets. Either a triangulation meets it, or both of its edges are
 //! of the rest. Four exact signs decide each pair: the ends of each edge lie on different sides of the other one. Then
@@ -47,6 +48,7 @@ pub(super) fn find<S: Exact>(
         vertices,
         edges,
         found: Vec::new(),
+        passed: Vec::new(),
         effort,
     };
     let mut open: Vec<usize> = (0..edges.len()).collect();
@@ -81,6 +83,8 @@ struct Find<'a, S> {
     vertices: &'a Vertices<S>,
     edges: &'a [[usize; 2]],
     found: Vec<Found<S>>,
+    /// Vertices inside two edges or more, as far as they were met.
+    passed: Vec<usize>,
     effort: &'a mut Effort,
 }
 
@@ -136,20 +140,16 @@ impl<S: Exact> Find<'_, S> {
 
     /// Adds the crossings of the edges with these positions among each other, but for some of the edges returned.
     fn by_triangulation(&mut self, open: &[usize]) -> Result<Vec<usize>, SplitError> {
-        self.effort.separated += open.len() as u64;
         let limit = self.effort.limit;
-        let mut ends: Vec<usize> = open.iter().flat_map(|&edge| self.edges[edge]).collect();
-        ends.sort_unstable();
-        ends.dedup();
-        let points: Vec<[S; 2]> = ends.iter().map(|&v| self.points[v].clone()).collect();
-        let place = |v: usize| ends.partition_point(|&end| end < v);
-        let edges: Vec<[usize; 2]> = open
-            .iter()
-            .map(|&edge| self.edges[edge].map(place))
-            .collect();
-        let Some(Separated { rest, pairs }) = separate(&points, &edges, 2 * limit)? else {
-            return Err(SplitError::TooManyCrossings { limit });
+        let separated = match self.separated(open)? {
+            None => {
+                // So many pairs may meet at vertices, which a triangulation of all points knows.
+                self.passed = (0..self.points.len()).collect();
+                self.separated(open)?
+            }
+            separated => separated,
         };
+        let Separated { rest, pairs } = separated.ok_or(SplitError::TooManyCrossings { limit })?;
         // The crossings of two edges of the rest are looked for again.
         let mut is_rest = alloc::vec![false; open.len()];
         for &edge in &rest {
@@ -163,20 +163,43 @@ impl<S: Exact> Find<'_, S> {
         Ok(rest.into_iter().map(|edge| open[edge as usize]).collect())
     }
 
+    /// Separates the edges with these positions; `None` if that takes too many pairs.
+    fn separated(&mut self, open: &[usize]) -> Result<Option<Separated>, SplitError> {
+        self.effort.separated += open.len() as u64;
+        self.passed.sort_unstable();
+        self.passed.dedup();
+        let mut inputs: Vec<usize> = open.iter().flat_map(|&edge| self.edges[edge]).collect();
+        inputs.extend(&self.passed);
+        inputs.sort_unstable();
+        inputs.dedup();
+        let points: Vec<[S; 2]> = inputs.iter().map(|&v| self.points[v].clone()).collect();
+        let place = |v: usize| inputs.partition_point(|&input| input < v);
+        let edges: Vec<[usize; 2]> = open
+            .iter()
+            .map(|&edge| self.edges[edge].map(place))
+            .collect();
+        Ok(separate(&points, &edges, 2 * self.effort.limit)?)
+    }
+
     /// Adds a pair if it crosses; returns whether it does. A pair comes once.
     fn add(&mut self, pair: [usize; 2]) -> Result<bool, SplitError> {
         let ends = pair.map(|edge| self.ends(edge));
         if !cross(ends) {
             return Ok(false);
         }
-        let crossing = Crossing::new(pair, ends);
-        let nearest = crossing.nearest();
         // Lines that cross have one point in common.
-        let is_on_both = |v: usize| {
+        let is_on_both = |&v: &usize| {
             let on = |[a, b]: [&[S; 2]; 2]| filtered_orient2d(a, b, &self.points[v]).is_eq();
             ends.into_iter().all(on)
         };
-        if self.vertices.at(&nearest).is_some_and(is_on_both) {
+        // Where many edges pass one vertex, the point is not computed for each pair.
+        if self.passed.last().is_some_and(is_on_both) {
+            return Ok(false);
+        }
+        let crossing = Crossing::new(pair, ends);
+        let nearest = crossing.nearest();
+        if let Some(v) = self.vertices.at(&nearest).filter(is_on_both) {
+            self.passed.push(v);
             return Ok(false);
         }
         let limit = self.effort.limit;
@@ -238,6 +261,36 @@ mod tests {
         (list, edges.collect())
     }
 
+    /// Edges that meet at vertices inside them: lines through the points of a grid, or through some centres.
+    fn through_vertices(below: &mut impl FnMut(usize) -> usize) -> Graph {
+        let (mut points, mut edges) = (Vec::new(), Vec::new());
+        let mut edge = |points: &[[f64; 2]]| edges.push([points.len() - 2, points.len() - 1]);
+        if below(2) == 0 {
+            let [columns, rows] = [2 + below(15), 2 + below(15)];
+            let grid = (0..columns * rows).map(|i| [1 + i % columns, 1 + i / columns]);
+            points.extend(grid.map(|place| place.map(|x| x as f64)));
+            for x in 1..=columns {
+                points.extend([[x as f64, 0.0], [x as f64, rows as f64 + 1.0]]);
+                edge(&points);
+            }
+            for y in 1..=rows {
+                points.extend([[0.0, y as f64], [columns as f64 + 1.0, y as f64]]);
+                edge(&points);
+            }
+        } else {
+            for _ in 0..1 + below(3) {
+                let [x, y] = [below(20) as f64, below(20) as f64];
+                points.push([x, y]);
+                for _ in 0..1 + below(20) {
+                    let [dx, dy] = [below(99) as f64 - 49.0, 1.0 + below(50) as f64];
+                    points.extend([[x - dx, y - dy], [x + dx, y + dy]]);
+                    edge(&points);
+                }
+            }
+        }
+        (points, edges)
+    }
+
     /// Every pair, tried in whole numbers; a crossing at a vertex does not count.
     fn expected((points, edges): &Graph) -> Vec<[usize; 2]> {
         let at = |edge: usize| edges[edge].map(|v| &points[v]);
@@ -270,11 +323,13 @@ mod tests {
         let below = &mut numbers();
         let (mut some, mut too_many) = (0, 0);
         for round in 0..3000 {
-            let graph = if round % 3 == 0 {
-                let (lines, others) = (2 + below(90), below(12));
-                hatch(lines, others, below)
-            } else {
-                on_few_places(below)
+            let graph = match round % 6 {
+                0 | 3 => {
+                    let (lines, others) = (2 + below(90), below(12));
+                    hatch(lines, others, below)
+                }
+                1 | 4 => through_vertices(below),
+                _ => on_few_places(below),
             };
             let expected = expected(&graph);
             // Small inputs are searched as if they were large.
