@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-ECHO = [sys.executable, "-c", "import sys\nfor line in sys.stdin: print(sys.argv[1], flush=True)"]
+ECHO = [sys.executable, "-IS", "-c", "import sys\nfor line in sys.stdin: print(sys.argv[1], flush=True)"]
 HERE = pathlib.Path(__file__).parent
 
 
