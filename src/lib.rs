@@ -25,6 +25,7 @@ pub mod threads;
 pub mod trace;
 mod triangulation;
 mod triangulator;
+mod tuning;
 pub mod verify;
 mod watch;
 
@@ -42,6 +43,8 @@ pub use triangulation::locate::Location;
 pub use triangulation::stars::{Corner, VertexStars};
 pub use triangulation::with_points::WithPoints;
 pub use triangulator::Triangulator;
+#[doc(hidden)]
+pub use tuning::Tuning;
 #[cfg(feature = "parallel")]
 pub use watch::Bands;
 pub use watch::Watch;

@@ -11,7 +11,7 @@
 //!         \   \   \   \       it on both sides, between which there are only few triangles to pierce.
 //! ```
 //!
-//! So an edge may pierce [`FEW`] triangles, and all edges together [`PER_VERTEX`] more for each vertex. Ordinary edges
+//! So an edge may pierce a few triangles, and all edges together a few more for each vertex ([`crate::Tuning`]). Ordinary edges
 //! stay below. An edge that comes to its limit is put off: its pockets are filled, and nothing is removed.
 //!
 //! Why it is right: the triangulation is the only one (the canonical rule), so the order of the edges is free. Where
@@ -42,16 +42,13 @@ use crate::error::Error;
 use crate::ids::VertexId;
 use crate::observe::probe::Probe;
 
-/// The triangles that each part of an edge may pierce. Small inputs are tested as if they were large.
-const FEW: usize = if cfg!(any(test, fuzzing)) { 1 } else { 16 };
-/// The triangles that all edges together may pierce beyond that, for each vertex.
-const PER_VERTEX: u64 = if cfg!(any(test, fuzzing)) { 0 } else { 2 };
-
 /// The edges that wait for the hull to be complete because they pierce many triangles.
 #[derive(Debug)]
 pub(super) struct DeferredEdges {
     list: Vec<PendingEdge>,
     were_any: bool,
+    /// The triangles that each part may pierce.
+    few: usize,
     /// The triangles that edges may still pierce beyond a few each.
     allowance: u64,
 }
@@ -63,10 +60,11 @@ impl DeferredEdges {
         DeferredEdges {
             list: Vec::new(),
             were_any: false,
+            few: delaunay.tuning.pierced_by_part,
             allowance: if delaunay.is_paper {
                 u64::MAX
             } else {
-                PER_VERTEX * vertices
+                delaunay.tuning.pierced_for_vertex * vertices
             },
         }
     }
@@ -85,13 +83,13 @@ impl DeferredEdges {
     #[inline(always)]
     pub(super) fn most(&self, triangles: usize) -> usize {
         let allowed = usize::try_from(self.allowance).unwrap_or(usize::MAX);
-        triangles.min(allowed.saturating_add(FEW))
+        triangles.min(allowed.saturating_add(self.few))
     }
 
     /// Takes triangles that a part has pierced from the allowance.
     #[inline(always)]
     pub(super) fn spend(&mut self, pierced: usize) {
-        let beyond = pierced.saturating_sub(FEW) as u64;
+        let beyond = pierced.saturating_sub(self.few) as u64;
         self.allowance = self.allowance.saturating_sub(beyond);
     }
 
@@ -186,6 +184,7 @@ mod tests {
     use super::Random;
     use crate::settings::Algorithm;
     use crate::triangulator::Triangulator;
+    use crate::tuning::Tuning;
     use crate::verify::verify;
     use crate::{Error, Triangulation};
 
@@ -280,6 +279,7 @@ mod tests {
             for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
                 let here = Triangulator::new()
                     .algorithm(algorithm)
+                    .tuning(Tuning::SMALL)
                     .triangulate(points, edges);
                 assert_same(&here, &plain, &input);
             }

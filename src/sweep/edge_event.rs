@@ -4,7 +4,7 @@
 //! until the hull is complete ([`super::pending_edges`]). Where the part runs above the front, the *pocket* between
 //! them is filled (figures 13 and 14). Then the part lies inside the triangulation. If it is a side already, that side
 //! becomes constrained. Otherwise two pseudo-polygons replace the pierced triangles (figure 12). Overlapping edges
-//! share their parts. Fast path: if at most [`FEW`] edges end here and all are sides already (usual in maps and
+//! share their parts. Fast path: if at most [`EDGES_LOOKED_FOR`] edges end here and all are sides already (usual in maps and
 //! drawings), they are found by vertex ids, without predicates.
 //!
 //! ```text
@@ -21,7 +21,7 @@
 //! filled, the edge lies inside the triangulation. A new edge blocks views and opens none: sides not pierced stay
 //! locally Delaunay.
 //!
-//! Cost: at most [`FEW`] turns around the upper end by vertex ids, and one turn by tests for all edges there. One test
+//! Cost: at most [`EDGES_LOOKED_FOR`] turns around the upper end by vertex ids, and one turn by tests for all edges there. One test
 //! for each node passed and each triangle pierced, or two where a pocket is filled.
 //!
 //! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in one lower
@@ -40,9 +40,7 @@ use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::trace::{EdgePosition, Event, Why};
-
-/// The most edges that the fast path looks for, one by one: no slower than making the triangles around the upper end.
-const FEW: usize = 4;
+use crate::tuning::EDGES_LOOKED_FOR;
 
 impl<P: Probe> Sweep<'_, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
@@ -69,7 +67,7 @@ impl<P: Probe> Sweep<'_, P> {
     fn find_sides(&mut self, upper: VertexId, leftmost: HalfEdge) -> bool {
         self.traversed.present.clear();
         let edges = self.edges.at(upper);
-        if edges.len() > FEW {
+        if edges.len() > EDGES_LOOKED_FOR {
             return false;
         }
         for &(lower, _) in edges {

@@ -32,9 +32,7 @@ use crate::observe::probe::Probe;
 use crate::observe::recorder::Phase;
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
-
-/// The most artificial triangles that are sorted by comparison.
-const FEW: usize = 100;
+use crate::tuning::FEW_ARTIFICIAL;
 
 impl<P: Probe> Sweep<'_, P> {
     /// Fills the front up to the upper hull.
@@ -157,7 +155,7 @@ impl<P: Probe> Sweep<'_, P> {
 /// Sorts distinct triangle numbers below `count`: a few by comparison, many with one bit for each number.
 fn put_in_order(list: &mut Vec<TriangleId>, count: usize) {
     const BITS: usize = u64::BITS as usize;
-    if list.len() <= FEW {
+    if list.len() <= FEW_ARTIFICIAL {
         return list.sort_unstable();
     }
     let mut marks = vec![0_u64; count.div_ceil(BITS)];

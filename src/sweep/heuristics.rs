@@ -40,6 +40,7 @@ use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::settings::Corners;
 use crate::trace::Why;
+use crate::tuning::BASIN_REACH;
 
 /// Square of the cosine of 110 degrees.
 const WIDE: f64 = 0.117;
@@ -195,9 +196,6 @@ fn inward(direction: Direction) -> Ordering {
         Direction::Left => Less,
     }
 }
-
-/// How many nodes the search for a basin may pass on its way down, and again on its way up.
-const BASIN_REACH: usize = 32;
 
 impl<P: Probe> Sweep<'_, P> {
     #[inline(always)]

@@ -18,11 +18,13 @@ use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::Settings;
 use crate::trace::{Event, Why};
 use crate::triangulation::edge_chains::EdgeChainBuilder;
+use crate::tuning::Tuning;
 
 /// Sorts and merges the points, and lists the edges at their upper ends, all in `scratch`.
 pub(super) fn initialize<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
+    tuning: Tuning,
     scratch: &mut Scratch,
 ) -> Result<EdgeChainBuilder, Error> {
     // Too many vertices or edges, or wrong ones, are refused.
@@ -47,7 +49,7 @@ pub(super) fn initialize<S: Scalar>(
     scratch
         .held
         .vertices
-        .set(&approx, inputs, &mut scratch.sort);
+        .set(&approx, inputs, &mut scratch.sort, tuning);
     drop(approx);
     scratch.lent.edges.set(
         &scratch.held.vertices,
@@ -69,7 +71,8 @@ pub(super) fn begin<'a, P: Probe>(
     mut held: Held,
     lent: &'a mut Lent,
 ) -> Sweep<'a, P> {
-    let mut search = Search::with(front, take(&mut held.table));
+    let table = take(&mut held.table).tuned(settings.tuning);
+    let mut search = Search::with(front, table);
     search.begin(FrontInput::new(&held.vertices.approx));
     // Each vertex has a border half-edge: the segment of the front that starts there.
     let n = held.vertices.len();

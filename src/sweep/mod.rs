@@ -69,6 +69,7 @@ use crate::settings::{Algorithm, Heuristics, Progress, Settings};
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
 use crate::triangulation::edge_chains::EdgeChainBuilder;
+use crate::tuning::{EVENTS_BETWEEN_LOOKS, EVENTS_BETWEEN_REPORTS};
 use crate::watch::Watch;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
@@ -82,10 +83,6 @@ pub(crate) use scratch::Scratch;
 use scratch::{Held, Lent};
 pub(crate) use separate::{Separated, separate};
 use traversal::Traversed;
-
-/// How many point events pass between two looks at the budget of flips, and between two reports of progress.
-const CHECK: u32 = 16;
-const REPORT: u32 = 4096;
 
 /// Runs the three parts of section 3.2, or divide and conquer in place of the first two.
 pub(crate) fn run<S: Scalar>(
@@ -106,7 +103,7 @@ pub(crate) fn run<S: Scalar>(
     if let Some(observer) = &mut observer {
         observer.recorder.clock(Phase::Initialization);
     }
-    let chains = initialization::initialize(points, edges, scratch)?;
+    let chains = initialization::initialize(points, edges, settings.tuning, scratch)?;
     let call = Call {
         chains,
         settings,
@@ -217,8 +214,7 @@ impl<'a, P: Probe> Sweep<'a, P> {
         lent: &'a mut Lent,
     ) -> Self {
         let predicates = SweepPredicates::new(points, held.vertices).with_ties(settings.ties);
-        let algorithm = settings.algorithm;
-        let delaunay = Delaunay::new(held.mesh, predicates, algorithm, probe, &mut lent.delaunay);
+        let delaunay = Delaunay::new(held.mesh, predicates, settings, probe, &mut lent.delaunay);
         let deferred = DeferredEdges::new(&delaunay);
         lent.vertex_triangles.clear();
         Sweep {
@@ -396,12 +392,14 @@ impl<P: Probe> Sweep<'_, P> {
             if !self.edges.at(v).is_empty() {
                 self.edge_event(v)?;
             }
-            if v.number() % CHECK == 0 {
-                self.delaunay.flip_limit.grant_for_vertices(CHECK);
+            if v.number() % EVENTS_BETWEEN_LOOKS == 0 {
+                self.delaunay
+                    .flip_limit
+                    .grant_for_vertices(EVENTS_BETWEEN_LOOKS);
                 if self.delaunay.flip_limit.is_spent() {
                     return Ok(false);
                 }
-                if v.number() % REPORT == 0
+                if v.number() % EVENTS_BETWEEN_REPORTS == 0
                     && let Some(progress) = &mut progress
                 {
                     progress(v.index(), n);

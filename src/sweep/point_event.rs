@@ -29,9 +29,6 @@ use crate::observe::probe::Probe;
 use crate::settings::Corners;
 use crate::trace::{Event, PointCase, Why};
 
-/// Walks of more steps than this spend the budget of flips.
-const LONG_WALK: usize = if cfg!(fuzzing) { 2 } else { 32 };
-
 impl<P: Probe> Sweep<'_, P> {
     /// Adds vertex `v`, the next one in sweep order.
     pub(super) fn point_event(&mut self, v: VertexId) {
@@ -129,7 +126,7 @@ impl<P: Probe> Sweep<'_, P> {
             c.front_steps += steps as u64;
             c.point_events += 1;
         });
-        if steps > LONG_WALK {
+        if steps > self.delaunay.tuning.long_walk {
             self.delaunay.flip_limit.spend_steps(steps);
         }
         (at, order == Equal)

@@ -28,6 +28,7 @@ use crate::ids::VertexId;
 use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::{Algorithm, Settings};
 use crate::triangulation::edge_chains::EdgeChainBuilder;
+use crate::tuning::Tuning;
 
 /// Edges by their positions in the list of all.
 #[derive(Debug, Default)]
@@ -45,7 +46,7 @@ pub(crate) fn separate<S: Scalar>(
     most: usize,
 ) -> Result<Option<Separated>, Error> {
     let scratch = &mut Scratch::default();
-    let chains = initialize(points, edges, scratch)?;
+    let chains = initialize(points, edges, Tuning::REAL, scratch)?;
     Ok(separate_vertices(&points, chains, most, scratch))
 }
 

@@ -36,9 +36,6 @@ use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::trace::Event;
 
-/// The triangles of the first turn around each end of an edge. Small inputs are tested as if they were large.
-const FIRST_TURN: usize = if cfg!(any(test, fuzzing)) { 1 } else { 8 };
-
 /// A part of an edge: to the first vertex on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
@@ -150,7 +147,7 @@ impl<P: Probe> Sweep<'_, P> {
     /// around it each time: in a plane graph the smaller degrees of the ends of all edges sum to O(n).
     pub(super) fn nearer_departure(&mut self, ends: [VertexId; 2]) -> ([VertexId; 2], HalfEdge) {
         let around = ends.map(|v| self.side_opposite(v));
-        let mut most = FIRST_TURN;
+        let mut most = self.delaunay.tuning.first_turn;
         loop {
             for ([from, to], around) in [(ends, around[0]), ([ends[1], ends[0]], around[1])] {
                 match self.depart([from, to], around, most) {

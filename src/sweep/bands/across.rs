@@ -7,16 +7,14 @@
 //!
 //! Why it is right: a table is made after the last flip, and renewed where triangles are replaced. Cost, besides the
 //! insertions: O(m log m) to sort m edges; for each band O(k) where the highest upper end is its k-th vertex, and
-//! [`MORE`]; or once O(n) for all n vertices.
+//! [`MADE_LATE`]; or once O(n) for all n vertices.
 
 use super::super::Sweep;
 use super::partition::Edge;
 use crate::error::Error;
 use crate::observe::probe::Probe;
+use crate::tuning::MADE_LATE;
 use alloc::vec::Vec;
-
-/// Triangles searched beyond two for each vertex: some triangles of the first vertices are made late.
-const MORE: usize = 1 << 16;
 
 impl<P: Probe> Sweep<'_, P> {
     /// Inserts edges whose ends are numbered in the whole, each down to the first vertex on it. `starts` has the first
@@ -37,7 +35,7 @@ impl<P: Probe> Sweep<'_, P> {
                 && self.vertex_triangles.len() < vertices
             {
                 let listed = vertex..highest.index() + 1;
-                let end = end.min(triangle + 2 * listed.len() + MORE);
+                let end = end.min(triangle + 2 * listed.len() + MADE_LATE);
                 self.vertex_triangles
                     .make(&self.delaunay.mesh, listed, triangle..end);
             }

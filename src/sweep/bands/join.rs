@@ -71,7 +71,7 @@ pub(super) fn join<'a, P: Probe>(
     let mut sweep = Sweep::new(points, chains, settings, search, probe, held, lent);
     let delaunay = &mut sweep.delaunay;
     // Whatever the algorithm, joining is given up where it flips too much.
-    delaunay.flip_limit = FlipLimit::new(n, true);
+    delaunay.flip_limit = FlipLimit::new(n, Some(settings.tuning.reserve));
     let mode = if sweep.chains.is_empty() {
         MergeMode::Delete
     } else {
@@ -85,7 +85,7 @@ pub(super) fn join<'a, P: Probe>(
     if delaunay.flip_limit.is_spent() {
         return None;
     }
-    delaunay.flip_limit = FlipLimit::new(n, false);
+    delaunay.flip_limit = FlipLimit::new(n, None);
     sweep.hand_over(part.first);
     sweep.insert_across(crossing, &starts).ok()?;
     sweep.insert_pending().ok()?;

@@ -41,6 +41,7 @@ use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::trace::Why;
+use crate::tuning::{CLOSED_ONE_BY_ONE, LONG_FLIP_STACK};
 
 /// A vertex of a chain and the border half-edge from it to the next one (meaningless for the last one). If that border
 /// half-edge has a triangle outside, closing the corner joins it to the new triangle, and their common side goes on the
@@ -50,12 +51,6 @@ pub(in crate::sweep) struct ChainVertex {
     pub(in crate::sweep) vertex: VertexId,
     pub(in crate::sweep) border: BorderId,
 }
-
-/// Chains of at most this many vertices are closed one corner at a time.
-const CLOSED_ONE_BY_ONE: usize = 6;
-
-/// A flip stack of more than this many sides does not wait for the end of the chain.
-const MANY: usize = 4096;
 
 impl<P: Probe> Delaunay<'_, P> {
     /// Fills the region left of `chain`, and leaves its hull. Sides between new and old triangles go on the flip stack.
@@ -121,7 +116,7 @@ impl<P: Probe> Delaunay<'_, P> {
                 self.flip_stack.push(HalfEdge::new(t, corner));
             }
         }
-        if self.flip_stack.len() > MANY {
+        if self.flip_stack.len() > LONG_FLIP_STACK {
             self.legalize();
         }
         chord

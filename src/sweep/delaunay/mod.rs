@@ -15,8 +15,9 @@ use super::predicates::SweepPredicates;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
 use crate::observe::probe::Probe;
-use crate::settings::Algorithm;
+use crate::settings::{Algorithm, Settings};
 use crate::trace::{Event, Vertex, Why};
+use crate::tuning::Tuning;
 use cavity::Polygons;
 pub(super) use fill::ChainVertex;
 pub(super) use run::Random;
@@ -31,7 +32,7 @@ pub(super) struct Buffers {
 }
 
 /// Triangles, predicates, and the sides that legalization still has to test. The whole sweep uses
-/// the first five fields; the others are this folder's own.
+/// the first six fields; the others are this folder's own.
 #[derive(Debug)]
 pub(super) struct Delaunay<'a, P> {
     pub(super) mesh: Mesh,
@@ -40,6 +41,7 @@ pub(super) struct Delaunay<'a, P> {
     pub(super) probe: P,
     /// Whether edges are inserted as in the paper.
     pub(super) is_paper: bool,
+    pub(super) tuning: Tuning,
     flip_stack: &'a mut Vec<HalfEdge>,
     /// Of [`Delaunay::insert_run`].
     run: &'a mut Run,
@@ -52,12 +54,15 @@ impl<'a, P: Probe> Delaunay<'a, P> {
     pub(super) fn new(
         mesh: Mesh,
         predicates: SweepPredicates<'a>,
-        algorithm: Algorithm,
+        settings: Settings,
         probe: P,
         buffers: &'a mut Buffers,
     ) -> Self {
-        let has_budget = algorithm == Algorithm::Auto;
-        let flip_limit = FlipLimit::new(predicates.vertices.len(), has_budget);
+        let Settings {
+            algorithm, tuning, ..
+        } = settings;
+        let reserve = (algorithm == Algorithm::Auto).then_some(tuning.reserve);
+        let flip_limit = FlipLimit::new(predicates.vertices.len(), reserve);
         let Buffers {
             flip_stack,
             run,
@@ -71,6 +76,7 @@ impl<'a, P: Probe> Delaunay<'a, P> {
             flip_limit,
             probe,
             is_paper: algorithm == Algorithm::Paper,
+            tuning,
             flip_stack,
             run,
             polygons,

@@ -84,16 +84,12 @@ use crate::observe::probe::Probe;
 use crate::trace::Why;
 use core::mem::take;
 
-/// Chains of at most this many vertices are filled as the chains of the front are: they cannot flip much. Small inputs
-/// are tested as if they were large.
-const SHORT: usize = if cfg!(any(test, fuzzing)) { 3 } else { 16 };
-
 impl<P: Probe> Delaunay<'_, P> {
     /// Fills a pseudo-polygon if its chain is long, and the paper's order is not asked for. Of the chain only the part of
     /// the edge is left. Returns whether the pseudo-polygon has been filled.
     pub(super) fn fill_in_random_order(&mut self, chain: &mut PseudoPolygonChain) -> bool {
         let len = chain.corners.len();
-        if len <= SHORT || self.is_paper {
+        if len <= self.tuning.short_chain || self.is_paper {
             return false;
         }
         let mut run = take(self.run);
@@ -158,7 +154,7 @@ mod tests {
     use super::Delaunay;
     use crate::ids::{TriangleId, VertexId};
     use crate::mesh::HalfEdge;
-    use crate::settings::Algorithm;
+    use crate::settings::Settings;
     use alloc::vec;
     use alloc::vec::Vec;
     use core::cmp::Ordering::Greater;
@@ -180,8 +176,8 @@ mod tests {
 
     /// Makes all triangles of a fan right, none of which is turned over. Returns how many leave it.
     fn leave_fan(points: &[[f64; 2]]) -> usize {
-        let mut scratch = Scratch::default();
-        initialize(points, &[], &mut scratch).expect("points");
+        let (settings, mut scratch) = (Settings::default(), Scratch::default());
+        initialize(points, &[], settings.tuning, &mut scratch).expect("points");
         let Scratch { held, mut lent, .. } = scratch;
         let vertices = held.vertices;
         let mut number = vec![VertexId::at(0); points.len()];
@@ -189,13 +185,7 @@ mod tests {
             number[input as usize] = VertexId::at(rank);
         }
         let predicates = SweepPredicates::new(&points, vertices);
-        let mut delaunay = Delaunay::new(
-            held.mesh,
-            predicates,
-            Algorithm::Auto,
-            (),
-            &mut lent.delaunay,
-        );
+        let mut delaunay = Delaunay::new(held.mesh, predicates, settings, (), &mut lent.delaunay);
         delaunay.mesh.begin(points.len(), 0);
         let mut first = None;
         let mut spoke = HalfEdge::border(delaunay.mesh.add_border());

@@ -14,12 +14,7 @@ use alloc::vec::Vec;
 
 use super::fan::Fan;
 use crate::ids::{BorderId, narrow};
-
-/// Runs of at most this many corners are inserted in one round: they are near each other in any order.
-const IN_ONE_ROUND: usize = 4096;
-
-/// Draws in a row that find no corner to take out, before the run is given up: half of the corners can be taken out.
-const DRAWS: usize = 100;
+use crate::tuning::{IN_ONE_ROUND, MOST_DRAWS};
 
 /// Marsaglia's xorshift: the same numbers in every run and on every machine.
 #[derive(Debug)]
@@ -89,7 +84,7 @@ impl Run {
         for last in (1..self.order.len()).rev() {
             let mut draws = 0;
             while !may_go(self.order[last], self.neighbors(self.order[last])) {
-                if draws == DRAWS {
+                if draws == MOST_DRAWS {
                     return false;
                 }
                 draws += 1;

@@ -71,7 +71,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay.probe.begin(Phase::Sweeping);
         let n = self.delaunay.predicates.vertices.len();
         self.delaunay.probe.record(|r| r.stats.is_divided = true);
-        self.delaunay.flip_limit = FlipLimit::new(n, false);
+        self.delaunay.flip_limit = FlipLimit::new(n, None);
         self.chains.clear();
         self.pending.clear();
         self.deferred = DeferredEdges::new(&self.delaunay);

@@ -49,8 +49,9 @@ use super::scratch::Scratch;
 use super::vertices::ApproxPoints;
 use crate::ids::{TriangleId, VertexId, narrow};
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::Algorithm;
+use crate::settings::Settings;
 use crate::triangulation::canonical::{CanonicalBuffers, canonical_into};
+use crate::tuning::Tuning;
 use chains::Chains;
 use rings::Rings;
 use status::{Crossed, END, Status};
@@ -88,7 +89,7 @@ pub(crate) fn triangulate_rings<S: Scalar>(
     scratch
         .held
         .vertices
-        .set(&approx, inputs, &mut scratch.sort);
+        .set(&approx, inputs, &mut scratch.sort, Tuning::REAL);
     drop(approx);
     scratch.held.vertices.duplicates.is_empty() && sweep(&points, directed, scratch, polygon)
 }
@@ -109,7 +110,13 @@ fn sweep(
     mesh.begin(n, 0);
     let predicates = SweepPredicates::new(points, vertices);
     let mut sweep = PolygonSweep {
-        delaunay: Delaunay::new(mesh, predicates, Algorithm::Auto, (), &mut lent.delaunay),
+        delaunay: Delaunay::new(
+            mesh,
+            predicates,
+            Settings::default(),
+            (),
+            &mut lent.delaunay,
+        ),
         rings: &polygon.rings,
         status: &mut polygon.status,
         chains: &mut polygon.chains,
