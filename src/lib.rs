@@ -16,6 +16,7 @@ pub mod memory;
 mod mesh;
 mod observe;
 mod pslg;
+mod random;
 pub mod scalar;
 mod session;
 mod settings;

@@ -1,7 +1,7 @@
 //! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted.
 //!
 //! A vertex on an edge ends one *part* of it and starts the next. The edge event inserts the first part; the rest waits
-//! until the hull is complete ([`super::pending_edges`]). Where the part runs above the front, the *pocket* between
+//! until the hull is complete ([`super::waiting_edges`]). Where the part runs above the front, the *pocket* between
 //! them is filled (figures 13 and 14). Then the part lies inside the triangulation. If it is a side already, that side
 //! becomes constrained. Otherwise two pseudo-polygons replace the pierced triangles (figure 12). Overlapping edges
 //! share their parts. Fast path: if at most [`EDGES_LOOKED_FOR`] edges end here and all are sides already (usual in maps and
@@ -33,8 +33,8 @@ use core::cmp::Ordering::Equal;
 use core::mem::take;
 
 use super::Sweep;
-use super::pending_edges::PendingEdge;
-use super::traversal::{CrossedSide, Part};
+use super::traversal::{CrossedSide, Part, Traversal};
+use super::waiting_edges::WaitingEdge;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
@@ -47,15 +47,15 @@ impl<P: Probe> Sweep<'_, P> {
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
         let leftmost = self.leftmost(upper);
         if !self.find_sides(upper, leftmost) {
-            let mut list = take(self.list);
+            let mut list = take(&mut self.lists.inserted);
             list.clear();
-            list.extend_from_slice(self.edges.at(upper));
+            list.extend_from_slice(self.lists.edges.at(upper));
             let inserted = self.insert_edges(upper, &mut list, leftmost);
-            *self.list = list;
+            self.lists.inserted = list;
             return inserted;
         }
         for k in 0..self.traversed.present.len() {
-            let (lower, edge) = self.edges.at(upper)[k];
+            let (lower, edge) = self.lists.edges.at(upper)[k];
             self.constrain_edge(upper, lower, edge, self.traversed.present[k]);
         }
         Ok(())
@@ -66,7 +66,7 @@ impl<P: Probe> Sweep<'_, P> {
     #[inline(always)]
     fn find_sides(&mut self, upper: VertexId, leftmost: HalfEdge) -> bool {
         self.traversed.present.clear();
-        let edges = self.edges.at(upper);
+        let edges = self.lists.edges.at(upper);
         if edges.len() > EDGES_LOOKED_FOR {
             return false;
         }
@@ -162,11 +162,13 @@ impl<P: Probe> Sweep<'_, P> {
                 Some(of) if self.chains.are_equal(edge, of) => self.chains.share(edge, of),
                 _ => {
                     before = Some(edge);
-                    if end == upper {
-                        self.deferred.push(PendingEdge::new(upper, lower, edge));
-                    } else if end != lower {
-                        self.note_passed(edge, end)?;
-                        self.pending.push(PendingEdge::new(end, lower, edge));
+                    let from = end.unwrap_or(upper);
+                    let waiting = WaitingEdge { from, edge, lower };
+                    if end.is_none() {
+                        self.waiting.defer(waiting);
+                    } else if from != lower {
+                        self.note_passed(edge, from)?;
+                        self.waiting.push_rest(waiting);
                     }
                 }
             }
@@ -180,7 +182,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.chains.pass(edge, vertex)
     }
 
-    /// Inserts an edge down to the first vertex on it; returns it, or `upper` if the edge has to be deferred. `around`,
+    /// Inserts an edge down to the first vertex on it, which is returned; `None` if the edge has to be deferred. `around`,
     /// opposite `upper`, moves beside the edge.
     #[inline(always)]
     pub(super) fn insert_edge(
@@ -188,10 +190,10 @@ impl<P: Probe> Sweep<'_, P> {
         upper: VertexId,
         lower: VertexId,
         around: &mut HalfEdge,
-    ) -> Result<VertexId, CrossedSide> {
+    ) -> Result<Option<VertexId>, CrossedSide> {
         self.traversed.pockets.clear();
-        let mut part = self.traverse(upper, lower, around)?;
-        if part.end != upper {
+        let mut found = self.traverse(upper, lower, around)?;
+        if let Traversal::Part(part) = found {
             self.report_part(upper, part);
         }
         // The pockets of an edge that is deferred are filled, too: then no other edge passes their nodes again.
@@ -200,15 +202,16 @@ impl<P: Probe> Sweep<'_, P> {
             if self.delaunay.mesh.opposite(*around) != upper {
                 *around = self.leftmost(upper);
             }
-            if part.end != upper {
-                part = self.traverse(upper, lower, around)?;
+            if let Traversal::Part(_) = found {
+                found = self.traverse(upper, lower, around)?;
             }
         }
-        self.deferred.spend(self.traversed.pierced.len());
-        if part.end != upper {
-            *around = self.insert_part(upper, part);
-        }
-        Ok(part.end)
+        self.waiting.spend(self.traversed.pierced.len());
+        let Traversal::Part(part) = found else {
+            return Ok(None);
+        };
+        *around = self.insert_part(upper, part);
+        Ok(Some(part.end))
     }
 
     fn fill_pockets(&mut self) -> bool {
@@ -244,7 +247,8 @@ impl<P: Probe> Sweep<'_, P> {
             let start = self
                 .delaunay
                 .replace_pierced(from, part.end, &self.traversed);
-            self.vertex_triangles
+            self.lists
+                .vertex_triangles
                 .renew(&self.delaunay.mesh, &self.traversed.pierced);
             start
         }
@@ -254,7 +258,7 @@ impl<P: Probe> Sweep<'_, P> {
     pub(super) fn crossing(&mut self, edge: u32, [r, s]: CrossedSide) -> Error {
         let mut crossed = u32::MAX;
         let (low, high) = (r.min(s), r.max(s));
-        for (upper, lower, other) in self.edges.iter() {
+        for (upper, lower, other) in self.lists.edges.iter() {
             if other < crossed
                 && lower <= low
                 && high <= upper

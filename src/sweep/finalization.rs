@@ -25,7 +25,7 @@ use alloc::vec::Vec;
 use core::mem::take;
 
 use super::Sweep;
-use super::flip_limit::inexact_scalar;
+use super::contradiction::inexact_scalar;
 use crate::ids::{BorderId, TriangleId, narrow};
 use crate::mesh::{HalfEdge, Triangle};
 use crate::observe::probe::Probe;
@@ -53,7 +53,8 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay
             .probe
             .record(|r| r.stats.memory = r.stats.memory.max(bytes));
-        let (mut hull, mut artificial) = (take(self.hull), take(self.artificial));
+        let (mut hull, mut artificial) =
+            (take(&mut self.lists.hull), take(&mut self.lists.artificial));
         hull.clear();
         artificial.clear();
         artificial.extend_from_slice(self.delaunay.mesh.unused());
@@ -78,7 +79,7 @@ impl<P: Probe> Sweep<'_, P> {
             chains: take(&mut self.chains).finish(),
         };
         self.delaunay.probe.begin(Phase::Finished);
-        *self.artificial = artificial;
+        self.lists.artificial = artificial;
         result
     }
 

@@ -10,11 +10,9 @@
 //! paper's heuristics; when it is gone, the caller's again. Wide corners flip least on most data. But where points
 //! crowd in clusters within clusters, they flip two to four times as much as the paper's corners and basins.
 //!
-//! The *limit* is quadratic, and no exact scalar can reach it: a flip lowers the lifted surface, so a side that was
-//! flipped away does not come back before the next edge is inserted. With n vertices and two artificial ones there are
-//! fewer than (n + 2)^2 / 2 sides. A scalar that reaches the limit contradicts itself: each of its signs may look
-//! right, but together they belong to no points. Without a limit its flips might never end.
+//! When the budget is spent or there is none, the *limit* counts, which proves the scalar wrong ([`super::contradiction`]).
 
+use super::contradiction::inexact_scalar;
 use crate::tuning::{
     COMMON_FLIPS, FLIPS_FOR_CORNER, FLIPS_FOR_HULL, FLIPS_FOR_VERTEX, RESERVE_FOR_PAPER,
     STEPS_FOR_FLIP,
@@ -138,11 +136,4 @@ impl FlipLimit {
         }
         (self.stage, self.left) = (Stage::Spent, self.most);
     }
-}
-
-/// Panics: only signs that contradict each other can lead here.
-#[cold]
-#[inline(never)]
-pub(super) fn inexact_scalar() -> ! {
-    panic!("the scalar is not exact: its signs contradict each other");
 }

@@ -23,13 +23,13 @@
 //!
 //! Cost: the degree of the first vertex, and one test for each triangle pierced or node passed. Differs from the paper:
 //! the traversal changes nothing. The edge event fills the pockets found and traverses the edge again, in triangles
-//! alone. An edge that pierces very many triangles is deferred ([`super::deferred_edges`]), and may then be followed from
+//! alone. An edge that pierces very many triangles has to wait ([`super::waiting_edges`]), and may then be followed from
 //! its lower end.
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater, Less};
 
 use super::Sweep;
-use super::flip_limit::inexact_scalar;
+use super::contradiction::inexact_scalar;
 use crate::front::Direction;
 use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
@@ -39,12 +39,20 @@ use crate::trace::Event;
 /// A part of an edge: to the first vertex on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
-    /// The vertex where the part ends. If that is where it starts, the edge pierces more triangles than it may.
+    /// The vertex where the part ends.
     pub(super) end: VertexId,
     /// A half-edge opposite the vertex where the part starts.
     pub(super) start: HalfEdge,
     /// The side that the part is already, if any; otherwise it pierces triangles or pockets.
     pub(super) present: Option<HalfEdge>,
+}
+
+/// What a traversal has found.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Traversal {
+    Part(Part),
+    /// The edge pierces more triangles than it may.
+    TooMany,
 }
 
 /// Both vertices of a constrained side that the edge would cross.
@@ -93,6 +101,7 @@ enum Place {
     Front([VertexId; 2]),
     /// At the vertex that ends the part.
     End(VertexId),
+    TooMany,
 }
 
 impl<P: Probe> Sweep<'_, P> {
@@ -103,13 +112,13 @@ impl<P: Probe> Sweep<'_, P> {
         from: VertexId,
         to: VertexId,
         around: &mut HalfEdge,
-    ) -> Result<Part, CrossedSide> {
-        let most = self.deferred.most(self.delaunay.mesh.len());
+    ) -> Result<Traversal, CrossedSide> {
+        let most = self.waiting.most(self.delaunay.mesh.len());
         self.traversed.begin_part(most);
         let mut place = match self.departure([from, to], *around) {
             Departure::Along(part) => {
                 *around = part.start;
-                return Ok(part);
+                return Ok(Traversal::Part(part));
             }
             Departure::Into(side) => {
                 *around = side;
@@ -123,12 +132,13 @@ impl<P: Probe> Sweep<'_, P> {
                 Place::HalfEdge(side) => self.pass_triangle([from, to], side)?,
                 Place::Front(ends) => self.pass_front([from, to], ends)?,
                 Place::End(end) => {
-                    return Ok(Part {
+                    return Ok(Traversal::Part(Part {
                         end,
                         start,
                         present: None,
-                    });
+                    }));
                 }
+                Place::TooMany => return Ok(Traversal::TooMany),
             }
         }
     }
@@ -256,7 +266,7 @@ impl<P: Probe> Sweep<'_, P> {
             if self.traversed.most == self.delaunay.mesh.len() {
                 inexact_scalar();
             }
-            return Ok(Place::End(part[0]));
+            return Ok(Place::TooMany);
         }
         // The edge leaves across one of the other two sides; the third borders on a pseudo-polygon. At the end both do.
         self.traversed.pierced.push(entry.triangle());

@@ -20,7 +20,7 @@ use alloc::vec::Vec;
 use rayon::prelude::*;
 
 use super::initialization::LIMIT;
-use super::scratch::Lent;
+use super::state::Scratch;
 use super::vertices::ApproxPoints;
 use crate::front::FrontSearch;
 use crate::ids::VertexId;
@@ -148,8 +148,8 @@ fn sweep_bands<P: Probe>(
         .ok()?;
     drop(shared);
     probe.begin(Phase::Finalization);
-    let mut lent = Lent::default();
-    let mut sweep = join::join(points, swept, edges.crossing, settings, probe, &mut lent)?;
+    let mut scratch = Scratch::default();
+    let mut sweep = join::join(points, swept, edges.crossing, settings, probe, &mut scratch)?;
     let triangulation = sweep.finalize();
     Some((triangulation, sweep.give_back().1))
 }

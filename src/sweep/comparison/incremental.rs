@@ -29,13 +29,13 @@ use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Less};
 
 use super::super::Sweep;
+use super::super::contradiction::inexact_scalar;
 use super::super::delaunay::Delaunay;
-use super::super::delaunay::Random;
-use super::super::flip_limit::inexact_scalar;
 use crate::error::Error;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
+use crate::random::Random;
 use crate::trace::Why;
 
 impl<P: Probe> Sweep<'_, P> {

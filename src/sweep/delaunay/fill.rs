@@ -25,11 +25,11 @@
 //! in random order, each into the polygon of those before it (Chew 1990). Chains of a few corners, like most pockets
 //! and pseudo-polygons, cannot flip much, and drawing an order costs more: their corners are closed one by one.
 //!
-//! Each inserted corner makes a triangle with its two neighbours of that moment ([`super::run`]).
+//! Each inserted corner makes a triangle with its two neighbours of that moment ([`super::random_order`]).
 //!
 //! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex runs. Corners that are closed one
 //! by one can flip O(k^2) sides. So the long chains of pseudo-polygons are not filled here
-//! ([`super::pseudo_polygon`]), and a sweep that flips too much is abandoned.
+//! ([`super::random_order`]), and a sweep that flips too much is abandoned.
 //!
 //! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right. In a
 //! pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada 1997), in O(k^2).

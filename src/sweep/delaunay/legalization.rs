@@ -30,7 +30,7 @@ use super::Delaunay;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
-use crate::sweep::flip_limit::inexact_scalar;
+use crate::sweep::contradiction::inexact_scalar;
 use crate::trace::{Event, Outcome};
 
 impl<P: Probe> Delaunay<'_, P> {

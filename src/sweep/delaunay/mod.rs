@@ -4,8 +4,7 @@ mod cavity;
 mod fan;
 mod fill;
 mod legalization;
-mod pseudo_polygon;
-mod run;
+mod random_order;
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -20,8 +19,7 @@ use crate::trace::{Event, Vertex, Why};
 use crate::tuning::Tuning;
 use cavity::Polygons;
 pub(super) use fill::ChainVertex;
-pub(super) use run::Random;
-use run::Run;
+use random_order::Run;
 
 /// The memory of legalization and filling.
 #[derive(Debug, Default)]

@@ -31,8 +31,8 @@
 
 use core::cmp::Ordering::{Greater, Less};
 
+use super::super::contradiction::inexact_scalar;
 use super::super::delaunay::Delaunay;
-use super::super::flip_limit::inexact_scalar;
 use super::{MergeMode, SubTriangulation};
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
