@@ -1,11 +1,10 @@
-//! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted.
+//! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted, each as one *part* down to
+//! the first vertex on it. The rest waits until the hull is complete ([`super::waiting_edges`]).
 //!
-//! A vertex on an edge ends one *part* of it and starts the next. The edge event inserts the first part; the rest waits
-//! until the hull is complete ([`super::waiting_edges`]). Where the part runs above the front, the *pocket* between
-//! them is filled (figures 13 and 14). Then the part lies inside the triangulation. If it is a side already, that side
-//! becomes constrained. Otherwise two pseudo-polygons replace the pierced triangles (figure 12). Overlapping edges
-//! share their parts. Fast path: if at most [`EDGES_LOOKED_FOR`] edges end here and all are sides already (usual in maps and
-//! drawings), they are found by vertex ids, without predicates.
+//! Where the part runs above the front, the *pocket* between them is filled (figures 13 and 14). Then the part lies inside
+//! the triangulation. If it is a side already, that side becomes constrained. Otherwise two pseudo-polygons replace the
+//! pierced triangles (figure 12). Fast path: if at most [`EDGES_LOOKED_FOR`] edges end here and all are sides already,
+//! they are found by vertex ids, without predicates.
 //!
 //! ```text
 //!    upper                               A pocket (figure 13): the front runs below the edge, here at
@@ -13,20 +12,15 @@
 //!      \       ` . . edge                the pocket has the edge for a side. (Where the front comes
 //!       \ pocket     ` . .               back above the edge, as in figure 14, the edge pierces
 //!        a ----- b         ` . lower     triangles of the filled pocket.)
-//!                 `-.      .-'
-//!                    `-c-'
+//!                 `-.__c__-'
 //! ```
 //!
 //! Why it is right: a pocket lies above the front, so it is empty. It ends at nodes on or above the edge, so once it is
-//! filled, the edge lies inside the triangulation. A new edge blocks views and opens none: sides not pierced stay
-//! locally Delaunay.
+//! filled, the edge lies inside the triangulation. A new edge blocks views and opens none: other sides stay legal.
 //!
-//! Cost: at most [`EDGES_LOOKED_FOR`] turns around the upper end by vertex ids, and one turn by tests for all edges there. One test
-//! for each node passed and each triangle pierced, or two where a pocket is filled.
-//!
-//! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in one lower
-//! pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are inserted in an order
-//! that lets one turn around the vertex find them all. (The paper takes any order.)
+//! Cost: one turn around the upper end by tests for all edges there; one test for each node passed and each triangle
+//! pierced, or two where a pocket is filled. Differs from the paper: pockets are filled before triangles are removed,
+//! where it collects both in one pseudo-polygon, and edges at one vertex come in an order that one turn can follow.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::Equal;

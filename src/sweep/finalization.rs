@@ -112,7 +112,7 @@ impl<P: Probe> Sweep<'_, P> {
             };
         }
         debug_assert!(pivot == right && side == HalfEdge::border(BorderId::segment(last)));
-        // The upper hull: what is left of the front, from right to left.
+        // The front is the upper hull now. From right to left:
         let mut at = last;
         while at != first {
             at = self.front.prev(at);

@@ -15,21 +15,13 @@
 //! | 3.4.2, 3.5 | 12, 13, 15a | filling a chain up to its hull | [`delaunay`] (`fill.rs`) |
 //! | 2 | 2, 3 | empty circle test and its ties, legalization | [`predicates`], [`delaunay`] (`legalization.rs`) |
 //! | 3.5 | 15 | finalization | [`finalization`] |
-//! | none | | edges through vertices, edges that pierce many triangles | [`waiting_edges`], [`vertex_triangles`] |
-//! | none | | which crossing is named | [`first_crossing`] |
-//! | none | | when the sweep is abandoned; scalars that are not exact | [`flip_limit`], [`contradiction`] |
-//! | none | | the net under it: divide and conquer | [`divide_and_conquer`] |
-//! | none | | the sweep on all cores | `bands` (feature `parallel`) |
-//! | none | | other algorithms of section 4, and the sweep of 2005 | `comparison` (feature `comparison`) |
-//! | none | | the inside of a polygon alone | [`polygon`] |
-//! | none | | edges that cross none of the others, for the list of crossings | [`mod@separate`] |
 //!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the settings of the
-//! heuristics [`crate::Heuristics`]. Each file names its differences from the paper.
+//! heuristics [`crate::Heuristics`]. docs/map.md lists the files beside the paper. Each file names its differences from it.
 //!
 //! Cost: about O(n log n) on ordinary inputs. O(n^2) at worst: on some inputs every algorithm that keeps a Delaunay
-//! triangulation of the points swept so far must make that many flips. Then the sweep is abandoned, unless the caller
-//! forbids it.
+//! triangulation of the points swept so far must make that many flips. Then the sweep is abandoned ([`flip_limit`]),
+//! unless the caller forbids it.
 
 mod artificial;
 #[cfg(feature = "parallel")]

@@ -6,8 +6,8 @@
 //! it crosses a constrained side, it crosses all edges that this side is a part of.
 //!
 //! Why it is right: edges that were inserted whole cross each other at vertices only. All their parts are constrained
-//! sides, so what is followed from end to end meets every one that it crosses. What the edges of the rest cross among
-//! each other is met only where a part of one of them had been inserted, so it has to be looked for again.
+//! sides, so an edge that is followed from end to end meets every one that it crosses. Where no part of either is
+//! in, two edges of the rest cross unseen. So the caller searches the rest again.
 //!
 //! Cost: that of the insertion ([`super::waiting_edges`]), and one test for each triangle that an edge of the rest
 //! passes, where constrained sides are crossed as well. No proof bounds how many other sides it crosses: few in every

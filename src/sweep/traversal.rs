@@ -2,8 +2,7 @@
 //!
 //! From a vertex the edge leaves into one of the triangles around it (figure 11) or, if the vertex is on the front,
 //! into the gap above the front. It passes from triangle to triangle; it may leave through a front segment, run above
-//! the front, and enter the triangles again. A *part* of the edge ends at the first vertex that it meets: its lower
-//! end, or a vertex on it. There the next part starts.
+//! the front, and enter the triangles again. A *part* of the edge ends at the first vertex on it.
 //!
 //! ```text
 //!    upper --.__                            A mixed edge event (figure 14). The dots are the edge, the
@@ -22,9 +21,8 @@
 //! outside the convex hull and are never pierced. If a constrained side is in the way, two input edges cross.
 //!
 //! Cost: the degree of the first vertex, and one test for each triangle pierced or node passed. Differs from the paper:
-//! the traversal changes nothing. The edge event fills the pockets found and traverses the edge again, in triangles
-//! alone. An edge that pierces very many triangles has to wait ([`super::waiting_edges`]), and may then be followed from
-//! its lower end.
+//! the traversal changes nothing. The edge event fills the pockets found and traverses the edge again.
+
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater, Less};
 

@@ -32,7 +32,7 @@ use crate::ids::VertexId;
 use crate::observe::probe::Probe;
 use crate::random::Random;
 
-/// An edge, or what is left of one.
+/// A deferred edge, or a rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct WaitingEdge {
     /// The upper end, or the vertex on the edge where the rest begins.
@@ -158,7 +158,8 @@ impl<P: Probe> Sweep<'_, P> {
         Ok(())
     }
 
-    /// Inserts the part at one end of what is still open of an edge, upper end first. Returns what is open then.
+    /// An edge is in but for its stretch between two vertices, `open`, the upper one first. Inserts the part at one end of
+    /// the stretch, and returns the stretch that remains.
     pub(super) fn insert_at_one_end(
         &mut self,
         open: [VertexId; 2],

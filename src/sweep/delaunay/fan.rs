@@ -9,23 +9,11 @@
 //!        spoke u-q             ear p q r      the one whose circle is farthest from `u`, measured by the power of `u`.
 //! ```
 //!
-//! Growing. The fan takes the triangles that must go, one flip each: those that the triangle `u w v` crosses, and those
-//! whose circle holds `u`. No other must go: on a straight line from `u` through triangles that are Delaunay, the power
-//! of `u` to their circles does not fall, so behind an outer side that is legal no circle holds `u`. So of the `n`
-//! triangles of the fan at the end, all are new, or give way to new ones in the same place, and `n - 1` flips have been
-//! made.
+//! Why it is right: in the end the sides of all ears are legalized, so the result never depends on the order, nor on
+//! powers that are rounded. docs/proofs/pseudo-polygon.md proves that no more flips are needed than the cost says.
 //!
-//! Shrinking. Lift the vertices to the paraboloid, but `u` far below it: there the fan is right, as `u` sees all of it.
-//! Let `u` rise to its place. The fan is right until `u` reaches the plane of an ear, and right again when the spoke of
-//! that ear is flipped. An ear stays right, as `u` only rises farther above its plane. So each spoke is flipped at most
-//! once: at most `n - 1` flips. The ear whose plane is met first is the one of greatest power, at the place of `u`.
-//!
-//! The powers are rounded. Where rounding changes their order, and where they are equal, an ear may have to be undone.
-//! So the sides of all ears are legalized in the end: the result never depends on the order, and the bound on the flips
-//! holds where the order is right. Illegal spokes are rare: one in 160,000 fans of the tests that insert edges has any.
-//!
-//! Cost: fewer than `2 n` flips if the order is right, O(n log n) steps for the heap, but O(n) where no spoke is
-//! illegal. Differs from Shewchuk and Brown: they fill the fan again.
+//! Cost: fewer than `2 n` flips for n triangles of the grown fan if the order is right, O(n log n) steps for the heap,
+//! but O(n) where no spoke is illegal, as nearly always. Differs from Shewchuk and Brown: they fill the fan again.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
@@ -178,7 +166,7 @@ mod tests {
         points
     }
 
-    /// Makes all triangles of a fan right, none of which is turned over. Returns how many leave it.
+    /// Legalizes a fan whose triangles all run counter-clockwise. Returns how many leave it.
     fn leave_fan(points: &[[f64; 2]]) -> usize {
         let (settings, mut scratch) = (Settings::default(), Scratch::default());
         initialize(points, &[], settings.tuning, &mut scratch).expect("points");

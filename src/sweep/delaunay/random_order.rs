@@ -94,7 +94,7 @@ impl Run {
         true
     }
 
-    /// Begins with all positions, of which all but the ends are to be inserted, from left to right.
+    /// Takes in all positions, from left to right. All but the ends are to be inserted.
     fn take_in(&mut self, corners: usize) {
         let len = narrow(corners);
         self.order.clear();

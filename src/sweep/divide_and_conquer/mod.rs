@@ -106,7 +106,7 @@ impl<P: Probe> Sweep<'_, P> {
 }
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Triangulates all vertices, of which there are at least two.
+    /// Triangulates all vertices, at least two.
     fn triangulate(&mut self) -> SubTriangulation {
         let n = self.predicates.vertices.len();
         let mut parts: Vec<(u32, SubTriangulation)> = Vec::new();

@@ -222,7 +222,7 @@ fn resize<T: Clone + Default>(array: &mut Vec<T>, length: usize, more: usize) {
     array.resize(length, T::default());
 }
 
-/// The range over which buckets are spread: that of a sample, without what is far outside its middle half. A few points
+/// The range over which buckets are spread: the range of a sample, without points far outside its middle half. A few points
 /// far away, such as "no data" points, would otherwise leave all others in one bucket. Others share an outer bucket.
 fn range(
     inputs: &(impl ExactSizeIterator<Item = u32> + Clone),
