@@ -52,7 +52,6 @@ mod waiting_edges;
 use core::mem::take;
 
 use crate::error::Error;
-use crate::front::FrontSearch;
 use crate::ids::VertexId;
 use crate::observe::probe::{Observer, Probe};
 use crate::observe::recorder::Phase;
@@ -73,38 +72,21 @@ pub(crate) fn run<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
     settings: Settings,
-    watch: Watch<'_>,
+    mut watch: Watch<'_>,
     scratch: &mut Scratch,
 ) -> Result<Triangulation, Error> {
-    let Watch {
-        front,
-        progress,
-        events,
-        stats,
-    } = watch;
+    let (events, stats) = (watch.events.take(), watch.stats.take());
     let is_watched = stats.is_some() || events.is_some();
     let mut observer = is_watched.then(|| Observer::of(events));
     if let Some(observer) = &mut observer {
         observer.recorder.clock(Phase::Initialization);
     }
     initialization::initialize(points, edges, settings.tuning, scratch)?;
-    let call = Call {
-        settings,
-        front,
-        progress,
-    };
-    let (result, observer) = run_observed(&points, call, observer, scratch)?;
+    let (result, observer) = run_observed(&points, settings, watch, observer, scratch)?;
     if let (Some(stats), Some(observer)) = (stats, observer) {
         *stats = observer.recorder.finish(points.len(), edges.len(), &result);
     }
     Ok(result)
-}
-
-/// What a run is given beside its points and edges.
-struct Call<'a> {
-    settings: Settings,
-    front: Option<&'a mut dyn FrontSearch>,
-    progress: Progress<'a>,
 }
 
 /// Triangulates the vertices and edges that are in `scratch`. What follows the initialization knows neither the scalar nor
@@ -112,14 +94,15 @@ struct Call<'a> {
 #[inline(never)]
 fn run_observed<'o>(
     points: &dyn ExactPoints,
-    call: Call<'_>,
+    settings: Settings,
+    watch: Watch<'_>,
     observer: Option<Observer<'o>>,
     scratch: &mut Scratch,
 ) -> Result<(Triangulation, Option<Observer<'o>>), Error> {
     match observer {
-        None => Ok((run_probed(points, call, (), scratch)?.0, None)),
+        None => Ok((run_probed(points, settings, watch, (), scratch)?.0, None)),
         Some(observer) => {
-            let (result, observer) = run_probed(points, call, observer, scratch)?;
+            let (result, observer) = run_probed(points, settings, watch, observer, scratch)?;
             Ok((result, Some(observer)))
         }
     }
@@ -127,19 +110,15 @@ fn run_observed<'o>(
 
 fn run_probed<P: Probe>(
     points: &dyn ExactPoints,
-    call: Call<'_>,
+    settings: Settings,
+    watch: Watch<'_>,
     probe: P,
     scratch: &mut Scratch,
 ) -> Result<(Triangulation, P), Error> {
-    let Call {
-        settings,
-        front,
-        progress,
-    } = call;
-    let front = front.map(|front| front as _);
+    let front = watch.front.map(|front| front as _);
     let mut sweep = initialization::begin(points, settings, front, probe, scratch);
     let result = sweep
-        .triangulate(settings, progress)
+        .triangulate(settings, watch.progress)
         .map(|()| sweep.finalize());
     let (arrays, probe) = sweep.give_back();
     scratch.arrays = arrays;
