@@ -2,7 +2,8 @@
 //!
 //! [`Tuning`] holds those that decide from what size on an input is handled as a large one. It has two sets of values:
 //! with [`Tuning::SMALL`] the small inputs of tests and fuzz targets take the paths of large ones. All other thresholds
-//! are constants. Error bounds, limits of a representation and angles stand where they are used.
+//! are constants. Error bounds, limits of a representation and angles stand where they are used, and so do the
+//! thresholds of the verifier, which shares no code with the sweep.
 
 /// The thresholds from which on an input is handled as a large one. For tests.
 #[doc(hidden)]
@@ -197,12 +198,8 @@ pub(crate) const DIRECTIONS_TRIED: usize = 4;
 /// After so many rounds edges must not cross any more.
 pub(crate) const ROUNDS_OF_SPLITTING: usize = 100;
 
-// Verification and memory (src/verify, src/memory.rs).
+// Memory (src/memory.rs).
 
-/// How many triangles a thread verifies at a time.
-pub(crate) const CHUNK_OF_TRIANGLES: usize = 1 << 14;
-/// How many depths are measured at a time, unless all are asked for.
-pub(crate) const DEPTHS_MEASURED: usize = 1000;
 /// Fewer bytes are not asked for. They seldom fail, and some allocators treat what follows a small block that was given
 /// back in another way.
 pub(crate) const LARGE_BLOCK: usize = 32 << 20;

@@ -5,7 +5,8 @@
 use alloc::sync::Arc;
 use core::mem::take;
 
-use super::state::{Scratch, Sweep};
+use super::Sweep;
+use super::state::Scratch;
 use super::vertices::{ApproxPoints, SortBuffers};
 use crate::error::Error;
 use crate::front::{Front, FrontInput, FrontSearch, Search};

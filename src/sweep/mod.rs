@@ -52,20 +52,25 @@ mod waiting_edges;
 use core::mem::take;
 
 use crate::error::Error;
+use crate::front::{Front, Search};
 use crate::ids::VertexId;
 use crate::observe::probe::{Observer, Probe};
 use crate::observe::recorder::Phase;
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::{Algorithm, Progress, Settings};
+use crate::settings::{Algorithm, Heuristics, Progress, Settings};
 use crate::triangulation::Triangulation;
+use crate::triangulation::edge_chains::EdgeChainBuilder;
 use crate::tuning::{EVENTS_BETWEEN_LOOKS, EVENTS_BETWEEN_REPORTS};
 use crate::watch::Watch;
 #[cfg(feature = "parallel")]
 pub(crate) use bands::run as run_in_bands;
+use delaunay::Delaunay;
 pub(crate) use polygon::{PolygonScratch, triangulate_rings};
 pub(crate) use separate::{Separated, separate};
 pub(crate) use state::Scratch;
-use state::{NewVertex, Sweep};
+use state::{Lists, NewVertex};
+use traversal::Traversed;
+use waiting_edges::WaitingEdges;
 
 /// Runs the three parts of section 3.2, or divide and conquer in place of the first two.
 pub(crate) fn run<S: Scalar>(
@@ -126,6 +131,20 @@ fn run_probed<P: Probe>(
         scratch.ends = take(&mut scratch.arrays.chains).into_ends();
     }
     Ok((result?, probe))
+}
+
+/// The state between two events.
+#[derive(Debug)]
+struct Sweep<'a, P> {
+    delaunay: Delaunay<'a, P>,
+    front: Front,
+    search: Search<'a>,
+    heuristics: Heuristics,
+    lists: &'a mut Lists,
+    /// For the result: the vertices along each edge inserted so far.
+    chains: EdgeChainBuilder,
+    waiting: WaitingEdges,
+    traversed: Traversed,
 }
 
 impl<P: Probe> Sweep<'_, P> {

@@ -9,6 +9,7 @@
 use alloc::vec::Vec;
 use core::mem::take;
 
+use super::Sweep;
 use super::delaunay::{self, ChainVertex, Delaunay};
 use super::edges::Edges;
 use super::predicates::SweepPredicates;
@@ -92,20 +93,6 @@ impl Scratch {
 pub(super) struct NewVertex {
     pub(super) id: VertexId,
     pub(super) approx: [f64; 2],
-}
-
-/// The state between two events.
-#[derive(Debug)]
-pub(super) struct Sweep<'a, P> {
-    pub(super) delaunay: Delaunay<'a, P>,
-    pub(super) front: Front,
-    pub(super) search: Search<'a>,
-    pub(super) heuristics: Heuristics,
-    pub(super) lists: &'a mut Lists,
-    /// For the result: the vertices along each edge inserted so far.
-    pub(super) chains: EdgeChainBuilder,
-    pub(super) waiting: WaitingEdges,
-    pub(super) traversed: Traversed,
 }
 
 impl<'a, P: Probe> Sweep<'a, P> {

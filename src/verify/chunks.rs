@@ -9,7 +9,9 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 use super::soup::Soup;
 #[cfg(feature = "parallel")]
 use crate::threads::on_all_cores;
-use crate::tuning::CHUNK_OF_TRIANGLES;
+
+/// Triangles in a chunk.
+const CHUNK: usize = 1 << 14;
 
 /// A way to work through the chunks.
 pub(super) trait Schedule<S> {
@@ -33,7 +35,7 @@ impl<S> Schedule<S> for Serial {
         check: impl Fn(&Soup<'_, S>, Range<usize>) -> T + Sync,
     ) -> Vec<T> {
         let count = soup.triangles.len();
-        (0..count.div_ceil(CHUNK_OF_TRIANGLES))
+        (0..count.div_ceil(CHUNK))
             .map(|i| progress.after(chunk(i, count), |range| check(soup, range)))
             .collect()
     }
@@ -52,14 +54,14 @@ impl<S: Sync> Schedule<S> for Parallel {
         check: impl Fn(&Soup<'_, S>, Range<usize>) -> T + Sync,
     ) -> Vec<T> {
         let count = soup.triangles.len();
-        on_all_cores((0..count.div_ceil(CHUNK_OF_TRIANGLES)).collect(), |i| {
+        on_all_cores((0..count.div_ceil(CHUNK)).collect(), |i| {
             progress.after(chunk(i, count), |range| check(soup, range))
         })
     }
 }
 
 fn chunk(i: usize, count: usize) -> Range<usize> {
-    i * CHUNK_OF_TRIANGLES..count.min((i + 1) * CHUNK_OF_TRIANGLES)
+    i * CHUNK..count.min((i + 1) * CHUNK)
 }
 
 /// The progress that is reported after each chunk. Each triangle counts twice: for its turn, and for its sides.

@@ -6,13 +6,13 @@ use core::fmt;
 #[cfg(feature = "parallel")]
 use super::chunks::Parallel;
 use super::chunks::{Progress, Schedule, Serial};
+use super::depth::MEASURED;
 use super::input::{self, Ranked};
 use super::regions::{self, Regions};
 use super::report::{Level, Record, Report, Violations};
 use super::runs::Run;
 use super::{boundary, delaunay, edges, sides, turns};
 use crate::scalar::Scalar;
-use crate::tuning::DEPTHS_MEASURED;
 
 /// The verifier with options.
 ///
@@ -68,7 +68,7 @@ impl<'a> Verifier<'a> {
             added_from: None,
             regions: None,
             limit: 100,
-            measured: DEPTHS_MEASURED,
+            measured: MEASURED,
             progress: None,
         }
     }
@@ -158,7 +158,7 @@ impl<'a> Verifier<'a> {
     /// first 1000 wrong sides in each 16384 triangles are, and those of wrong turns if there are at most 1000 of them.
     #[must_use]
     pub fn all_depths(self, all: bool) -> Self {
-        let measured = if all { usize::MAX } else { DEPTHS_MEASURED };
+        let measured = if all { usize::MAX } else { MEASURED };
         Verifier { measured, ..self }
     }
 
