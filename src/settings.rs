@@ -148,7 +148,7 @@ pub(crate) struct Settings {
     pub(crate) algorithm: Algorithm,
     pub(crate) heuristics: Heuristics,
     pub(crate) ties: Ties,
-    pub(crate) tuning: Tuning,
+    pub(crate) tuning: &'static Tuning,
 }
 
 /// At which of several vertices on one circle the diagonals between them end. Alone of the settings it changes the result;

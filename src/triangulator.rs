@@ -51,7 +51,7 @@ impl Triangulator {
     /// Uses these thresholds. For tests.
     #[doc(hidden)]
     #[must_use]
-    pub fn tuning(mut self, tuning: Tuning) -> Self {
+    pub fn tuning(mut self, tuning: &'static Tuning) -> Self {
         self.settings.tuning = tuning;
         self
     }

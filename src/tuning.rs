@@ -65,9 +65,9 @@ impl Tuning {
     };
 }
 
-impl Default for Tuning {
+impl Default for &'static Tuning {
     fn default() -> Self {
-        Tuning::REAL
+        &Tuning::REAL
     }
 }
 

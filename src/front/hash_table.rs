@@ -36,7 +36,7 @@ pub struct HashTable<T = ()> {
     /// Once the node inserted last has this rank or a later one, the nodes of the front are counted.
     look: usize,
     searched: (f64, usize),
-    tuning: Tuning,
+    tuning: &'static Tuning,
     tally: T,
 }
 
@@ -52,11 +52,9 @@ impl HashTable {
         HashTable::with(Work::default())
     }
 
-    /// The table with these thresholds. For tests.
-    #[doc(hidden)]
-    #[must_use]
-    pub fn tuned(self, tuning: Tuning) -> HashTable {
-        HashTable { tuning, ..self }
+    /// Uses these thresholds from the next run on.
+    pub(crate) fn tune(&mut self, tuning: &'static Tuning) {
+        self.tuning = tuning;
     }
 }
 
@@ -75,7 +73,7 @@ impl<T: Tally> HashTable<T> {
             last: FrontNode::from_rank(0),
             look: 0,
             searched: (f64::NAN, 0),
-            tuning: Tuning::REAL,
+            tuning: &Tuning::REAL,
             tally,
         }
     }

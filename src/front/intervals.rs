@@ -35,7 +35,7 @@ impl Intervals {
         mut ranks: Vec<usize>,
         x: impl Fn(usize) -> f64,
         count: usize,
-        tuning: Tuning,
+        tuning: &Tuning,
     ) -> (Intervals, usize) {
         // Of equal x only one is on the front.
         let sorted = |ranks: &[usize]| {
@@ -61,7 +61,7 @@ impl Intervals {
     }
 
     /// Equal intervals over the range of the sample, or less if its inner part suggests so.
-    fn equal(sample: &[f64], count: usize, tuning: Tuning) -> Intervals {
+    fn equal(sample: &[f64], count: usize, tuning: &Tuning) -> Intervals {
         let [Some(&low), Some(&high)] = [sample.first(), sample.last()] else {
             return Intervals::Equal {
                 low: 0.0,
@@ -135,7 +135,7 @@ mod tests {
     fn clusters_have_more_intervals() {
         let count = |x: fn(usize) -> f64| {
             let sample = sampled(40_000, 402).collect();
-            Intervals::new(sample, x, 201, Tuning::REAL).1
+            Intervals::new(sample, x, 201, &Tuning::REAL).1
         };
         let even = |i: usize| (i as f64 * 0.618_034).fract();
         let clustered = |i: usize| (i / 2000 * 7 % 20) as f64 + (i as f64 * 0.618_034).fract();
@@ -146,7 +146,7 @@ mod tests {
     #[test]
     fn comparisons_of_quantiles_are_counted() {
         let x = |i: usize| (i / 128) as f64 + (i % 128) as f64 * 1e-9;
-        let (mut intervals, count) = Intervals::new((0..256).collect(), x, 17, Tuning::REAL);
+        let (mut intervals, count) = Intervals::new((0..256).collect(), x, 17, &Tuning::REAL);
         let mut work = Work::default();
         assert_eq!(intervals.number(0.0, count, &mut work), 0);
         assert!((4..=5).contains(&work.comparisons), "{work:?}");
@@ -157,7 +157,7 @@ mod tests {
     #[test]
     fn the_parts_of_an_interval_are_side_by_side() {
         let x = |i: usize| i as f64;
-        let (whole, count) = Intervals::new((0..100).collect(), x, 10, Tuning::REAL);
+        let (whole, count) = Intervals::new((0..100).collect(), x, 10, &Tuning::REAL);
         let mut cut = whole.clone();
         assert!(cut.divide(4));
         for i in -5..105 {

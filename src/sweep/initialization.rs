@@ -24,7 +24,7 @@ use crate::tuning::Tuning;
 pub(super) fn initialize<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
-    tuning: Tuning,
+    tuning: &Tuning,
     scratch: &mut Scratch,
 ) -> Result<(), Error> {
     // Too many vertices or edges, or wrong ones, are refused.
@@ -69,8 +69,8 @@ pub(super) fn begin<'a, P: Probe>(
     scratch: &'a mut Scratch,
 ) -> Sweep<'a, P> {
     let arrays = &mut scratch.arrays;
-    let table = take(&mut arrays.table).tuned(settings.tuning);
-    let mut search = Search::with(front, table);
+    arrays.table.tune(settings.tuning);
+    let mut search = Search::with(front, take(&mut arrays.table));
     search.begin(FrontInput::new(&arrays.vertices.approx));
     // Each vertex has a border half-edge: the segment of the front that starts there.
     let n = arrays.vertices.len();

@@ -44,7 +44,7 @@ pub(crate) fn separate<S: Scalar>(
     most: usize,
 ) -> Result<Option<Separated>, Error> {
     let scratch = &mut Scratch::default();
-    initialize(points, edges, Tuning::REAL, scratch)?;
+    initialize(points, edges, &Tuning::REAL, scratch)?;
     Ok(separate_vertices(&points, most, scratch))
 }
 

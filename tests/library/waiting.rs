@@ -96,7 +96,7 @@ fn deferred_edges_give_the_result_of_the_plain_order() {
         for algorithm in [Algorithm::Auto, Algorithm::DivideAndConquer] {
             let here = Triangulator::new()
                 .algorithm(algorithm)
-                .tuning(Tuning::SMALL)
+                .tuning(&Tuning::SMALL)
                 .triangulate(points, edges);
             assert_same(&here, &plain, &input);
         }

@@ -188,7 +188,7 @@ fn call<S: Sample>(input: &Input, choice: &Choice) -> Option<Outcome> {
 thread_local! {
     /// The memory that runs of this thread keep, whatever their scalar, for each set of thresholds.
     static SESSIONS: RefCell<[Session; 2]> = RefCell::new(
-        [Tuning::REAL, Tuning::SMALL].map(|tuning| Triangulator::new().tuning(tuning).session())
+        [&Tuning::REAL, &Tuning::SMALL].map(|tuning| Triangulator::new().tuning(tuning).session())
     );
 }
 

@@ -20,11 +20,11 @@ pub fn is_small<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> bool {
 }
 
 /// The thresholds for an input.
-pub fn tuning<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> Tuning {
+pub fn tuning<S: Scalar>(points: &[[S; 2]], edges: &[[usize; 2]]) -> &'static Tuning {
     if is_small(points, edges) {
-        Tuning::SMALL
+        &Tuning::SMALL
     } else {
-        Tuning::REAL
+        &Tuning::REAL
     }
 }
 

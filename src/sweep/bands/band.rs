@@ -72,11 +72,14 @@ impl Shared<'_> {
             front,
         } = band;
         let n = vertices.len();
-        let mut scratch = Scratch::default();
-        scratch.arrays = Arrays {
+        let arrays = Arrays {
             vertices,
             chains: EdgeChainBuilder::new(Arc::clone(&self.inputs)),
             ..Arrays::default()
+        };
+        let mut scratch = Scratch {
+            arrays,
+            ..Scratch::default()
         };
         if first == 0 {
             // Room for the triangles of the other bands, too.

@@ -42,7 +42,7 @@ impl Partition {
     pub(super) fn new<S: Scalar + Sync>(
         located: &ApproxPoints<'_, S>,
         bands: usize,
-        tuning: Tuning,
+        tuning: &Tuning,
     ) -> Partition {
         let inputs = cut(located, bands).into_iter().enumerate().collect();
         let sorted = on_all_cores(inputs, |(band, inputs): (usize, Vec<u32>)| {

@@ -39,7 +39,7 @@ pub(super) struct Delaunay<'a, P> {
     pub(super) probe: P,
     /// Whether edges are inserted as in the paper.
     pub(super) is_paper: bool,
-    pub(super) tuning: Tuning,
+    pub(super) tuning: &'static Tuning,
     flip_stack: &'a mut Vec<HalfEdge>,
     /// Of [`Delaunay::insert_run`].
     run: &'a mut Run,

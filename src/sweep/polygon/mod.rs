@@ -89,7 +89,7 @@ pub(crate) fn triangulate_rings<S: Scalar>(
     scratch
         .arrays
         .vertices
-        .set(&approx, inputs, &mut scratch.sort, Tuning::REAL);
+        .set(&approx, inputs, &mut scratch.sort, &Tuning::REAL);
     drop(approx);
     scratch.arrays.vertices.duplicates.is_empty() && sweep(&points, directed, scratch, polygon)
 }

@@ -120,7 +120,7 @@ impl Vertices {
         approx: &ApproxPoints<'_, S>,
         inputs: impl ExactSizeIterator<Item = u32> + Clone,
         buffers: &mut SortBuffers,
-        tuning: Tuning,
+        tuning: &Tuning,
     ) {
         let points = approx.points;
         self.scale = approx.scale;

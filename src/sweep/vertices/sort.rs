@@ -42,7 +42,7 @@ pub(super) fn sort<S: Scalar>(
     approx: impl Fn(u32) -> [f64; 2],
     vertices: &mut Vertices,
     buffers: &mut SortBuffers,
-    tuning: Tuning,
+    tuning: &Tuning,
 ) {
     let bucket = tuning.points_in_bucket;
     spread(inputs, approx, bucket, vertices, &mut buffers.ends);
@@ -265,7 +265,7 @@ mod tests {
             approx,
             &mut found,
             &mut buffers,
-            Tuning::REAL,
+            &Tuning::REAL,
         );
 
         let mut expected: Vec<u32> = (0..count).collect();
