@@ -16,6 +16,7 @@ pub mod memory;
 mod mesh;
 mod observe;
 mod pslg;
+mod random;
 pub mod scalar;
 mod session;
 mod settings;
@@ -25,6 +26,7 @@ pub mod threads;
 pub mod trace;
 mod triangulation;
 mod triangulator;
+mod tuning;
 pub mod verify;
 mod watch;
 
@@ -42,6 +44,8 @@ pub use triangulation::locate::Location;
 pub use triangulation::stars::{Corner, VertexStars};
 pub use triangulation::with_points::WithPoints;
 pub use triangulator::Triangulator;
+#[doc(hidden)]
+pub use tuning::Tuning;
 #[cfg(feature = "parallel")]
 pub use watch::Bands;
 pub use watch::Watch;

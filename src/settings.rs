@@ -1,6 +1,8 @@
 //! Settings of a run, which change the work and never the result: the algorithm, and the triangles that a point event
 //! adds beyond the necessary ones (section 3.4.1, figures 9 and 10).
 
+use crate::tuning::Tuning;
+
 /// The algorithm. All give the same result; they differ in time.
 ///
 /// ```
@@ -146,6 +148,7 @@ pub(crate) struct Settings {
     pub(crate) algorithm: Algorithm,
     pub(crate) heuristics: Heuristics,
     pub(crate) ties: Ties,
+    pub(crate) tuning: &'static Tuning,
 }
 
 /// At which of several vertices on one circle the diagonals between them end. Alone of the settings it changes the result;

@@ -133,7 +133,7 @@ pub enum Event {
     Edge {
         /// The index of the input edge.
         edge: u32,
-        /// The upper end of the edge, or the vertex on it where a pending edge begins.
+        /// The upper end of the edge, or the vertex on it where its rest begins.
         upper: Vertex,
         /// The lower end of the edge.
         lower: Vertex,

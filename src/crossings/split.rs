@@ -18,7 +18,7 @@
 //! turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common, so each
 //! round gives some chain a new vertex, and there are only so many numbers in a box. Evenly spaced numbers need one
 //! round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing crosses. Doubles are closer
-//! to each other near zero, which may take more rounds. More than [`ROUNDS`] are an error.
+//! to each other near zero, which may take more rounds. More than [`ROUNDS_OF_SPLITTING`] are an error.
 //!
 //! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a crossing
 //! point by its rounding, and the points between two vertices by a mean of what these move by. All vertices lie in the
@@ -46,9 +46,7 @@ use super::exact::{Exact, distance, distance_at_most, spacing};
 use super::find::find;
 use super::vertices::Vertices;
 use crate::triangulation::Triangulation;
-
-/// After so many rounds edges must not cross any more.
-const ROUNDS: usize = 100;
+use crate::tuning::ROUNDS_OF_SPLITTING;
 
 /// An input whose edges are split where they cross: triangulate [`points`](Split::points) with [`edges`](Split::edges).
 #[derive(Clone, Debug)]
@@ -148,7 +146,7 @@ pub fn split_with<S: Exact>(
     for ends in edges {
         chains.push(ends.map(|v| number(&mut vertices, &mut points, v)).to_vec());
     }
-    for rounds in 0..=ROUNDS {
+    for rounds in 0..=ROUNDS_OF_SPLITTING {
         let pieces = pieces(&chains);
         let found = find(&points, &vertices, &pieces, effort)?;
         if found.is_empty() {
@@ -171,7 +169,9 @@ pub fn split_with<S: Exact>(
             *chain = cut(chain, &pieces, &cuts);
         }
     }
-    Err(SplitError::TooManyRounds { limit: ROUNDS })
+    Err(SplitError::TooManyRounds {
+        limit: ROUNDS_OF_SPLITTING,
+    })
 }
 
 /// All pairs of neighbours in the chains, lower one first, sorted, each once.

@@ -14,6 +14,7 @@ use core::cmp::Ordering;
 
 use super::doubles::{exponent, power};
 use super::wide;
+use crate::tuning::SAMPLE_OF_LATTICE;
 
 /// The most bits of differences for which the orientation determinant is exact.
 const ORIENT2D: i64 = 25;
@@ -22,8 +23,6 @@ const IN_CIRCLE: i64 = 12;
 /// The most bits of differences that are taken for integers. Five fewer than would do: multiples of 2^-53 below 1, such
 /// as many generators of random numbers return, gain nothing.
 const DIFFERENCES: i64 = 48;
-/// How many points are sampled before all are looked at.
-const SAMPLE: usize = 16;
 
 /// The lattice of some points, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,10 +43,12 @@ impl Lattice {
     /// The lattice of points whose coordinates are zero or from 2^-120 to 2^200 in size.
     pub(super) fn of(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Lattice {
         let all = (0..points).map(&point);
-        let sample = all.clone().step_by(points.div_ceil(SAMPLE).max(1));
+        let sample = all
+            .clone()
+            .step_by(points.div_ceil(SAMPLE_OF_LATTICE).max(1));
         let (unit, ranges) = unit_and_ranges(sample);
         let lattice = Lattice::new(unit, ranges);
-        if lattice == Lattice::UNKNOWN || points <= SAMPLE {
+        if lattice == Lattice::UNKNOWN || points <= SAMPLE_OF_LATTICE {
             return lattice;
         }
         // Nearly always the sample has the unit of all points.

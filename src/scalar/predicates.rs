@@ -28,6 +28,7 @@ use super::filter;
 use super::integer_points::IntegerPoints;
 use super::scale::Scale;
 use super::{Scalar, Stage};
+use crate::tuning::{NEAR_TIES, VERTICES_A_TIE};
 
 /// A sign, and the exact stage that decided it; `None` if doubles did.
 pub(crate) type Decision = (Ordering, Option<Stage>);
@@ -159,10 +160,6 @@ pub(crate) struct NearTies {
     count: AtomicUsize,
     integers: Once<IntegerPoints>,
 }
-
-/// How many near-ties, and one more for each [`VERTICES_A_TIE`] vertices, it takes to make integers of all vertices.
-const NEAR_TIES: usize = 16;
-const VERTICES_A_TIE: usize = 3;
 
 impl NearTies {
     /// Counts a near-tie; makes integers of all vertices once these are many. Counts lost between threads delay that.

@@ -13,12 +13,7 @@ use core::mem::take;
 use crate::bucket::sampled;
 use crate::ids::narrow;
 use crate::threads::on_all_cores;
-
-const CHUNK: usize = 1 << 16;
-/// How many groups several chunks have. Fewer would not fit in the cache; more would scatter a chunk too widely.
-const GROUPS: usize = 256;
-/// How many triangles are in the sample that tells how high vertices are.
-const SAMPLE: usize = 1 << 10;
+use crate::tuning::{CHUNK_OF_GROUPS, GROUPS_OF_CHUNKS, SAMPLE_OF_GROUPS};
 
 /// A triangle whose first vertex is the lowest.
 type Listed = [u32; 3];
@@ -97,15 +92,19 @@ impl CanonicalGroups {
         count: usize,
         triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
     ) -> CanonicalGroups {
-        let groups = if count <= CHUNK { 1 } else { GROUPS };
+        let groups = if count <= CHUNK_OF_GROUPS {
+            1
+        } else {
+            GROUPS_OF_CHUNKS
+        };
         let listed = |t: usize| lowest_first(triangle(t).map(narrow));
-        let lowest = sampled(count, SAMPLE).map(|t| listed(t)[0]);
+        let lowest = sampled(count, SAMPLE_OF_GROUPS).map(|t| listed(t)[0]);
         let wide = lowest.max().unwrap_or(0) as usize / groups;
         let bits = usize::BITS - wide.leading_zeros();
         let group = |listed: &Listed| (listed[0] as usize >> bits).min(groups - 1);
-        let chunks = (0..count).step_by(CHUNK);
+        let chunks = (0..count).step_by(CHUNK_OF_GROUPS);
         let chunks = on_all_cores(chunks.collect(), |at| {
-            let chunk: Vec<Listed> = (at..count.min(at + CHUNK)).map(listed).collect();
+            let chunk: Vec<Listed> = (at..count.min(at + CHUNK_OF_GROUPS)).map(listed).collect();
             by_group(&chunk, groups, group)
         });
         let size = |group| chunks.iter().map(|chunk| chunk.of_group(group).len()).sum();
@@ -195,17 +194,26 @@ fn lowest_first([a, b, c]: Listed) -> Listed {
 
 #[cfg(test)]
 mod tests {
-    use super::{CHUNK, SAMPLE, canonical, narrow};
+    use super::{CHUNK_OF_GROUPS, SAMPLE_OF_GROUPS, canonical, narrow};
     use crate::bucket::sampled;
 
     /// Against triangles turned and sorted as a whole: none, a few, and several chunks, of vertices that are spread
     /// evenly, few, or all low but for some that are in no sample.
     #[test]
     fn as_turned_and_sorted() {
-        for count in [0, 1, 2, 5, CHUNK - 1, CHUNK, CHUNK + 1, 3 * CHUNK + 17] {
+        for count in [
+            0,
+            1,
+            2,
+            5,
+            CHUNK_OF_GROUPS - 1,
+            CHUNK_OF_GROUPS,
+            CHUNK_OF_GROUPS + 1,
+            3 * CHUNK_OF_GROUPS + 17,
+        ] {
             for vertices in [3, 1000, 1 << 20] {
                 let is_far = |t: usize| t % 50_000 == 49_999;
-                assert!(!sampled(count, SAMPLE).any(is_far) || count <= CHUNK);
+                assert!(!sampled(count, SAMPLE_OF_GROUPS).any(is_far) || count <= CHUNK_OF_GROUPS);
                 let vertex = |t: usize, corner: usize| {
                     let spread = narrow(t * 3 + corner).wrapping_mul(0x9E37_79B9) as usize >> 10;
                     let far = if is_far(t) { 1 << 22 } else { 0 };

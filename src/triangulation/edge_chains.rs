@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 use crate::error::Error;
 use crate::ids::narrow;
 
-/// How many vertices all edges together may pass through; the tests of this file need less memory.
-const LIMIT: usize = if cfg!(test) { 1 << 10 } else { 1 << 28 };
+/// How many vertices all edges together may pass through.
+const LIMIT: usize = 1 << 28;
 
 /// The notes of the insertion of edges. Vertices are input indices.
 #[derive(Debug, Default)]
@@ -18,6 +18,8 @@ pub(crate) struct EdgeChainBuilder {
     passed: Vec<(u32, u32)>,
     /// `(edge, of)` for each edge equal to one that was inserted before.
     equal: Vec<(u32, u32)>,
+    /// [`LIMIT`], but less in tests; 0 without edges.
+    limit: usize,
 }
 
 /// For each input edge the vertices along it.
@@ -34,6 +36,7 @@ impl EdgeChainBuilder {
     pub(crate) fn new(ends: Arc<Vec<[u32; 2]>>) -> EdgeChainBuilder {
         EdgeChainBuilder {
             ends,
+            limit: LIMIT,
             ..EdgeChainBuilder::default()
         }
     }
@@ -59,8 +62,8 @@ impl EdgeChainBuilder {
 
     /// Notes that `edge` passes through `vertex`, after the vertices noted before.
     pub(crate) fn pass(&mut self, edge: u32, vertex: u32) -> Result<(), Error> {
-        if self.passed.len() == LIMIT {
-            return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
+        if self.passed.len() == self.limit {
+            return Err(Error::TooManyVerticesOnEdges { limit: self.limit });
         }
         self.passed.push((edge, vertex));
         Ok(())
@@ -68,8 +71,8 @@ impl EdgeChainBuilder {
 
     #[cfg(feature = "parallel")]
     pub(crate) fn append(&mut self, mut other: EdgeChainBuilder) -> Result<(), Error> {
-        if self.passed.len() + other.passed.len() > LIMIT {
-            return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
+        if self.passed.len() + other.passed.len() > self.limit {
+            return Err(Error::TooManyVerticesOnEdges { limit: self.limit });
         }
         self.passed.append(&mut other.passed);
         self.equal.append(&mut other.equal);
@@ -164,13 +167,23 @@ impl EdgeChains {
 mod tests {
     use std::sync::Arc;
 
-    use super::{EdgeChainBuilder, LIMIT, narrow};
+    use super::{EdgeChainBuilder, narrow};
     use crate::error::Error;
+
+    const LIMIT: usize = 1 << 10;
+
+    /// Notes for so many equal edges that may not pass through more vertices than [`LIMIT`].
+    fn notes_of(edges: usize) -> EdgeChainBuilder {
+        EdgeChainBuilder {
+            limit: LIMIT,
+            ..EdgeChainBuilder::new(Arc::new(vec![[0, 1]; edges]))
+        }
+    }
 
     #[test]
     fn more_vertices_than_can_be_held_are_an_error() {
         let limit = Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
-        let mut notes = EdgeChainBuilder::new(Arc::new(vec![[0, 1]; 2]));
+        let mut notes = notes_of(2);
         for vertex in 0..narrow(LIMIT) {
             assert_eq!(notes.pass(vertex % 2, vertex), Ok(()));
         }
@@ -183,7 +196,7 @@ mod tests {
     #[test]
     fn those_of_all_bands_count() {
         let notes = |count| {
-            let mut notes = EdgeChainBuilder::new(Arc::new(vec![[0, 1]]));
+            let mut notes = notes_of(1);
             (0..count).for_each(|vertex| notes.pass(0, vertex).expect("few"));
             notes
         };

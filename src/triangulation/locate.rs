@@ -21,9 +21,7 @@ use crate::ids::TriangleId;
 use crate::mesh::{HalfEdge, next, prev};
 use crate::scalar::{Scalar, filtered_orient2d};
 use crate::triangulation::with_points::WithPoints;
-
-/// So few triangles are looked at one by one.
-const FEW: usize = 6;
+use crate::tuning::LOOKED_AT_ONE_BY_ONE;
 
 /// Where a point lies; the same wherever the search began.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -115,7 +113,7 @@ impl<S: Scalar> WithPoints<'_, S> {
         if !query.iter().all(S::is_finite) {
             return Location::Outside;
         }
-        if self.result.len() <= FEW {
+        if self.result.len() <= LOOKED_AT_ONE_BY_ONE {
             return self.look(query);
         }
         let start = if triangle < self.result.len() {

@@ -15,7 +15,8 @@ use std::cmp::Ordering;
 
 use sweep_cdt::interior::{FillRule, InteriorError, Ring};
 use sweep_cdt::scalar::filtered_orient2d;
-use sweep_cdt::{Algorithm, Bands, Corners, Error, Heuristics, Triangulator, triangulate};
+use sweep_cdt::{Algorithm, Bands, Corners, Error, Heuristics};
+use sweep_cdt_testing::tuned::{triangulate, triangulator};
 
 use crate::reached;
 use sweep_cdt_testing::Random;
@@ -105,7 +106,7 @@ fn answer(input: &Input) -> Option<Answer> {
 /// The answer, unless edges cross.
 fn answer_by(input: &Input, heuristics: Heuristics) -> Option<Answer> {
     let Input { points, edges } = input;
-    let run = Triangulator::new().heuristics(heuristics);
+    let run = triangulator(points, edges).heuristics(heuristics);
     match run.triangulate(points, edges) {
         Ok(result) => Some(found(&result, points.len(), edges.len())),
         Err(Error::CrossingEdges { edges: pair }) => {
@@ -120,7 +121,7 @@ fn answer_by(input: &Input, heuristics: Heuristics) -> Option<Answer> {
 fn judge_an_algorithm(input: &Input, here: Option<&Answer>, random: &mut Random) {
     let Input { points, edges } = input;
     let by = |algorithm| {
-        let run = Triangulator::new().algorithm(algorithm);
+        let run = triangulator(points, edges).algorithm(algorithm);
         let result = run.triangulate(points, edges);
         result.map(|result| found(&result, points.len(), edges.len()))
     };
@@ -135,7 +136,7 @@ fn judge_an_algorithm(input: &Input, here: Option<&Answer>, random: &mut Random)
 
 /// In memory that another input has used the answer is the same.
 fn judge_kept_memory(Input { points, edges }: &Input, here: Option<&Answer>) {
-    let mut session = Triangulator::new().session();
+    let mut session = triangulator(points, edges).session();
     // All points but the last, each of them twice, with the edges between them.
     let most = points.len().saturating_sub(1);
     let others = [&points[..most], &points[..most]].concat();
@@ -213,7 +214,7 @@ const RULES: usize = 2;
 
 /// The inside alone is the inside of the whole by some rules: the same triangles, or the same error.
 fn judge_rules(points: &[[f64; 2]], edges: &[[usize; 2]], random: &mut Random) {
-    let mut session = Triangulator::new().session();
+    let mut session = triangulator(points, edges).session();
     let whole = triangulate(points, edges).map_err(|error| InteriorError::Refused { error });
     let mut rules = [
         FillRule::EvenOdd,
@@ -253,7 +254,7 @@ fn judge_polygons(points: &[[f64; 2]], ring: &[[usize; 2]]) {
 /// In bands the answer is the same, and of several crossings the same one is named.
 fn judge_bands(Input { points, edges }: &Input, here: Option<&Answer>, random: &mut Random) {
     let bands = 2 + random.below(4);
-    let run = Triangulator::new();
+    let run = triangulator(points, edges);
     let there = run.triangulate_parallel(points, edges, Bands::new().count(bands));
     let answer = there.map(|result| {
         check_links(&result);

@@ -6,9 +6,10 @@
 use num_rational::BigRational;
 use sweep_cdt::crossings::{Crossing, Effort, Split, crossings, crossings_with, split};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Error, Triangulation, triangulate};
+use sweep_cdt::{Error, Triangulation};
 use sweep_cdt_testing::oracle::arrangement::{self, Exact, fractions, is_nearest};
 use sweep_cdt_testing::oracle::{Graph, check_answer, found};
+use sweep_cdt_testing::tuned::triangulate;
 use sweep_cdt_testing::{Input, with_integers};
 
 /// So many edges are listed: each may cross all others.

@@ -45,12 +45,13 @@ use core::mem::take;
 use super::delaunay::Delaunay;
 use super::initialization::LIMIT;
 use super::predicates::SweepPredicates;
-use super::scratch::Scratch;
+use super::state::Scratch;
 use super::vertices::ApproxPoints;
 use crate::ids::{TriangleId, VertexId, narrow};
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::Algorithm;
+use crate::settings::Settings;
 use crate::triangulation::canonical::{CanonicalBuffers, canonical_into};
+use crate::tuning::Tuning;
 use chains::Chains;
 use rings::Rings;
 use status::{Crossed, END, Status};
@@ -86,11 +87,11 @@ pub(crate) fn triangulate_rings<S: Scalar>(
     };
     let inputs = 0..narrow(points.len());
     scratch
-        .held
+        .arrays
         .vertices
-        .set(&approx, inputs, &mut scratch.sort);
+        .set(&approx, inputs, &mut scratch.sort, &Tuning::REAL);
     drop(approx);
-    scratch.held.vertices.duplicates.is_empty() && sweep(&points, directed, scratch, polygon)
+    scratch.arrays.vertices.duplicates.is_empty() && sweep(&points, directed, scratch, polygon)
 }
 
 /// Sweeps the vertices in `scratch`, of which none are duplicates. Compiled once, whatever the scalar.
@@ -98,10 +99,12 @@ pub(crate) fn triangulate_rings<S: Scalar>(
 fn sweep(
     points: &dyn ExactPoints,
     directed: bool,
-    Scratch { held, lent, .. }: &mut Scratch,
+    Scratch {
+        arrays, buffers, ..
+    }: &mut Scratch,
     polygon: &mut PolygonScratch,
 ) -> bool {
-    let (vertices, mut mesh) = (take(&mut held.vertices), take(&mut held.mesh));
+    let (vertices, mut mesh) = (take(&mut arrays.vertices), take(&mut arrays.mesh));
     let n = vertices.len();
     polygon.rings.rank(&vertices);
     polygon.status.begin(n);
@@ -109,7 +112,7 @@ fn sweep(
     mesh.begin(n, 0);
     let predicates = SweepPredicates::new(points, vertices);
     let mut sweep = PolygonSweep {
-        delaunay: Delaunay::new(mesh, predicates, Algorithm::Auto, (), &mut lent.delaunay),
+        delaunay: Delaunay::new(mesh, predicates, Settings::default(), (), buffers),
         rings: &polygon.rings,
         status: &mut polygon.status,
         chains: &mut polygon.chains,
@@ -124,7 +127,7 @@ fn sweep(
         let (list, buffers) = (&mut polygon.triangles, &mut polygon.canonical);
         canonical_into(list, delaunay.mesh.len(), inputs, buffers);
     }
-    (held.vertices, held.mesh) = (delaunay.predicates.vertices, delaunay.mesh);
+    (arrays.vertices, arrays.mesh) = (delaunay.predicates.vertices, delaunay.mesh);
     is_done
 }
 

@@ -3,9 +3,9 @@
 
 use sweep_cdt::Triangulation;
 use sweep_cdt::interior::{FillRule, Interior, Ring};
-use sweep_cdt::triangulate;
 use sweep_cdt::verify::Verifier;
 use sweep_cdt_testing::oracle::canonical;
+use sweep_cdt_testing::tuned::triangulate;
 
 use super::case::Case;
 

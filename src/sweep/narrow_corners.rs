@@ -9,34 +9,16 @@
 //! ```
 //!
 //! Why it is right: angles, in plain floating point, only choose which corners to try. A triangle is made only where an
-//! exact sign says that the corner turns inward, and it lies above the front, where nothing is. First the outer sides
-//! of the new triangle's fan are legalized, then the spoke from `p` to `corner`. Cost: a test of the angle and one of
+//! exact sign says that the corner turns inward, and it lies above the front, where nothing is. Cost: a test of the angle and one of
 //! the turn for each corner closed, and one more of each on either side of `p`.
 //!
 //! Differs from the paper: angles are compared by dot products; [`Corners::Wide`] goes a little beyond pi/2, and two
 //! settings go further, to compare with.
-//!
-//! Heuristic (ii) of the point event (section 3.4.1, figure 10): basins are filled.
-//!
-//! ```text
-//!    p                              .-     Beside p the front falls by more than 45 degrees over two
-//!     \                          .-'       nodes, which is an angle of more than 3pi/4 with the upward
-//!     rim . . . . . . . . . . .-'          vertical: a basin begins. Its `rim` is the node beside p. The
-//!       \                   end            search walks down to the bottom, and up again to `end`, the
-//!        x                .-'              last node that is not above the rim. The front from `rim`
-//!         \            x-'                 to `end` is filled to its upper hull.
-//!          bottom ---'
-//! ```
-//!
-//! Why it is right: angles and heights, in plain floating point, only choose two nodes of the front. Exact signs fill
-//! the front between them up to its upper hull ([`Delaunay::fill`](super::delaunay::Delaunay::fill)). Cost: the search
-//! passes at most [`BASIN_REACH`] nodes on its way down and as many on its way up: O(1).
+
 use core::cmp::Ordering::{self, Greater, Less};
 
 use super::{NewVertex, Sweep};
 use crate::front::Direction;
-use crate::ids::{BorderId, VertexId};
-use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::settings::Corners;
 use crate::trace::Why;
@@ -152,39 +134,6 @@ impl<P: Probe> Sweep<'_, P> {
             (corner, approx_corner) = (far, approx_far);
         }
     }
-
-    /// Covers the node `corner` beside `p` by a triangle of `p`, `corner`, and the node after it, `far`.
-    #[inline(always)]
-    pub(super) fn close_corner(
-        &mut self,
-        p: NewVertex,
-        direction: Direction,
-        [corner, far]: [VertexId; 2],
-        why: Why,
-    ) {
-        // Segments bear the number of their left end. The outer one runs from `corner` to `far`, the spoke from `p` to
-        // `corner`; the new segment runs from `p` to `far`.
-        let below = |v| self.delaunay.mesh.border_twin(BorderId::segment(v));
-        let border = |v| HalfEdge::border(BorderId::segment(v));
-        let (vertices, twin) = match direction {
-            Direction::Right => (
-                [p.id, corner, far],
-                [below(corner), border(p.id), below(p.id)],
-            ),
-            Direction::Left => (
-                [p.id, far, corner],
-                [below(far), below(corner), border(far)],
-            ),
-        };
-        let t = self.delaunay.add_triangle(vertices, twin, why);
-        self.take_off_front(corner);
-        let rightmost = self.delaunay.legalize_fan(t, p.approx, vertices[2]);
-        let spoke = match direction {
-            Direction::Right => HalfEdge::new(t, 2),
-            Direction::Left => HalfEdge::new(rightmost, 1),
-        };
-        self.delaunay.legalize_side(spoke);
-    }
 }
 
 /// The turn at a corner that leaves room for a triangle above it.
@@ -193,63 +142,5 @@ fn inward(direction: Direction) -> Ordering {
     match direction {
         Direction::Right => Greater,
         Direction::Left => Less,
-    }
-}
-
-/// How many nodes the search for a basin may pass on its way down, and again on its way up.
-const BASIN_REACH: usize = 32;
-
-impl<P: Probe> Sweep<'_, P> {
-    #[inline(always)]
-    pub(super) fn fill_basins(&mut self, p: VertexId) {
-        for direction in [Direction::Right, Direction::Left] {
-            if self.falls_away(p, direction) {
-                self.fill_basin(p, direction);
-            }
-        }
-    }
-
-    /// Whether the front falls from `p` over the next two nodes by more than 45 degrees. False if one is artificial.
-    #[inline(always)]
-    fn falls_away(&self, p: VertexId, direction: Direction) -> bool {
-        let first = self.front.neighbor(p, direction);
-        if self.delaunay.predicates.is_artificial(first) {
-            return false;
-        }
-        let second = self.front.neighbor(first, direction);
-        let [[px, py], [x, y]] = [p, second].map(|v| self.delaunay.predicates.approx(v));
-        py - y > (px - x).abs()
-    }
-
-    fn fill_basin(&mut self, p: VertexId, direction: Direction) {
-        let rim = self.front.neighbor(p, direction);
-        let top = self.height(rim);
-        // Down to the bottom, then up again.
-        let (mut at, mut y) = (rim, top);
-        for is_falling in [true, false] {
-            for _ in 0..BASIN_REACH {
-                let beyond = self.front.neighbor(at, direction);
-                let next_y = self.height(beyond);
-                let goes_on = if is_falling {
-                    next_y < y
-                } else {
-                    next_y > y && next_y <= top
-                };
-                // False for an artificial node, whose height is no number.
-                if !goes_on {
-                    break;
-                }
-                (at, y) = (beyond, next_y);
-            }
-        }
-        let [from, to] = match direction {
-            Direction::Right => [rim, at],
-            Direction::Left => [at, rim],
-        };
-        self.fill_front(from, to, Why::Basin);
-    }
-
-    fn height(&self, v: VertexId) -> f64 {
-        self.delaunay.predicates.approx(v)[1]
     }
 }
