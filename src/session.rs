@@ -109,7 +109,7 @@ impl Session {
         &mut self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
-        rule: FillRule<'_>,
+        rule: FillRule,
     ) -> Result<&[[usize; 3]], InteriorError> {
         if let Some(result) = self.result.take() {
             self.scratch.recycle(result);
@@ -117,7 +117,7 @@ impl Session {
         let directed = match rule {
             _ if self.settings.algorithm != Algorithm::Auto => None,
             FillRule::EvenOdd => Some(false),
-            FillRule::NonZero(ruled) if ruled == edges => Some(true),
+            FillRule::NonZero => Some(true),
             _ => None,
         };
         let (scratch, polygon) = (&mut self.scratch, &mut self.polygon);

@@ -22,9 +22,9 @@ pub enum InteriorError {
         /// The lowest such point.
         vertex: usize,
     },
-    /// The edges are not those that were triangulated.
-    OtherEdge {
-        /// The first edge that differs, or of which there are too many or too few.
+    /// The list of rings names no ring for an edge, a ring that there is not, or one for an edge that there is not.
+    UnknownRing {
+        /// The first such edge.
         edge: usize,
     },
     /// The triangulation has a vertex that is none of the points given.
@@ -75,13 +75,15 @@ impl fmt::Display for InteriorError {
                 f,
                 "the edges are no closed rings: they do not go on at vertex {vertex}"
             ),
-            InteriorError::OtherEdge { edge } => {
-                write!(f, "edge {edge} is not the one that was triangulated")
+            InteriorError::UnknownRing { edge } => {
+                write!(f, "edge {edge} and its ring do not belong together")
             }
             InteriorError::MissingPoint { vertex } => {
                 write!(f, "vertex {vertex} of the triangulation does not exist")
             }
-            InteriorError::Refused { error } => error.fmt(f),
+            InteriorError::Refused { .. } => {
+                f.write_str("the points and edges cannot be triangulated")
+            }
             InteriorError::SeedNotFinite { seed } => {
                 write!(f, "the seed of {seed} has a coordinate that is not finite")
             }
@@ -104,7 +106,20 @@ impl fmt::Display for InteriorError {
     }
 }
 
-impl core::error::Error for InteriorError {}
+impl core::error::Error for InteriorError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            InteriorError::Refused { error } => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<Error> for InteriorError {
+    fn from(error: Error) -> InteriorError {
+        InteriorError::Refused { error }
+    }
+}
 
 impl InteriorError {
     /// The error with other numbers for vertices, edges, holes and regions, for callers that do not count from 0.
@@ -133,7 +148,7 @@ impl InteriorError {
             E::OpenAtVertex { vertex } => E::OpenAtVertex {
                 vertex: on_vertex(vertex),
             },
-            E::OtherEdge { edge } => E::OtherEdge {
+            E::UnknownRing { edge } => E::UnknownRing {
                 edge: on_edge(edge),
             },
             E::MissingPoint { vertex } => E::MissingPoint {

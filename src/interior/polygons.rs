@@ -51,7 +51,7 @@ impl Triangulation {
     /// [`Interior::depth`] is the number of polygons that cover a triangle, and [`Interior::region`] the lowest of them.
     ///
     /// # Errors
-    /// [`InteriorError::OpenAtVertex`], if a ring is not closed; [`InteriorError::OtherEdge`], if `ring_of` is not as long
+    /// [`InteriorError::OpenAtVertex`], if a ring is not closed; [`InteriorError::UnknownRing`], if `ring_of` is not as long
     /// as the list of edges that were triangulated, or names a ring that there is not.
     ///
     /// ```
@@ -80,11 +80,11 @@ impl Triangulation {
         let is_known = |ring: &Option<usize>| ring.is_none_or(|ring| ring < rings.len());
         let count = self.chains.len();
         if let Some(edge) = ring_of.iter().position(|ring| !is_known(ring)) {
-            return Err(InteriorError::OtherEdge { edge });
+            return Err(InteriorError::UnknownRing { edge });
         }
         if ring_of.len() != count {
             let edge = ring_of.len().min(count);
-            return Err(InteriorError::OtherEdge { edge });
+            return Err(InteriorError::UnknownRing { edge });
         }
         let walls = Walls::new(self, ring_of)?;
         let (faces, count) = faces(self);
@@ -115,10 +115,14 @@ struct Walls {
 impl Walls {
     fn new(result: &Triangulation, ring_of: &[Option<usize>]) -> Result<Walls, InteriorError> {
         let edges = ring_of.iter().enumerate();
+        let ends = |edge| {
+            let [a, b] = result.chains.ends(edge);
+            [a.min(b), a.max(b)]
+        };
         // The ends of each edge of a ring, the ring, and the edge.
         let mut edges: Vec<([u32; 2], usize, usize)> = edges
-            .filter_map(|(edge, ring)| Some((result.chains.ends(edge), (*ring)?, edge)))
-            .filter(|([upper, lower], ..)| upper != lower)
+            .filter_map(|(edge, ring)| Some((ends(edge), (*ring)?, edge)))
+            .filter(|([a, b], ..)| a != b)
             .collect();
         edges.sort_unstable();
         let mut ends: Vec<(u32, usize)> = edges
@@ -137,7 +141,7 @@ impl Walls {
         for equal in edges.chunk_by(|a, b| a.0 == b.0) {
             let group = rings.len()..rings.len() + equal.len();
             rings.extend(equal.iter().map(|&(_, ring, _)| ring));
-            let chain = result.edge_chain(equal[0].2).map(narrow);
+            let chain = result.chains.chain(equal[0].2);
             let pairs = chain.clone().zip(chain.skip(1));
             sides.extend(pairs.map(|(a, b)| ([a.min(b), a.max(b)], group.clone())));
         }

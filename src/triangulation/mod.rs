@@ -34,7 +34,7 @@ use crate::triangulation::edge_chains::EdgeChains;
 /// assert_eq!(result.len(), 4);
 /// assert_eq!(result.canonical_triangles()[0], [0, 1, 4]);
 /// assert_eq!(result.hull().collect::<Vec<_>>(), [3, 0, 1, 2]);
-/// assert_eq!(result.edge_chain(0).collect::<Vec<_>>(), [2, 0]);
+/// assert_eq!(result.edge_chain(0).collect::<Vec<_>>(), [0, 2]);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Debug, Default)]
@@ -151,17 +151,10 @@ impl Triangulation {
             .map(|&(vertex, of)| [vertex as usize, of as usize])
     }
 
-    /// The vertices along input edge `e` as representatives, from its upper end (last by y, then x) to its lower end:
-    /// two, more if vertices lie on the edge, one if its ends are equal. Neighbours in the chain form sides.
+    /// The vertices along input edge `e` as representatives, from its first end to its second: two, more if vertices lie
+    /// on the edge, one if its ends are equal. Neighbours in the chain form sides.
     pub fn edge_chain(&self, e: usize) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
-        let [upper, lower] = self.chains.ends(e);
-        let inside = self.chains.inside(e);
-        let length = inside.len() + if upper == lower { 1 } else { 2 };
-        (0..length).map(move |at| match at {
-            0 => upper as usize,
-            at if at + 1 == length => lower as usize,
-            at => inside[at - 1] as usize,
-        })
+        self.chains.chain(e).map(|v| v as usize)
     }
 
     #[inline]

@@ -134,10 +134,10 @@ fn rings_that_are_not_closed_are_refused() {
             let interior = result.interior_of_polygons(&map.rings, ring_of);
             interior.err()
         };
-        let (all, other) = (map.edges.len(), InteriorError::OtherEdge { edge });
-        let too_few = InteriorError::OtherEdge { edge: all - 1 };
+        let (all, other) = (map.edges.len(), InteriorError::UnknownRing { edge });
+        let too_few = InteriorError::UnknownRing { edge: all - 1 };
         assert_eq!(refused(&map.ring_of[..all - 1]), Some(too_few));
-        let too_many = InteriorError::OtherEdge { edge: all };
+        let too_many = InteriorError::UnknownRing { edge: all };
         let more = [&map.ring_of[..], &[None]].concat();
         assert_eq!(refused(&more), Some(too_many));
         let mut unknown = map.ring_of.clone();

@@ -57,10 +57,10 @@ impl Rule {
         let rule = match self {
             Rule::Hull => FillRule::Hull,
             Rule::EvenOdd => FillRule::EvenOdd,
-            Rule::NonZero => FillRule::NonZero(edges),
-            Rule::Positive => FillRule::Positive(edges),
-            Rule::Negative => FillRule::Negative(edges),
-            Rule::AtLeast(times) => FillRule::AtLeast(edges, times),
+            Rule::NonZero => FillRule::NonZero,
+            Rule::Positive => FillRule::Positive,
+            Rule::Negative => FillRule::Negative,
+            Rule::AtLeast(times) => FillRule::AtLeast(times),
             Rule::Polygons => return result.interior_of_polygons(&graph.rings, &graph.ring_of),
             Rule::Holes => {
                 let result = result.with_points(graph.points);

@@ -86,7 +86,7 @@ def triangulate(
     >>> result.canonical().tolist()
     [[0, 1, 4], [0, 4, 3], [1, 2, 4], [2, 3, 4]]
     >>> result.edge_chain(0).tolist()
-    [2, 4, 0]
+    [0, 4, 2]
 
     Edges that cross are an error, which names them:
 
@@ -305,17 +305,14 @@ class Triangulation:
         Returns
         -------
         ndarray of int32
-            From the upper end (of two of one height the right one) to the lower; of split edges from the first end to the
-            second. A single vertex, if the ends are equal.
+            From the first end to the second. A single vertex, if the ends are equal.
         """
         count = len(self.edges) if self.split is None else self.split.count
         if not -count <= edge < count:
             raise IndexError(f"there is no edge {edge}: there are {count}")
         edge %= count
-        if self.split is None:
-            return self._core.chain(edge)
-        first, last = self.split.range(edge)
-        return self._core.joined(first, last, self._input.edges)
+        first, last = (edge, edge + 1) if self.split is None else self.split.range(edge)
+        return self._core.chain(first, last)
 
     def boundary(self) -> list[np.ndarray]:
         """The closed chains of vertices around what is inside: outlines counter-clockwise, holes clockwise.

@@ -111,10 +111,10 @@ impl Inside {
             Inside::Hull => result.interior(FillRule::Hull),
             Inside::Polygons => file.polygons.interior(result),
             Inside::EvenOdd => result.interior(FillRule::EvenOdd),
-            Inside::Nonzero => result.interior(FillRule::NonZero(&graph.edges)),
-            Inside::Positive => result.interior(FillRule::Positive(&graph.edges)),
-            Inside::Negative => result.interior(FillRule::Negative(&graph.edges)),
-            Inside::AtLeast(times) => result.interior(FillRule::AtLeast(&graph.edges, times)),
+            Inside::Nonzero => result.interior(FillRule::NonZero),
+            Inside::Positive => result.interior(FillRule::Positive),
+            Inside::Negative => result.interior(FillRule::Negative),
+            Inside::AtLeast(times) => result.interior(FillRule::AtLeast(times)),
             Inside::Holes | Inside::HullWithoutHoles => {
                 let seeds = graph.regions.iter().map(|region| region.seed.clone());
                 let regions: Vec<[S; 2]> = seeds.collect();
