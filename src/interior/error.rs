@@ -15,6 +15,7 @@ use crate::error::Error;
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum InteriorError {
     /// The edges do not form closed chains, so they do not separate inside from outside.
@@ -26,11 +27,6 @@ pub enum InteriorError {
     UnknownRing {
         /// The first such edge.
         edge: usize,
-    },
-    /// The triangulation has a vertex that is none of the points given.
-    MissingPoint {
-        /// The first such vertex.
-        vertex: usize,
     },
     /// A coordinate of a seed is NaN or infinite.
     SeedNotFinite {
@@ -77,9 +73,6 @@ impl fmt::Display for InteriorError {
             ),
             InteriorError::UnknownRing { edge } => {
                 write!(f, "edge {edge} and its ring do not belong together")
-            }
-            InteriorError::MissingPoint { vertex } => {
-                write!(f, "vertex {vertex} of the triangulation does not exist")
             }
             InteriorError::Refused { .. } => {
                 f.write_str("the points and edges cannot be triangulated")
@@ -151,9 +144,6 @@ impl InteriorError {
             E::UnknownRing { edge } => E::UnknownRing {
                 edge: on_edge(edge),
             },
-            E::MissingPoint { vertex } => E::MissingPoint {
-                vertex: on_vertex(vertex),
-            },
             E::Refused { error } => E::Refused {
                 error: error.renumbered(on_vertex, on_edge),
             },
@@ -176,6 +166,7 @@ impl InteriorError {
 
 /// A point that stands for the whole face that it lies in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Seed {
     /// The hole of this index.
     Hole(usize),

@@ -27,6 +27,7 @@ pub(super) struct Flow {
 }
 
 impl Flow {
+    /// The flow of all edges.
     pub(super) fn new(result: &Triangulation) -> Flow {
         let sorted = |&edge: &usize| {
             let [a, b] = result.chains.ends(edge);

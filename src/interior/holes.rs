@@ -14,8 +14,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::error::{InteriorError, Seed};
-use super::labels::{self, Interior};
-use crate::ids::narrow;
+use super::labels::Interior;
 use crate::scalar::{Scalar, filtered_orient2d};
 use crate::triangulation::Triangulation;
 use crate::triangulation::locate::Location;
@@ -29,7 +28,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
     /// with a region have its index, [`Interior::region`]; of several in a face the last counts, as in Triangle.
     ///
     /// # Errors
-    /// [`InteriorError`], if a seed is not in one face, the seed of a region is not inside, or a vertex has no point.
+    /// [`InteriorError`], if a seed is not in one face, or the seed of a region is not inside.
     ///
     /// ```
     /// // A square with a square hole, in which there is an island.
@@ -55,7 +54,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
     /// outside: Triangle's option `-c` with holes.
     ///
     /// # Errors
-    /// [`InteriorError`], if a seed is not in one face, the seed of a region is in a hole, or a vertex has no point.
+    /// [`InteriorError`], if a seed is not in one face, or the seed of a region is in a hole.
     ///
     /// ```
     /// // A box without a lid, and a square hole in it.
@@ -82,11 +81,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
         regions: &[[S; 2]],
         is_open: bool,
     ) -> Result<Interior<'a>, InteriorError> {
-        let (result, points) = (self.result, self.points);
-        let mut corners = result.triangles().flatten();
-        if let Some(vertex) = corners.find(|&vertex| vertex >= points.len()) {
-            return Err(InteriorError::MissingPoint { vertex });
-        }
+        let result = self.result;
         let seeds: Vec<&[S; 2]> = holes.iter().chain(regions).collect();
         let names = (0..holes.len()).map(Seed::Hole);
         let names: Vec<Seed> = names.chain((0..regions.len()).map(Seed::Region)).collect();
@@ -114,7 +109,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
                 Seed::Region(region) if is_outside[face] => {
                     return Err(InteriorError::RegionOutside { region });
                 }
-                Seed::Region(region) => region_of_face[face] = Some(narrow(region)),
+                Seed::Region(region) => region_of_face[face] = Some(region),
             }
         }
         let depths = faces.iter().map(|&face| i32::from(!is_outside[face]));
@@ -136,7 +131,7 @@ fn triangle_of(
         Location::Outside => Err(InteriorError::SeedOutside { seed }),
         Location::Vertex(vertex) => Err(InteriorError::SeedOnVertex { seed, vertex }),
         Location::Side { triangle, side } if result.is_constrained(triangle, side) => {
-            let mut ends = labels::ends(result, triangle, side);
+            let mut ends = result.side(triangle, side);
             ends.sort_unstable();
             Err(InteriorError::SeedOnEdge { seed, ends })
         }

@@ -15,23 +15,6 @@
 //! | [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds) | the faces that edges close off, but those with the seed of a hole |
 //! | [`WithPoints::hull_without_holes`](crate::WithPoints::hull_without_holes) | the hull, but the faces with the seed of a hole |
 //!
-//! ```
-//! use sweep_cdt::interior::FillRule;
-//!
-//! // A square with a square hole, and twice its area.
-//! let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
-//! let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
-//! let result = sweep_cdt::triangulate(&points, &edges)?;
-//! let domain = result.interior(FillRule::EvenOdd)?;
-//! let area = |[a, b, c]: [usize; 3]| {
-//!     let [[ax, ay], [bx, by], [cx, cy]] = [points[a], points[b], points[c]];
-//!     (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-//! };
-//! assert_eq!(domain.triangles().map(area).sum::<i32>(), 2 * (9 * 9 - 3 * 3));
-//! assert_eq!(domain.boundary(), [vec![0, 1, 2, 3], vec![4, 7, 6, 5]]);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
-//!
 //! Why it is right: for the rules the edges on each side are counted, all paths to a triangle agree, and one of them is
 //! followed. For seeds the triangles that no edge parts are joined, and each seed is in one such face. Cost:
 //! O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
@@ -117,7 +100,7 @@ impl Triangulation {
         }
         let flow = Flow::new(self);
         let flow_in = |t, side| match self.is_constrained(t, side) {
-            true => flow.of_side(labels::ends(self, t, side)),
+            true => flow.of_side(self.side(t, side)),
             false => 0,
         };
         let is_odd = |number: i32| number % 2 != 0;

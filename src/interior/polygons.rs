@@ -31,15 +31,16 @@ use core::ops::Range;
 
 use super::error::InteriorError;
 use super::holes::faces;
-use super::labels::{self, Interior};
+use super::labels::Interior;
 use crate::ids::narrow;
 use crate::triangulation::Triangulation;
 
 /// A closed chain of edges around a polygon, or around a hole in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ring {
     /// The number of the polygon.
-    pub polygon: u32,
+    pub polygon: usize,
     /// Whether the ring takes away what it goes round.
     pub is_hole: bool,
 }
@@ -187,7 +188,7 @@ impl Tree {
         for (t, &face) in faces.iter().enumerate() {
             for side in 0..3 {
                 let wall = |is_wall| match is_wall {
-                    true => walls.at(labels::ends(result, t, side)),
+                    true => walls.at(result.side(t, side)),
                     false => 0..0,
                 };
                 let is_wall = result.is_constrained(t, side);
@@ -249,7 +250,7 @@ struct Cover<'a> {
     /// Whether each ring goes round it.
     is_around: Vec<bool>,
     /// The numbers of all polygons, sorted.
-    numbers: Vec<u32>,
+    numbers: Vec<usize>,
     /// How many outlines and how many holes of each of them go round it.
     around: Vec<[usize; 2]>,
     /// The polygons that cover it, as positions in `numbers`.
@@ -259,7 +260,7 @@ struct Cover<'a> {
 impl<'a> Cover<'a> {
     /// What covers the outside: nothing.
     fn new(rings: &'a [Ring]) -> Cover<'a> {
-        let mut numbers: Vec<u32> = rings.iter().map(|ring| ring.polygon).collect();
+        let mut numbers: Vec<usize> = rings.iter().map(|ring| ring.polygon).collect();
         numbers.sort_unstable();
         numbers.dedup();
         Cover {
@@ -272,7 +273,7 @@ impl<'a> Cover<'a> {
     }
 
     /// The lowest polygon that covers it.
-    fn lowest(&self) -> Option<u32> {
+    fn lowest(&self) -> Option<usize> {
         self.polygons.first().map(|&polygon| self.numbers[polygon])
     }
 

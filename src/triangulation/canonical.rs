@@ -1,193 +1,71 @@
 //! Triangles in canonical order: each begins with its lowest vertex, and the list is sorted.
 //!
-//! Each chunk is put in order by *groups* of lowest vertices, then each group, from all chunks, by lowest vertex, so
-//! most random writes stay in cache. Last, triangles with the same lowest vertex are sorted. All cores share the work.
-//!
-//! Why it is right: groups follow each other in the order of the vertices. Where the sample misses high vertices, the
-//! last group has them all, which costs time only. Cost: O(n + v) for n triangles and highest vertex v, and the sorts.
+//! A counting sort puts triangles in the order of their lowest vertices; then those with the same lowest vertex, which
+//! are few, are sorted. Cost: O(n + v) for n triangles and highest vertex v, and the sorts.
 
-use alloc::vec;
 use alloc::vec::Vec;
-use core::mem::take;
 
-use crate::bucket::sampled;
-use crate::ids::narrow;
-use crate::threads::on_all_cores;
-
-const CHUNK: usize = 1 << 16;
-/// How many groups several chunks have. Fewer would not fit in the cache; more would scatter a chunk too widely.
-const GROUPS: usize = 256;
-/// How many triangles are in the sample that tells how high vertices are.
-const SAMPLE: usize = 1 << 10;
-
-/// A triangle whose first vertex is the lowest.
-type Listed = [u32; 3];
-
-/// The triangles of a chunk by groups, where each group begins, and where the last one ends.
-#[derive(Debug)]
-struct Chunk {
-    list: Vec<Listed>,
-    begins: Vec<usize>,
-}
-
-/// The triangles of a [`Triangulation`](crate::Triangulation) in canonical order, group by group: for programs that
-/// write many triangles and need not hold the whole list.
-///
-/// [`Triangulation::canonical_groups`](crate::Triangulation::canonical_groups) makes them. One group after the other is
-/// the list of [`canonical_triangles`](crate::Triangulation::canonical_triangles).
-///
-/// ```
-/// let points = [[0, 0], [3, 0], [3, 2], [0, 2]];
-/// let result = sweep_cdt::triangulate(&points, &[[1, 3]])?;
-/// let groups = result.canonical_groups();
-/// let all: Vec<_> = (0..groups.sizes().len()).flat_map(|group| groups.sorted(group)).collect();
-/// assert_eq!(all, result.canonical_triangles());
-/// # Ok::<(), sweep_cdt::Error>(())
-/// ```
-#[derive(Debug)]
-pub struct CanonicalGroups {
-    chunks: Vec<Chunk>,
-    sizes: Vec<usize>,
-    /// A group has two to the power of `bits` vertices; the last group has all higher ones, too.
-    bits: u32,
-}
-
-/// `count` triangles in canonical order; `triangle` gives each by its number.
-pub(crate) fn canonical(
-    count: usize,
-    triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
-) -> Vec<[usize; 3]> {
-    let groups = CanonicalGroups::new(count, triangle);
-    let mut list = vec![[0; 3]; count];
-    let mut rest = &mut list[..];
-    let part = |(group, &size)| {
-        let (part, others) = take(&mut rest).split_at_mut(size);
-        rest = others;
-        (group, part)
-    };
-    let parts = groups.sizes.iter().enumerate().map(part).collect();
-    on_all_cores(parts, |(group, part)| groups.sort(group, part));
+/// `count` triangles in canonical order; `triangle` gives each by its number, and is called twice for it.
+pub(crate) fn canonical(count: usize, triangle: impl Fn(usize) -> [u32; 3]) -> Vec<[usize; 3]> {
+    let mut list = Vec::new();
+    let turned = (0..count).map(|t| lowest_first(triangle(t)));
+    sort(turned, &mut list, &mut Vec::new());
     list
 }
 
 /// Memory for [`canonical_into`].
 #[derive(Debug, Default)]
 pub(crate) struct CanonicalBuffers {
-    listed: Vec<Listed>,
-    places: Vec<usize>,
+    /// The triangles, each with its lowest vertex first.
+    turned: Vec<[u32; 3]>,
+    places: Vec<u32>,
 }
 
 /// Sets `list` to `count` triangles in canonical order; `triangle` gives each by its number.
 pub(crate) fn canonical_into(
     list: &mut Vec<[usize; 3]>,
     count: usize,
-    triangle: impl Fn(usize) -> Listed,
-    buffers: &mut CanonicalBuffers,
+    triangle: impl Fn(usize) -> [u32; 3],
+    CanonicalBuffers { turned, places }: &mut CanonicalBuffers,
 ) {
-    let CanonicalBuffers { listed, places } = buffers;
-    listed.clear();
-    listed.extend((0..count).map(|t| lowest_first(triangle(t))));
-    list.clear();
-    list.resize(count, [0; 3]);
-    by_vertex(listed.iter(), 0, list, places);
+    turned.clear();
+    turned.extend((0..count).map(|t| lowest_first(triangle(t))));
+    sort(turned.iter().copied(), list, places);
 }
 
-impl CanonicalGroups {
-    pub(crate) fn new(
-        count: usize,
-        triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
-    ) -> CanonicalGroups {
-        let groups = if count <= CHUNK { 1 } else { GROUPS };
-        let listed = |t: usize| lowest_first(triangle(t).map(narrow));
-        let lowest = sampled(count, SAMPLE).map(|t| listed(t)[0]);
-        let wide = lowest.max().unwrap_or(0) as usize / groups;
-        let bits = usize::BITS - wide.leading_zeros();
-        let group = |listed: &Listed| (listed[0] as usize >> bits).min(groups - 1);
-        let chunks = (0..count).step_by(CHUNK);
-        let chunks = on_all_cores(chunks.collect(), |at| {
-            let chunk: Vec<Listed> = (at..count.min(at + CHUNK)).map(listed).collect();
-            by_group(&chunk, groups, group)
-        });
-        let size = |group| chunks.iter().map(|chunk| chunk.of_group(group).len()).sum();
-        CanonicalGroups {
-            sizes: (0..groups).map(size).collect(),
-            chunks,
-            bits,
+/// Sets `list` to triangles, of which each begins with its lowest vertex. `places` is a buffer.
+fn sort(
+    turned: impl ExactSizeIterator<Item = [u32; 3]> + Clone,
+    list: &mut Vec<[usize; 3]>,
+    places: &mut Vec<u32>,
+) {
+    // How many triangles each lowest vertex has, and then where the next one of them goes.
+    places.clear();
+    for [lowest, ..] in turned.clone() {
+        let lowest = lowest as usize;
+        if lowest >= places.len() {
+            places.resize(lowest + 1, 0);
         }
+        places[lowest] += 1;
     }
-
-    /// How many triangles each group has; together they are in canonical order.
-    pub fn sizes(&self) -> &[usize] {
-        &self.sizes
+    let mut sum = 0;
+    for place in &mut *places {
+        (*place, sum) = (sum, sum + *place);
     }
-
-    /// The triangles of a group in canonical order.
-    pub fn sorted(&self, group: usize) -> Vec<[usize; 3]> {
-        let mut list = vec![[0; 3]; self.sizes[group]];
-        self.sort(group, &mut list);
-        list
-    }
-
-    /// Puts the triangles of a group in canonical order into `list`, which is as long.
-    fn sort(&self, group: usize, list: &mut [[usize; 3]]) {
-        let listed = self.chunks.iter().flat_map(|chunk| chunk.of_group(group));
-        by_vertex(listed, group << self.bits, list, &mut Vec::new());
-    }
-}
-
-impl Chunk {
-    fn of_group(&self, group: usize) -> &[Listed] {
-        &self.list[self.begins[group]..self.begins[group + 1]]
-    }
-}
-
-fn by_group(chunk: &[Listed], groups: usize, group: impl Fn(&Listed) -> usize) -> Chunk {
-    let mut begins = Vec::new();
-    set_begins(chunk.iter().map(&group), groups, &mut begins);
-    let mut list = vec![[0; 3]; chunk.len()];
-    let mut places = begins.clone();
-    for listed in chunk {
-        let place = &mut places[group(listed)];
-        list[*place] = *listed;
+    list.clear();
+    list.resize(turned.len(), [0; 3]);
+    for triangle in turned {
+        let place = &mut places[triangle[0] as usize];
+        list[*place as usize] = triangle.map(|v| v as usize);
         *place += 1;
     }
-    Chunk { list, begins }
-}
-
-/// Puts the triangles of a group in their order; none begins with a vertex below `first`. `places` is a buffer.
-fn by_vertex<'a>(
-    listed: impl Iterator<Item = &'a Listed> + Clone,
-    first: usize,
-    part: &mut [[usize; 3]],
-    places: &mut Vec<usize>,
-) {
-    let vertex = |listed: &Listed| listed[0] as usize - first;
-    let vertices = listed.clone().map(vertex).max().map_or(0, |v| v + 1);
-    set_begins(listed.clone().map(vertex), vertices, places);
-    for listed in listed {
-        let place = &mut places[vertex(listed)];
-        part[*place] = listed.map(|v| v as usize);
-        *place += 1;
-    }
-    for same in part.chunk_by_mut(|a, b| a[0] == b[0]) {
+    for same in list.chunk_by_mut(|a, b| a[0] == b[0]) {
         same.sort_unstable();
     }
 }
 
-/// Exclusive prefix sum: where the items of each kind begin, once in order, and where the last ones end.
-fn set_begins(kinds: impl Iterator<Item = usize>, count: usize, begins: &mut Vec<usize>) {
-    begins.clear();
-    begins.resize(count + 1, 0);
-    for kind in kinds {
-        begins[kind + 1] += 1;
-    }
-    for kind in 0..count {
-        begins[kind + 1] += begins[kind];
-    }
-}
-
 /// The triangle with its lowest vertex first; without branches, which the processor could not predict.
-fn lowest_first([a, b, c]: Listed) -> Listed {
+fn lowest_first([a, b, c]: [u32; 3]) -> [u32; 3] {
     let first = usize::from((b < a) & (b < c)) + 2 * usize::from((c < a) & (c < b));
     let twice = [a, b, c, a, b];
     [0, 1, 2].map(|i| twice[first + i])
@@ -195,35 +73,30 @@ fn lowest_first([a, b, c]: Listed) -> Listed {
 
 #[cfg(test)]
 mod tests {
-    use super::{CHUNK, SAMPLE, canonical, narrow};
-    use crate::bucket::sampled;
+    use super::canonical;
+    use crate::ids::narrow;
 
-    /// Against triangles turned and sorted as a whole: none, a few, and several chunks, of vertices that are spread
-    /// evenly, few, or all low but for some that are in no sample.
+    /// Against triangles turned and sorted as a whole, of vertices that are few, or spread evenly.
     #[test]
     fn as_turned_and_sorted() {
-        for count in [0, 1, 2, 5, CHUNK - 1, CHUNK, CHUNK + 1, 3 * CHUNK + 17] {
+        for count in [0, 1, 2, 5, 10_000] {
             for vertices in [3, 1000, 1 << 20] {
-                let is_far = |t: usize| t % 50_000 == 49_999;
-                assert!(!sampled(count, SAMPLE).any(is_far) || count <= CHUNK);
                 let vertex = |t: usize, corner: usize| {
-                    let spread = narrow(t * 3 + corner).wrapping_mul(0x9E37_79B9) as usize >> 10;
-                    let far = if is_far(t) { 1 << 22 } else { 0 };
-                    far + 3 * (spread % vertices) + corner
+                    let spread = narrow(t * 3 + corner).wrapping_mul(0x9E37_79B9) >> 10;
+                    3 * (spread % vertices) + narrow(corner)
                 };
                 let triangle = |t: usize| [0, 1, 2].map(|i| vertex(t, (t + i) % 3));
-                let mut expected: Vec<[usize; 3]> = (0..count).map(triangle).collect();
-                for corners in &mut expected {
+                let turned = |t| {
+                    let mut corners = triangle(t).map(|v| v as usize);
                     while corners[0] != corners[0].min(corners[1]).min(corners[2]) {
                         corners.rotate_left(1);
                     }
-                }
+                    corners
+                };
+                let mut expected: Vec<[usize; 3]> = (0..count).map(turned).collect();
                 expected.sort_unstable();
-                assert_eq!(
-                    canonical(count, triangle),
-                    expected,
-                    "{count} of {vertices}"
-                );
+                let found = canonical(count, triangle);
+                assert_eq!(found, expected, "{count} of {vertices}");
             }
         }
     }

@@ -52,7 +52,7 @@ fn map(random: &mut Random) -> Map {
 }
 
 /// The polygons that cover a triangle, in ascending order.
-fn covering(map: &Map, triangle: [usize; 3]) -> Vec<u32> {
+fn covering(map: &Map, triangle: [usize; 3]) -> Vec<usize> {
     let is_around = |ring: usize| {
         let of_ring = map.edges.iter().zip(&map.ring_of);
         let edges: Vec<[usize; 2]> = of_ring
@@ -61,7 +61,7 @@ fn covering(map: &Map, triangle: [usize; 3]) -> Vec<u32> {
             .collect();
         windings(&map.points, &edges, triangle).0 % 2 == 1
     };
-    let has = |polygon: u32, is_hole: bool| {
+    let has = |polygon: usize, is_hole: bool| {
         let rings = map.rings.iter().enumerate();
         let mut rings = rings.filter(|(_, ring)| **ring == Ring { polygon, is_hole });
         rings.any(|(at, _)| is_around(at))
@@ -160,7 +160,7 @@ fn equal_rings_are_crossed_together() {
         edges.extend(outline);
         ring_of.extend([Some(usize::from(ring)); 4]);
     }
-    let polygons = (0..copies).map(u32::from);
+    let polygons = (0..copies).map(usize::from);
     let rings: Vec<Ring> = polygons
         .map(|polygon| Ring {
             polygon,
