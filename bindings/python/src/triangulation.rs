@@ -93,6 +93,29 @@ pub(crate) fn triangulate(
     })
 }
 
+/// The triangles inside, where nothing else is asked for, in canonical order.
+#[pyfunction]
+pub(crate) fn triangulate_inside<'py>(
+    py: Python<'py>,
+    input: Input<'_>,
+    rule: &str,
+) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let Some(rule) = Rule::named(rule)?.of_edges() else {
+        return Err(refused(format!(
+            "the rule {rule:?} asks for more than edges"
+        )));
+    };
+    let graph = input.graph()?;
+    let list = with_graph!(&graph, |graph| {
+        let size = graph.points.len() + graph.edges.len();
+        call(py, size, 1, |_| {
+            let list = sweep_cdt::triangulate_inside(graph.points, graph.edges, rule)?;
+            Ok(list.into_iter().map(|t| t.map(small)).collect())
+        })?
+    });
+    table(py, list)
+}
+
 fn plain<S: Scalar + Sync>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],

@@ -216,6 +216,22 @@ def test_rules_for_what_is_inside():
         area(inside="polygons")
 
 
+@pytest.mark.parametrize("rule", ["even-odd", "nonzero", "positive", "negative", "at-least-2", "hull"])
+def test_the_inside_alone_is_that_of_the_whole(rule):
+    hole = [[1, 1], [2, 1], [2, 2], [1, 2]]
+    touching = [[0, 0], [2, 0], [1, 1]]
+    for polygon in [SQUARE], [SQUARE, hole], [SQUARE, hole[::-1]], [SQUARE, touching]:
+        whole = sweep_cdt.triangulate([], polygons=[polygon], inside=rule)
+        alone = sweep_cdt.triangulate_inside([], polygons=[polygon], inside=rule)
+        assert alone.tolist() == whole.canonical().tolist()
+    with pytest.raises(sweep_cdt.OpenRingError):
+        sweep_cdt.triangulate_inside(SQUARE, [[0, 1]])
+    with pytest.raises(sweep_cdt.CrossingEdgesError):
+        sweep_cdt.triangulate_inside(SQUARE, [[0, 2], [2, 1], [1, 3], [3, 0]])
+    with pytest.raises(sweep_cdt.Error, match="asks for more than edges"):
+        sweep_cdt.triangulate_inside(SQUARE, [[0, 1], [1, 2], [2, 0]], inside="holes")
+
+
 def test_split_crossings():
     result = sweep_cdt.triangulate(SQUARE, [[0, 2], [1, 3]], split_crossings=True)
     assert result.points[4].tolist() == [2, 2] and result.split.rounds == 1
