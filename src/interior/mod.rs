@@ -28,7 +28,6 @@ mod labels;
 mod polygons;
 
 pub use error::{InteriorError, Seed};
-pub use holes::locate_seeds;
 pub use labels::Interior;
 pub use polygons::Ring;
 

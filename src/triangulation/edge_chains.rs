@@ -135,23 +135,20 @@ impl EdgeChains {
     /// coordinates, so each edge counts as one that runs down.
     #[cfg(feature = "serde")]
     pub(crate) fn of(lists: &[Vec<u32>]) -> Option<EdgeChains> {
-        let inside: usize = lists.iter().map(|list| list.len().saturating_sub(2)).sum();
-        if inside > LIMIT || lists.len() > LIMIT {
+        if lists.len() > LIMIT {
             return None;
         }
-        let mut chains = EdgeChains::default();
-        for (e, list) in lists.iter().enumerate() {
-            let ends = [*list.first()?, *list.last()?];
-            chains.ends.push(ends);
-            if list.len() > 2 {
-                let from = narrow(chains.inside.len());
-                chains.inside.extend_from_slice(&list[1..list.len() - 1]);
-                chains
-                    .split
-                    .push((narrow(e), from, narrow(chains.inside.len())));
+        let ends = lists
+            .iter()
+            .map(|list| Some([*list.first()?, *list.last()?]));
+        let mut notes = EdgeChainBuilder::new(Arc::new(ends.collect::<Option<_>>()?));
+        for (list, edge) in lists.iter().zip(0..) {
+            let inside = list.get(1..list.len() - 1).unwrap_or(&[]);
+            for &vertex in inside {
+                notes.pass(edge, vertex).ok()?;
             }
         }
-        Some(chains)
+        Some(notes.finish())
     }
 
     pub(crate) fn into_ends(self) -> Vec<[u32; 2]> {

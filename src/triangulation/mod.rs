@@ -84,7 +84,7 @@ impl Triangulation {
     }
 
     /// The triangles in one order for all runs on the same input: each begins with its lowest vertex, and the list is
-    /// sorted.
+    /// sorted. With the feature `parallel` long lists are sorted on all threads of the current rayon pool.
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
         canonical(self.len(), |t| self.corners(&self.triangles[t]))
     }

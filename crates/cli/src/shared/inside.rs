@@ -5,11 +5,11 @@
 
 use std::fmt;
 
-use sweep_cdt::interior::{FillRule, Interior, InteriorError, locate_seeds};
+use sweep_cdt::interior::{FillRule, Interior, InteriorError};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Regions, Verifier, Violation};
 use sweep_cdt::{Triangulation, triangulate};
-use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
+use sweep_cdt_formats::{Coordinate, GraphFile, Triangles, locate_seeds};
 
 use super::arithmetic::Given;
 use super::failure::Failure;

@@ -220,12 +220,12 @@ fn write_certified<S: Coordinate>(
 
 /// Refuses to write so many triangles where there is no memory for their lists.
 fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
-    // The sorted list; with it the places in it, and the neighbours.
+    // The sorted list, made of groups; with both the places in it, and the neighbours.
     let each = match format {
         OutputFormat::Node => 0,
-        OutputFormat::Json => 96,
+        OutputFormat::Json => 108,
         OutputFormat::Cert => 140,
-        _ => 24,
+        _ => 36,
     };
     if has_room(triangles.saturating_mul(each)) {
         Ok(())
