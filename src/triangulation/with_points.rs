@@ -35,13 +35,13 @@ impl<S> Clone for WithPoints<'_, S> {
 impl<S> Copy for WithPoints<'_, S> {}
 
 impl Triangulation {
-    /// The triangulation with `points`, which are those that were triangulated.
+    /// The triangulation with `points`: those that were triangulated, and others behind them, if there are any.
     ///
     /// # Panics
-    /// If there are triangles, and more or fewer points than were triangulated.
+    /// If there are fewer points than were triangulated.
     pub fn with_points<'a, S: Scalar>(&'a self, points: &'a [[S; 2]]) -> WithPoints<'a, S> {
         assert!(
-            self.is_empty() || points.len() == self.vertices.len() + self.duplicates.len(),
+            points.len() >= self.vertices.len() + self.duplicates.len(),
             "these are not the points of the triangulation"
         );
         WithPoints {
