@@ -1,4 +1,4 @@
-//! Buckets and samples of numbers, for the sort and the front's hash table.
+//! Buckets and samples of numbers. The sort and the front's hash table use both, the canonical order the sample.
 
 use core::iter::successors;
 

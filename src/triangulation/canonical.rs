@@ -1,127 +1,142 @@
 //! Triangles in canonical order: each begins with its lowest vertex, and the list is sorted.
 //!
-//! A counting sort puts triangles in the order of their lowest vertices; then those with the same lowest vertex, which
-//! are few, are sorted. Many triangles are put into *groups* of lowest vertices first, so that random writes stay in
-//! cache. All cores share the groups. Cost: O(n + v) for n triangles and highest vertex v, and the sorts.
+//! Each chunk is put in order by *groups* of lowest vertices, then each group, from all chunks, by lowest vertex, so
+//! most random writes stay in cache. Last, triangles with the same lowest vertex are sorted. All cores share the work.
+//!
+//! Why it is right: groups follow each other in the order of the vertices. Where the sample misses high vertices, the
+//! last group has them all, which costs time only. Cost: O(n + v) for n triangles and highest vertex v, and the sorts.
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::ops::Range;
+use core::mem::take;
 
+use crate::bucket::sampled;
 use crate::threads::on_all_cores;
 
-/// More triangles are put into groups first.
-const FEW: usize = 1 << 16;
-/// At most 2 to this power groups are made. Fewer would not fit in the cache; more would scatter triangles too widely.
-const GROUP_BITS: u32 = 8;
+const CHUNK: usize = 1 << 16;
+/// How many groups several chunks have. Fewer would not fit in the cache; more would scatter a chunk too widely.
+const GROUPS: usize = 256;
+/// How many triangles are in the sample that tells how high vertices are.
+const SAMPLE: usize = 1 << 10;
+
+/// A triangle whose first vertex is the lowest.
+type Listed = [u32; 3];
+
+/// The triangles of a chunk by groups, where each group begins, and where the last one ends.
+#[derive(Debug)]
+struct Chunk {
+    list: Vec<Listed>,
+    begins: Vec<usize>,
+}
 
 /// `count` triangles in canonical order; `triangle` gives each by its number.
-pub(crate) fn canonical(count: usize, triangle: impl Fn(usize) -> [u32; 3]) -> Vec<[usize; 3]> {
-    let mut list = Vec::new();
-    canonical_into(&mut list, count, triangle, &mut CanonicalBuffers::default());
+pub(crate) fn canonical(
+    count: usize,
+    triangle: impl Fn(usize) -> Listed + Sync + Send,
+) -> Vec<[usize; 3]> {
+    let groups = if count <= CHUNK { 1 } else { GROUPS };
+    let listed = |t: usize| lowest_first(triangle(t));
+    let lowest = sampled(count, SAMPLE).map(|t| listed(t)[0]);
+    let wide = lowest.max().unwrap_or(0) as usize / groups;
+    // A group has two to the power of `bits` vertices; the last group has all higher ones, too.
+    let bits = usize::BITS - wide.leading_zeros();
+    let group = |listed: &Listed| (listed[0] as usize >> bits).min(groups - 1);
+    let chunks: Vec<usize> = (0..count).step_by(CHUNK).collect();
+    let chunks = on_all_cores(chunks, |at| {
+        let chunk: Vec<Listed> = (at..count.min(at + CHUNK)).map(listed).collect();
+        by_group(&chunk, groups, group)
+    });
+    let mut list = vec![[0; 3]; count];
+    let mut rest = &mut list[..];
+    let part = |group| {
+        let size = chunks.iter().map(|chunk| chunk.of_group(group).len()).sum();
+        let (part, others) = take(&mut rest).split_at_mut(size);
+        rest = others;
+        (group, part)
+    };
+    let parts = (0..groups).map(part).collect();
+    on_all_cores(parts, |(group, part)| {
+        let listed = chunks.iter().flat_map(|chunk| chunk.of_group(group));
+        by_vertex(listed, group << bits, part, &mut Vec::new());
+    });
     list
 }
 
 /// Memory for [`canonical_into`].
 #[derive(Debug, Default)]
 pub(crate) struct CanonicalBuffers {
-    /// The triangles, each with its lowest vertex first.
-    turned: Vec<[u32; 3]>,
-    places: Vec<u32>,
+    listed: Vec<Listed>,
+    places: Vec<usize>,
 }
 
 /// Sets `list` to `count` triangles in canonical order; `triangle` gives each by its number.
 pub(crate) fn canonical_into(
     list: &mut Vec<[usize; 3]>,
     count: usize,
-    triangle: impl Fn(usize) -> [u32; 3],
-    CanonicalBuffers { turned, places }: &mut CanonicalBuffers,
+    triangle: impl Fn(usize) -> Listed,
+    buffers: &mut CanonicalBuffers,
 ) {
-    turned.clear();
-    turned.extend((0..count).map(|t| lowest_first(triangle(t))));
-    let most = turned.iter().map(|triangle| triangle[0]).max().unwrap_or(0);
+    let CanonicalBuffers { listed, places } = buffers;
+    listed.clear();
+    listed.extend((0..count).map(|t| lowest_first(triangle(t))));
     list.clear();
-    if count <= FEW {
-        list.resize(count, [0; 3]);
-        return by_vertex(turned, 0..most + 1, list, places);
-    }
-    let bits = (u32::BITS - most.leading_zeros()).saturating_sub(GROUP_BITS);
-    let mut grouped = vec![[0; 3]; count];
-    by_key(
-        turned,
-        0..(most >> bits) + 1,
-        |v| v >> bits,
-        places,
-        |at, triangle| {
-            grouped[at] = triangle;
-        },
-    );
-    *turned = Vec::new();
     list.resize(count, [0; 3]);
-    let (mut group, mut part) = (&grouped[..], &mut list[..]);
-    let mut begin = 0;
-    let parts = (0..).zip(&*places).map(|(number, &end)| {
-        let size = (end - begin) as usize;
-        begin = end;
-        let (here, others) = group.split_at(size);
-        let (list, rest) = core::mem::take(&mut part).split_at_mut(size);
-        (group, part) = (others, rest);
-        (number << bits, here, list)
-    });
-    on_all_cores(parts.collect(), |(first, group, list)| {
-        by_vertex(group, first..first + (1 << bits), list, &mut Vec::new());
-    });
+    by_vertex(listed.iter(), 0, list, places);
 }
 
-/// Puts triangles whose lowest vertices are in a range in their order. `places` is a buffer.
-fn by_vertex(
-    turned: &[[u32; 3]],
-    lowest: Range<u32>,
-    list: &mut [[usize; 3]],
-    places: &mut Vec<u32>,
+impl Chunk {
+    fn of_group(&self, group: usize) -> &[Listed] {
+        &self.list[self.begins[group]..self.begins[group + 1]]
+    }
+}
+
+fn by_group(chunk: &[Listed], groups: usize, group: impl Fn(&Listed) -> usize) -> Chunk {
+    let mut begins = Vec::new();
+    set_begins(chunk.iter().map(&group), groups, &mut begins);
+    let mut list = vec![[0; 3]; chunk.len()];
+    let mut places = begins.clone();
+    for listed in chunk {
+        let place = &mut places[group(listed)];
+        list[*place] = *listed;
+        *place += 1;
+    }
+    Chunk { list, begins }
+}
+
+/// Puts the triangles of a group in their order; none begins with a vertex below `first`. `places` is a buffer.
+fn by_vertex<'a>(
+    listed: impl Iterator<Item = &'a Listed> + Clone,
+    first: usize,
+    part: &mut [[usize; 3]],
+    places: &mut Vec<usize>,
 ) {
-    by_key(
-        turned,
-        lowest,
-        |v| v,
-        places,
-        |at, triangle| {
-            list[at] = triangle.map(|v| v as usize);
-        },
-    );
-    for same in list.chunk_by_mut(|a, b| a[0] == b[0]) {
+    let vertex = |listed: &Listed| listed[0] as usize - first;
+    let vertices = listed.clone().map(vertex).max().map_or(0, |v| v + 1);
+    set_begins(listed.clone().map(vertex), vertices, places);
+    for listed in listed {
+        let place = &mut places[vertex(listed)];
+        part[*place] = listed.map(|v| v as usize);
+        *place += 1;
+    }
+    for same in part.chunk_by_mut(|a, b| a[0] == b[0]) {
         same.sort_unstable();
     }
 }
 
-/// Gives to `put` the place of each triangle in the order of the keys of lowest vertices, which are in a range. Sets
-/// `places` to where the triangles of each key end.
-fn by_key(
-    turned: &[[u32; 3]],
-    keys: Range<u32>,
-    key: impl Fn(u32) -> u32,
-    places: &mut Vec<u32>,
-    mut put: impl FnMut(usize, [u32; 3]),
-) {
-    let place = |triangle: &[u32; 3]| (key(triangle[0]) - keys.start) as usize;
-    places.clear();
-    places.resize(keys.len(), 0);
-    for triangle in turned {
-        places[place(triangle)] += 1;
+/// Exclusive prefix sum: where the items of each kind begin, once in order, and where the last ones end.
+fn set_begins(kinds: impl Iterator<Item = usize>, count: usize, begins: &mut Vec<usize>) {
+    begins.clear();
+    begins.resize(count + 1, 0);
+    for kind in kinds {
+        begins[kind + 1] += 1;
     }
-    let mut sum = 0;
-    for place in &mut *places {
-        (*place, sum) = (sum, sum + *place);
-    }
-    for triangle in turned {
-        let place = &mut places[place(triangle)];
-        put(*place as usize, *triangle);
-        *place += 1;
+    for kind in 0..count {
+        begins[kind + 1] += begins[kind];
     }
 }
 
 /// The triangle with its lowest vertex first; without branches, which the processor could not predict.
-fn lowest_first([a, b, c]: [u32; 3]) -> [u32; 3] {
+fn lowest_first([a, b, c]: Listed) -> Listed {
     let first = usize::from((b < a) & (b < c)) + 2 * usize::from((c < a) & (c < b));
     let twice = [a, b, c, a, b];
     [0, 1, 2].map(|i| twice[first + i])
@@ -129,31 +144,36 @@ fn lowest_first([a, b, c]: [u32; 3]) -> [u32; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::{FEW, canonical};
+    use super::{CHUNK, SAMPLE, canonical};
+    use crate::bucket::sampled;
     use crate::ids::narrow;
 
-    /// Against triangles turned and sorted as a whole: none, a few, and several groups, of vertices that are few, or spread
-    /// evenly.
+    /// Against triangles turned and sorted as a whole: none, a few, and several chunks, of vertices that are spread
+    /// evenly, few, or all low but for some that are in no sample.
     #[test]
     fn as_turned_and_sorted() {
-        for count in [0, 1, 2, 5, FEW, FEW + 1, 3 * FEW + 17] {
+        for count in [0, 1, 2, 5, CHUNK - 1, CHUNK, CHUNK + 1, 3 * CHUNK + 17] {
             for vertices in [3, 1000, 1 << 20] {
+                let is_far = |t: usize| t % 50_000 == 49_999;
+                assert!(!sampled(count, SAMPLE).any(is_far) || count <= CHUNK);
                 let vertex = |t: usize, corner: usize| {
-                    let spread = narrow(t * 3 + corner).wrapping_mul(0x9E37_79B9) >> 10;
-                    3 * (spread % vertices) + narrow(corner)
+                    let spread = narrow(t * 3 + corner).wrapping_mul(0x9E37_79B9) as usize >> 10;
+                    let far = if is_far(t) { 1 << 22 } else { 0 };
+                    far + 3 * (spread % vertices) + corner
                 };
                 let triangle = |t: usize| [0, 1, 2].map(|i| vertex(t, (t + i) % 3));
-                let turned = |t| {
-                    let mut corners = triangle(t).map(|v| v as usize);
+                let mut expected: Vec<[usize; 3]> = (0..count).map(triangle).collect();
+                for corners in &mut expected {
                     while corners[0] != corners[0].min(corners[1]).min(corners[2]) {
                         corners.rotate_left(1);
                     }
-                    corners
-                };
-                let mut expected: Vec<[usize; 3]> = (0..count).map(turned).collect();
+                }
                 expected.sort_unstable();
-                let found = canonical(count, triangle);
-                assert_eq!(found, expected, "{count} of {vertices}");
+                assert_eq!(
+                    canonical(count, |t| triangle(t).map(narrow)),
+                    expected,
+                    "{count} of {vertices}"
+                );
             }
         }
     }
