@@ -89,7 +89,7 @@ fn every_triangle_knows_the_polygons_that_cover_it() {
             );
             let depth = usize::try_from(interior.depth(t));
             assert_eq!(depth, Ok(expected.len()), "seed {seed}, {t}");
-            let lowest = expected.first().map(|&polygon| polygon as usize);
+            let lowest = expected.first().copied();
             assert_eq!(interior.region(t), lowest, "seed {seed}, {t}");
             covered += usize::from(!expected.is_empty());
             twice += usize::from(expected.len() > 1);
