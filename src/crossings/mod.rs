@@ -43,7 +43,7 @@ pub use error::SplitError;
 pub use exact::Exact;
 #[doc(hidden)]
 pub use split::split_with;
-pub use split::{Split, joined, split};
+pub use split::{Split, split};
 
 /// Two edges that cross, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]

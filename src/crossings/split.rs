@@ -77,26 +77,14 @@ impl<S> Split<S> {
     /// where it crosses others and those that it passes through. A single vertex, if the ends are equal.
     ///
     /// # Panics
-    /// If there is no edge `e`, or if `result` is that of other edges.
+    /// If `result` has fewer edges than there are pieces.
     pub fn chain(&self, e: usize, result: &Triangulation) -> Vec<usize> {
-        joined(self.pieces(e), &self.edges, result)
+        let pieces = self.pieces(e);
+        let mut chain: Vec<usize> = pieces.flat_map(|piece| result.edge_chain(piece)).collect();
+        // Each piece begins where the last one ends.
+        chain.dedup();
+        chain
     }
-}
-
-/// The vertices along `pieces`, a range of the triangulated `edges`, each of which begins where the last ends.
-///
-/// # Panics
-/// If the range is empty, or `edges` are not those of the result.
-pub fn joined(pieces: Range<usize>, edges: &[[usize; 2]], result: &Triangulation) -> Vec<usize> {
-    let mut chain = vec![edges[pieces.start][0]];
-    for piece in pieces {
-        let mut part: Vec<usize> = result.edge_chain(piece).collect();
-        if part.last() == chain.last() {
-            part.reverse();
-        }
-        chain.extend(&part[1..]);
-    }
-    chain
 }
 
 /// Splits edges where they cross at points that are none of `points`; these become vertices.

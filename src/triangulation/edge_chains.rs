@@ -1,4 +1,7 @@
 //! The vertices along each input edge: noted while the edges are inserted, looked up in the result.
+//!
+//! Edges are inserted from their upper ends down, and their vertices noted in this order. Whether an edge runs up, from
+//! its first end to its second, is kept in a bit of its ends that no number of a point needs.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -9,10 +12,24 @@ use crate::ids::narrow;
 /// How many vertices all edges together may pass through.
 const LIMIT: usize = 1 << 28;
 
+/// The mark of an edge that runs up, in the number of its upper end.
+const RUNS_UP: u32 = 1 << 31;
+
+/// The ends of an edge as representatives, upper end first, and whether the edge runs up.
+#[inline]
+pub(crate) fn marked([upper, lower]: [u32; 2], runs_up: bool) -> [u32; 2] {
+    [upper | if runs_up { RUNS_UP } else { 0 }, lower]
+}
+
+/// The ends of a marked edge, upper end first.
+fn unmarked([upper, lower]: [u32; 2]) -> [u32; 2] {
+    [upper & !RUNS_UP, lower]
+}
+
 /// The notes of the insertion of edges. Vertices are input indices.
 #[derive(Debug, Default)]
 pub(crate) struct EdgeChainBuilder {
-    /// The ends of each edge, upper end first.
+    /// The [`marked`] ends of each edge.
     ends: Arc<Vec<[u32; 2]>>,
     /// `(edge, vertex)` for each vertex inside an edge; for one edge from its upper to its lower end.
     passed: Vec<(u32, u32)>,
@@ -25,9 +42,10 @@ pub(crate) struct EdgeChainBuilder {
 /// For each input edge the vertices along it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct EdgeChains {
-    /// The ends of each edge (representatives), upper end first.
+    /// The [`marked`] ends of each edge.
     ends: Vec<[u32; 2]>,
-    /// `(edge, from, to)`, sorted: the vertices inside the edge are `inside[from..to]`. Equal edges share a range.
+    /// `(edge, from, to)`, sorted: the vertices inside the edge are `inside[from..to]`, upper ones first. Equal edges
+    /// share a range.
     split: Vec<(u32, u32, u32)>,
     inside: Vec<u32>,
 }
@@ -52,7 +70,7 @@ impl EdgeChainBuilder {
     }
 
     pub(crate) fn are_equal(&self, a: u32, b: u32) -> bool {
-        self.ends[a as usize] == self.ends[b as usize]
+        unmarked(self.ends[a as usize]) == unmarked(self.ends[b as usize])
     }
 
     /// Notes that `edge` equals edge `of`, which has been inserted.
@@ -116,26 +134,24 @@ impl EdgeChainBuilder {
 }
 
 impl EdgeChains {
-    /// The chains of edges with these vertices along them, at least one each; `None` if they are too many.
+    /// The chains of edges with these vertices along them, at least one each; `None` if they are too many. There are no
+    /// coordinates, so each edge counts as one that runs down.
     #[cfg(feature = "serde")]
     pub(crate) fn of(lists: &[Vec<u32>]) -> Option<EdgeChains> {
-        let inside: usize = lists.iter().map(|list| list.len().saturating_sub(2)).sum();
-        if inside > LIMIT || lists.len() > LIMIT {
+        if lists.len() > LIMIT {
             return None;
         }
-        let mut chains = EdgeChains::default();
-        for (e, list) in lists.iter().enumerate() {
-            let ends = [*list.first()?, *list.last()?];
-            chains.ends.push(ends);
-            if list.len() > 2 {
-                let from = narrow(chains.inside.len());
-                chains.inside.extend_from_slice(&list[1..list.len() - 1]);
-                chains
-                    .split
-                    .push((narrow(e), from, narrow(chains.inside.len())));
+        let ends = lists
+            .iter()
+            .map(|list| Some([*list.first()?, *list.last()?]));
+        let mut notes = EdgeChainBuilder::new(Arc::new(ends.collect::<Option<_>>()?));
+        for (list, edge) in lists.iter().zip(0..) {
+            let inside = list.get(1..list.len() - 1).unwrap_or(&[]);
+            for &vertex in inside {
+                notes.pass(edge, vertex).ok()?;
             }
         }
-        Some(chains)
+        Some(notes.finish())
     }
 
     pub(crate) fn into_ends(self) -> Vec<[u32; 2]> {
@@ -146,20 +162,36 @@ impl EdgeChains {
         self.ends.len()
     }
 
-    /// The ends of edge `e`, upper end first.
+    /// The ends of edge `e`, from its first to its second.
     pub(crate) fn ends(&self, e: usize) -> [u32; 2] {
-        self.ends[e]
+        let [upper, lower] = unmarked(self.ends[e]);
+        if self.runs_up(e) {
+            [lower, upper]
+        } else {
+            [upper, lower]
+        }
     }
 
-    /// The vertices inside edge `e`, from its upper to its lower end.
-    pub(crate) fn inside(&self, e: usize) -> &[u32] {
-        match self
-            .split
-            .binary_search_by_key(&e, |&(edge, ..)| edge as usize)
-        {
+    fn runs_up(&self, e: usize) -> bool {
+        self.ends[e][0] & RUNS_UP != 0
+    }
+
+    /// The vertices along edge `e`, from its first end to its second: a single one, if the ends are equal.
+    pub(crate) fn chain(&self, e: usize) -> impl ExactSizeIterator<Item = u32> + Clone + '_ {
+        let [first, last] = self.ends(e);
+        let edge = |&(edge, ..): &(u32, u32, u32)| edge as usize;
+        let inside = match self.split.binary_search_by_key(&e, edge) {
             Ok(at) => &self.inside[self.split[at].1 as usize..self.split[at].2 as usize],
             Err(_) => &[],
-        }
+        };
+        let runs_up = self.runs_up(e);
+        let length = inside.len() + if first == last { 1 } else { 2 };
+        (0..length).map(move |at| match at {
+            0 => first,
+            at if at + 1 == length => last,
+            at if runs_up => inside[inside.len() - at],
+            at => inside[at - 1],
+        })
     }
 }
 

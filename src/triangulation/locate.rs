@@ -45,9 +45,6 @@ pub enum Location {
 impl<S: Scalar> WithPoints<'_, S> {
     /// Where a point lies. A point with a coordinate that is not finite is outside.
     ///
-    /// # Panics
-    /// If there are fewer points than were triangulated.
-    ///
     /// ```
     /// use sweep_cdt::Location;
     ///
@@ -88,9 +85,6 @@ impl<S: Scalar> WithPoints<'_, S> {
 
     /// Where a point lies, by a walk from a triangle near by, such as the triangle of the last point. A triangle that
     /// does not exist counts as the first one.
-    ///
-    /// # Panics
-    /// If there are fewer points than were triangulated.
     ///
     /// ```
     /// use sweep_cdt::Location;

@@ -27,9 +27,6 @@ impl<S: Scalar> WithPoints<'_, S> {
     /// O((n + m) log(n + m)) for n triangles and m points, however thin the triangles are and in whatever order the
     /// points come.
     ///
-    /// # Panics
-    /// If there are fewer points than were triangulated.
-    ///
     /// ```
     /// use sweep_cdt::Location;
     ///

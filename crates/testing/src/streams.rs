@@ -189,6 +189,9 @@ fn chain<S: Sample>(points: &[[S; 2]], of: &[usize], [u, v]: [usize; 2]) -> Vec<
         .filter(|&w| of[w] == w && is_on(w))
         .collect();
     chain.sort_by(|&a, &b| sweep_order(&points[b], &points[a]));
+    if chain.first() != Some(&u) {
+        chain.reverse();
+    }
     chain
 }
 

@@ -3,7 +3,6 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::cmp::Reverse;
 use core::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
@@ -13,6 +12,7 @@ use super::cut::cut;
 use crate::ids::{VertexId, narrow};
 use crate::scalar::Scalar;
 use crate::threads::on_all_cores;
+use crate::triangulation::edge_chains::marked;
 use crate::tuning::{CHUNK_OF_BANDS, Tuning};
 
 /// The vertices of each band, from the lowest to the highest.
@@ -109,13 +109,17 @@ impl Partition {
         let (mut local, mut crossing) = (vec![Vec::new(); self.bands.len()], Vec::new());
         for ((edge, &ends), inputs) in edges.zip(inputs) {
             let mut ends = ends.map(|input| (ranks[input].load(Ordering::Relaxed), input));
-            ends.sort_unstable_by_key(|&(rank, _)| Reverse(rank));
+            let runs_up = ends[1].0 > ends[0].0;
+            if runs_up {
+                ends.reverse();
+            }
             let [upper, lower] = ends.map(|(rank, _)| VertexId::new(rank));
-            *inputs = if has_duplicates {
+            let downwards = if has_duplicates {
                 [upper, lower].map(|v| self.input(v))
             } else {
                 ends.map(|(_, input)| narrow(input))
             };
+            *inputs = marked(downwards, runs_up);
             let band = self.band(upper);
             let first = self.first[band];
             if lower.index() < first {

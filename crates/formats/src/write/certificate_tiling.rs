@@ -35,7 +35,7 @@ struct Around {
 impl Around {
     /// Outside of all rings.
     fn new(rings: &[Ring]) -> Self {
-        let mut places: HashMap<u32, usize> = HashMap::new();
+        let mut places: HashMap<usize, usize> = HashMap::new();
         let roles = rings.iter().map(|ring| {
             let next = places.len();
             (*places.entry(ring.polygon).or_insert(next), ring.is_hole)
