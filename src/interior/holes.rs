@@ -16,7 +16,7 @@ use core::cmp::Ordering;
 use super::error::{InteriorError, Seed};
 use super::labels::{self, Interior};
 use crate::ids::narrow;
-use crate::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, orient2d};
 use crate::triangulation::Triangulation;
 use crate::triangulation::locate::Location;
 use crate::triangulation::with_points::WithPoints;
@@ -212,6 +212,6 @@ pub fn locate_seeds<S: Scalar>(
 
 /// Whether a triangle holds a point: inside, on a side or at a corner.
 fn holds<S: Scalar>([a, b, c]: [&[S; 2]; 3], point: &[S; 2]) -> bool {
-    let turns = [[a, b], [b, c], [c, a]].map(|[from, to]| filtered_orient2d(from, to, point));
+    let turns = [[a, b], [b, c], [c, a]].map(|[from, to]| orient2d(from, to, point));
     !(turns.contains(&Ordering::Less) && turns.contains(&Ordering::Greater))
 }

@@ -133,7 +133,7 @@ impl Recorder {
         self.front = self.front.saturating_sub(1);
     }
 
-    /// Counts the triangles that survive: those of the first `triangles` that are not `artificial`, an ascending list.
+    /// Counts the triangles that survive: the first `triangles` without the `artificial` ones, an ascending list.
     pub(crate) fn survived(&mut self, triangles: usize, artificial: &[TriangleId]) {
         self.end_legalization();
         // The artificial triangles around the hull are the last to come: never were there more triangles.
@@ -149,7 +149,7 @@ impl Recorder {
         }
     }
 
-    /// Adds what a band counted. Its triangles come after the first `triangles`, and its times are those of all bands.
+    /// Adds what a band counted. Its triangles come after the first `triangles`, and it has the times of all bands.
     #[cfg(feature = "parallel")]
     pub(crate) fn add_band(&mut self, mut band: Recorder, triangles: usize) {
         band.end_legalization();

@@ -73,7 +73,7 @@ mod seconds {
     }
 }
 
-/// Writes a struct of counts, and how those of another part of the run are added: all but the greatest of something.
+/// Writes a struct of counts and their sum with the counts of another part of the run. A `max` keeps the greater count.
 macro_rules! counts {
     ($(#[$about:meta])* $name:ident {
         $($(#[$doc:meta])* $field:ident: $type:ty $(= $max:ident)?,)+
@@ -182,7 +182,7 @@ counts! {
 }
 
 impl ByCause {
-    /// All triangles but those that flips made.
+    /// All triangles that no flip made.
     fn steps(&self) -> u64 {
         self.first
             + self.middle

@@ -3,7 +3,7 @@
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
-use sweep_cdt::crossings::joined;
+use sweep_cdt::crossings::chain_of_pieces;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Bands, Location, Triangulation, Triangulator};
@@ -205,7 +205,7 @@ impl Core {
         if first >= last || last > edges.len() {
             return Err(PyIndexError::new_err("there are no such pieces"));
         }
-        let chain = joined(first..last, edges, &self.result).into_iter();
+        let chain = chain_of_pieces(first..last, edges, &self.result).into_iter();
         Ok(chain.map(small).collect::<Vec<i32>>().into_pyarray(py))
     }
 

@@ -36,7 +36,7 @@ use serde_json::value::RawValue;
 use super::labels::{Labels, places};
 use crate::{Coordinate, GraphFile, sorted_pairs};
 use sweep_cdt::Triangulation;
-use sweep_cdt::crossings::joined;
+use sweep_cdt::crossings::chain_of_pieces;
 use sweep_cdt::interior::Interior;
 
 /// Writes the object of the whole hull, one element a line.
@@ -132,7 +132,7 @@ fn write_members<S: Coordinate>(
     let split = split.map(|pieces| {
         let range = first..first + pieces.len();
         first = range.end;
-        joined(range, &file.graph.edges, result)
+        chain_of_pieces(range, &file.graph.edges, result)
     });
     member(out, "split", split)
 }
