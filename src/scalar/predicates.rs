@@ -223,7 +223,7 @@ fn in_circle_below_filter(
     if let Some(sign) = filtered {
         return (sign, None);
     }
-    let (sign, stage) = if let Some(sign) = scale.in_circle_by_integers(doubles) {
+    let (sign, stage) = if let Some(sign) = scale.lattice().in_circle(doubles) {
         (sign, Stage::Integers)
     } else if are_coordinates(doubles, scale) {
         note();

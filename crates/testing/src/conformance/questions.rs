@@ -114,7 +114,7 @@ impl<'a, S: Scalar> Questions<'a, S> {
         let exact = || S::orient2d(p, q, r);
         self.equal(|| call("orient2d"), exact, expected)?;
         let filtered = || orient2d(p, q, r);
-        self.equal(|| call("orient2d"), filtered, expected)?;
+        self.equal(|| call("scalar::orient2d"), filtered, expected)?;
         let found = self.answer(|| call("height"), || S::height(p, q, r))?;
         let Some(found) = found else { return Ok(()) };
         match truth::height(corners) {
@@ -137,7 +137,7 @@ impl<'a, S: Scalar> Questions<'a, S> {
         let exact = || S::in_circle(p, q, r, s);
         self.equal(|| call("in_circle"), exact, expected)?;
         let filtered = || in_circle(p, q, r, s);
-        self.equal(|| call("in_circle"), filtered, expected)?;
+        self.equal(|| call("scalar::in_circle"), filtered, expected)?;
         if turn.is_lt() {
             return Ok(());
         }
