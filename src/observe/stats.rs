@@ -75,7 +75,7 @@ mod seconds {
 
 /// Writes a struct of counts and their sum with the counts of another part of the run. A `max` keeps the greater count.
 macro_rules! counts {
-    ($(#[$about:meta])* $name:ident {
+    ($(#[$about:meta])* pub struct $name:ident {
         $($(#[$doc:meta])* $field:ident: $type:ty $(= $max:ident)?,)+
     }) => {
         $(#[$about])*
@@ -98,7 +98,7 @@ macro_rules! counts {
 
 counts! {
     /// How often the sweep did each kind of work.
-    Counters {
+    pub struct Counters {
         /// Orientation tests decided by the floating-point filter.
         orient2d_filtered: u64,
         /// Orientation tests decided in machine integers.
@@ -157,7 +157,7 @@ counts! {
 
 counts! {
     /// Triangles by what made them.
-    ByCause {
+    pub struct ByCause {
         /// The first triangle, which is artificial (figure 6).
         first: u64,
         /// On the segment under the new vertex (figure 7). For other algorithms: all that their points make.

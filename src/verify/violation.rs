@@ -7,13 +7,12 @@ use super::depth::Depth;
 
 /// Writes the violations, each with its name, its fields and what these are numbers of, and its sentence.
 macro_rules! violations {
-    ($($(#[$what:meta])* $variant:ident = $name:literal {
-        $($(#[$doc:meta])* $field:ident: $type:ty = $kind:ident,)+
-    } => $sentence:literal $(, $argument:expr)*;)+) => {
-        /// One fault. All numbers are indices into the caller's arrays; of equal points the lowest is named.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
-        #[non_exhaustive]
+    ($(#[$about:meta])* pub enum Violation {
+        $($(#[$what:meta])* $variant:ident = $name:literal {
+            $($(#[$doc:meta])* $field:ident: $type:ty = $kind:ident,)+
+        } => $sentence:literal $(, $argument:expr)*;)+
+    }) => {
+        $(#[$about])*
         pub enum Violation {
             $($(#[$what])* $variant { $($(#[$doc])* $field: $type,)+ },)+
         }
@@ -54,159 +53,165 @@ macro_rules! violations {
 }
 
 violations! {
-    /// More points or corners of triangles than the verifier can number.
-    TooLarge = "too-large" {
-        /// The number of points or corners given.
-        given: usize = Number,
-        /// The greatest number that fits.
-        limit: usize = Number,
-    } => "{given} points or corners are more than the {limit} that fit";
-    /// A coordinate of this point is NaN or infinite.
-    NonFiniteCoordinate = "non-finite-coordinate" {
-        /// The point.
-        vertex: usize = Vertex,
-    } => "vertex {vertex} has a coordinate that is not finite";
-    /// An end of this input edge is not the index of a point.
-    EdgeOutOfRange = "edge-out-of-range" {
-        /// The edge.
-        edge: usize = Edge,
-        /// The end (the first one of two).
-        vertex: usize = Vertex,
-    } => "edge {edge} ends at vertex {vertex}, which does not exist";
-    /// A corner of this triangle is not the index of a point.
-    TriangleOutOfRange = "triangle-out-of-range" {
-        /// The triangle.
-        triangle: usize = Triangle,
-        /// The corner (the first one of several).
-        vertex: usize = Vertex,
-    } => "triangle {triangle} has vertex {vertex}, which does not exist";
-    /// The corners of this triangle lie on one line.
-    FlatTriangle = "flat-triangle" {
-        /// The triangle.
-        triangle: usize = Triangle,
-    } => "triangle {triangle} has its corners on one line";
-    /// The corners of this triangle run clockwise (or against all others, where a clockwise file was accepted).
-    ReversedTriangle = "reversed-triangle" {
-        /// The triangle.
-        triangle: usize = Triangle,
-    } => "triangle {triangle} runs the wrong way round";
-    /// Two triangles lie on the same side of one side.
-    RepeatedSide = "repeated-side" {
-        /// The side, in the direction that both have.
-        side: [usize; 2] = Vertices,
-        /// The two triangles.
-        triangles: [usize; 2] = Triangles,
-    } => "triangles {} and {} both lie to the left of side {}-{}", triangles[0], triangles[1], side[0], side[1];
-    /// There are no triangles although three points are not on one line.
-    NoTriangles = "no-triangles" {
-        /// Three points that are not on one line.
-        vertices: [usize; 3] = Vertices,
-    } => "there are no triangles, but vertices {}, {}, {} are not on a line", vertices[0], vertices[1], vertices[2];
-    /// The boundary meets itself in a vertex.
-    PinchedBoundary = "pinched-boundary" {
-        /// The vertex.
-        vertex: usize = Vertex,
-    } => "the boundary meets itself at vertex {vertex}";
-    /// The boundary has one more closed chain than the hull: a hole, or a second piece.
-    ExtraBoundary = "extra-boundary" {
-        /// A side of the chain, with a triangle on its left.
-        side: [usize; 2] = Vertices,
-        /// How many sides the chain has.
-        sides: usize = Number,
-    } => "side {}-{} is on a boundary of {sides} sides that is not the hull", side[0], side[1];
-    /// The boundary turns right, or back.
-    ConcaveBoundary = "concave-boundary" {
-        /// Three vertices that follow each other on the boundary; it turns in the middle.
-        vertices: [usize; 3] = Vertices,
-        /// The depth of the turn, where that was measured.
-        depth: Option<Depth> = Depth,
-    } => "the boundary does not turn left at vertex {}, between {} and {}", vertices[1], vertices[0], vertices[2];
-    /// The boundary turns left all the time, but goes round more than once.
-    WindingBoundary = "winding-boundary" {
-        /// How often the boundary goes round.
-        times: usize = Number,
-    } => "the boundary goes round {times} times";
-    /// A side of the boundary is not in the chains that the caller gave.
-    UndeclaredBoundary = "undeclared-boundary" {
-        /// The side, with a triangle on its left.
-        side: [usize; 2] = Vertices,
-        /// The triangle.
-        triangle: usize = Triangle,
-    } => "side {}-{} of triangle {triangle} is on no given boundary", side[0], side[1];
-    /// Two vertices that follow each other in a chain of the caller are no side of the boundary.
-    MissingBoundary = "missing-boundary" {
-        /// The two vertices.
-        side: [usize; 2] = Vertices,
-    } => "side {}-{} of a given boundary bounds no triangle", side[0], side[1];
-    /// The caller's chains bound no domain: two sides cross, or they go round a place more than once or the wrong way.
-    TangledBoundary = "tangled-boundary" {
-        /// A side of the chains where that is seen.
-        side: [usize; 2] = Vertices,
-    } => "the given boundary crosses or covers itself at side {}-{}", side[0], side[1];
-    /// No triangle has this point, or one that equals it, for a corner.
-    UnusedPoint = "unused-point" {
-        /// The point.
-        vertex: usize = Vertex,
-    } => "vertex {vertex} is in no triangle";
-    /// A corner that is an added point lies outside the hull of the input's points.
-    AddedOutside = "added-outside" {
-        /// The point.
-        vertex: usize = Vertex,
-    } => "vertex {vertex} was added outside of the hull";
-    /// The number of triangles is not what Euler's formula asks for.
-    WrongCount = "wrong-count" {
-        /// The number of triangles.
-        triangles: usize = Number,
-        /// The number that Euler's formula asks for.
-        expected: usize = Number,
-    } => "there are {triangles} triangles, not {expected}";
-    /// An input edge is not a chain of sides.
-    MissingEdge = "missing-edge" {
-        /// The edge.
-        edge: usize = Edge,
-        /// The vertex on it from which no side leads on along it.
-        after: usize = Vertex,
-    } => "edge {edge} is no chain of sides: none follows it from vertex {after}";
-    /// An input edge is a chain of sides with added points beside it.
-    BentEdge = "bent-edge" {
-        /// The edge.
-        edge: usize = Edge,
-        /// The vertex of the chain that is farthest from the edge.
-        vertex: usize = Vertex,
-        /// Its distance from the edge, in units of the length of the edge.
-        depth: Option<Depth> = Depth,
-    } => "edge {edge} is a chain of sides that is not straight: vertex {vertex} is beside it";
-    /// The boundary passes added points beside a side of the hull, or of a chain that the caller gave.
-    BentBoundary = "bent-boundary" {
-        /// The ends of the side.
-        side: [usize; 2] = Vertices,
-        /// The vertex on the boundary that is farthest from the side; without a depth one that the boundary goes round.
-        vertex: usize = Vertex,
-        /// Its distance from the side, in units of the length of the side.
-        depth: Option<Depth> = Depth,
-    } => "the boundary from vertex {} to {} is not straight: vertex {vertex} is beside it", side[0], side[1];
-    /// A triangle has not the attribute of the region that it lies in, or has one and lies in none.
-    WrongRegion = "wrong-region" {
-        /// The triangle.
-        triangle: usize = Triangle,
-    } => "triangle {triangle} has another attribute than the region that it lies in";
-    /// A side that is no input edge is not locally Delaunay.
-    NotDelaunay = "not-delaunay" {
-        /// The side, in the direction that the first triangle has.
-        side: [usize; 2] = Vertices,
-        /// The two triangles at the side.
-        triangles: [usize; 2] = Triangles,
-        /// The corners opposite to the side; each lies inside the other triangle's circumcircle.
-        opposite: [usize; 2] = Vertices,
-        /// The depth of the corner that lies deeper, where that was measured.
-        depth: Option<Depth> = Depth,
-    } => "side {}-{} of triangles {} and {} is not Delaunay: the circle of one holds vertex {} or {} of the other",
-        side[0], side[1], triangles[0], triangles[1], opposite[0], opposite[1];
-    /// Cocircular sides that are not canonical, which only [`Level::Canonical`](super::Level::Canonical) asks for.
-    NotCanonical = "not-canonical" {
-        /// The number of these sides.
-        sides: usize = Number,
-    } => "diagonals between vertices on one circle that do not end at the leftmost one: {sides}";
+    /// One fault. All numbers are indices into the caller's arrays; of equal points the lowest is named.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+    #[non_exhaustive]
+    pub enum Violation {
+        /// More points or corners of triangles than the verifier can number.
+        TooLarge = "too-large" {
+            /// The number of points or corners given.
+            given: usize = Number,
+            /// The greatest number that fits.
+            limit: usize = Number,
+        } => "{given} points or corners are more than the {limit} that fit";
+        /// A coordinate of this point is NaN or infinite.
+        NonFiniteCoordinate = "non-finite-coordinate" {
+            /// The point.
+            vertex: usize = Vertex,
+        } => "vertex {vertex} has a coordinate that is not finite";
+        /// An end of this input edge is not the index of a point.
+        EdgeOutOfRange = "edge-out-of-range" {
+            /// The edge.
+            edge: usize = Edge,
+            /// The end (the first one of two).
+            vertex: usize = Vertex,
+        } => "edge {edge} ends at vertex {vertex}, which does not exist";
+        /// A corner of this triangle is not the index of a point.
+        TriangleOutOfRange = "triangle-out-of-range" {
+            /// The triangle.
+            triangle: usize = Triangle,
+            /// The corner (the first one of several).
+            vertex: usize = Vertex,
+        } => "triangle {triangle} has vertex {vertex}, which does not exist";
+        /// The corners of this triangle lie on one line.
+        FlatTriangle = "flat-triangle" {
+            /// The triangle.
+            triangle: usize = Triangle,
+        } => "triangle {triangle} has its corners on one line";
+        /// The corners of this triangle run clockwise (or against all others, where a clockwise file was accepted).
+        ReversedTriangle = "reversed-triangle" {
+            /// The triangle.
+            triangle: usize = Triangle,
+        } => "triangle {triangle} runs the wrong way round";
+        /// Two triangles lie on the same side of one side.
+        RepeatedSide = "repeated-side" {
+            /// The side, in the direction that both have.
+            side: [usize; 2] = Vertices,
+            /// The two triangles.
+            triangles: [usize; 2] = Triangles,
+        } => "triangles {} and {} both lie to the left of side {}-{}", triangles[0], triangles[1], side[0], side[1];
+        /// There are no triangles although three points are not on one line.
+        NoTriangles = "no-triangles" {
+            /// Three points that are not on one line.
+            vertices: [usize; 3] = Vertices,
+        } => "there are no triangles, but vertices {}, {}, {} are not on a line", vertices[0], vertices[1], vertices[2];
+        /// The boundary meets itself in a vertex.
+        PinchedBoundary = "pinched-boundary" {
+            /// The vertex.
+            vertex: usize = Vertex,
+        } => "the boundary meets itself at vertex {vertex}";
+        /// The boundary has one more closed chain than the hull: a hole, or a second piece.
+        ExtraBoundary = "extra-boundary" {
+            /// A side of the chain, with a triangle on its left.
+            side: [usize; 2] = Vertices,
+            /// How many sides the chain has.
+            sides: usize = Number,
+        } => "side {}-{} is on a boundary of {sides} sides that is not the hull", side[0], side[1];
+        /// The boundary turns right, or back.
+        ConcaveBoundary = "concave-boundary" {
+            /// Three vertices that follow each other on the boundary; it turns in the middle.
+            vertices: [usize; 3] = Vertices,
+            /// The depth of the turn, where that was measured.
+            depth: Option<Depth> = Depth,
+        } => "the boundary does not turn left at vertex {}, between {} and {}", vertices[1], vertices[0], vertices[2];
+        /// The boundary turns left all the time, but goes round more than once.
+        WindingBoundary = "winding-boundary" {
+            /// How often the boundary goes round.
+            times: usize = Number,
+        } => "the boundary goes round {times} times";
+        /// A side of the boundary is not in the chains that the caller gave.
+        UndeclaredBoundary = "undeclared-boundary" {
+            /// The side, with a triangle on its left.
+            side: [usize; 2] = Vertices,
+            /// The triangle.
+            triangle: usize = Triangle,
+        } => "side {}-{} of triangle {triangle} is on no given boundary", side[0], side[1];
+        /// Two vertices that follow each other in a chain of the caller are no side of the boundary.
+        MissingBoundary = "missing-boundary" {
+            /// The two vertices.
+            side: [usize; 2] = Vertices,
+        } => "side {}-{} of a given boundary bounds no triangle", side[0], side[1];
+        /// The caller's chains bound no domain: two sides cross, or they go round a place more than once or the wrong way.
+        TangledBoundary = "tangled-boundary" {
+            /// A side of the chains where that is seen.
+            side: [usize; 2] = Vertices,
+        } => "the given boundary crosses or covers itself at side {}-{}", side[0], side[1];
+        /// No triangle has this point, or one that equals it, for a corner.
+        UnusedPoint = "unused-point" {
+            /// The point.
+            vertex: usize = Vertex,
+        } => "vertex {vertex} is in no triangle";
+        /// A corner that is an added point lies outside the hull of the input's points.
+        AddedOutside = "added-outside" {
+            /// The point.
+            vertex: usize = Vertex,
+        } => "vertex {vertex} was added outside of the hull";
+        /// The number of triangles is not what Euler's formula asks for.
+        WrongCount = "wrong-count" {
+            /// The number of triangles.
+            triangles: usize = Number,
+            /// The number that Euler's formula asks for.
+            expected: usize = Number,
+        } => "there are {triangles} triangles, not {expected}";
+        /// An input edge is not a chain of sides.
+        MissingEdge = "missing-edge" {
+            /// The edge.
+            edge: usize = Edge,
+            /// The vertex on it from which no side leads on along it.
+            after: usize = Vertex,
+        } => "edge {edge} is no chain of sides: none follows it from vertex {after}";
+        /// An input edge is a chain of sides with added points beside it.
+        BentEdge = "bent-edge" {
+            /// The edge.
+            edge: usize = Edge,
+            /// The vertex of the chain that is farthest from the edge.
+            vertex: usize = Vertex,
+            /// Its distance from the edge, in units of the length of the edge.
+            depth: Option<Depth> = Depth,
+        } => "edge {edge} is a chain of sides that is not straight: vertex {vertex} is beside it";
+        /// The boundary passes added points beside a side of the hull, or of a chain that the caller gave.
+        BentBoundary = "bent-boundary" {
+            /// The ends of the side.
+            side: [usize; 2] = Vertices,
+            /// The vertex on the boundary that is farthest from the side; without a depth one that the boundary goes round.
+            vertex: usize = Vertex,
+            /// Its distance from the side, in units of the length of the side.
+            depth: Option<Depth> = Depth,
+        } => "the boundary from vertex {} to {} is not straight: vertex {vertex} is beside it", side[0], side[1];
+        /// A triangle has not the attribute of the region that it lies in, or has one and lies in none.
+        WrongRegion = "wrong-region" {
+            /// The triangle.
+            triangle: usize = Triangle,
+        } => "triangle {triangle} has another attribute than the region that it lies in";
+        /// A side that is no input edge is not locally Delaunay.
+        NotDelaunay = "not-delaunay" {
+            /// The side, in the direction that the first triangle has.
+            side: [usize; 2] = Vertices,
+            /// The two triangles at the side.
+            triangles: [usize; 2] = Triangles,
+            /// The corners opposite to the side; each lies inside the other triangle's circumcircle.
+            opposite: [usize; 2] = Vertices,
+            /// The depth of the corner that lies deeper, where that was measured.
+            depth: Option<Depth> = Depth,
+        } => "side {}-{} of triangles {} and {} is not Delaunay: the circle of one holds vertex {} or {} of the other",
+            side[0], side[1], triangles[0], triangles[1], opposite[0], opposite[1];
+        /// Cocircular sides that are not canonical, which only [`Level::Canonical`](super::Level::Canonical) asks for.
+        NotCanonical = "not-canonical" {
+            /// The number of these sides.
+            sides: usize = Number,
+        } => "diagonals between vertices on one circle that do not end at the leftmost one: {sides}";
+    }
 }
 
 impl core::error::Error for Violation {}
