@@ -30,7 +30,7 @@ use super::effort::Effort;
 use super::error::SplitError;
 use super::exact::Exact;
 use super::vertices::Vertices;
-use crate::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, orient2d};
 use crate::sweep::{Separated, separate};
 
 /// A crossing, with the values nearest to its point.
@@ -138,7 +138,8 @@ impl<S: Exact> Find<'_, S> {
         are_disjoint(open.iter().map(|&edge| self.ends(edge)))
     }
 
-    /// Adds the crossings of the edges with these positions among each other, but for some of the edges returned.
+    /// Adds the crossings of the edges with these positions among each other. Crossings between two of the edges returned
+    /// are still to be found.
     fn by_triangulation(&mut self, open: &[usize]) -> Result<Vec<usize>, SplitError> {
         let limit = self.effort.limit;
         let separated = match self.separated(open)? {
@@ -189,7 +190,7 @@ impl<S: Exact> Find<'_, S> {
         }
         // Lines that cross have one point in common.
         let is_on_both = |&v: &usize| {
-            let on = |[a, b]: [&[S; 2]; 2]| filtered_orient2d(a, b, &self.points[v]).is_eq();
+            let on = |[a, b]: [&[S; 2]; 2]| orient2d(a, b, &self.points[v]).is_eq();
             ends.into_iter().all(on)
         };
         // Where many edges pass one vertex, the point is not computed for each pair.
@@ -197,7 +198,7 @@ impl<S: Exact> Find<'_, S> {
             return Ok(false);
         }
         let crossing = Crossing::new(pair, ends);
-        let nearest = crossing.nearest();
+        let nearest = crossing.point_rounded();
         if let Some(v) = self.vertices.at(&nearest).filter(is_on_both) {
             self.passed.push(v);
             return Ok(false);
@@ -215,145 +216,6 @@ impl<S: Exact> Find<'_, S> {
 fn cross<S: Scalar>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> bool {
     let are_apart =
         |one: Ordering, other: Ordering| one != Ordering::Equal && one == other.reverse();
-    let turn = filtered_orient2d;
+    let turn = orient2d;
     are_apart(turn(a, b, c), turn(a, b, d)) && are_apart(turn(c, d, a), turn(c, d, b))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::crossings_with;
-    use super::{Effort, cross};
-    use crate::crossings::SplitError;
-
-    type Graph = (Vec<[f64; 2]>, Vec<[usize; 2]>);
-
-    /// Numbers from a small generator, the same at each call.
-    fn numbers() -> impl FnMut(usize) -> usize {
-        let mut state = 12345_u32;
-        move |n| {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 8) as usize % n
-        }
-    }
-
-    /// A hatch, whose boxes all meet, with some edges across it.
-    fn hatch(lines: usize, others: usize, below: &mut impl FnMut(usize) -> usize) -> Graph {
-        let (mut points, mut edges) = (Vec::new(), Vec::new());
-        for i in 0..lines {
-            let x = i as f64;
-            points.extend([[x, 0.0], [x + lines as f64, lines as f64]]);
-            edges.push([2 * i, 2 * i + 1]);
-        }
-        for _ in 0..others {
-            edges.push([below(points.len()), below(points.len())]);
-        }
-        (points, edges)
-    }
-
-    /// Points on few places, with edges between them: they overlap, pass through vertices and cross there.
-    fn on_few_places(below: &mut impl FnMut(usize) -> usize) -> Graph {
-        let points = 4 + below(30);
-        let places = 2 + below(9);
-        let list = (0..points)
-            .map(|_| [below(places) as f64, below(places) as f64])
-            .collect();
-        let edges = (0..2 + below(14)).map(|_| [below(points), below(points)]);
-        (list, edges.collect())
-    }
-
-    /// Edges that meet at vertices inside them: lines through the points of a grid, or through some centres.
-    fn through_vertices(below: &mut impl FnMut(usize) -> usize) -> Graph {
-        let (mut points, mut edges) = (Vec::new(), Vec::new());
-        let mut edge = |points: &[[f64; 2]]| edges.push([points.len() - 2, points.len() - 1]);
-        if below(2) == 0 {
-            let [columns, rows] = [2 + below(15), 2 + below(15)];
-            let grid = (0..columns * rows).map(|i| [1 + i % columns, 1 + i / columns]);
-            points.extend(grid.map(|place| place.map(|x| x as f64)));
-            for x in 1..=columns {
-                points.extend([[x as f64, 0.0], [x as f64, rows as f64 + 1.0]]);
-                edge(&points);
-            }
-            for y in 1..=rows {
-                points.extend([[0.0, y as f64], [columns as f64 + 1.0, y as f64]]);
-                edge(&points);
-            }
-        } else {
-            for _ in 0..1 + below(3) {
-                let [x, y] = [below(20) as f64, below(20) as f64];
-                points.push([x, y]);
-                for _ in 0..1 + below(20) {
-                    let [dx, dy] = [below(99) as f64 - 49.0, 1.0 + below(50) as f64];
-                    points.extend([[x - dx, y - dy], [x + dx, y + dy]]);
-                    edge(&points);
-                }
-            }
-        }
-        (points, edges)
-    }
-
-    /// Every pair, tried in whole numbers; a crossing at a vertex does not count.
-    fn expected((points, edges): &Graph) -> Vec<[usize; 2]> {
-        let at = |edge: usize| edges[edge].map(|v| &points[v]);
-        let at_vertex = |e: usize, f: usize| {
-            let turn = |edge: usize, [x, y]: [f64; 2]| {
-                let [[ax, ay], [bx, by]] = at(edge).map(|p| *p);
-                (bx - ax) * (y - ay) - (by - ay) * (x - ax)
-            };
-            points
-                .iter()
-                .any(|&point| turn(e, point) == 0.0 && turn(f, point) == 0.0)
-        };
-        let mut pairs = Vec::new();
-        for f in 0..edges.len() {
-            for e in 0..f {
-                if cross([at(e), at(f)]) && !at_vertex(e, f) {
-                    pairs.push([e, f]);
-                }
-            }
-        }
-        pairs.sort_unstable();
-        pairs
-    }
-
-    /// So few crossings may be listed here.
-    const LIMIT: usize = 100;
-
-    #[test]
-    fn every_pair_is_found_once() {
-        let below = &mut numbers();
-        let (mut some, mut too_many) = (0, 0);
-        for round in 0..3000 {
-            let graph = match round % 6 {
-                0 | 3 => {
-                    let (lines, others) = (2 + below(90), below(12));
-                    hatch(lines, others, below)
-                }
-                1 | 4 => through_vertices(below),
-                _ => on_few_places(below),
-            };
-            let expected = expected(&graph);
-            // Small inputs are searched as if they were large.
-            let effort = &mut Effort {
-                patience: round % 2,
-                limit: LIMIT,
-                ..Effort::default()
-            };
-            match crossings_with(&graph.0, &graph.1, effort) {
-                Ok(found) => {
-                    let found: Vec<_> = found.iter().map(|crossing| crossing.edges).collect();
-                    assert_eq!(found, expected, "{graph:?}");
-                    some += usize::from(!found.is_empty());
-                }
-                Err(error) => {
-                    assert_eq!(error, SplitError::TooManyCrossings { limit: LIMIT });
-                    assert!(expected.len() > LIMIT, "{graph:?}");
-                    too_many += 1;
-                }
-            }
-        }
-        assert!(
-            some > 1000 && too_many > 10,
-            "{some} with crossings, {too_many} with too many"
-        );
-    }
 }

@@ -14,19 +14,14 @@
 //!      c     b                  c   b
 //! ```
 //!
-//! *Why it ends.* Rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a chain never
+//! Why it ends: rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a chain never
 //! turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common, so each
 //! round gives some chain a new vertex, and there are only so many numbers in a box. Evenly spaced numbers need one
 //! round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing crosses. Doubles are closer
 //! to each other near zero, which may take more rounds. More than [`ROUNDS_OF_SPLITTING`] are an error.
 //!
-//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a crossing
-//! point by its rounding, and the points between two vertices by a mean of what these move by. All vertices lie in the
-//! box of the edge, so a *unit* of an edge, along x or y, is the distance of the numbers around the larger one (in
-//! size) of its ends' coordinates. A vertex is `d` units away from its edge if `d` is the least number such that some
-//! point of the edge differs from the vertex by at most `d` units in each coordinate. The greatest of these distances
-//! is the [`displacement`](Split::displacement), at most half the number of rounds.
-//!
+//! A round moves each point of a chain by at most half a unit in each coordinate. So the
+//! [`displacement`](Split::displacement) is at most half the number of rounds ([`displacement()`] says what a unit is).
 //! Cost: in each round, that of finding the crossings and the vertices that pieces pass. Differs from snap rounding:
 //! input points stay where they are, and edges that cross nothing are bent only if others cross.
 
@@ -209,8 +204,12 @@ fn cut(chain: &[usize], pieces: &[[usize; 2]], cuts: &[(usize, usize)]) -> Vec<u
     longer
 }
 
-/// The greatest distance of a vertex from the edge whose chain it is on, in units of that edge. Only those distances are
-/// computed in fractions that may be the greatest.
+/// The greatest distance of a vertex from the edge whose chain it is on, in units of that edge.
+///
+/// All vertices of a chain lie in the box of the edge, so a unit, along x or y, is the distance of the numbers around the
+/// larger one (in size) of the ends' coordinates. A vertex is `d` units away if `d` is the least number such that some
+/// point of the edge differs from the vertex by at most `d` units in each coordinate. Only a distance that may be the
+/// greatest is computed in fractions.
 fn displacement<S: Exact>(points: &[[S; 2]], chains: &[Vec<usize>]) -> f64 {
     let mut greatest = 0.0_f64;
     for chain in chains {

@@ -19,7 +19,7 @@ use core::cmp::Ordering;
 
 use crate::ids::TriangleId;
 use crate::mesh::{HalfEdge, next, prev};
-use crate::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, orient2d};
 use crate::triangulation::with_points::WithPoints;
 use crate::tuning::LOOKED_AT_ONE_BY_ONE;
 
@@ -156,7 +156,7 @@ impl<S: Scalar> WithPoints<'_, S> {
     /// The turn from each side of a triangle to the point: to the left where the triangle is.
     fn turns<'q>(&'q self, query: &'q [S; 2], t: usize) -> impl Fn(u32) -> Ordering + Copy + 'q {
         let corner = move |i| self.corner(t, i);
-        move |side| filtered_orient2d(corner(next(side)), corner(prev(side)), query)
+        move |side| orient2d(corner(next(side)), corner(prev(side)), query)
     }
 
     fn vertex(&self, t: usize, corner: u32) -> usize {

@@ -100,7 +100,7 @@ impl<'a, S: Exact> CrossingsPicture<'a, S> {
         for (position, crossing) in (1..=close_ups).zip(crossings) {
             let [edge, other] = self.numbering.edges(crossing.edges);
             let title = format!("{position}: edges {edge} and {other} cross");
-            let [x, y] = crossing.near().map(|x| x.text());
+            let [x, y] = crossing.point_f64().map(|x| x.text());
             let text = format!("near {x}, {y}");
             panels.write(out, position, square, "close-up", [&title, &text], |out| {
                 let at = first + position - 1;

@@ -3,7 +3,7 @@
 
 use std::cmp::Ordering;
 
-use sweep_cdt::scalar::{Scalar, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, orient2d};
 
 /// For each seed the first triangle that holds it, in any list that covers no place twice. Two triangles hold a seed on
 /// their side, several one at their corner; `None` is outside of all.
@@ -46,6 +46,6 @@ pub fn locate_seeds<S: Scalar>(
 
 /// Whether a triangle holds a point: inside, on a side or at a corner.
 fn holds<S: Scalar>([a, b, c]: [&[S; 2]; 3], point: &[S; 2]) -> bool {
-    let turns = [[a, b], [b, c], [c, a]].map(|[from, to]| filtered_orient2d(from, to, point));
+    let turns = [[a, b], [b, c], [c, a]].map(|[from, to]| orient2d(from, to, point));
     !(turns.contains(&Ordering::Less) && turns.contains(&Ordering::Greater))
 }

@@ -14,7 +14,7 @@
 use std::cmp::Ordering;
 
 use sweep_cdt::interior::{FillRule, InteriorError, Ring};
-use sweep_cdt::scalar::filtered_orient2d;
+use sweep_cdt::scalar::orient2d;
 use sweep_cdt::{Algorithm, Bands, Corners, Error, Heuristics, Triangulation};
 use sweep_cdt_testing::tuned::{triangulate, triangulator};
 
@@ -200,7 +200,7 @@ fn ring(points: &[[f64; 2]]) -> Vec<[usize; 2]> {
     let (mut lower, mut upper) = (Vec::new(), Vec::new());
     for &v in &order {
         let ends = [order[0], order[order.len() - 1]].map(|v| &points[v]);
-        match filtered_orient2d(ends[0], ends[1], &points[v]) {
+        match orient2d(ends[0], ends[1], &points[v]) {
             Ordering::Greater => upper.push(v),
             _ => lower.push(v),
         }

@@ -63,14 +63,14 @@ pub fn judge(input: &Input) -> Rounded {
         in_doubles_listed, crossing,
         "crossings listed (left) and tried"
     );
-    let listed = |found: &Crossing<BigRational>| (found.edges, found.nearest());
+    let listed = |found: &Crossing<BigRational>| (found.edges, found.point_rounded());
     let in_fractions: Vec<_> = in_fractions.iter().map(listed).collect();
     assert_eq!(
         in_fractions, crossing,
         "crossings in fractions (left) and tried"
     );
     for found in &in_doubles {
-        let (near, nearest) = (found.near(), found.nearest());
+        let (near, nearest) = (found.point_f64(), found.point_rounded());
         assert_eq!(near, nearest, "the nearest doubles");
         for (near, exact) in near.into_iter().zip(&found.point()) {
             assert!(is_nearest(near, exact), "{near} is not nearest to {exact}");
