@@ -24,14 +24,13 @@ fn circles_on_lattices_of_each_width_are_decided() {
     for round in 0..8000 {
         let width = width(round);
         let mut range = || {
-            let low = random.below(width - 2);
-            [low, low + 2 + random.below(width - 2 - low)].map(|x| x as f64)
+            let low = random.below(width - 3);
+            [low, low + 3 + random.below(width - 3 - low)].map(|x| x as f64)
         };
         let ([left, right], [low, high]) = (range(), range());
-        let [dx, dy] = [(); 2].map(|()| random.below(2) as f64);
         let corner = [
-            left + dx,
-            high + dy * f64::from(random.below(2) as u32 * 2) - dy,
+            left + random.pick(&[0.0, 1.0]),
+            high + random.pick(&[0.0, 0.0, 1.0, -1.0]),
         ];
         let points = [[left, low], [right, low], [right, high], corner];
         let points = placed(points, width);
