@@ -2,7 +2,7 @@
 //!
 //! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the scalar
 //! (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices of edges that it
-//! passes ([`cells`](super::cells)), the new ones among them. A piece that is bent so may cross others, which the next
+//! passes ([`cells`](super::cells)), the new ones among them, and points that lie on it exactly. A piece that is bent so may cross others, which the next
 //! round finds. When none cross, the pieces are an input that has a triangulation.
 //!
 //! ```text
@@ -40,6 +40,7 @@ use super::error::SplitError;
 use super::exact::{Exact, distance, distance_at_most, spacing};
 use super::find::find;
 use super::vertices::Vertices;
+use crate::scalar::orient2d;
 use crate::triangulation::Triangulation;
 use crate::tuning::ROUNDS_OF_SPLITTING;
 
@@ -140,6 +141,9 @@ pub fn split_with<S: Exact>(
         for (_, place) in found {
             on_edges.push(vertices.number(place, &mut points));
         }
+        if rounds == 0 {
+            on_edges.extend(inside(&points, &vertices, &pieces, effort));
+        }
         on_edges.sort_unstable();
         on_edges.dedup();
         // Each piece with a vertex that it passes.
@@ -155,6 +159,25 @@ pub fn split_with<S: Exact>(
     Err(SplitError::TooManyRounds {
         limit: ROUNDS_OF_SPLITTING,
     })
+}
+
+/// The vertices that lie inside pieces, exactly.
+fn inside<S: Exact>(
+    points: &[[S; 2]],
+    vertices: &Vertices<S>,
+    pieces: &[[usize; 2]],
+    effort: &mut Effort,
+) -> Vec<usize> {
+    let all = 0..points.len();
+    let distinct: Vec<usize> = all
+        .filter(|&v| vertices.at(&points[v]) == Some(v))
+        .collect();
+    let passed = passed(points, pieces, &distinct, effort).into_iter();
+    let inside = passed.filter(|&(piece, v)| {
+        let [a, b] = pieces[piece].map(|end| &points[end]);
+        orient2d(a, b, &points[v]).is_eq()
+    });
+    inside.map(|(_, v)| v).collect()
 }
 
 /// All pairs of neighbours in the chains, lower one first, sorted, each once.

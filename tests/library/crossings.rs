@@ -1,6 +1,6 @@
 //! Edges that cross, in many families: little is looked at for each edge and pair, and all pairs are found.
 
-use sweep_cdt::crossings::{Effort, SplitError, crossings_with, split_with};
+use sweep_cdt::crossings::{Effort, SplitError, crossings_with, split, split_with};
 use sweep_cdt_testing::families::{self, Crossed};
 use sweep_cdt_testing::oracle::arrangement;
 use sweep_cdt_testing::{Input, Random};
@@ -69,6 +69,22 @@ fn upright_edges_look_at_each_other_no_more() {
         effort.visited as f64 / f64::from(n)
     });
     assert!(many < 2.0 * few, "{few} {many} for each edge");
+}
+
+/// An edge that is bent where it crosses another goes on through the point that it passed, which is no end of an edge. So
+/// edges that meet at a point still do: near zero, where doubles are dense, they would all cross each other otherwise.
+#[test]
+fn a_bent_edge_still_passes_a_point_on_it() {
+    let points = [
+        [-3.0, -1.0],
+        [3.0, 1.0],
+        [-2.0, 0.0],
+        [-1.0, -1.0],
+        [0.0, 0.0],
+    ];
+    let edges = [[0, 1], [2, 3]];
+    let split = split(&points, &edges).expect("a valid input");
+    assert_eq!(split.edges, [[0, 5], [5, 4], [4, 1], [2, 5], [5, 3]]);
 }
 
 /// A hatch, whose boxes all meet, with some edges across it.
