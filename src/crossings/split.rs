@@ -168,11 +168,7 @@ fn inside<S: Exact>(
     pieces: &[[usize; 2]],
     effort: &mut Effort,
 ) -> Vec<usize> {
-    let all = 0..points.len();
-    let distinct: Vec<usize> = all
-        .filter(|&v| vertices.at(&points[v]) == Some(v))
-        .collect();
-    let passed = passed(points, pieces, &distinct, effort).into_iter();
+    let passed = passed(points, pieces, &vertices.all(), effort).into_iter();
     let inside = passed.filter(|&(piece, v)| {
         let [a, b] = pieces[piece].map(|end| &points[end]);
         orient2d(a, b, &points[v]).is_eq()

@@ -21,9 +21,8 @@
 
 use core::cmp::Ordering::{self, Greater, Less};
 
-use wide::f64x2;
-
 use super::doubles::U;
+use super::lanes::Lanes;
 use super::scale::{Scale, UNDERFLOW};
 
 const ORIENT2D: f64 = (3.0 + 32.0 * U) * U;
@@ -50,15 +49,16 @@ pub(crate) fn orient2d([a, b, c]: [[f64; 2]; 3], scale: Scale) -> Option<Orderin
 #[inline(always)]
 pub(crate) fn in_circle([p, a, b, q]: [[f64; 2]; 4], scale: Scale) -> Option<Ordering> {
     // Differences to p in the low lanes, differences to q in the high ones.
-    let (x, y) = (f64x2::new([p[0], q[0]]), f64x2::new([p[1], q[1]]));
-    let (ax, ay) = (f64x2::splat(a[0]) - x, f64x2::splat(a[1]) - y);
-    let (bx, by) = (f64x2::splat(b[0]) - x, f64x2::splat(b[1]) - y);
+    let [p, a, b, q] = [p, a, b, q].map(Lanes::new);
+    let (x, y) = (p.lows(q), p.highs(q));
+    let (ax, ay) = (a.lows(a) - x, a.highs(a) - y);
+    let (bx, by) = (b.lows(b) - x, b.highs(b) - y);
     let cross = ax * by - ay * bx;
-    let [dot_p, dot_q] = (ax * bx + ay * by).to_array();
-    let products = (cross * f64x2::new([dot_q, dot_p])).to_array();
-    let determinant = products[1] - products[0];
-    let sizes = ((ax.abs() + ay.abs()) * (bx.abs() + by.abs())).to_array();
-    let bound = IN_CIRCLE * (sizes[0] * sizes[1]) + scale.underflow_bound();
+    let dot = ax * bx + ay * by;
+    let products = cross * dot.swapped();
+    let determinant = products.high() - products.low();
+    let size = (ax.abs() + ay.abs()) * (bx.abs() + by.abs());
+    let bound = IN_CIRCLE * (size.low() * size.high()) + scale.underflow_bound();
     if determinant.abs() > bound {
         return Some(sign(determinant));
     }

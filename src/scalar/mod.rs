@@ -27,6 +27,7 @@ pub(crate) mod filter;
 mod forward;
 mod integer;
 mod integer_points;
+mod lanes;
 mod lattice;
 mod measure;
 mod predicates;

@@ -75,7 +75,7 @@ impl<'a, S: Exact> CrossingsPicture<'a, S> {
         } = *self;
         // The points of the graph, then the crossings that are drawn, all on one scale.
         let near = graph.points.iter().map(|p| p.each_ref().map(S::approx));
-        let drawn = crossings.iter().take(MOST_DOTS).map(Crossing::near);
+        let drawn = crossings.iter().take(MOST_DOTS).map(Crossing::point_f64);
         let all: Vec<[f64; 2]> = near.chain(drawn).collect();
         let background = Background::of_edges(places(&all), &graph.edges);
         let first = graph.points.len();
