@@ -1,9 +1,9 @@
 //! Edges split where they cross, so that the crossing points become vertices.
 //!
 //! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the scalar
-//! (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices of edges that it
-//! passes ([`cells`](super::cells)), the new ones among them, and points that lie on it exactly. A piece that is bent so may cross others, which the next
-//! round finds. When none cross, the pieces are an input that has a triangulation.
+//! (a fraction is its own) and is a vertex from now on. Each piece goes through all vertices of edges that it passes
+//! ([`cells`](super::cells)), the new ones among them, and through points that lie on it exactly. A piece that is bent so
+//! may cross others, which the next round finds. When none cross, the pieces have a triangulation.
 //!
 //! ```text
 //!      a     d                 a     d
@@ -20,9 +20,8 @@
 //! round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing crosses. Doubles are closer
 //! to each other near zero, which may take more rounds. More than [`ROUNDS_OF_SPLITTING`] are an error.
 //!
-//! A round moves each point of a chain by at most half a unit in each coordinate. So the
-//! [`displacement`](Split::displacement) is at most half the number of rounds ([`displacement()`] says what a unit is).
-//! Cost: in each round, that of finding the crossings and the vertices that pieces pass. Differs from snap rounding:
+//! A round moves each point of a chain by at most half a unit in x and y, so [`displacement()`] is at most half the number
+//! of rounds. Cost: in each round, to find the crossings and the vertices that pieces pass. Differs from snap rounding:
 //! input points stay where they are, and edges that cross nothing are bent only if others cross.
 
 use alloc::vec;

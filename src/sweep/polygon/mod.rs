@@ -15,19 +15,8 @@
 //! Then corners of the chain beside `v` are closed while they turn left, and the fan of these triangles around `v` is
 //! legalized, as after a point event.
 //!
-//! Why it is right:
-//! - *No edges cross or touch.* Each vertex lies strictly between the edges on the left and on the right of it. Below
-//!   the lowest point where two edges meet, two neighbours of the status meet there (Shamos and Hoey 1976). Beyond it
-//!   they are in the wrong order, so the first vertex after it that ends one of them, or lies between them, fails. Then
-//!   the sweep of all points begins anew, and says which edges cross, or takes the vertices on edges for what they are.
-//! - *Triangles are inside.* The chain turns left nowhere, so what `v` sees of it hangs together and begins beside `v`.
-//!   The vertex of an interval that was swept last sees all of the interval up to the next vertex.
-//! - *They are those of the whole triangulation.* No edge is flipped, so a triangulation of the inside whose sides are
-//!   all locally Delaunay is the only one (the canonical rule), with the triangles that the whole one has there. Only
-//!   outer sides of a fan can be illegal. A spoke is legal: where the chain does not turn left, the two triangles of the
-//!   spoke have 180 degrees or more together. A side of the chain is tested when a fan covers it.
-//! - *The rule holds.* By parity every second interval is inside. By winding number they are too if the two edges of each
-//!   interval inside run in opposite directions. Only a cut needs to be tested: rings run on.
+//! Why it is right: no edges cross or touch where each vertex lies strictly between the edges on its left and right; the
+//! triangles are inside, and are those of the whole triangulation ([proof](../../../docs/proofs/polygon.md)).
 //!
 //! Cost: O(n) after the sort, but for the flips and for the walks along the status, which are few on ordinary polygons.
 //! Each has a budget that is linear in n; when it is spent, the sweep of all points begins anew.
