@@ -15,7 +15,8 @@ use num_traits::{ToPrimitive, Zero};
 use super::enclosure::Enclosure;
 use crate::scalar::{Scalar, integers, orient2d};
 
-/// A coordinate whose value is a fraction.
+/// A coordinate to which the point where edges cross can be rounded: `f64`, or `BigRational`, which has the point itself.
+/// Convert others to one of the two; an integer, say, has no value for a half.
 ///
 /// ```
 /// use num_rational::BigRational;
@@ -26,6 +27,10 @@ use crate::scalar::{Scalar, integers, orient2d};
 /// assert_ne!(f64::nearest(&third).to_fraction(), third);
 /// assert_eq!(1.0.around(), [1.0 - f64::EPSILON / 2.0, 1.0 + f64::EPSILON]);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot hold the points where edges cross",
+    note = "convert the coordinates to `f64`, or exactly to `num_rational::BigRational`"
+)]
 pub trait Exact: Scalar + Clone {
     /// The value of a finite coordinate.
     fn to_fraction(&self) -> BigRational;

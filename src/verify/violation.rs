@@ -170,7 +170,7 @@ violations! {
             edge: usize = Edge,
             /// The vertex on it from which no side leads on along it.
             after: usize = Vertex,
-        } => "edge {edge} is no chain of sides: none follows it from vertex {after}";
+        } => "edge {edge} is missing: no side leads along it from vertex {after}";
         /// An input edge is a chain of sides with added points beside it.
         BentEdge = "bent-edge" {
             /// The edge.
