@@ -17,7 +17,8 @@
 //! | 3.5 | 15 | finalization | [`finalization`] |
 //!
 //! The mesh is [`crate::mesh`], the front and its hash table (3.4.1) are [`crate::front`], and the settings of the
-//! heuristics [`crate::Heuristics`]. docs/architecture.md lists the files beside the paper. Each file names its differences from it.
+//! heuristics [`crate::Heuristics`]. docs/architecture.md lists the files beside the paper.
+//! Each file names its differences from it.
 //!
 //! Cost: about O(n log n) on ordinary inputs. O(n^2) at worst: on some inputs every algorithm that keeps a Delaunay
 //! triangulation of the points swept so far must make that many flips. Then the sweep is abandoned ([`flip_limit`]),
