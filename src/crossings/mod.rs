@@ -5,7 +5,7 @@
 //! its exact point, and [`split`] makes vertices of these points. Edges that touch or cross at a vertex, pass through
 //! vertices, overlap or have no length are no errors, and are not listed.
 //!
-//! Cost: O((n + k) log n) for n edges, k pairs of which have upright boxes that meet, if these are at most 16 for each
+//! Cost: O((n + k) log n) for n edges, k pairs of which have upright boxes that meet, if these are at most eight for each
 //! edge and crossing. If there are more, as in a hatch, a sweep line tells whether edges meet at all. If they do,
 //! they go into a triangulation, but for a *rest*: edges that would cross others there. The search begins anew with the
 //! rest. The point of a crossing is computed in fractions when it is asked for.

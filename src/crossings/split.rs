@@ -24,6 +24,7 @@
 //! of rounds. Cost: in each round, to find the crossings and the vertices that pieces pass. Differs from snap rounding:
 //! input points stay where they are, and edges that cross nothing are bent only if others cross.
 
+use alloc::collections::BTreeSet;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -85,8 +86,8 @@ impl<S> Split<S> {
 /// Splits edges where they cross at points that are none of `points`; these become vertices.
 ///
 /// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, each edge goes
-/// through all vertices of edges to which a point of it is rounded, and edges that then cross are split again, until
-/// none do. So [`triangulate`](crate::triangulate) does not refuse the result with
+/// through all vertices of edges to which a point of it is rounded, and on through all points that it passed exactly.
+/// Edges that then cross are split again, until none do. So [`triangulate`](crate::triangulate) does not refuse the result with
 /// [`Error::CrossingEdges`](crate::Error::CrossingEdges).
 ///
 /// # Errors
@@ -140,11 +141,13 @@ pub fn split_with<S: Exact>(
         for (_, place) in found {
             on_edges.push(vertices.number(place, &mut points));
         }
-        if rounds == 0 {
-            on_edges.extend(inside(&points, &vertices, &pieces, effort));
-        }
         on_edges.sort_unstable();
         on_edges.dedup();
+        if rounds == 0 {
+            let mut others = vertices.all();
+            others.retain(|v| on_edges.binary_search(v).is_err());
+            on_edges.extend(inside(&points, &pieces, &others, effort));
+        }
         // Each piece with a vertex that it passes.
         let mut cuts = passed(&points, &pieces, &on_edges, effort);
         cuts.sort_unstable_by(|&(piece, v), &(other, w)| {
@@ -160,14 +163,14 @@ pub fn split_with<S: Exact>(
     })
 }
 
-/// The vertices that lie inside pieces, exactly.
+/// Which of these vertices lie inside pieces, exactly.
 fn inside<S: Exact>(
     points: &[[S; 2]],
-    vertices: &Vertices<S>,
     pieces: &[[usize; 2]],
+    vertices: &[usize],
     effort: &mut Effort,
-) -> Vec<usize> {
-    let passed = passed(points, pieces, &vertices.all(), effort).into_iter();
+) -> BTreeSet<usize> {
+    let passed = passed(points, pieces, vertices, effort).into_iter();
     let inside = passed.filter(|&(piece, v)| {
         let [a, b] = pieces[piece].map(|end| &points[end]);
         orient2d(a, b, &points[v]).is_eq()

@@ -7,8 +7,8 @@
 //!
 //! The sample may spread evenly as a whole where the front does not: clusters side by side and one above the other
 //! crowd it here at one height and there at another. So the sample is also cut into slabs, and the equal intervals
-//! become narrower by the crowding within slabs. More intervals
-//! than that would be empty, or hold a node that has left the front.
+//! become narrower by the crowding within slabs. More intervals than that would
+//! be empty, or hold a node that has left the front.
 
 use super::work::Tally;
 use crate::bucket::bucket;
