@@ -63,7 +63,8 @@ fn main() {
             let [listed, split] = *first.get_or_insert([listing[0], splitting[0]]);
             // Some families make neither boxes nor a triangulation.
             let growth = [(listing[0], listed), (splitting[0], split)];
-            let growth = growth.map(|(now, first)| if now == first { 1.0 } else { now / first });
+            let growth =
+                growth.map(|(now, first)| if first > 0.0 { now / first } else { 1.0 + now });
             worst = worst.max(growth[0]).max(growth[1]);
             println!(
                 "{:56} {:>8} {pairs:>8} {:>8.1} {:>7.2} {:>7.2} {:>8.1} {:>7.2} {:>7.2}",

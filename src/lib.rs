@@ -4,6 +4,8 @@
 
 extern crate alloc;
 
+use alloc::vec::Vec;
+
 mod bucket;
 pub mod crossings;
 mod error;
@@ -16,6 +18,7 @@ pub mod memory;
 mod mesh;
 mod observe;
 mod pslg;
+mod random;
 pub mod scalar;
 mod session;
 mod settings;
@@ -25,6 +28,7 @@ pub mod threads;
 pub mod trace;
 mod triangulation;
 mod triangulator;
+mod tuning;
 pub mod verify;
 mod watch;
 
@@ -37,11 +41,12 @@ pub use session::Session;
 pub use settings::Ties;
 pub use settings::{Algorithm, Corners, Heuristics};
 pub use triangulation::Triangulation;
-pub use triangulation::canonical::CanonicalGroups;
 pub use triangulation::locate::Location;
 pub use triangulation::stars::{Corner, VertexStars};
 pub use triangulation::with_points::WithPoints;
 pub use triangulator::Triangulator;
+#[doc(hidden)]
+pub use tuning::Tuning;
 #[cfg(feature = "parallel")]
 pub use watch::Bands;
 pub use watch::Watch;
@@ -67,6 +72,37 @@ pub fn triangulate<S: scalar::Scalar>(
     edges: &[[usize; 2]],
 ) -> Result<Triangulation, Error> {
     Triangulator::new().triangulate(points, edges)
+}
+
+/// The triangles inside of polygons by a [`FillRule`](interior::FillRule), in canonical order.
+///
+/// They are those that [`Triangulation::interior`] finds in the whole triangulation, but if the edges are rings that
+/// neither touch nor cross, only the inside is triangulated, which takes less time. By winding number this also asks that
+/// rings in one another run in opposite directions, as outlines and holes do. All other input is triangulated as a whole.
+/// [`Session::triangulate_inside`] does it for many polygons in the same memory.
+///
+/// # Errors
+/// [`InteriorError`](interior::InteriorError), if the edges are no closed rings, or cannot be triangulated.
+///
+/// ```
+/// use sweep_cdt::{interior::FillRule, triangulate_inside};
+///
+/// // A square with a square hole.
+/// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
+/// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+/// let triangles = triangulate_inside(&points, &edges, FillRule::EvenOdd)?;
+/// assert_eq!(triangles[..2], [[0, 1, 5], [0, 4, 3]]);
+/// assert_eq!(triangles.len(), 8);
+/// # Ok::<(), sweep_cdt::interior::InteriorError>(())
+/// ```
+pub fn triangulate_inside<S: scalar::Scalar>(
+    points: &[[S; 2]],
+    edges: &[[usize; 2]],
+    rule: interior::FillRule,
+) -> Result<Vec<[usize; 3]>, interior::InteriorError> {
+    let mut session = Triangulator::new().session();
+    session.triangulate_inside(points, edges, rule)?;
+    Ok(session.into_inside())
 }
 
 /// The example of the README, as a test.

@@ -8,10 +8,7 @@ use alloc::vec::Vec;
 use core::hint::black_box;
 
 use crate::error::Error;
-
-/// Fewer bytes are not asked for. They seldom fail, and some allocators treat what follows a small block that was given
-/// back in another way.
-const LARGE: usize = 32 << 20;
+use crate::tuning::LARGE_BLOCK;
 
 /// Bytes that the sweep takes for a point and for an edge.
 const POINT: usize = 96;
@@ -32,7 +29,7 @@ pub fn of_bands(points: usize, edges: usize) -> usize {
 /// Whether so many bytes can be allocated.
 pub fn has_room(bytes: usize) -> bool {
     // What the compiler sees to be unused it may leave out.
-    bytes < LARGE
+    bytes < LARGE_BLOCK
         || black_box(&mut Vec::<u8>::new())
             .try_reserve_exact(bytes)
             .is_ok()

@@ -1,5 +1,6 @@
 //! Many inputs, one after the other, in the same memory.
 
+use alloc::vec::Vec;
 use core::fmt;
 
 use crate::error::Error;
@@ -16,7 +17,7 @@ use crate::watch::Watch;
 /// [`Triangulator::triangulate`](crate::Triangulator::triangulate). Once the memory is as large as the inputs need, a
 /// call allocates next to nothing. That saves a sixth of the instructions for a polygon of ten points, and a fifth of
 /// the time for a million points, whose pages the system need not clear again. A session keeps what the largest input
-/// needed, about 100 bytes a point, until it is dropped.
+/// needed, about 100 bytes a point, until it is dropped. It is `Send`: make one for each thread.
 ///
 /// ```
 /// let mut session = sweep_cdt::Triangulator::new().session();
@@ -81,35 +82,16 @@ impl Session {
         self.settings.ties = ties;
     }
 
-    /// The triangles inside by a [`FillRule`], in canonical order: those that [`Triangulation::interior`] finds in the
-    /// whole triangulation, and [`Interior::canonical_triangles`] lists. The next call overwrites them.
-    ///
-    /// Polygons are faster this way: of edges that are rings, and neither touch nor cross, only the inside is
-    /// triangulated. (That is what [`Algorithm::Auto`] does, without reports of progress.) By winding number this holds
-    /// where rings in one another run in opposite directions. All other input is triangulated as a whole first.
+    /// [`triangulate_inside`](crate::triangulate_inside) in the memory of the session. The next call overwrites the
+    /// triangles. [`Algorithm::Auto`] alone triangulates nothing but the inside.
     ///
     /// # Errors
     /// [`InteriorError`]. [`InteriorError::Refused`] holds the error of [`triangulate`](Session::triangulate).
-    ///
-    /// ```
-    /// use sweep_cdt::interior::FillRule;
-    ///
-    /// // A square with a square hole.
-    /// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
-    /// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
-    /// let mut session = sweep_cdt::Triangulator::new().session();
-    /// let triangles = session.triangulate_inside(&points, &edges, FillRule::EvenOdd)?;
-    /// assert_eq!(triangles[..2], [[0, 1, 5], [0, 4, 3]]);
-    /// assert_eq!(triangles.len(), 8);
-    /// # Ok::<(), sweep_cdt::interior::InteriorError>(())
-    /// ```
-    ///
-    /// [`Interior::canonical_triangles`]: crate::interior::Interior::canonical_triangles
     pub fn triangulate_inside<S: Scalar>(
         &mut self,
         points: &[[S; 2]],
         edges: &[[usize; 2]],
-        rule: FillRule<'_>,
+        rule: FillRule,
     ) -> Result<&[[usize; 3]], InteriorError> {
         if let Some(result) = self.result.take() {
             self.scratch.recycle(result);
@@ -117,7 +99,7 @@ impl Session {
         let directed = match rule {
             _ if self.settings.algorithm != Algorithm::Auto => None,
             FillRule::EvenOdd => Some(false),
-            FillRule::NonZero(ruled) if ruled == edges => Some(true),
+            FillRule::NonZero => Some(true),
             _ => None,
         };
         let (scratch, polygon) = (&mut self.scratch, &mut self.polygon);
@@ -125,12 +107,15 @@ impl Session {
             sweep::triangulate_rings(points, edges, directed, scratch, polygon)
         });
         if !is_done {
-            let result = self.triangulate(points, edges);
-            let result = result.map_err(|error| InteriorError::Refused { error })?;
+            let result = self.triangulate(points, edges)?;
             let list = result.interior(rule)?.canonical_triangles();
             self.polygon.triangles = list;
         }
         Ok(&self.polygon.triangles)
+    }
+
+    pub(crate) fn into_inside(self) -> Vec<[usize; 3]> {
+        self.polygon.triangles
     }
 }
 

@@ -1,6 +1,8 @@
 //! Settings of a run, which change the work and never the result: the algorithm, and the triangles that a point event
 //! adds beyond the necessary ones (section 3.4.1, figures 9 and 10).
 
+use crate::tuning::Tuning;
+
 /// The algorithm. All give the same result; they differ in time.
 ///
 /// ```
@@ -16,6 +18,7 @@
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Algorithm {
     /// The sweep. Where it flips many sides, it goes on with the paper's heuristics. Flips and long walks along the front
@@ -64,7 +67,7 @@ pub enum Algorithm {
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Heuristics {
     /// The corners of the front beside the new vertex that are narrow enough to be closed by a further triangle, by the
     /// angle between a new triangle's side and the next front segment (figure 9).
@@ -76,6 +79,7 @@ pub struct Heuristics {
 
 /// Up to which angle the point event closes corners left and right of the new vertex (figure 9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Corners {
     /// None are closed.
@@ -111,27 +115,6 @@ impl Heuristics {
     };
 }
 
-impl Heuristics {
-    /// Changes the setting of narrow corners.
-    ///
-    /// ```
-    /// use sweep_cdt::{Corners, Heuristics};
-    ///
-    /// let heuristics = Heuristics::FAST.with_corners(Corners::RightAngle).with_basins(true);
-    /// assert_eq!(heuristics, Heuristics::PAPER);
-    /// ```
-    #[must_use]
-    pub const fn with_corners(self, corners: Corners) -> Heuristics {
-        Heuristics { corners, ..self }
-    }
-
-    /// Changes whether basins are filled.
-    #[must_use]
-    pub const fn with_basins(self, basins: bool) -> Heuristics {
-        Heuristics { basins, ..self }
-    }
-}
-
 impl Default for Heuristics {
     fn default() -> Self {
         Heuristics::FAST
@@ -146,6 +129,7 @@ pub(crate) struct Settings {
     pub(crate) algorithm: Algorithm,
     pub(crate) heuristics: Heuristics,
     pub(crate) ties: Ties,
+    pub(crate) tuning: &'static Tuning,
 }
 
 /// At which of several vertices on one circle the diagonals between them end. Alone of the settings it changes the result;

@@ -1,9 +1,8 @@
 //! Step traces: each step of the sweep as an [`Event`] in the paper's words, made of indices only.
 //!
 //! With [`Algorithm::Paper`](crate::Algorithm::Paper) an input gives the same events for every scalar that holds it and for
-//! every search structure (whose own steps [`crate::Counters`] counts). Heuristics change the events, since they change
-//! the steps. Written, an event is a line to be read beside the paper; the package `sweep-cdt-trace` reads whole traces,
-//! checks them and replays them.
+//! every search structure (whose own steps [`crate::Counters`] counts), not for other heuristics. Written, an event is a
+//! line to be read beside the paper; the package `sweep-cdt-trace` reads, checks and replays whole traces.
 //!
 //! ```text
 //! sorted 4                                            the sweep order, one vertex a line
@@ -133,7 +132,7 @@ pub enum Event {
     Edge {
         /// The index of the input edge.
         edge: u32,
-        /// The upper end of the edge, or the vertex on it where a pending edge begins.
+        /// The upper end of the edge, or the vertex on it where its rest begins.
         upper: Vertex,
         /// The lower end of the edge.
         lower: Vertex,

@@ -8,6 +8,7 @@ use crate::session::Session;
 use crate::settings::{Algorithm, Heuristics, Settings};
 use crate::sweep::{self, Scratch};
 use crate::triangulation::Triangulation;
+use crate::tuning::Tuning;
 #[cfg(feature = "parallel")]
 use crate::watch::Bands;
 use crate::watch::Watch;
@@ -44,6 +45,14 @@ impl Triangulator {
     #[must_use]
     pub fn heuristics(mut self, heuristics: Heuristics) -> Self {
         self.settings.heuristics = heuristics;
+        self
+    }
+
+    /// Uses these thresholds. For tests.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn tuning(mut self, tuning: &'static Tuning) -> Self {
+        self.settings.tuning = tuning;
         self
     }
 

@@ -9,10 +9,8 @@ use crate::observe::stats::Stats;
 #[cfg(feature = "parallel")]
 use crate::threads::has_threads;
 use crate::trace::Event;
-
-/// By default a band has at least so many points.
 #[cfg(feature = "parallel")]
-const LEAST: usize = 50_000;
+use crate::tuning::LEAST_IN_BAND;
 
 /// What one call is given beside its input, for [`Triangulator::run`](crate::Triangulator::run): the search structure of
 /// the front, and who is told of what. Nothing of it changes the result.
@@ -168,7 +166,7 @@ impl<'a> Bands<'a> {
         }
         let count = self
             .count
-            .unwrap_or_else(|| rayon::current_num_threads().min(points / LEAST));
+            .unwrap_or_else(|| rayon::current_num_threads().min(points / LEAST_IN_BAND));
         let count = count.min(points / 2);
         match self.fronts.len() {
             0 => count,

@@ -3,7 +3,7 @@
 //! Gappa (Debian package `gappa`) bounds the rounding of floating-point expressions. Melquiond and Pion,
 //! "Formally certified floating-point filters for homogeneous geometric predicates" (2007), checked
 //! filters of this kind with it. Each script in `tests/proofs.gappa` proves one part of the reasoning in
-//! `src/scalar/filter.rs`; what remains by hand is said there.
+//! `docs/proofs/filter.md`; what remains by hand is said there.
 //!
 //! Proof and code cannot drift apart: the constants in the scripts are those of the source text, and
 //! each line of a script that starts with `# code:` must stand in the source. Each constant made half as

@@ -1,7 +1,6 @@
 """Measures which regions of `src/` the corpora reach.
 
-The program of `fuzz/properties` is built with the instrumentation of rustc, and with the small limits of a fuzz target
-(`--cfg fuzzing`), with which small inputs take the paths of large ones. It runs every property on its corpus.
+The program of `fuzz/properties` is built with the instrumentation of rustc. It runs every property on its corpus.
 """
 
 import concurrent.futures
@@ -24,7 +23,7 @@ PROGRAM = FOLDER / "release/sweep-cdt-properties"
 
 def build():
     """Builds the program, with the messages of cargo."""
-    environment = {**os.environ, "RUSTFLAGS": "-C instrument-coverage --cfg fuzzing", "CARGO_TARGET_DIR": str(FOLDER),
+    environment = {**os.environ, "RUSTFLAGS": "-C instrument-coverage", "CARGO_TARGET_DIR": str(FOLDER),
                    "LLVM_PROFILE_FILE": os.devnull}
     processes.must(["cargo", "build", "--release", "-p", "sweep-cdt-properties"], shown=True, env=environment)
 

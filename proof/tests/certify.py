@@ -97,17 +97,15 @@ def values(points, edges, triangles):
     return [found.get(n, 0) for n in range(len(triangles))]
 
 
-def edges_of(data, points):
-    """The points of each edge, from its first end. (`chains` may run the other way.)"""
-    pairs = zip(data["edges"], data["chains"])
-    chains = [c if points[c[0]] == points[a] else c[::-1] for (a, _), c in pairs]
-    return [c if len(c) > 1 else c * 2 for c in chains]
+def edges_of(data):
+    """The points of each edge, from its first end."""
+    return [c if len(c) > 1 else c * 2 for c in data["chains"]]
 
 
 def certificate(data, domain="hull", rings=(), polygons=()):
     """The text. With domain polygons: `rings` has the ring of each edge or None, `polygons` outlines and holes."""
     points, exponent = integers([[float(c) for c in p[:2]] for p in data["points"]])
-    edges = edges_of(data, points)
+    edges = edges_of(data)
     marked = {frozenset((points[a], points[b])) for c in edges for a, b in zip(c, c[1:])}
     triangles, chain = order(points, data["triangles"])
     out = ["sweep-cdt-certificate 2", f"exponent {exponent}", f"domain {domain}"]

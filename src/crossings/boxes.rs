@@ -151,34 +151,3 @@ fn meeting<E>(
     }
     Ok(())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::effort::Effort;
-    use super::{Bounds, pairs};
-
-    #[test]
-    fn every_pair_that_meets_is_found_once() {
-        for count in (0..40).chain([100, 257]) {
-            // Zeros of both signs among few numbers.
-            let coordinate = |i: usize, by: usize| {
-                f64::from(u8::try_from(i * by % 61).expect("61"))
-                    * if i.is_multiple_of(2) { -1.0 } else { 1.0 }
-            };
-            let end = |i| [coordinate(i, 17), coordinate(i, 23)];
-            let box_of = |e: usize| Bounds::around([end(2 * e), end(2 * e + 1)]);
-            let boxes: Vec<Bounds> = (0..count).map(box_of).collect();
-            let all = (0..count).flat_map(|f| (0..f).map(move |e| [e, f]));
-            let expected: Vec<_> = all.filter(|&[e, f]| boxes[e].meets(&boxes[f])).collect();
-            let mut found = Vec::new();
-            let mut effort = Effort::default();
-            let reported = pairs(&boxes, &mut effort, |[e, f]| {
-                found.push([e.min(f), e.max(f)]);
-                Ok::<(), ()>(())
-            });
-            assert_eq!(reported, Ok(()));
-            found.sort_unstable_by_key(|&[e, f]| [f, e]);
-            assert_eq!(found, expected, "{count} edges");
-        }
-    }
-}

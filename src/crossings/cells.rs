@@ -8,8 +8,8 @@
 //! keeps clear of are left out ([`super::nearby`]), and four exact signs exclude most of the rest: if all corners of a
 //! box around the cell lie on one side of the piece, it does not pass.
 //!
-//! Cost: that of finding what comes near ([`super::nearby`]); four signs for each cell near a piece, a quarter of a
-//! microsecond for each that it passes or nearly does, and some ten microseconds where enclosures do not tell.
+//! Cost: that of finding what comes near ([`super::nearby`]); four signs for each cell near a piece, an enclosure for each
+//! that it passes or nearly does, and fractions where the enclosure does not tell.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -20,9 +20,9 @@ use num_traits::{One, Zero};
 use super::bounds::{self, Bounds};
 use super::effort::Effort;
 use super::enclosure::Enclosure;
-use super::exact::Exact;
+use super::exact::{Exact, enclosure};
 use super::nearby;
-use crate::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, orient2d};
 
 /// Pairs of a piece, by its position, and a vertex, none of its ends, that it passes.
 pub(super) fn passed<S: Exact>(
@@ -63,9 +63,7 @@ fn corners<S: Exact>(point: &[S; 2]) -> [[S; 2]; 4] {
 
 /// Whether the corners do not all lie on one side of a piece.
 fn may_pass<S: Scalar>([a, b]: [&[S; 2]; 2], corners: &[[S; 2]; 4]) -> bool {
-    let turns = corners
-        .each_ref()
-        .map(|corner| filtered_orient2d(a, b, corner));
+    let turns = corners.each_ref().map(|corner| orient2d(a, b, corner));
     [Ordering::Greater, Ordering::Less]
         .iter()
         .all(|side| turns.iter().any(|turn| turn != side))
@@ -80,7 +78,7 @@ fn passes<S: Exact>([a, b]: [&[S; 2]; 2], point: &[S; 2], corners: &[[S; 2]; 4])
             let [one, other] = [a, b].map(|end| end[i].compare(&point[i]));
             one != other || one.is_eq()
         };
-        return filtered_orient2d(a, b, point).is_eq() && (0..2).all(is_within);
+        return orient2d(a, b, point).is_eq() && (0..2).all(is_within);
     }
     if !may_pass([a, b], corners) {
         return false;
@@ -100,11 +98,11 @@ fn passes_enclosed<S: Exact>([a, b]: [&[S; 2]; 2], point: &[S; 2]) -> Option<boo
             }
             continue;
         }
-        let (from, middle) = (a[i].enclosure()?, point[i].enclosure()?);
-        let along = b[i].enclosure()?.minus(from);
+        let (from, middle) = (enclosure(&a[i])?, enclosure(&point[i])?);
+        let along = enclosure(&b[i])?.minus(from);
         let mut part = parts[i];
         for (end, other) in part.iter_mut().zip(point[i].around()) {
-            let border = other.enclosure()?.plus(middle).times(half);
+            let border = enclosure(&other)?.plus(middle).times(half);
             *end = border.minus(from).over(along)?;
         }
         if a[i].compare(&b[i]).is_gt() {

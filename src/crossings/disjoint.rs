@@ -24,7 +24,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use crate::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, orient2d};
 
 /// An edge on the line.
 #[derive(Debug)]
@@ -98,7 +98,7 @@ fn order<S: Scalar>(a: &[S; 2], b: &[S; 2]) -> Ordering {
 impl<S: Scalar> OnLine<'_, S> {
     /// Whether a point lies above the edge, on the line through it, or below.
     fn turn(&self, point: &[S; 2]) -> Ordering {
-        filtered_orient2d(self.left, self.right, point)
+        orient2d(self.left, self.right, point)
     }
 
     /// Where another edge on the line is, at the later one of the two left ends: above this edge, on it, or below.

@@ -1,7 +1,7 @@
 //! A number known up to an error, in doubles: what it decides needs no fractions.
 //!
-//! The number differs from a *double-double*, the sum of two doubles of which the second is at most half a unit of the
-//! first, by at most a bound on the error (ball arithmetic). Sums, products and quotients are those of Dekker (1971) and
+//! A *double-double* is the sum of two doubles; the second is at most half a unit of the first. The number differs from
+//! it by at most a bound on the error (ball arithmetic). Sums, products and quotients are those of Dekker (1971) and
 //! of Joldes, Muller and Popescu (2017).
 //!
 //! Why it is right: write u for 2^-53. For operands without an error, and as long as nothing under- or overflows, Joldes
@@ -16,7 +16,7 @@
 //! divisor is a number that has lost digits, and only a product with such a quotient can be so small that digits are
 //! lost: less than [`UNDERFLOW`] in all.
 //!
-//! Cost: some 5 to 20 ns for each operation.
+//! Cost: some ten to forty operations on doubles for each one.
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -32,7 +32,7 @@ const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
 /// A number that differs from `high + low` by at most `error`.
 #[derive(Clone, Copy, Debug)]
-pub struct Enclosure {
+pub(super) struct Enclosure {
     high: f64,
     low: f64,
     error: f64,
@@ -40,7 +40,7 @@ pub struct Enclosure {
 
 impl Enclosure {
     /// Exactly this number, if it is zero or of a size of 2^-200 to 2^200.
-    pub fn new(number: f64) -> Option<Enclosure> {
+    pub(super) fn new(number: f64) -> Option<Enclosure> {
         /// 2^200.
         const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
         let is_moderate = number == 0.0 || (LARGEST.recip()..=LARGEST).contains(&number.abs());
@@ -56,7 +56,7 @@ impl Enclosure {
 
     /// The double to which every number enclosed is rounded, if it is one.
     #[expect(clippy::float_cmp, reason = "asks for one and the same double")]
-    pub fn nearest(&self) -> Option<f64> {
+    pub(super) fn nearest(&self) -> Option<f64> {
         // One more bound pays for the rounding of the two sums.
         let error = 2.0 * self.error + self.low.abs() * f64::EPSILON;
         let [least, most] = [self.low - error, self.low + error].map(|low| self.high + low);

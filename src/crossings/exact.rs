@@ -5,17 +5,18 @@
 //! rounded to the nearest double, and of two that are equally near to the one whose last bit is zero (`num-rational`),
 //! subnormal ones included. So rounding is monotone, and a fraction that is a double stays as it is. Of doubles the
 //! place and the distance are enclosed first ([`super::enclosure`]); fractions are made where that decides nothing.
-//! Cost: some 0.2 microseconds for a place or a distance that is enclosed, some twenty in fractions; more where
-//! exponents differ much.
+//! Cost: some hundred operations on doubles for a place or a distance that is enclosed, a hundred times as long in
+//! fractions; more where exponents differ much.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::enclosure::Enclosure;
-use crate::scalar::{Scalar, filtered_orient2d, integers};
+use crate::scalar::{Scalar, integers, orient2d};
 
-/// A coordinate whose value is a fraction.
+/// A coordinate to which the point where edges cross can be rounded: `f64`, or `BigRational`, which has the point itself.
+/// Convert others to one of the two; an integer, say, has no value for a half.
 ///
 /// ```
 /// use num_rational::BigRational;
@@ -26,6 +27,10 @@ use crate::scalar::{Scalar, filtered_orient2d, integers};
 /// assert_ne!(f64::nearest(&third).to_fraction(), third);
 /// assert_eq!(1.0.around(), [1.0 - f64::EPSILON / 2.0, 1.0 + f64::EPSILON]);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot hold the points where edges cross",
+    note = "convert the coordinates to `f64`, or exactly to `num_rational::BigRational`"
+)]
 pub trait Exact: Scalar + Clone {
     /// The value of a finite coordinate.
     fn to_fraction(&self) -> BigRational;
@@ -37,14 +42,9 @@ pub trait Exact: Scalar + Clone {
     /// The nearest values below and above; the value itself where there is none, or if every fraction is a value.
     fn around(&self) -> [Self; 2];
 
-    /// The value in doubles; `None` where fractions are to be asked for it, as for every value of a type that does not
-    /// say otherwise.
-    fn enclosure(&self) -> Option<Enclosure> {
-        None
-    }
-
-    /// What [`nearest`](Exact::nearest) returns for every number enclosed, if it is one value and the type can tell.
-    fn nearest_of(_: &Enclosure) -> Option<Self> {
+    /// What [`nearest`](Exact::nearest) returns for every number of which this is the nearest double, if that is one
+    /// value and the type can tell. It saves time.
+    fn nearest_of_double(_: f64) -> Option<Self> {
         None
     }
 }
@@ -62,12 +62,8 @@ impl Exact for f64 {
         [self.next_down(), self.next_up()].map(|x| x.clamp(f64::MIN, f64::MAX))
     }
 
-    fn enclosure(&self) -> Option<Enclosure> {
-        Enclosure::new(*self)
-    }
-
-    fn nearest_of(number: &Enclosure) -> Option<f64> {
-        number.nearest()
+    fn nearest_of_double(double: f64) -> Option<f64> {
+        Some(double)
     }
 }
 
@@ -106,11 +102,16 @@ pub(super) fn meeting<S: Exact>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> [BigRati
     })
 }
 
+/// The value of a coordinate in doubles; `None` where only a fraction tells it.
+pub(super) fn enclosure<S: Scalar>(number: &S) -> Option<Enclosure> {
+    Enclosure::new(number.approx()).filter(|_| S::APPROX_IS_EXACT)
+}
+
 /// A point or a vector, enclosed.
 pub(super) type Vector = [Enclosure; 2];
 
 fn enclosed<S: Exact>(point: &[S; 2]) -> Option<Vector> {
-    Some([point[0].enclosure()?, point[1].enclosure()?])
+    Some([enclosure(&point[0])?, enclosure(&point[1])?])
 }
 
 fn from_to(a: Vector, b: Vector) -> Vector {
@@ -155,7 +156,7 @@ pub(super) fn distance_at_most<S: Exact>(
     [a, b]: [&[S; 2]; 2],
     units: &[Enclosure; 2],
 ) -> Option<f64> {
-    if filtered_orient2d(a, b, point).is_eq() {
+    if orient2d(a, b, point).is_eq() {
         return Some(0.0);
     }
     let from = enclosed(a)?;

@@ -6,7 +6,8 @@
 //! edges meet at all ([`super::disjoint`]). If they do, they are separated ([`separate`]): most lines of a hatch cross
 //! nothing, and go into one triangulation. It tells what the rest crosses among them. Crossings within the rest are
 //! looked for again. The crossings that the boxes had found in vain are a debt: the boxes are not tried again before
-//! triangulations have found as many.
+//! triangulations have found as many. A vertex at which two edges were seen to meet is a vertex of later triangulations:
+//! all edges that pass it are separated at once.
 //!
 //! Why it is right: a pair that crosses is in one of two sets. Either a triangulation meets it, or both of its edges are
 //! of the rest. Four exact signs decide each pair: the ends of each edge lie on different sides of the other one. Then
@@ -29,7 +30,7 @@ use super::effort::Effort;
 use super::error::SplitError;
 use super::exact::Exact;
 use super::vertices::Vertices;
-use crate::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, orient2d};
 use crate::sweep::{Separated, separate};
 
 /// A crossing, with the values nearest to its point.
@@ -47,6 +48,7 @@ pub(super) fn find<S: Exact>(
         vertices,
         edges,
         found: Vec::new(),
+        passed: Vec::new(),
         effort,
     };
     let mut open: Vec<usize> = (0..edges.len()).collect();
@@ -81,6 +83,8 @@ struct Find<'a, S> {
     vertices: &'a Vertices<S>,
     edges: &'a [[usize; 2]],
     found: Vec<Found<S>>,
+    /// Vertices inside two edges or more, as far as they were met.
+    passed: Vec<usize>,
     effort: &'a mut Effort,
 }
 
@@ -134,22 +138,19 @@ impl<S: Exact> Find<'_, S> {
         are_disjoint(open.iter().map(|&edge| self.ends(edge)))
     }
 
-    /// Adds the crossings of the edges with these positions among each other, but for some of the edges returned.
+    /// Adds the crossings of the edges with these positions among each other. Crossings between two of the edges returned
+    /// are still to be found.
     fn by_triangulation(&mut self, open: &[usize]) -> Result<Vec<usize>, SplitError> {
-        self.effort.separated += open.len() as u64;
         let limit = self.effort.limit;
-        let mut ends: Vec<usize> = open.iter().flat_map(|&edge| self.edges[edge]).collect();
-        ends.sort_unstable();
-        ends.dedup();
-        let points: Vec<[S; 2]> = ends.iter().map(|&v| self.points[v].clone()).collect();
-        let place = |v: usize| ends.partition_point(|&end| end < v);
-        let edges: Vec<[usize; 2]> = open
-            .iter()
-            .map(|&edge| self.edges[edge].map(place))
-            .collect();
-        let Some(Separated { rest, pairs }) = separate(&points, &edges, 2 * limit)? else {
-            return Err(SplitError::TooManyCrossings { limit });
+        let separated = match self.separated(open)? {
+            None => {
+                // So many pairs may meet at vertices, which a triangulation of all points knows.
+                self.passed = (0..self.points.len()).collect();
+                self.separated(open)?
+            }
+            separated => separated,
         };
+        let Separated { rest, pairs } = separated.ok_or(SplitError::TooManyCrossings { limit })?;
         // The crossings of two edges of the rest are looked for again.
         let mut is_rest = alloc::vec![false; open.len()];
         for &edge in &rest {
@@ -163,20 +164,43 @@ impl<S: Exact> Find<'_, S> {
         Ok(rest.into_iter().map(|edge| open[edge as usize]).collect())
     }
 
+    /// Separates the edges with these positions; `None` if that takes too many pairs.
+    fn separated(&mut self, open: &[usize]) -> Result<Option<Separated>, SplitError> {
+        self.effort.separated += open.len() as u64;
+        self.passed.sort_unstable();
+        self.passed.dedup();
+        let mut inputs: Vec<usize> = open.iter().flat_map(|&edge| self.edges[edge]).collect();
+        inputs.extend(&self.passed);
+        inputs.sort_unstable();
+        inputs.dedup();
+        let points: Vec<[S; 2]> = inputs.iter().map(|&v| self.points[v].clone()).collect();
+        let place = |v: usize| inputs.partition_point(|&input| input < v);
+        let edges: Vec<[usize; 2]> = open
+            .iter()
+            .map(|&edge| self.edges[edge].map(place))
+            .collect();
+        Ok(separate(&points, &edges, 2 * self.effort.limit)?)
+    }
+
     /// Adds a pair if it crosses; returns whether it does. A pair comes once.
     fn add(&mut self, pair: [usize; 2]) -> Result<bool, SplitError> {
         let ends = pair.map(|edge| self.ends(edge));
         if !cross(ends) {
             return Ok(false);
         }
-        let crossing = Crossing::new(pair, ends);
-        let nearest = crossing.nearest();
         // Lines that cross have one point in common.
-        let is_on_both = |v: usize| {
-            let on = |[a, b]: [&[S; 2]; 2]| filtered_orient2d(a, b, &self.points[v]).is_eq();
+        let is_on_both = |&v: &usize| {
+            let on = |[a, b]: [&[S; 2]; 2]| orient2d(a, b, &self.points[v]).is_eq();
             ends.into_iter().all(on)
         };
-        if self.vertices.at(&nearest).is_some_and(is_on_both) {
+        // Where many edges pass one vertex, the point is not computed for each pair.
+        if self.passed.last().is_some_and(is_on_both) {
+            return Ok(false);
+        }
+        let crossing = Crossing::new(pair, ends);
+        let nearest = crossing.point_rounded();
+        if let Some(v) = self.vertices.at(&nearest).filter(is_on_both) {
+            self.passed.push(v);
             return Ok(false);
         }
         let limit = self.effort.limit;
@@ -192,113 +216,6 @@ impl<S: Exact> Find<'_, S> {
 fn cross<S: Scalar>([[a, b], [c, d]]: [[&[S; 2]; 2]; 2]) -> bool {
     let are_apart =
         |one: Ordering, other: Ordering| one != Ordering::Equal && one == other.reverse();
-    let turn = filtered_orient2d;
+    let turn = orient2d;
     are_apart(turn(a, b, c), turn(a, b, d)) && are_apart(turn(c, d, a), turn(c, d, b))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::crossings_with;
-    use super::{Effort, cross};
-    use crate::crossings::SplitError;
-
-    type Graph = (Vec<[f64; 2]>, Vec<[usize; 2]>);
-
-    /// Numbers from a small generator, the same at each call.
-    fn numbers() -> impl FnMut(usize) -> usize {
-        let mut state = 12345_u32;
-        move |n| {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 8) as usize % n
-        }
-    }
-
-    /// A hatch, whose boxes all meet, with some edges across it.
-    fn hatch(lines: usize, others: usize, below: &mut impl FnMut(usize) -> usize) -> Graph {
-        let (mut points, mut edges) = (Vec::new(), Vec::new());
-        for i in 0..lines {
-            let x = i as f64;
-            points.extend([[x, 0.0], [x + lines as f64, lines as f64]]);
-            edges.push([2 * i, 2 * i + 1]);
-        }
-        for _ in 0..others {
-            edges.push([below(points.len()), below(points.len())]);
-        }
-        (points, edges)
-    }
-
-    /// Points on few places, with edges between them: they overlap, pass through vertices and cross there.
-    fn on_few_places(below: &mut impl FnMut(usize) -> usize) -> Graph {
-        let points = 4 + below(30);
-        let places = 2 + below(9);
-        let list = (0..points)
-            .map(|_| [below(places) as f64, below(places) as f64])
-            .collect();
-        let edges = (0..2 + below(14)).map(|_| [below(points), below(points)]);
-        (list, edges.collect())
-    }
-
-    /// Every pair, tried in whole numbers; a crossing at a vertex does not count.
-    fn expected((points, edges): &Graph) -> Vec<[usize; 2]> {
-        let at = |edge: usize| edges[edge].map(|v| &points[v]);
-        let at_vertex = |e: usize, f: usize| {
-            let turn = |edge: usize, [x, y]: [f64; 2]| {
-                let [[ax, ay], [bx, by]] = at(edge).map(|p| *p);
-                (bx - ax) * (y - ay) - (by - ay) * (x - ax)
-            };
-            points
-                .iter()
-                .any(|&point| turn(e, point) == 0.0 && turn(f, point) == 0.0)
-        };
-        let mut pairs = Vec::new();
-        for f in 0..edges.len() {
-            for e in 0..f {
-                if cross([at(e), at(f)]) && !at_vertex(e, f) {
-                    pairs.push([e, f]);
-                }
-            }
-        }
-        pairs.sort_unstable();
-        pairs
-    }
-
-    /// So few crossings may be listed here.
-    const LIMIT: usize = 100;
-
-    #[test]
-    fn every_pair_is_found_once() {
-        let below = &mut numbers();
-        let (mut some, mut too_many) = (0, 0);
-        for round in 0..3000 {
-            let graph = if round % 3 == 0 {
-                let (lines, others) = (2 + below(90), below(12));
-                hatch(lines, others, below)
-            } else {
-                on_few_places(below)
-            };
-            let expected = expected(&graph);
-            // Small inputs are searched as if they were large.
-            let effort = &mut Effort {
-                patience: round % 2,
-                limit: LIMIT,
-                ..Effort::default()
-            };
-            match crossings_with(&graph.0, &graph.1, effort) {
-                Ok(found) => {
-                    let found: Vec<_> = found.iter().map(|crossing| crossing.edges).collect();
-                    assert_eq!(found, expected, "{graph:?}");
-                    some += usize::from(!found.is_empty());
-                }
-                Err(error) => {
-                    assert_eq!(error, SplitError::TooManyCrossings { limit: LIMIT });
-                    assert!(expected.len() > LIMIT, "{graph:?}");
-                    too_many += 1;
-                }
-            }
-        }
-        assert!(
-            some > 1000 && too_many > 10,
-            "{some} with crossings, {too_many} with too many"
-        );
-    }
 }

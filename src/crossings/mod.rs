@@ -5,11 +5,10 @@
 //! its exact point, and [`split`] makes vertices of these points. Edges that touch or cross at a vertex, pass through
 //! vertices, overlap or have no length are no errors, and are not listed.
 //!
-//! Cost: O((n + k) log n) for n edges, k pairs of which have upright boxes that meet, if these are at most 16 for each
-//! edge and crossing. If there are more, as in a hatch, a sweep line tells whether edges meet at all. If so, they go
-//! into a triangulation, but for a *rest* that would cross others there. The rest is searched again. Each crossing takes
-//! half a microsecond more, and 80 bytes if it is one of doubles. Its point in fractions takes some 20 microseconds, and
-//! is computed when it is asked for.
+//! Cost: O((n + k) log n) for n edges, k pairs of which have upright boxes that meet, if these are at most eight for each
+//! edge and crossing. If there are more, as in a hatch, a sweep line tells whether edges meet at all. If they do,
+//! they go into a triangulation, but for a *rest*: edges that would cross others there. The search begins anew with the
+//! rest. The point of a crossing is computed in fractions when it is asked for.
 
 // The pairs are found in `find`, edges split in `split`; the other files are for both, but `boxes` and `disjoint` for
 // `find`, and `cells` and `nearby` for `split` alone.
@@ -30,7 +29,6 @@ mod vertices;
 use alloc::vec::Vec;
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 use exact::{enclosed_meeting, meeting};
 use find::find;
@@ -38,12 +36,11 @@ use vertices::Vertices;
 
 #[doc(hidden)]
 pub use effort::Effort;
-pub use enclosure::Enclosure;
 pub use error::SplitError;
 pub use exact::Exact;
 #[doc(hidden)]
 pub use split::split_with;
-pub use split::{Split, joined, split};
+pub use split::{Split, split};
 
 /// Two edges that cross, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,28 +67,25 @@ impl<S: Exact> Crossing<S> {
         meeting(self.borrowed())
     }
 
-    /// The values of the scalar that are nearest to the coordinates of the point.
-    pub fn nearest(&self) -> [S; 2] {
-        self.rounded(S::nearest_of, S::nearest)
-    }
-
-    /// The doubles nearest to the coordinates of the point; infinite where these are too large.
-    pub fn near(&self) -> [f64; 2] {
-        let near = |x: &BigRational| x.to_f64().expect("a fraction has a double near it");
-        self.rounded(Enclosure::nearest, near)
-    }
-
-    /// The point rounded: where it can be, as it is enclosed, else in fractions.
-    fn rounded<T>(
-        &self,
-        enclosed: impl Fn(&Enclosure) -> Option<T>,
-        exact: impl Fn(&BigRational) -> T,
-    ) -> [T; 2] {
+    /// The point in the scalar: the values nearest to its coordinates.
+    pub fn point_rounded(&self) -> [S; 2] {
         let quickly = || {
-            let [x, y] = enclosed_meeting(self.borrowed())?;
-            Some([enclosed(&x)?, enclosed(&y)?])
+            let [x, y] = self.point_enclosed()?;
+            Some([S::nearest_of_double(x)?, S::nearest_of_double(y)?])
         };
-        quickly().unwrap_or_else(|| self.point().each_ref().map(exact))
+        quickly().unwrap_or_else(|| self.point().each_ref().map(S::nearest))
+    }
+
+    /// The point in doubles: those nearest to its coordinates; infinite where these are too large.
+    pub fn point_f64(&self) -> [f64; 2] {
+        let exactly = || self.point().each_ref().map(f64::nearest);
+        self.point_enclosed().unwrap_or_else(exactly)
+    }
+
+    /// [`point_f64`](Crossing::point_f64) without fractions, if enclosures tell.
+    fn point_enclosed(&self) -> Option<[f64; 2]> {
+        let [x, y] = enclosed_meeting(self.borrowed())?;
+        Some([x.nearest()?, y.nearest()?])
     }
 
     fn borrowed(&self) -> [[&[S; 2]; 2]; 2] {
@@ -113,7 +107,7 @@ impl<S: Exact> Crossing<S> {
 /// assert_eq!(found.len(), 1);
 /// assert_eq!(found[0].edges, [0, 2]);
 /// assert_eq!(found[0].point().map(|x| x.to_string()), ["3/2", "1/2"]);
-/// assert_eq!(found[0].nearest(), [1.5, 0.5]);
+/// assert_eq!(found[0].point_rounded(), [1.5, 0.5]);
 /// # Ok::<(), sweep_cdt::crossings::SplitError>(())
 /// ```
 pub fn crossings<S: Exact>(
@@ -134,31 +128,4 @@ pub fn crossings_with<S: Exact>(
     vertices.check(edges)?;
     let found = find(points, &vertices, edges, effort)?;
     Ok(found.into_iter().map(|(crossing, _)| crossing).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Effort, SplitError, crossings_with};
-
-    #[test]
-    fn more_crossings_than_can_be_held_are_an_error() {
-        // A grid of `rows` rows and ten columns.
-        let grid = |rows: u32| {
-            let row = |i| [[-1.0, f64::from(i)], [10.0, f64::from(i)]];
-            let column = |i| [[f64::from(i), -1.0], [f64::from(i), f64::from(rows)]];
-            let ends: Vec<_> = (0..rows)
-                .map(row)
-                .chain((0..10).map(column))
-                .flatten()
-                .collect();
-            let edges: Vec<_> = (0..ends.len()).step_by(2).map(|v| [v, v + 1]).collect();
-            let effort = &mut Effort {
-                limit: 100,
-                ..Effort::default()
-            };
-            crossings_with(&ends, &edges, effort).map(|found| found.len())
-        };
-        assert_eq!(grid(10), Ok(100));
-        assert_eq!(grid(11), Err(SplitError::TooManyCrossings { limit: 100 }));
-    }
 }

@@ -23,13 +23,7 @@ use alloc::vec::Vec;
 
 use super::bounds::{Bounds, Extent, Near, along};
 use super::effort::Effort;
-
-/// So few cells are not halved.
-const FEW: usize = 4;
-/// How many cells and pieces are looked at to choose a direction.
-const SAMPLE: usize = 32;
-/// How many pieces are tried as directions.
-const TRIED: usize = 4;
+use crate::tuning::{CELLS_NOT_HALVED, DIRECTIONS_TRIED, SAMPLE_OF_CELLS};
 
 /// A range of the cells, with the pieces that come near it.
 #[derive(Debug)]
@@ -59,7 +53,7 @@ pub(super) fn near(
     }) = waiting.pop()
     {
         let range = &mut order[from..to];
-        if range.len() <= FEW {
+        if range.len() <= CELLS_NOT_HALVED {
             for &piece in &here {
                 effort.visit(range.len());
                 let near = range
@@ -120,7 +114,7 @@ fn part([from, to]: [usize; 2], pieces: Vec<usize>) -> Option<Part> {
 /// longer one comes first, which decides among equals.
 fn direction(pieces: &[[Near; 2]], here: &[usize], cells: &[Bounds], range: &[usize]) -> Near {
     let sampled = |list: &[usize]| -> Vec<usize> {
-        let step = list.len().div_ceil(SAMPLE);
+        let step = list.len().div_ceil(SAMPLE_OF_CELLS);
         list.iter().step_by(step).copied().collect()
     };
     let middles: Vec<Near> = sampled(range)
@@ -145,7 +139,7 @@ fn direction(pieces: &[[Near; 2]], here: &[usize], cells: &[Bounds], range: &[us
         axes.swap(0, 1);
     }
     let across = sample
-        .chunks(sample.len().div_ceil(TRIED))
+        .chunks(sample.len().div_ceil(DIRECTIONS_TRIED))
         .filter_map(|some| {
             let length = |piece: &&[Near; 2]| {
                 let [dx, dy] = way(piece);

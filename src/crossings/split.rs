@@ -1,9 +1,9 @@
 //! Edges split where they cross, so that the crossing points become vertices.
 //!
 //! In rounds: all crossings of the pieces are found; each crossing point is rounded to the nearest number of the scalar
-//! (a fraction is its own) and is a vertex from now on; and each piece goes through all vertices of edges that it
-//! passes ([`cells`](super::cells)), the new ones among them. A piece that is bent so may cross others, which the next
-//! round finds. When none cross, the pieces are an input that has a triangulation.
+//! (a fraction is its own) and is a vertex from now on. Each piece goes through all vertices of edges that it passes
+//! ([`cells`](super::cells)), the new ones among them, and through points that lie on it exactly. A piece that is bent so
+//! may cross others, which the next round finds. When none cross, the pieces have a triangulation.
 //!
 //! ```text
 //!      a     d                 a     d
@@ -14,22 +14,17 @@
 //!      c     b                  c   b
 //! ```
 //!
-//! *Why it ends.* Rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a chain never
+//! Why it ends: rounding is monotone and keeps the ends, so what a piece passes lies in its box. Hence a chain never
 //! turns back along x or y, and stays in the box of its edge. Two pieces that cross have no end in common, so each
 //! round gives some chain a new vertex, and there are only so many numbers in a box. Evenly spaced numbers need one
 //! round: this is snap rounding (Hobby 1999; Guibas and Marimont 1998), after which nothing crosses. Doubles are closer
-//! to each other near zero, which may take more rounds. More than [`ROUNDS`] are an error.
+//! to each other near zero, which may take more rounds. More than [`ROUNDS_OF_SPLITTING`] are an error.
 //!
-//! *How far an edge moves.* A round moves each point of a chain by at most half a unit in each coordinate: a crossing
-//! point by its rounding, and the points between two vertices by a mean of what these move by. All vertices lie in the
-//! box of the edge, so a *unit* of an edge, along x or y, is the distance of the numbers around the larger one (in
-//! size) of its ends' coordinates. A vertex is `d` units away from its edge if `d` is the least number such that some
-//! point of the edge differs from the vertex by at most `d` units in each coordinate. The greatest of these distances
-//! is the [`displacement`](Split::displacement), at most half the number of rounds.
-//!
-//! Cost: in each round, that of finding the crossings and the vertices that pieces pass. Differs from snap rounding:
+//! A round moves each point of a chain by at most half a unit in x and y, so [`displacement()`] is at most half the number
+//! of rounds. Cost: in each round, to find the crossings and the vertices that pieces pass. Differs from snap rounding:
 //! input points stay where they are, and edges that cross nothing are bent only if others cross.
 
+use alloc::collections::BTreeSet;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -45,10 +40,9 @@ use super::error::SplitError;
 use super::exact::{Exact, distance, distance_at_most, spacing};
 use super::find::find;
 use super::vertices::Vertices;
+use crate::scalar::orient2d;
 use crate::triangulation::Triangulation;
-
-/// After so many rounds edges must not cross any more.
-const ROUNDS: usize = 100;
+use crate::tuning::ROUNDS_OF_SPLITTING;
 
 /// An input whose edges are split where they cross: triangulate [`points`](Split::points) with [`edges`](Split::edges).
 #[derive(Clone, Debug)]
@@ -79,33 +73,21 @@ impl<S> Split<S> {
     /// where it crosses others and those that it passes through. A single vertex, if the ends are equal.
     ///
     /// # Panics
-    /// If there is no edge `e`, or if `result` is that of other edges.
+    /// If `result` has fewer edges than there are pieces.
     pub fn chain(&self, e: usize, result: &Triangulation) -> Vec<usize> {
-        joined(self.pieces(e), &self.edges, result)
+        let pieces = self.pieces(e);
+        let mut chain: Vec<usize> = pieces.flat_map(|piece| result.edge_chain(piece)).collect();
+        // Each piece begins where the last one ends.
+        chain.dedup();
+        chain
     }
-}
-
-/// The vertices along `pieces`, a range of the triangulated `edges`, each of which begins where the last ends.
-///
-/// # Panics
-/// If the range is empty, or `edges` are not those of the result.
-pub fn joined(pieces: Range<usize>, edges: &[[usize; 2]], result: &Triangulation) -> Vec<usize> {
-    let mut chain = vec![edges[pieces.start][0]];
-    for piece in pieces {
-        let mut part: Vec<usize> = result.edge_chain(piece).collect();
-        if part.last() == chain.last() {
-            part.reverse();
-        }
-        chain.extend(&part[1..]);
-    }
-    chain
 }
 
 /// Splits edges where they cross at points that are none of `points`; these become vertices.
 ///
 /// Fractions are split exactly. With doubles each crossing point is rounded to the nearest double, each edge goes
-/// through all vertices of edges to which a point of it is rounded, and edges that then cross are split again, until
-/// none do. So [`triangulate`](crate::triangulate) does not refuse the result with
+/// through all vertices of edges to which a point of it is rounded, and on through all points that it passed exactly.
+/// Edges that then cross are split again, until none do. So [`triangulate`](crate::triangulate) does not refuse the result with
 /// [`Error::CrossingEdges`](crate::Error::CrossingEdges).
 ///
 /// # Errors
@@ -148,7 +130,7 @@ pub fn split_with<S: Exact>(
     for ends in edges {
         chains.push(ends.map(|v| number(&mut vertices, &mut points, v)).to_vec());
     }
-    for rounds in 0..=ROUNDS {
+    for rounds in 0..=ROUNDS_OF_SPLITTING {
         let pieces = pieces(&chains);
         let found = find(&points, &vertices, &pieces, effort)?;
         if found.is_empty() {
@@ -161,6 +143,11 @@ pub fn split_with<S: Exact>(
         }
         on_edges.sort_unstable();
         on_edges.dedup();
+        if rounds == 0 {
+            let mut others = vertices.all();
+            others.retain(|v| on_edges.binary_search(v).is_err());
+            on_edges.extend(inside(&points, &pieces, &others, effort));
+        }
         // Each piece with a vertex that it passes.
         let mut cuts = passed(&points, &pieces, &on_edges, effort);
         cuts.sort_unstable_by(|&(piece, v), &(other, w)| {
@@ -171,7 +158,24 @@ pub fn split_with<S: Exact>(
             *chain = cut(chain, &pieces, &cuts);
         }
     }
-    Err(SplitError::TooManyRounds { limit: ROUNDS })
+    Err(SplitError::TooManyRounds {
+        limit: ROUNDS_OF_SPLITTING,
+    })
+}
+
+/// Which of these vertices lie inside pieces, exactly.
+fn inside<S: Exact>(
+    points: &[[S; 2]],
+    pieces: &[[usize; 2]],
+    vertices: &[usize],
+    effort: &mut Effort,
+) -> BTreeSet<usize> {
+    let passed = passed(points, pieces, vertices, effort).into_iter();
+    let inside = passed.filter(|&(piece, v)| {
+        let [a, b] = pieces[piece].map(|end| &points[end]);
+        orient2d(a, b, &points[v]).is_eq()
+    });
+    inside.map(|(_, v)| v).collect()
 }
 
 /// All pairs of neighbours in the chains, lower one first, sorted, each once.
@@ -221,8 +225,12 @@ fn cut(chain: &[usize], pieces: &[[usize; 2]], cuts: &[(usize, usize)]) -> Vec<u
     longer
 }
 
-/// The greatest distance of a vertex from the edge whose chain it is on, in units of that edge. Only those distances are
-/// computed in fractions that may be the greatest.
+/// The greatest distance of a vertex from the edge whose chain it is on, in units of that edge.
+///
+/// All vertices of a chain lie in the box of the edge, so a unit, along x or y, is the distance of the numbers around the
+/// larger one (in size) of the ends' coordinates. A vertex is `d` units away if `d` is the least number such that some
+/// point of the edge differs from the vertex by at most `d` units in each coordinate. Only a distance that may be the
+/// greatest is computed in fractions.
 fn displacement<S: Exact>(points: &[[S; 2]], chains: &[Vec<usize>]) -> f64 {
     let mut greatest = 0.0_f64;
     for chain in chains {

@@ -79,6 +79,11 @@ impl<S: Exact> Vertices<S> {
         Ok(())
     }
 
+    /// The first of each set of equal points.
+    pub(super) fn all(&self) -> Vec<usize> {
+        self.at.values().copied().collect()
+    }
+
     /// The first point that equals `place`.
     pub(super) fn at(&self, place: &[S; 2]) -> Option<usize> {
         self.at.get(&Place::new(place.clone())).copied()

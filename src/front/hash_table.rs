@@ -21,6 +21,9 @@ use super::list::{Front, FrontNode};
 use super::search::{FrontInput, FrontSearch};
 use super::work::{Tally, Work};
 use crate::bucket::sampled;
+use crate::tuning::{
+    INTERVALS_SEARCHED, NODES_IN_INTERVAL, ONE_INTERVAL, PARTS_OF_INTERVAL, SAMPLE_OF_X, Tuning,
+};
 
 /// Intervals of x that remember their last insertion: O(1) expected. The default.
 /// [`HashTable::counting`] makes a `HashTable<Work>`, which counts its work.
@@ -33,19 +36,9 @@ pub struct HashTable<T = ()> {
     /// Once the node inserted last has this rank or a later one, the nodes of the front are counted.
     look: usize,
     searched: (f64, usize),
+    tuning: &'static Tuning,
     tally: T,
 }
-
-/// Inputs with fewer vertices have one interval, for their front is short.
-const FEW: usize = 24;
-/// How many intervals are searched on either side before the node inserted last is taken.
-const REACH: usize = 16;
-/// How many nodes the front may have for each interval.
-const LOAD: usize = 8;
-/// Into how many an interval is cut when the front has more nodes.
-const PARTS: usize = 4;
-/// How many points the sample has for each interval, and how many at most.
-const SAMPLE: [usize; 2] = [2, 4096];
 
 impl Default for HashTable {
     fn default() -> HashTable {
@@ -57,6 +50,11 @@ impl HashTable {
     /// A hash table that counts its work.
     pub fn counting() -> HashTable<Work> {
         HashTable::with(Work::default())
+    }
+
+    /// Uses these thresholds from the next run on.
+    pub(crate) fn tune(&mut self, tuning: &'static Tuning) {
+        self.tuning = tuning;
     }
 }
 
@@ -75,6 +73,7 @@ impl<T: Tally> HashTable<T> {
             last: FrontNode::from_rank(0),
             look: 0,
             searched: (f64::NAN, 0),
+            tuning: &Tuning::REAL,
             tally,
         }
     }
@@ -86,12 +85,15 @@ impl<T: Tally> HashTable<T> {
         let rank = self.last.rank();
         self.look = rank + rank / 2;
         let length = successors(front.after(front.left_end()), |&node| front.after(node)).count();
-        while length > LOAD * self.table.len() {
-            if !self.intervals.divide(PARTS) {
+        while length > NODES_IN_INTERVAL * self.table.len() {
+            if !self.intervals.divide(PARTS_OF_INTERVAL) {
                 self.look = usize::MAX;
                 return;
             }
-            let parts = self.table.iter().flat_map(|&node| [node; PARTS]);
+            let parts = self
+                .table
+                .iter()
+                .flat_map(|&node| [node; PARTS_OF_INTERVAL]);
             self.table = parts.collect();
         }
         self.hold();
@@ -106,22 +108,22 @@ impl<T: Tally> HashTable<T> {
 impl<T: Tally> FrontSearch for HashTable<T> {
     fn begin(&mut self, input: FrontInput<'_>) {
         let n = input.len();
-        let count = if n < FEW { 1 } else { n.isqrt() + 1 };
-        let [of_each, most] = SAMPLE;
+        let count = if n < ONE_INTERVAL { 1 } else { n.isqrt() + 1 };
+        let [of_each, most] = SAMPLE_OF_X;
         let most = if count > 1 {
             most.min(of_each * count)
         } else {
             0
         };
         let sample = sampled(n, most).collect();
-        let (intervals, count) = Intervals::new(sample, |v| input.x(v), count);
+        let (intervals, count) = Intervals::new(sample, |v| input.x(v), count, self.tuning);
         self.intervals = intervals;
         self.tally = T::default();
         self.table.clear();
         let none = FrontNode::from_rank(n);
         self.table.resize(count, none);
         self.last = FrontNode::from_rank(0);
-        self.look = LOAD * count;
+        self.look = NODES_IN_INTERVAL * count;
         self.searched = (f64::NAN, 0);
         self.hold();
     }
@@ -141,7 +143,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         if let Some(node) = live(self.table[at], tally) {
             return node;
         }
-        let around = (1..=REACH).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
+        let around = (1..=INTERVALS_SEARCHED).flat_map(|i| [at.checked_sub(i), Some(at + i)]);
         around
             .filter_map(|i| live(*self.table.get(i?)?, tally))
             .next()
@@ -226,7 +228,7 @@ mod tests {
                     front.remove(node);
                 }
             }
-            let intervals = 201 * super::PARTS.pow(cuts);
+            let intervals = 201 * super::PARTS_OF_INTERVAL.pow(cuts);
             let bytes = (intervals * size_of::<FrontNode>()) as u64;
             assert_eq!((table.table.len(), table.work().bytes), (intervals, bytes));
             for rank in 7_000..9_900 {

@@ -7,11 +7,12 @@
 //!
 //! The sample may spread evenly as a whole where the front does not: clusters side by side and one above the other
 //! crowd it here at one height and there at another. So the sample is also cut into slabs, and the equal intervals
-//! become narrower by the crowding within slabs. (A million points in clusters: 1.1 steps along the front in place of
-//! 4.1.) More intervals would be empty, or hold a node that has left the front.
+//! become narrower by the crowding within slabs. More intervals than that would
+//! be empty, or hold a node that has left the front.
 
 use super::work::Tally;
 use crate::bucket::bucket;
+use crate::tuning::{CROWDED, FEWEST_SLABS, FINEST, Tuning};
 use alloc::vec::Vec;
 
 #[derive(Clone, Debug)]
@@ -28,23 +29,13 @@ impl Default for Intervals {
     }
 }
 
-/// One of this many points of the sample may be far away at either end.
-const OUTERMOST: usize = if cfg!(fuzzing) { 8 } else { 64 };
-/// Quantiles are taken if the [crowding](Intervals::crowding) is at least this.
-const CROWDED: usize = 4;
-/// A smaller sample is not cut into slabs.
-const FEW: usize = 4 * SLAB;
-/// How many points of the sample, one above the other, are a slab.
-const SLAB: usize = if cfg!(fuzzing) { 4 } else { 64 };
-/// How many times as many equal intervals there are at most.
-const FINEST: usize = 8;
-
 impl Intervals {
     /// About `count` intervals, and how many they are. `ranks` are a sample of the points; `x` is the x of a rank.
     pub(super) fn new(
         mut ranks: Vec<usize>,
         x: impl Fn(usize) -> f64,
         count: usize,
+        tuning: &Tuning,
     ) -> (Intervals, usize) {
         // Of equal x only one is on the front.
         let sorted = |ranks: &[usize]| {
@@ -54,32 +45,33 @@ impl Intervals {
             sample
         };
         let sample = sorted(&ranks);
-        let equal = Intervals::equal(&sample, count);
+        let equal = Intervals::equal(&sample, count, tuning);
         if equal.crowding(&[&sample[..]], count) >= CROWDED {
             let ends = (1..count).filter_map(|i| sample.get(i * sample.len() / count));
             return (Intervals::Quantiles(ends.copied().collect()), count);
         }
-        if sample.len() < FEW {
+        if sample.len() < FEWEST_SLABS * tuning.slab {
             return (equal, count);
         }
         ranks.sort_unstable();
-        let slabs: Vec<Vec<f64>> = ranks.chunks(SLAB).map(sorted).collect();
+        let slabs: Vec<Vec<f64>> = ranks.chunks(tuning.slab).map(sorted).collect();
         let finer = equal.crowding(&slabs, count).clamp(1, FINEST);
-        (Intervals::equal(&sample, finer * count), finer * count)
+        let count = finer * count;
+        (Intervals::equal(&sample, count, tuning), count)
     }
 
     /// Equal intervals over the range of the sample, or less if its inner part suggests so.
-    fn equal(sample: &[f64], count: usize) -> Intervals {
+    fn equal(sample: &[f64], count: usize, tuning: &Tuning) -> Intervals {
         let [Some(&low), Some(&high)] = [sample.first(), sample.last()] else {
             return Intervals::Equal {
                 low: 0.0,
                 factor: 0.0,
             };
         };
-        let outer = sample.len() / OUTERMOST;
+        let outer = sample.len() / tuning.outermost;
         let [first, last] = [sample[outer], sample[sample.len() - 1 - outer]];
         // The width of what an even spread has outside the inner part, on either side.
-        let margin = (last - first) / (OUTERMOST - 2) as f64;
+        let margin = (last - first) / (tuning.outermost - 2) as f64;
         let (low, high) = (low.max(first - margin), high.min(last + margin));
         let factor = count as f64 / (high - low);
         Intervals::Equal {
@@ -134,7 +126,7 @@ impl Intervals {
 
 #[cfg(test)]
 mod tests {
-    use super::Intervals;
+    use super::{Intervals, Tuning};
     use crate::bucket::sampled;
     use crate::front::Work;
 
@@ -143,7 +135,7 @@ mod tests {
     fn clusters_have_more_intervals() {
         let count = |x: fn(usize) -> f64| {
             let sample = sampled(40_000, 402).collect();
-            Intervals::new(sample, x, 201).1
+            Intervals::new(sample, x, 201, &Tuning::REAL).1
         };
         let even = |i: usize| (i as f64 * 0.618_034).fract();
         let clustered = |i: usize| (i / 2000 * 7 % 20) as f64 + (i as f64 * 0.618_034).fract();
@@ -154,7 +146,7 @@ mod tests {
     #[test]
     fn comparisons_of_quantiles_are_counted() {
         let x = |i: usize| (i / 128) as f64 + (i % 128) as f64 * 1e-9;
-        let (mut intervals, count) = Intervals::new((0..256).collect(), x, 17);
+        let (mut intervals, count) = Intervals::new((0..256).collect(), x, 17, &Tuning::REAL);
         let mut work = Work::default();
         assert_eq!(intervals.number(0.0, count, &mut work), 0);
         assert!((4..=5).contains(&work.comparisons), "{work:?}");
@@ -165,7 +157,7 @@ mod tests {
     #[test]
     fn the_parts_of_an_interval_are_side_by_side() {
         let x = |i: usize| i as f64;
-        let (whole, count) = Intervals::new((0..100).collect(), x, 10);
+        let (whole, count) = Intervals::new((0..100).collect(), x, 10, &Tuning::REAL);
         let mut cut = whole.clone();
         assert!(cut.divide(4));
         for i in -5..105 {

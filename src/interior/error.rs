@@ -15,6 +15,7 @@ use crate::error::Error;
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum InteriorError {
     /// The edges do not form closed chains, so they do not separate inside from outside.
@@ -22,15 +23,10 @@ pub enum InteriorError {
         /// The lowest such point.
         vertex: usize,
     },
-    /// The edges are not those that were triangulated.
-    OtherEdge {
-        /// The first edge that differs, or of which there are too many or too few.
+    /// The list of rings names no ring for an edge, a ring that there is not, or one for an edge that there is not.
+    UnknownRing {
+        /// The first such edge.
         edge: usize,
-    },
-    /// The triangulation has a vertex that is none of the points given.
-    MissingPoint {
-        /// The first such vertex.
-        vertex: usize,
     },
     /// A coordinate of a seed is NaN or infinite.
     SeedNotFinite {
@@ -75,13 +71,12 @@ impl fmt::Display for InteriorError {
                 f,
                 "the edges are no closed rings: they do not go on at vertex {vertex}"
             ),
-            InteriorError::OtherEdge { edge } => {
-                write!(f, "edge {edge} is not the one that was triangulated")
+            InteriorError::UnknownRing { edge } => {
+                write!(f, "edge {edge} and its ring do not belong together")
             }
-            InteriorError::MissingPoint { vertex } => {
-                write!(f, "vertex {vertex} of the triangulation does not exist")
+            InteriorError::Refused { .. } => {
+                f.write_str("the points and edges cannot be triangulated")
             }
-            InteriorError::Refused { error } => error.fmt(f),
             InteriorError::SeedNotFinite { seed } => {
                 write!(f, "the seed of {seed} has a coordinate that is not finite")
             }
@@ -104,7 +99,20 @@ impl fmt::Display for InteriorError {
     }
 }
 
-impl core::error::Error for InteriorError {}
+impl core::error::Error for InteriorError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            InteriorError::Refused { error } => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<Error> for InteriorError {
+    fn from(error: Error) -> InteriorError {
+        InteriorError::Refused { error }
+    }
+}
 
 impl InteriorError {
     /// The error with other numbers for vertices, edges, holes and regions, for callers that do not count from 0.
@@ -133,11 +141,8 @@ impl InteriorError {
             E::OpenAtVertex { vertex } => E::OpenAtVertex {
                 vertex: on_vertex(vertex),
             },
-            E::OtherEdge { edge } => E::OtherEdge {
+            E::UnknownRing { edge } => E::UnknownRing {
                 edge: on_edge(edge),
-            },
-            E::MissingPoint { vertex } => E::MissingPoint {
-                vertex: on_vertex(vertex),
             },
             E::Refused { error } => E::Refused {
                 error: error.renumbered(on_vertex, on_edge),
@@ -161,6 +166,7 @@ impl InteriorError {
 
 /// A point that stands for the whole face that it lies in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Seed {
     /// The hole of this index.
     Hole(usize),

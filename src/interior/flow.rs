@@ -27,48 +27,28 @@ pub(super) struct Flow {
 }
 
 impl Flow {
-    /// The flow of all edges, each from its upper to its lower end.
-    pub(super) fn downwards(result: &Triangulation) -> Flow {
-        let edges = (0..result.chains.len()).map(|edge| (edge, 1));
-        Flow::of(result, edges.collect())
-    }
-
-    /// The flow of all edges, each from its first to its second point.
-    pub(super) fn along(
-        result: &Triangulation,
-        edges: &[[usize; 2]],
-    ) -> Result<Flow, InteriorError> {
-        let count = result.chains.len();
-        let known = edges.len().min(count);
-        let mut directions = Vec::with_capacity(count);
-        for (edge, ends) in edges[..known].iter().enumerate() {
-            let [from, to] = ends.map(|vertex| result.representative(vertex));
-            let [upper, lower] = result.chains.ends(edge).map(|vertex| vertex as usize);
-            directions.push(match [from, to] {
-                ends if ends == [upper, lower] => (edge, 1),
-                ends if ends == [lower, upper] => (edge, -1),
-                _ => return Err(InteriorError::OtherEdge { edge }),
-            });
-        }
-        if edges.len() != count {
-            return Err(InteriorError::OtherEdge { edge: known });
-        }
-        Ok(Flow::of(result, directions))
-    }
-
-    /// The flow of edges, each with +1 if it runs from its upper to its lower end, and -1 otherwise.
-    fn of(result: &Triangulation, mut directions: Vec<(usize, i32)>) -> Flow {
-        let ends = |edge: usize| result.chains.ends(edge);
-        directions.sort_unstable_by_key(|&(edge, _)| ends(edge));
+    /// The flow of all edges.
+    pub(super) fn new(result: &Triangulation) -> Flow {
+        let sorted = |&edge: &usize| {
+            let [a, b] = result.chains.ends(edge);
+            [a.min(b), a.max(b)]
+        };
+        let mut edges: Vec<usize> = (0..result.chains.len()).collect();
+        edges.sort_unstable_by_key(sorted);
         let (mut sides, mut sources) = (Vec::new(), Vec::new());
-        for equal in directions.chunk_by(|a, b| ends(a.0) == ends(b.0)) {
-            let flow: i32 = equal.iter().map(|&(_, direction)| direction).sum();
-            let [upper, lower] = ends(equal[0].0);
-            if flow == 0 || upper == lower {
+        for equal in edges.chunk_by(|a, b| sorted(a) == sorted(b)) {
+            // The flow from the first end of one of them to its second.
+            let [first, last] = result.chains.ends(equal[0]);
+            let runs_along = |&edge: &usize| result.chains.ends(edge)[0] == first;
+            let steps = equal
+                .iter()
+                .map(|edge| if runs_along(edge) { 1 } else { -1 });
+            let flow: i32 = steps.sum();
+            if flow == 0 || first == last {
                 continue;
             }
-            sources.extend([(upper, flow), (lower, -flow)]);
-            let chain = result.edge_chain(equal[0].0).map(narrow);
+            sources.extend([(first, flow), (last, -flow)]);
+            let chain = result.chains.chain(equal[0]);
             for (from, to) in chain.clone().zip(chain.skip(1)) {
                 sides.push(if from < to {
                     ([from, to], flow)

@@ -4,19 +4,15 @@
 //! the hull where no edge runs: the outside comes in there, unless the hull is kept. Chains need not be closed: dangling
 //! edges part nothing.
 //!
-//! A seed must tell in which face it lies, so it must not lie on an edge or a vertex. The walk of
-//! [`WithPoints::locate_all`] finds it by exact signs. A list of triangles without neighbours allows no walk
-//! ([`locate_seeds`]): the seeds are sorted by x, and each triangle is compared with the seeds between its leftmost and
-//! rightmost corners. Cost: O(n) for n triangles, and the location of each seed. Faces take 8 bytes a triangle.
+//! A seed must tell in which face it lies, so it must not lie on an edge or a vertex. [`WithPoints::locate_all`] finds it
+//! by exact signs. Cost: O(n) for n triangles, and the location of each seed. Faces take 8 bytes a triangle.
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::cmp::Ordering;
 
 use super::error::{InteriorError, Seed};
-use super::labels::{self, Interior};
-use crate::ids::narrow;
-use crate::scalar::{Scalar, filtered_orient2d};
+use super::labels::Interior;
+use crate::scalar::Scalar;
 use crate::triangulation::Triangulation;
 use crate::triangulation::locate::Location;
 use crate::triangulation::with_points::WithPoints;
@@ -29,7 +25,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
     /// with a region have its index, [`Interior::region`]; of several in a face the last counts, as in Triangle.
     ///
     /// # Errors
-    /// [`InteriorError`], if a seed is not in one face, the seed of a region is not inside, or a vertex has no point.
+    /// [`InteriorError`], if a seed is not in one face, or the seed of a region is not inside.
     ///
     /// ```
     /// // A square with a square hole, in which there is an island.
@@ -55,7 +51,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
     /// outside: Triangle's option `-c` with holes.
     ///
     /// # Errors
-    /// [`InteriorError`], if a seed is not in one face, the seed of a region is in a hole, or a vertex has no point.
+    /// [`InteriorError`], if a seed is not in one face, or the seed of a region is in a hole.
     ///
     /// ```
     /// // A box without a lid, and a square hole in it.
@@ -82,11 +78,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
         regions: &[[S; 2]],
         is_open: bool,
     ) -> Result<Interior<'a>, InteriorError> {
-        let (result, points) = (self.result, self.points);
-        let mut corners = result.triangles().flatten();
-        if let Some(vertex) = corners.find(|&vertex| vertex >= points.len()) {
-            return Err(InteriorError::MissingPoint { vertex });
-        }
+        let result = self.result;
         let seeds: Vec<&[S; 2]> = holes.iter().chain(regions).collect();
         let names = (0..holes.len()).map(Seed::Hole);
         let names: Vec<Seed> = names.chain((0..regions.len()).map(Seed::Region)).collect();
@@ -114,7 +106,7 @@ impl<'a, S: Scalar> WithPoints<'a, S> {
                 Seed::Region(region) if is_outside[face] => {
                     return Err(InteriorError::RegionOutside { region });
                 }
-                Seed::Region(region) => region_of_face[face] = Some(narrow(region)),
+                Seed::Region(region) => region_of_face[face] = Some(region),
             }
         }
         let depths = faces.iter().map(|&face| i32::from(!is_outside[face]));
@@ -136,7 +128,7 @@ fn triangle_of(
         Location::Outside => Err(InteriorError::SeedOutside { seed }),
         Location::Vertex(vertex) => Err(InteriorError::SeedOnVertex { seed, vertex }),
         Location::Side { triangle, side } if result.is_constrained(triangle, side) => {
-            let mut ends = labels::ends(result, triangle, side);
+            let mut ends = result.side(triangle, side);
             ends.sort_unstable();
             Err(InteriorError::SeedOnEdge { seed, ends })
         }
@@ -169,49 +161,4 @@ pub(super) fn faces(result: &Triangulation) -> (Vec<usize>, usize) {
         count += 1;
     }
     (faces, count)
-}
-
-/// For each seed the first triangle that holds it, in any list that covers no place twice. Two triangles hold a seed on
-/// their side, several one at their corner; `None` is outside of all.
-///
-/// Cost: O((n + k) log k) for n triangles and k seeds, and one comparison for each triangle and seed that have an x in
-/// common. Triangles may run either way. A triangle with a corner that is no index of a point holds nothing.
-///
-/// ```
-/// use sweep_cdt::interior::locate_seeds;
-///
-/// let points = [[0, 0], [4, 0], [4, 4], [0, 4]];
-/// let triangles = [[0, 1, 2], [0, 2, 3]];
-/// assert_eq!(locate_seeds(&points, &triangles, &[[3, 1], [1, 3], [5, 5]]), [Some(0), Some(1), None]);
-/// ```
-pub fn locate_seeds<S: Scalar>(
-    points: &[[S; 2]],
-    triangles: &[[usize; 3]],
-    seeds: &[[S; 2]],
-) -> Vec<Option<usize>> {
-    let mut order: Vec<usize> = (0..seeds.len()).collect();
-    order.sort_by(|&a, &b| seeds[a][0].compare(&seeds[b][0]));
-    let mut found = vec![None; seeds.len()];
-    for (t, corners) in triangles.iter().enumerate() {
-        let [Some(a), Some(b), Some(c)] = corners.map(|v| points.get(v)) else {
-            continue;
-        };
-        let triangle = [a, b, c];
-        let is_before = |seed: &usize, corner: &[S; 2]| seeds[*seed][0].compare(&corner[0]).is_lt();
-        let is_behind = |seed: &usize, corner: &[S; 2]| seeds[*seed][0].compare(&corner[0]).is_gt();
-        let from = order.partition_point(|seed| triangle.iter().all(|p| is_before(seed, p)));
-        let to = order.partition_point(|seed| !triangle.iter().all(|p| is_behind(seed, p)));
-        for &seed in &order[from..to] {
-            if found[seed].is_none() && holds(triangle, &seeds[seed]) {
-                found[seed] = Some(t);
-            }
-        }
-    }
-    found
-}
-
-/// Whether a triangle holds a point: inside, on a side or at a corner.
-fn holds<S: Scalar>([a, b, c]: [&[S; 2]; 3], point: &[S; 2]) -> bool {
-    let turns = [[a, b], [b, c], [c, a]].map(|[from, to]| filtered_orient2d(from, to, point));
-    !(turns.contains(&Ordering::Less) && turns.contains(&Ordering::Greater))
 }

@@ -1,13 +1,28 @@
 //! The interior: what a rule says of every triangle, and the boundary of the triangles inside.
 
 use crate::Triangulation;
-use crate::triangulation::canonical::{CanonicalGroups, canonical};
+use crate::triangulation::canonical::canonical;
 use alloc::vec;
 use alloc::vec::Vec;
 
 /// The triangles of a triangulation that are inside, and the depth of each. Methods panic if there is no triangle `t`.
 ///
-/// [The page of this module](super) has an example.
+/// ```
+/// use sweep_cdt::interior::FillRule;
+///
+/// // A square with a square hole, and twice its area.
+/// let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
+/// let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+/// let result = sweep_cdt::triangulate(&points, &edges)?;
+/// let domain = result.interior(FillRule::EvenOdd)?;
+/// let area = |[a, b, c]: [usize; 3]| {
+///     let [[ax, ay], [bx, by], [cx, cy]] = [points[a], points[b], points[c]];
+///     (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+/// };
+/// assert_eq!(domain.triangles().map(area).sum::<i32>(), 2 * (9 * 9 - 3 * 3));
+/// assert_eq!(domain.boundary(), [vec![0, 1, 2, 3], vec![4, 7, 6, 5]]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Interior<'a> {
     result: &'a Triangulation,
@@ -15,7 +30,7 @@ pub struct Interior<'a> {
     inside: Vec<usize>,
     is_inside: Vec<bool>,
     /// For each triangle its region; empty if there are no regions.
-    regions: Vec<Option<u32>>,
+    regions: Vec<Option<usize>>,
     /// Whether the regions are polygons.
     is_of_polygons: bool,
 }
@@ -38,12 +53,12 @@ impl<'a> Interior<'a> {
         }
     }
 
-    pub(super) fn with_regions(self, regions: Vec<Option<u32>>) -> Interior<'a> {
+    pub(super) fn with_regions(self, regions: Vec<Option<usize>>) -> Interior<'a> {
         Interior { regions, ..self }
     }
 
     /// The interior whose regions are polygons.
-    pub(super) fn with_polygons(self, polygons: Vec<Option<u32>>) -> Interior<'a> {
+    pub(super) fn with_polygons(self, polygons: Vec<Option<usize>>) -> Interior<'a> {
         Interior {
             is_of_polygons: true,
             ..self.with_regions(polygons)
@@ -80,8 +95,7 @@ impl<'a> Interior<'a> {
     /// [`Ring`](super::Ring)'s polygon; `None` if it belongs to none.
     pub fn region(&self, t: usize) -> Option<usize> {
         assert!(t < self.result.len(), "there is no triangle {t}");
-        let region = *self.regions.get(t)?;
-        region.map(|region| region as usize)
+        *self.regions.get(t)?
     }
 
     /// Whether there are regions.
@@ -107,12 +121,8 @@ impl<'a> Interior<'a> {
 
     /// The triangles inside in the order of [`Triangulation::canonical_triangles`].
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
-        canonical(self.inside.len(), |i| self.result.triangle(self.inside[i]))
-    }
-
-    /// The triangles of [`canonical_triangles`](Self::canonical_triangles), group by group.
-    pub fn canonical_groups(&self) -> CanonicalGroups {
-        CanonicalGroups::new(self.inside.len(), |i| self.result.triangle(self.inside[i]))
+        let corners = |i: usize| self.result.corners(&self.result.triangles[self.inside[i]]);
+        canonical(self.inside.len(), corners)
     }
 
     /// The sides of triangles inside that are input edges or pieces of them, each once, as pairs of vertices.
@@ -124,7 +134,7 @@ impl<'a> Interior<'a> {
         };
         let sides = self.inside().flat_map(|t| [0, 1, 2].map(|side| (t, side)));
         let listed = sides.filter(move |&(t, side)| is_listed(t, side));
-        listed.map(|(t, side)| ends(self.result, t, side))
+        listed.map(|(t, side)| self.result.side(t, side))
     }
 
     /// The closed chains of vertices around the triangles inside, which lie on the left: outer chains run
@@ -157,7 +167,7 @@ fn loops(result: &Triangulation, is_inside: impl Fn(usize) -> bool) -> Vec<Vec<u
         .filter(|&t| is_inside(t))
         .flat_map(|t| [0, 1, 2].map(|side| (t, side)))
         .filter(|&(t, side)| is_beyond(t, side))
-        .map(|(t, side)| (ends(result, t, side), t))
+        .map(|(t, side)| (result.side(t, side), t))
         .collect();
     borders.sort_unstable();
 
@@ -174,7 +184,7 @@ fn loops(result: &Triangulation, is_inside: impl Fn(usize) -> bool) -> Vec<Vec<u
                 t = result.neighbor(t, side).expect("it is inside");
                 side = leaving(result, t, vertex);
             }
-            let next = borders.binary_search(&(ends(result, t, side), t));
+            let next = borders.binary_search(&(result.side(t, side), t));
             at = next.expect("all sides of the boundary are listed");
         }
         if !chain.is_empty() {
@@ -182,12 +192,6 @@ fn loops(result: &Triangulation, is_inside: impl Fn(usize) -> bool) -> Vec<Vec<u
         }
     }
     loops
-}
-
-/// The vertices of a side; its triangle lies to the left.
-pub(super) fn ends(result: &Triangulation, t: usize, side: usize) -> [usize; 2] {
-    let corners = result.triangle(t);
-    [corners[(side + 1) % 3], corners[(side + 2) % 3]]
 }
 
 /// The side of a triangle that starts at `vertex`.

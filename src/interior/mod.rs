@@ -15,23 +15,6 @@
 //! | [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds) | the faces that edges close off, but those with the seed of a hole |
 //! | [`WithPoints::hull_without_holes`](crate::WithPoints::hull_without_holes) | the hull, but the faces with the seed of a hole |
 //!
-//! ```
-//! use sweep_cdt::interior::FillRule;
-//!
-//! // A square with a square hole, and twice its area.
-//! let points = [[0, 0], [9, 0], [9, 9], [0, 9], [3, 3], [6, 3], [6, 6], [3, 6]];
-//! let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
-//! let result = sweep_cdt::triangulate(&points, &edges)?;
-//! let domain = result.interior(FillRule::EvenOdd)?;
-//! let area = |[a, b, c]: [usize; 3]| {
-//!     let [[ax, ay], [bx, by], [cx, cy]] = [points[a], points[b], points[c]];
-//!     (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-//! };
-//! assert_eq!(domain.triangles().map(area).sum::<i32>(), 2 * (9 * 9 - 3 * 3));
-//! assert_eq!(domain.boundary(), [vec![0, 1, 2, 3], vec![4, 7, 6, 5]]);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
-//!
 //! Why it is right: for the rules the edges on each side are counted, all paths to a triangle agree, and one of them is
 //! followed. For seeds the triangles that no edge parts are joined, and each seed is in one such face. Cost:
 //! O(n + m log m) for n triangles and chains of m sides together, and 13 bytes a triangle.
@@ -45,7 +28,6 @@ mod labels;
 mod polygons;
 
 pub use error::{InteriorError, Seed};
-pub use holes::locate_seeds;
 pub use labels::Interior;
 pub use polygons::Ring;
 
@@ -63,35 +45,36 @@ use flow::Flow;
 /// let result = sweep_cdt::triangulate(&points, &edges)?;
 /// assert_eq!(result.interior(FillRule::Hull)?.inside().len(), 10);
 /// assert_eq!(result.interior(FillRule::EvenOdd)?.inside().len(), 8);
-/// assert_eq!(result.interior(FillRule::NonZero(&edges))?.inside().len(), 10);
+/// assert_eq!(result.interior(FillRule::NonZero)?.inside().len(), 10);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-pub enum FillRule<'a> {
+pub enum FillRule {
     /// All of the hull.
     Hull,
     /// All that a path from far away enters by crossing an odd number of edges, in any direction. An edge given twice
     /// is crossed twice, and so is a place where edges overlap. An even number of edges must end at each point.
     EvenOdd,
     /// All that the edges go round more often in one direction than in the other. Each edge runs from its first to its
-    /// second point, and the edges must be those that were triangulated. As many must end at each point as start there.
-    NonZero(&'a [[usize; 2]]),
-    /// All that the edges, as of [`NonZero`](Self::NonZero), go round more often counter-clockwise than clockwise: what
-    /// an outline that is moved outwards and crosses itself leaves of its area.
-    Positive(&'a [[usize; 2]]),
+    /// second point. As many must end at each point as start there.
+    NonZero,
+    /// All that the edges go round more often counter-clockwise than clockwise: what an outline that is moved outwards
+    /// and crosses itself leaves of its area.
+    Positive,
     /// All that the edges go round more often clockwise than counter-clockwise.
-    Negative(&'a [[usize; 2]]),
+    Negative,
     /// All that the edges go round at least so many times, in one direction: the overlap of rings that run one way. At
     /// least 0 times is the hull.
-    AtLeast(&'a [[usize; 2]], u32),
+    AtLeast(u32),
 }
 
 impl Triangulation {
     /// The interior by a [`FillRule`].
     ///
     /// # Errors
-    /// [`InteriorError`], if the edges form no closed chains, or are not those of the triangulation.
+    /// [`InteriorError::OpenAtVertex`], if the edges form no closed chains.
     ///
     /// ```
     /// use sweep_cdt::interior::FillRule;
@@ -106,38 +89,32 @@ impl Triangulation {
     /// let points = [[0, 0], [2, 0], [2, 1], [3, 1], [3, 3], [1, 3], [1, 2], [0, 2], [2, 2], [1, 1]];
     /// let edges = [[0, 1], [1, 2], [2, 8], [8, 6], [6, 7], [7, 0], [9, 2], [2, 3], [3, 4], [4, 5], [5, 6], [6, 9]];
     /// let result = sweep_cdt::triangulate(&points, &edges)?;
-    /// assert_eq!(result.interior(FillRule::AtLeast(&edges, 2))?.inside().len(), 2);
-    /// assert_eq!(result.interior(FillRule::Negative(&edges))?.inside().len(), 0);
+    /// assert_eq!(result.interior(FillRule::AtLeast(2))?.inside().len(), 2);
+    /// assert_eq!(result.interior(FillRule::Negative)?.inside().len(), 0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn interior(&self, rule: FillRule<'_>) -> Result<Interior<'_>, InteriorError> {
-        let flow_in = |flow: &Flow, t, side| match self.is_constrained(t, side) {
-            true => flow.of_side(labels::ends(self, t, side)),
+    pub fn interior(&self, rule: FillRule) -> Result<Interior<'_>, InteriorError> {
+        if rule == FillRule::Hull {
+            return Ok(Interior::whole(self));
+        }
+        let flow = Flow::new(self);
+        let flow_in = |t, side| match self.is_constrained(t, side) {
+            true => flow.of_side(self.side(t, side)),
             false => 0,
         };
         let is_odd = |number: i32| number % 2 != 0;
-        match rule {
-            FillRule::Hull => Ok(Interior::whole(self)),
-            FillRule::EvenOdd => {
-                let flow = Flow::downwards(self);
-                flow.expect_closed(is_odd)?;
-                let depths = flow::layers(self, |t, side| is_odd(flow_in(&flow, t, side)));
-                Ok(Interior::new(self, depths, is_odd))
-            }
-            FillRule::NonZero(edges)
-            | FillRule::Positive(edges)
-            | FillRule::Negative(edges)
-            | FillRule::AtLeast(edges, _) => {
-                let flow = Flow::along(self, edges)?;
-                flow.expect_closed(|flow| flow != 0)?;
-                let depths = flow::sums(self, |t, side| flow_in(&flow, t, side));
-                Ok(Interior::new(self, depths, |winding| match rule {
-                    FillRule::Positive(_) => winding > 0,
-                    FillRule::Negative(_) => winding < 0,
-                    FillRule::AtLeast(_, times) => winding.unsigned_abs() >= times,
-                    _ => winding != 0,
-                }))
-            }
+        if rule == FillRule::EvenOdd {
+            flow.expect_closed(is_odd)?;
+            let depths = flow::layers(self, |t, side| is_odd(flow_in(t, side)));
+            return Ok(Interior::new(self, depths, is_odd));
         }
+        flow.expect_closed(|flow| flow != 0)?;
+        let depths = flow::sums(self, flow_in);
+        Ok(Interior::new(self, depths, |winding| match rule {
+            FillRule::Positive => winding > 0,
+            FillRule::Negative => winding < 0,
+            FillRule::AtLeast(times) => winding.unsigned_abs() >= times,
+            _ => winding != 0,
+        }))
     }
 }

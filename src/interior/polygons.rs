@@ -31,15 +31,16 @@ use core::ops::Range;
 
 use super::error::InteriorError;
 use super::holes::faces;
-use super::labels::{self, Interior};
+use super::labels::Interior;
 use crate::ids::narrow;
 use crate::triangulation::Triangulation;
 
 /// A closed chain of edges around a polygon, or around a hole in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ring {
     /// The number of the polygon.
-    pub polygon: u32,
+    pub polygon: usize,
     /// Whether the ring takes away what it goes round.
     pub is_hole: bool,
 }
@@ -51,7 +52,7 @@ impl Triangulation {
     /// [`Interior::depth`] is the number of polygons that cover a triangle, and [`Interior::region`] the lowest of them.
     ///
     /// # Errors
-    /// [`InteriorError::OpenAtVertex`], if a ring is not closed; [`InteriorError::OtherEdge`], if `ring_of` is not as long
+    /// [`InteriorError::OpenAtVertex`], if a ring is not closed; [`InteriorError::UnknownRing`], if `ring_of` is not as long
     /// as the list of edges that were triangulated, or names a ring that there is not.
     ///
     /// ```
@@ -80,11 +81,11 @@ impl Triangulation {
         let is_known = |ring: &Option<usize>| ring.is_none_or(|ring| ring < rings.len());
         let count = self.chains.len();
         if let Some(edge) = ring_of.iter().position(|ring| !is_known(ring)) {
-            return Err(InteriorError::OtherEdge { edge });
+            return Err(InteriorError::UnknownRing { edge });
         }
         if ring_of.len() != count {
             let edge = ring_of.len().min(count);
-            return Err(InteriorError::OtherEdge { edge });
+            return Err(InteriorError::UnknownRing { edge });
         }
         let walls = Walls::new(self, ring_of)?;
         let (faces, count) = faces(self);
@@ -115,10 +116,14 @@ struct Walls {
 impl Walls {
     fn new(result: &Triangulation, ring_of: &[Option<usize>]) -> Result<Walls, InteriorError> {
         let edges = ring_of.iter().enumerate();
+        let ends = |edge| {
+            let [a, b] = result.chains.ends(edge);
+            [a.min(b), a.max(b)]
+        };
         // The ends of each edge of a ring, the ring, and the edge.
         let mut edges: Vec<([u32; 2], usize, usize)> = edges
-            .filter_map(|(edge, ring)| Some((result.chains.ends(edge), (*ring)?, edge)))
-            .filter(|([upper, lower], ..)| upper != lower)
+            .filter_map(|(edge, ring)| Some((ends(edge), (*ring)?, edge)))
+            .filter(|([a, b], ..)| a != b)
             .collect();
         edges.sort_unstable();
         let mut ends: Vec<(u32, usize)> = edges
@@ -137,7 +142,7 @@ impl Walls {
         for equal in edges.chunk_by(|a, b| a.0 == b.0) {
             let group = rings.len()..rings.len() + equal.len();
             rings.extend(equal.iter().map(|&(_, ring, _)| ring));
-            let chain = result.edge_chain(equal[0].2).map(narrow);
+            let chain = result.chains.chain(equal[0].2);
             let pairs = chain.clone().zip(chain.skip(1));
             sides.extend(pairs.map(|(a, b)| ([a.min(b), a.max(b)], group.clone())));
         }
@@ -183,7 +188,7 @@ impl Tree {
         for (t, &face) in faces.iter().enumerate() {
             for side in 0..3 {
                 let wall = |is_wall| match is_wall {
-                    true => walls.at(labels::ends(result, t, side)),
+                    true => walls.at(result.side(t, side)),
                     false => 0..0,
                 };
                 let is_wall = result.is_constrained(t, side);
@@ -245,7 +250,7 @@ struct Cover<'a> {
     /// Whether each ring goes round it.
     is_around: Vec<bool>,
     /// The numbers of all polygons, sorted.
-    numbers: Vec<u32>,
+    numbers: Vec<usize>,
     /// How many outlines and how many holes of each of them go round it.
     around: Vec<[usize; 2]>,
     /// The polygons that cover it, as positions in `numbers`.
@@ -255,7 +260,7 @@ struct Cover<'a> {
 impl<'a> Cover<'a> {
     /// What covers the outside: nothing.
     fn new(rings: &'a [Ring]) -> Cover<'a> {
-        let mut numbers: Vec<u32> = rings.iter().map(|ring| ring.polygon).collect();
+        let mut numbers: Vec<usize> = rings.iter().map(|ring| ring.polygon).collect();
         numbers.sort_unstable();
         numbers.dedup();
         Cover {
@@ -268,7 +273,7 @@ impl<'a> Cover<'a> {
     }
 
     /// The lowest polygon that covers it.
-    fn lowest(&self) -> Option<u32> {
+    fn lowest(&self) -> Option<usize> {
         self.polygons.first().map(|&polygon| self.numbers[polygon])
     }
 

@@ -1,6 +1,6 @@
 //! How the statistics of a run are recorded: clocks, counters, the length of the front, and a tag for each triangle
 //! that says what made it, until it is flipped or removed. So the last tags say what of the work of each kind survives.
-//! Cost: a byte for each triangle, and a write to it for each triangle made and two for each flip.
+//! Cost: eight bytes for each triangle, and a write to it for each triangle made and two for each flip.
 
 use alloc::vec::Vec;
 #[cfg(feature = "std")]
@@ -21,20 +21,10 @@ pub(crate) enum Phase {
     Finished,
 }
 
-/// The cause of a triangle: a field of [`ByCause`].
-#[derive(Clone, Copy, Debug)]
-enum Cause {
-    First,
-    Middle,
-    Left,
-    NarrowCorner,
-    Basin,
-    Pocket,
-    PseudoPolygon,
-    Hull,
-    DivideAndConquer,
-    Flip,
-}
+/// The cause of a triangle: the field of [`ByCause`] that counts it.
+type Cause = fn(&mut ByCause) -> &mut u64;
+
+const DIVIDE_AND_CONQUER: Cause = |numbers| &mut numbers.divide_and_conquer;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Recorder {
@@ -78,28 +68,28 @@ impl Recorder {
 
     pub(crate) fn made(&mut self, t: TriangleId, why: Why) {
         let counters = &self.stats.counters;
-        let cause = match why {
-            Why::First => Cause::First,
+        let cause: Cause = match why {
+            Why::First => |numbers| &mut numbers.first,
             // A left case is counted before its second triangle is made.
-            Why::Point if counters.made.left < counters.left_cases => Cause::Left,
-            Why::Point => Cause::Middle,
-            Why::NarrowCorner => Cause::NarrowCorner,
-            Why::Basin => Cause::Basin,
-            Why::Pocket => Cause::Pocket,
-            Why::PseudoPolygon => Cause::PseudoPolygon,
-            Why::Hull => Cause::Hull,
+            Why::Point if counters.made.left < counters.left_cases => |numbers| &mut numbers.left,
+            Why::Point => |numbers| &mut numbers.middle,
+            Why::NarrowCorner => |numbers| &mut numbers.narrow_corners,
+            Why::Basin => |numbers| &mut numbers.basins,
+            Why::Pocket => |numbers| &mut numbers.pockets,
+            Why::PseudoPolygon => |numbers| &mut numbers.pseudo_polygons,
+            Why::Hull => |numbers| &mut numbers.hull,
         };
         self.tag(t, cause);
     }
 
     /// Counts a triangle made by divide and conquer.
     pub(crate) fn merged(&mut self, t: TriangleId) {
-        self.tag(t, Cause::DivideAndConquer);
+        self.tag(t, DIVIDE_AND_CONQUER);
     }
 
     fn tag(&mut self, t: TriangleId, cause: Cause) {
         self.end_legalization();
-        *cause.of(&mut self.stats.counters.made) += 1;
+        *cause(&mut self.stats.counters.made) += 1;
         self.set(t, cause);
     }
 
@@ -114,7 +104,7 @@ impl Recorder {
     pub(crate) fn flipped(&mut self, sides: [HalfEdge; 2]) {
         self.stats.counters.made.flips += 2;
         for t in sides.map(HalfEdge::triangle) {
-            self.set(t, Cause::Flip);
+            self.set(t, |numbers| &mut numbers.flips);
         }
     }
 
@@ -143,7 +133,7 @@ impl Recorder {
         self.front = self.front.saturating_sub(1);
     }
 
-    /// Counts the triangles that survive: those of the first `triangles` that are not `artificial`, an ascending list.
+    /// Counts the triangles that survive: the first `triangles` without the `artificial` ones, an ascending list.
     pub(crate) fn survived(&mut self, triangles: usize, artificial: &[TriangleId]) {
         self.end_legalization();
         // The artificial triangles around the hull are the last to come: never were there more triangles.
@@ -154,19 +144,19 @@ impl Recorder {
         let mut artificial = artificial.iter().map(|t| t.index()).peekable();
         for (t, cause) in self.causes.iter().enumerate() {
             if artificial.next_if_eq(&t).is_none() {
-                *cause.of(&mut self.stats.counters.survived) += 1;
+                *cause(&mut self.stats.counters.survived) += 1;
             }
         }
     }
 
-    /// Adds what a band counted. Its triangles come after the first `triangles`, and its times are those of all bands.
+    /// Adds what a band counted. Its triangles come after the first `triangles`, and it has the times of all bands.
     #[cfg(feature = "parallel")]
     pub(crate) fn add_band(&mut self, mut band: Recorder, triangles: usize) {
         band.end_legalization();
-        self.stats.counters.add(&mut band.stats.counters);
+        self.stats.counters += band.stats.counters;
         self.stats.is_divided |= band.stats.is_divided;
         self.stats.memory += band.stats.memory;
-        self.causes.resize(triangles, Cause::DivideAndConquer);
+        self.causes.resize(triangles, DIVIDE_AND_CONQUER);
         self.causes.append(&mut band.causes);
         let counters = &self.stats.counters;
         (self.tests_before, self.flips_before) = (counters.legalization_tests, counters.flips);
@@ -180,23 +170,6 @@ impl Recorder {
             triangles: result.len(),
             hull: result.hull().len(),
             ..self.stats
-        }
-    }
-}
-
-impl Cause {
-    fn of(self, numbers: &mut ByCause) -> &mut u64 {
-        match self {
-            Cause::First => &mut numbers.first,
-            Cause::Middle => &mut numbers.middle,
-            Cause::Left => &mut numbers.left,
-            Cause::NarrowCorner => &mut numbers.narrow_corners,
-            Cause::Basin => &mut numbers.basins,
-            Cause::Pocket => &mut numbers.pockets,
-            Cause::PseudoPolygon => &mut numbers.pseudo_polygons,
-            Cause::Hull => &mut numbers.hull,
-            Cause::DivideAndConquer => &mut numbers.divide_and_conquer,
-            Cause::Flip => &mut numbers.flips,
         }
     }
 }

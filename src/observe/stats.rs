@@ -1,5 +1,6 @@
 //! Numbers about one run: what there was, what was done, how long it took.
 
+use core::ops::AddAssign;
 use core::time::Duration;
 
 use crate::scalar::Stage;
@@ -72,95 +73,116 @@ mod seconds {
     }
 }
 
-/// How often the sweep did each kind of work.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub struct Counters {
-    /// Orientation tests decided by the floating-point filter.
-    pub orient2d_filtered: u64,
-    /// Orientation tests decided in machine integers.
-    pub orient2d_integers: u64,
-    /// Orientation tests decided by adaptive expansions.
-    pub orient2d_expansions: u64,
-    /// Orientation tests decided in big integers.
-    pub orient2d_big: u64,
-    /// Orientation tests decided in the scalar's own arithmetic.
-    pub orient2d_own: u64,
-    /// In-circle tests decided by the floating-point filter.
-    pub in_circle_filtered: u64,
-    /// In-circle tests decided in machine integers.
-    pub in_circle_integers: u64,
-    /// In-circle tests decided by adaptive expansions.
-    pub in_circle_expansions: u64,
-    /// In-circle tests decided in big integers.
-    pub in_circle_big: u64,
-    /// In-circle tests decided in the scalar's own arithmetic.
-    pub in_circle_own: u64,
-    /// Tests with an artificial vertex, decided by rule.
-    pub symbolic: u64,
-    /// In-circle tests that found four points on one circle.
-    pub cocircular: u64,
-    /// Sides that the legalization tested, constrained ones included.
-    pub legalization_tests: u64,
-    /// Sides swapped by the legalization.
-    pub flips: u64,
-    /// The most tests from one triangle made to the next: the greatest depth of a legalization.
-    pub most_tests: u64,
-    /// The most flips from one triangle made to the next.
-    pub most_flips: u64,
-    /// Steps along the front after the search structure's answer (3.4.1). Without a front, steps of the walk from
-    /// triangle to triangle or along the beach line.
-    pub front_steps: u64,
-    /// Point events (3.4.1): vertices that joined the front after the first one.
-    pub point_events: u64,
-    /// The sum of the front's lengths at all point events, in vertices, without the new one.
-    pub front_lengths: u64,
-    /// The most vertices on the front.
-    pub longest_front: u64,
-    /// Point events of the left case (figure 8).
-    pub left_cases: u64,
-    /// Edges (or pieces) that were there already (section 3.4.2).
-    pub edges_present: u64,
-    /// Edges (or pieces) inserted by removing triangles.
-    pub edges_inserted: u64,
-    /// Triangles removed because an edge pierced them.
-    pub pierced: u64,
-    /// Triangles made, artificial ones included.
-    pub made: ByCause,
-    /// Triangles made that are in the result: neither flipped nor removed since.
-    pub survived: ByCause,
+/// Writes a struct of counts and their sum with the counts of another part of the run. A `max` keeps the greater count.
+macro_rules! counts {
+    ($(#[$about:meta])* pub struct $name:ident {
+        $($(#[$doc:meta])* $field:ident: $type:ty $(= $max:ident)?,)+
+    }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[non_exhaustive]
+        pub struct $name {
+            $($(#[$doc])* pub $field: $type,)+
+        }
+
+        impl AddAssign for $name {
+            fn add_assign(&mut self, other: $name) {
+                $(counts!(@add self.$field, other.$field $(, $max)?);)+
+            }
+        }
+    };
+    (@add $sum:expr, $other:expr) => { $sum += $other };
+    (@add $sum:expr, $other:expr, max) => { $sum = $sum.max($other) };
 }
 
-/// Triangles by what made them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub struct ByCause {
-    /// The first triangle, which is artificial (figure 6).
-    pub first: u64,
-    /// On the segment under the new vertex (figure 7). For other algorithms: all that their points make.
-    pub middle: u64,
-    /// The second triangle of the left case (figure 8).
-    pub left: u64,
-    /// In narrow corners of the front: the pi/2 heuristic (figure 9).
-    pub narrow_corners: u64,
-    /// Below the front: the basin heuristic (figure 10).
-    pub basins: u64,
-    /// In pockets of the front under an edge (figures 13 and 14).
-    pub pockets: u64,
-    /// In pseudo-polygons beside an edge (figure 12).
-    pub pseudo_polygons: u64,
-    /// By the finalization, up to the upper hull (figure 15).
-    pub hull: u64,
-    /// By divide and conquer.
-    pub divide_and_conquer: u64,
-    /// Made by flips; each replaces two triangles by two (figure 3).
-    pub flips: u64,
+counts! {
+    /// How often the sweep did each kind of work.
+    pub struct Counters {
+        /// Orientation tests decided by the floating-point filter.
+        orient2d_filtered: u64,
+        /// Orientation tests decided in machine integers.
+        orient2d_integers: u64,
+        /// Orientation tests decided by adaptive expansions.
+        orient2d_expansions: u64,
+        /// Orientation tests decided in big integers.
+        orient2d_big: u64,
+        /// Orientation tests decided in the scalar's own arithmetic.
+        orient2d_own: u64,
+        /// In-circle tests decided by the floating-point filter.
+        in_circle_filtered: u64,
+        /// In-circle tests decided in machine integers.
+        in_circle_integers: u64,
+        /// In-circle tests decided by adaptive expansions.
+        in_circle_expansions: u64,
+        /// In-circle tests decided in big integers.
+        in_circle_big: u64,
+        /// In-circle tests decided in the scalar's own arithmetic.
+        in_circle_own: u64,
+        /// Tests with an artificial vertex, decided by rule.
+        symbolic: u64,
+        /// In-circle tests that found four points on one circle.
+        cocircular: u64,
+        /// Sides that the legalization tested, constrained ones included.
+        legalization_tests: u64,
+        /// Sides swapped by the legalization.
+        flips: u64,
+        /// The most tests from one triangle made to the next: the greatest depth of a legalization.
+        most_tests: u64 = max,
+        /// The most flips from one triangle made to the next.
+        most_flips: u64 = max,
+        /// Steps along the front after the search structure's answer (3.4.1). Without a front, steps of the walk from
+        /// triangle to triangle or along the beach line.
+        front_steps: u64,
+        /// Point events (3.4.1): vertices that joined the front after the first one.
+        point_events: u64,
+        /// The sum of the front's lengths at all point events, in vertices, without the new one.
+        front_lengths: u64,
+        /// The most vertices on the front.
+        longest_front: u64 = max,
+        /// Point events of the left case (figure 8).
+        left_cases: u64,
+        /// Edges (or pieces) that were there already (section 3.4.2).
+        edges_present: u64,
+        /// Edges (or pieces) inserted by removing triangles.
+        edges_inserted: u64,
+        /// Triangles removed because an edge pierced them.
+        pierced: u64,
+        /// Triangles made, artificial ones included.
+        made: ByCause,
+        /// Triangles made that are in the result: neither flipped nor removed since.
+        survived: ByCause,
+    }
+}
+
+counts! {
+    /// Triangles by what made them.
+    pub struct ByCause {
+        /// The first triangle, which is artificial (figure 6).
+        first: u64,
+        /// On the segment under the new vertex (figure 7). For other algorithms: all that their points make.
+        middle: u64,
+        /// The second triangle of the left case (figure 8).
+        left: u64,
+        /// In narrow corners of the front: the pi/2 heuristic (figure 9).
+        narrow_corners: u64,
+        /// Below the front: the basin heuristic (figure 10).
+        basins: u64,
+        /// In pockets of the front under an edge (figures 13 and 14).
+        pockets: u64,
+        /// In pseudo-polygons beside an edge (figure 12).
+        pseudo_polygons: u64,
+        /// By the finalization, up to the upper hull (figure 15).
+        hull: u64,
+        /// By divide and conquer.
+        divide_and_conquer: u64,
+        /// Made by flips; each replaces two triangles by two (figure 3).
+        flips: u64,
+    }
 }
 
 impl ByCause {
-    /// All triangles but those that flips made.
+    /// All triangles that no flip made.
     fn steps(&self) -> u64 {
         self.first
             + self.middle
@@ -171,22 +193,6 @@ impl ByCause {
             + self.pseudo_polygons
             + self.hull
             + self.divide_and_conquer
-    }
-
-    #[cfg(feature = "parallel")]
-    fn all(&mut self) -> [&mut u64; 10] {
-        [
-            &mut self.first,
-            &mut self.middle,
-            &mut self.left,
-            &mut self.narrow_corners,
-            &mut self.basins,
-            &mut self.pockets,
-            &mut self.pseudo_polygons,
-            &mut self.hull,
-            &mut self.divide_and_conquer,
-            &mut self.flips,
-        ]
     }
 
     /// All triangles.
@@ -230,48 +236,6 @@ impl Counters {
         mean(self.front_lengths, self.point_events)
     }
 
-    /// Adds the counters of another part of the run.
-    #[cfg(feature = "parallel")]
-    pub(crate) fn add(&mut self, other: &mut Counters) {
-        for (sum, other) in self.sums().zip(other.sums()) {
-            *sum += *other;
-        }
-        self.most_tests = self.most_tests.max(other.most_tests);
-        self.most_flips = self.most_flips.max(other.most_flips);
-        self.longest_front = self.longest_front.max(other.longest_front);
-    }
-
-    /// All counters but those of the most of something.
-    #[cfg(feature = "parallel")]
-    fn sums(&mut self) -> impl Iterator<Item = &mut u64> {
-        [
-            &mut self.orient2d_filtered,
-            &mut self.orient2d_integers,
-            &mut self.orient2d_expansions,
-            &mut self.orient2d_big,
-            &mut self.orient2d_own,
-            &mut self.in_circle_filtered,
-            &mut self.in_circle_integers,
-            &mut self.in_circle_expansions,
-            &mut self.in_circle_big,
-            &mut self.in_circle_own,
-            &mut self.symbolic,
-            &mut self.cocircular,
-            &mut self.legalization_tests,
-            &mut self.flips,
-            &mut self.front_steps,
-            &mut self.point_events,
-            &mut self.front_lengths,
-            &mut self.left_cases,
-            &mut self.edges_present,
-            &mut self.edges_inserted,
-            &mut self.pierced,
-        ]
-        .into_iter()
-        .chain(self.made.all())
-        .chain(self.survived.all())
-    }
-
     pub(crate) fn count_orient2d(&mut self, stage: Stage) {
         *match stage {
             Stage::Integers => &mut self.orient2d_integers,
@@ -294,31 +258,4 @@ impl Counters {
 /// A mean; 0 of nothing.
 fn mean(sum: u64, count: u64) -> f64 {
     sum as f64 / count.max(1) as f64
-}
-
-#[cfg(all(test, feature = "parallel"))]
-mod tests {
-    use alloc::format;
-    use alloc::vec::Vec;
-
-    use super::Counters;
-
-    /// The counters of two bands are added up, all but the most of something.
-    #[test]
-    fn all_counters_are_added_up() {
-        let mut band = Counters {
-            most_tests: 7,
-            most_flips: 7,
-            longest_front: 7,
-            ..Counters::default()
-        };
-        band.sums().for_each(|counter| *counter = 1);
-        let mut both = band;
-        both.add(&mut band);
-        let text = format!("{both:?}");
-        let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
-        let numbers: Vec<u64> = words.filter_map(|word| word.parse().ok()).collect();
-        let of = |number| numbers.iter().filter(|&&other| other == number).count();
-        assert_eq!((of(7), of(2)), (3, numbers.len() - 3), "{text}");
-    }
 }

@@ -9,6 +9,18 @@ pub(super) trait Arithmetic: Clone + Ord {
     fn plus(self, other: Self) -> Self;
     fn minus(self, other: &Self) -> Self;
     fn times(self, other: &Self) -> Self;
+    /// The order of the number and zero.
+    fn sign(&self) -> Ordering;
+}
+
+/// The orientation of three points.
+pub(super) fn orient2d<T: Arithmetic>([a, b, c]: [&[T; 2]; 3]) -> Ordering {
+    turn(&minus(a, c), &minus(b, c))
+}
+
+/// The side of the circle through the first three points on which the last lies.
+pub(super) fn in_circle<T: Arithmetic>([a, b, c, d]: [&[T; 2]; 4]) -> Ordering {
+    determinant(&[a, b, c].map(|p| minus(p, d))).sign()
 }
 
 pub(super) fn minus<T: Arithmetic>(a: &[T; 2], b: &[T; 2]) -> [T; 2] {

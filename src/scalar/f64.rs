@@ -1,14 +1,14 @@
 //! `f64`: exact for every finite double, in three stages, each only where the one before decides nothing.
 //!
-//! 1. Machine integers of 64 to 256 bits, in 10 to 30 ns. If all coordinates are multiples of a power of two and less
+//! 1. Machine integers of 64 to 256 bits. If all coordinates are multiples of a power of two and less
 //!    than 2^61 times as large, they are integers in that unit, as for most ties and near-ties: coordinates of 53 bits
 //!    may still differ by 2^8 in size. If not, the differences are, where none is rounded and the largest is less than
 //!    2^61 units: points close together that lie far from the origin along one axis only.
-//! 2. The adaptive expansions of Shewchuk (1997; crate `robust`), in 300 to 700 ns on ties. They are exact while
+//! 2. The adaptive expansions of Shewchuk (1997; crate `robust`), ten times as slow on ties. They are exact while
 //!    nothing under- or overflows, so if every coordinate is zero or within 2^-142..=2^201 in size. Coordinates outside
 //!    are first multiplied by a power of two, if that brings all of them in exactly. The crate's own filter comes
-//!    first, cannot be skipped, and costs some nanoseconds.
-//! 3. Big integers, in microseconds, for sizes farther apart than a factor of 2^342: doubles are integers in some unit.
+//!    first and cannot be skipped.
+//! 3. Big integers, for sizes farther apart than a factor of 2^342: doubles are integers in some unit.
 
 use core::cmp::Ordering;
 

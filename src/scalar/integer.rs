@@ -1,7 +1,8 @@
-//! `i32` and `i64`: exact for every value. `i32` goes as [`f64`](super::f64), which holds all its values. `i64` goes as
-//! [`i128`](super::i128), in integers as wide as the differences require: machine integers of 64, 128 and 256 bits
-//! where they hold the determinant ([`wide`]), else big integers. Other scalars use these integers too.
-//! Cost: 5 to 15 ns for a test; a microsecond in big integers, only for in-circle tests with differences above 2^61.
+//! `i32`, `i64` and `i128`: exact for every value. `i32` goes as [`f64`](super::f64), which holds all its values, the others
+//! in integers as wide as the differences require: machine integers of 64, 128 and 256 bits where they hold the determinant
+//! ([`wide`]), else big integers. Other scalars use these integers too.
+//! Cost: some dozens of machine instructions; big integers only for differences of more than 128 bits and, in circle,
+//! above 2^61.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -17,9 +18,7 @@ impl Scalar for i64 {
     }
 
     fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
-        all_doubles(points, |x| {
-            (x.unsigned_abs() <= 1 << 53).then(|| x.approx())
-        })
+        all_doubles(points, |&x| double(i128::from(x)))
     }
 
     fn difference(&self, other: &Self) -> Option<(f64, i64)> {
@@ -47,6 +46,73 @@ impl Scalar for i32 {
     }
 
     forward!(predicates: f64, |&x: &i32| f64::from(x));
+}
+
+impl Scalar for i128 {
+    fn approx(&self) -> f64 {
+        *self as f64
+    }
+
+    fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+        all_doubles(points, |&x| double(x))
+    }
+
+    fn difference(&self, other: &Self) -> Option<(f64, i64)> {
+        let size = self.abs_diff(*other) as f64;
+        Some((if self < other { -size } else { size }, 0))
+    }
+
+    forward!(signs);
+
+    fn compare(&self, other: &Self) -> Ordering {
+        self.cmp(other)
+    }
+
+    fn orient2d_by_stage(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
+        if let Some([a, b]) = differences([a, b], c) {
+            return turn(a, b);
+        }
+        let [a, b, c] = big([a, b, c]);
+        BigInt::orient2d_by_stage(&a, &b, &c)
+    }
+
+    fn in_circle_by_stage(
+        a: &[Self; 2],
+        b: &[Self; 2],
+        c: &[Self; 2],
+        d: &[Self; 2],
+    ) -> (Ordering, Stage) {
+        if let Some(rows) = differences([a, b, c], d) {
+            return in_circle(rows);
+        }
+        let [a, b, c, d] = big([a, b, c, d]);
+        BigInt::in_circle_by_stage(&a, &b, &c, &d)
+    }
+
+    forward!(sizes: BigInt, |&x: &i128| BigInt::from(x));
+}
+
+/// The double that equals a number, if it has no more than 53 bits.
+fn double(x: i128) -> Option<f64> {
+    (x.unsigned_abs() <= 1 << 53).then_some(x as f64)
+}
+
+/// The differences of points to a last one, if they fit in 128 bits.
+fn differences<const N: usize>(
+    points: [&[i128; 2]; N],
+    last: &[i128; 2],
+) -> Option<[[i128; 2]; N]> {
+    let mut rows = [[0; 2]; N];
+    for (row, point) in rows.iter_mut().zip(points) {
+        for i in 0..2 {
+            row[i] = point[i].checked_sub(last[i])?;
+        }
+    }
+    Some(rows)
+}
+
+fn big<const N: usize>(points: [&[i128; 2]; N]) -> [[BigInt; 2]; N] {
+    points.map(|point| point.map(BigInt::from))
 }
 
 /// The sign of the turn from `a` to `b`, two differences to the same point, and the stage that decided it.

@@ -14,6 +14,7 @@ use core::cmp::Ordering;
 
 use super::doubles::{exponent, power};
 use super::wide;
+use crate::tuning::SAMPLE_OF_LATTICE;
 
 /// The most bits of differences for which the orientation determinant is exact.
 const ORIENT2D: i64 = 25;
@@ -22,8 +23,6 @@ const IN_CIRCLE: i64 = 12;
 /// The most bits of differences that are taken for integers. Five fewer than would do: multiples of 2^-53 below 1, such
 /// as many generators of random numbers return, gain nothing.
 const DIFFERENCES: i64 = 48;
-/// How many points are sampled before all are looked at.
-const SAMPLE: usize = 16;
 
 /// The lattice of some points, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +34,7 @@ pub(crate) struct Lattice {
 }
 
 impl Lattice {
-    /// The lattice of points of which nothing is known.
+    /// The lattice of points about which nothing is known.
     pub(super) const UNKNOWN: Lattice = Lattice {
         bits: i64::MAX,
         per_unit: 0.0,
@@ -44,10 +43,12 @@ impl Lattice {
     /// The lattice of points whose coordinates are zero or from 2^-120 to 2^200 in size.
     pub(super) fn of(points: usize, point: impl Fn(usize) -> [f64; 2]) -> Lattice {
         let all = (0..points).map(&point);
-        let sample = all.clone().step_by(points.div_ceil(SAMPLE).max(1));
+        let sample = all
+            .clone()
+            .step_by(points.div_ceil(SAMPLE_OF_LATTICE).max(1));
         let (unit, ranges) = unit_and_ranges(sample);
         let lattice = Lattice::new(unit, ranges);
-        if lattice == Lattice::UNKNOWN || points <= SAMPLE {
+        if lattice == Lattice::UNKNOWN || points <= SAMPLE_OF_LATTICE {
             return lattice;
         }
         // Nearly always the sample has the unit of all points.
@@ -98,7 +99,7 @@ fn extended([least, most]: Range, x: f64) -> Range {
     ]
 }
 
-/// The exponent of the largest unit of which all coordinates are multiples, and the ranges of x and y.
+/// The exponent of the largest power of two that divides all coordinates, and the ranges of x and y.
 fn unit_and_ranges(points: impl Iterator<Item = [f64; 2]>) -> (i64, [Range; 2]) {
     let mut unit = 200;
     let mut ranges = NO_RANGES;
@@ -145,8 +146,6 @@ fn in_circle([a, b, c, d]: [[f64; 2]; 4], per_unit: f64) -> Ordering {
 
 #[cfg(test)]
 mod tests {
-    use num_bigint::BigInt;
-
     use super::{Lattice, power};
 
     #[test]
@@ -189,40 +188,5 @@ mod tests {
         points[501] = [far - 0.5, far];
         let lattice = Lattice::of(points.len(), |i| points[i]);
         assert_eq!((lattice.bits, lattice.per_unit), (11, 2.0));
-    }
-
-    /// Random points on lattices of each width, a third of them nearly on one circle, against big integers.
-    #[test]
-    fn the_integers_of_a_lattice_decide() {
-        let mut state = 1_u64;
-        let mut random = |below: i64| {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            (state >> 11).cast_signed() % below
-        };
-        let mut ties = 0;
-        for round in 0..20_000 {
-            let width = 1 << (2 + round % 46);
-            let mut points = [(); 4].map(|()| [random(width), random(width)]);
-            if round % 3 == 0 {
-                // A rectangle, with one corner off by at most one unit.
-                let [[x, y], [z, w], ..] = points;
-                points = [[x, y], [z, y], [z, w], [x, (w + random(2)).min(width)]];
-            }
-            let doubles = points.map(|p| p.map(|x| x as f64 / 8.0));
-            let lattice = Lattice::of(4, |i| doubles[i]);
-            let [a, b, c, d] = points.map(|p| p.map(BigInt::from));
-            let minus = |a: &[BigInt; 2]| [&a[0] - &d[0], &a[1] - &d[1]];
-            let [a, b, c] = [minus(&a), minus(&b), minus(&c)];
-            let lift = |a: &[BigInt; 2]| a[0].pow(2) + a[1].pow(2);
-            let cross = |a: &[BigInt; 2], b: &[BigInt; 2]| &a[0] * &b[1] - &a[1] * &b[0];
-            let determinant =
-                lift(&a) * cross(&b, &c) + lift(&b) * cross(&c, &a) + lift(&c) * cross(&a, &b);
-            let expected = determinant.cmp(&BigInt::ZERO);
-            ties += usize::from(expected.is_eq());
-            assert_eq!(lattice.in_circle(doubles), Some(expected), "{points:?}");
-        }
-        assert!(ties > 3000, "{ties}");
     }
 }

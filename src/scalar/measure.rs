@@ -9,9 +9,7 @@
 //! o and r are the circle's centre and radius, D is the in-circle determinant, and A twice the area of the triangle.
 //! Why it is right: the power of d to the circle is -D / A, and r is |ab| |bc| |ca| / 2 A. All factors are polynomials,
 //! computed exactly. Only then is each rounded to a double, with its exponent apart, and a few roundings follow. So the
-//! sign is exact, and the size right in relative terms, down to the smallest double. Cost: some microseconds.
-
-use num_traits::Zero;
+//! sign is exact, and the size right in relative terms, down to the smallest double. Cost: big integers.
 
 use super::Scalar;
 use super::determinants::{Arithmetic, cross, determinant, dot, minus, square};
@@ -38,9 +36,9 @@ pub(super) fn depth<T: Arithmetic>([a, b, c, d]: [&[T; 2]; 4], near: Near<T>) ->
 }
 
 /// [`Scalar::height`] of exact numbers.
-pub(super) fn height<T: Arithmetic + Zero>([a, b, c]: [&[T; 2]; 3], near: Near<T>) -> Option<f64> {
+pub(super) fn height<T: Arithmetic>([a, b, c]: [&[T; 2]; 3], near: Near<T>) -> Option<f64> {
     let [ab, bc, ac] = [minus(b, a), minus(c, b), minus(c, a)];
-    let goes_on = dot(&ab, &bc) > T::zero();
+    let goes_on = dot(&ab, &bc).sign().is_gt();
     let height = || quotient(1.0, &[cross(&ab, &bc)], &[square(&ac)], near);
     goes_on.then(height).flatten()
 }

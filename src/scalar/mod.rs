@@ -25,7 +25,6 @@ mod f32;
 mod f64;
 pub(crate) mod filter;
 mod forward;
-mod i128;
 mod integer;
 mod integer_points;
 mod lanes;
@@ -38,8 +37,6 @@ mod recenter;
 mod reference;
 #[cfg(feature = "rug")]
 mod rug;
-#[cfg(feature = "rug")]
-mod rug_integer;
 mod scale;
 mod unbounded;
 mod wide;
@@ -48,7 +45,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 pub(crate) use predicates::{ExactPoints, NearTies, Predicates};
-pub use predicates::{filtered_in_circle, filtered_orient2d};
+pub use predicates::{in_circle, orient2d};
 pub(crate) use rational::integers;
 pub(crate) use recenter::recenter;
 pub(crate) use scale::{Scale, is_in_range};
@@ -66,7 +63,7 @@ pub use unbounded::Unbounded;
 /// of them. `sweep-cdt-testing`, a package of the repository, has a test for a type of your own: `conformance`.
 ///
 /// A predicate answers with an [`Ordering`], the sign of the determinant. Sweep and verifier ask only where the
-/// floating-point filter leaves the sign open; [`filtered_orient2d`] and [`filtered_in_circle`] do so for a few points.
+/// floating-point filter leaves the sign open; [`orient2d`] and [`in_circle`] do so for a few points.
 ///
 /// ```
 /// use std::cmp::Ordering;

@@ -10,7 +10,7 @@
 //! | 6 | the [`Scalar`] itself | always |
 //!
 //! The sweep enters below the filter, which its innermost loops have inline, and adds what it knows of the artificial
-//! points. The verifier and [`filtered_orient2d`] and [`filtered_in_circle`], for a few points, take all stages.
+//! points. The verifier and [`orient2d`] and [`in_circle`], for a few points, take all stages.
 //! Why it is right: doubles stand for the coordinates only where they equal them, all times one power of two, which
 //! changes no sign. Each stage answers only what it is certain of, and the last one answers all.
 //! Cost: the filter's 2 to 4 ns for nearly all signs; below it 10 to 30 ns in integers. Integers of all points take 60
@@ -28,6 +28,7 @@ use super::filter;
 use super::integer_points::IntegerPoints;
 use super::scale::Scale;
 use super::{Scalar, Stage};
+use crate::tuning::{NEAR_TIES, VERTICES_A_TIE};
 
 /// A sign, and the exact stage that decided it; `None` if doubles did.
 pub(crate) type Decision = (Ordering, Option<Stage>);
@@ -160,10 +161,6 @@ pub(crate) struct NearTies {
     integers: Once<IntegerPoints>,
 }
 
-/// How many near-ties, and one more for each [`VERTICES_A_TIE`] vertices, it takes to make integers of all vertices.
-const NEAR_TIES: usize = 16;
-const VERTICES_A_TIE: usize = 3;
-
 impl NearTies {
     /// Counts a near-tie; makes integers of all vertices once these are many. Counts lost between threads delay that.
     #[cold]
@@ -223,7 +220,7 @@ fn in_circle_below_filter(
     if let Some(sign) = filtered {
         return (sign, None);
     }
-    let (sign, stage) = if let Some(sign) = scale.in_circle_by_integers(doubles) {
+    let (sign, stage) = if let Some(sign) = scale.lattice().in_circle(doubles) {
         (sign, Stage::Integers)
     } else if are_coordinates(doubles, scale) {
         note();
@@ -244,12 +241,12 @@ fn are_coordinates<const N: usize>(doubles: [[f64; 2]; N], scale: &Scale) -> boo
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use sweep_cdt::scalar::filtered_orient2d;
+/// use sweep_cdt::scalar::orient2d;
 ///
-/// assert_eq!(filtered_orient2d(&[0, 0], &[1, 0], &[0, 1]), Ordering::Greater);
-/// assert_eq!(filtered_orient2d(&[0.1, 0.1], &[0.2, 0.2], &[0.3, 0.3]), Ordering::Equal);
+/// assert_eq!(orient2d(&[0, 0], &[1, 0], &[0, 1]), Ordering::Greater);
+/// assert_eq!(orient2d(&[0.1, 0.1], &[0.2, 0.2], &[0.3, 0.3]), Ordering::Equal);
 /// ```
-pub fn filtered_orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Ordering {
+pub fn orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Ordering {
     let (doubles, scale) = scaled([a, b, c]);
     let filtered = filter::orient2d(doubles, scale);
     filtered.unwrap_or_else(|| {
@@ -261,13 +258,13 @@ pub fn filtered_orient2d<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2]) -> Order
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use sweep_cdt::scalar::filtered_in_circle;
+/// use sweep_cdt::scalar::in_circle;
 ///
 /// let [a, b, c] = [[0, 0], [2, 0], [2, 2]];
-/// assert_eq!(filtered_in_circle(&a, &b, &c, &[1, 1]), Ordering::Greater);
-/// assert_eq!(filtered_in_circle(&a, &b, &c, &[0, 2]), Ordering::Equal);
+/// assert_eq!(in_circle(&a, &b, &c, &[1, 1]), Ordering::Greater);
+/// assert_eq!(in_circle(&a, &b, &c, &[0, 2]), Ordering::Equal);
 /// ```
-pub fn filtered_in_circle<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2], d: &[S; 2]) -> Ordering {
+pub fn in_circle<S: Scalar>(a: &[S; 2], b: &[S; 2], c: &[S; 2], d: &[S; 2]) -> Ordering {
     let (doubles, scale) = scaled([a, b, c, d]);
     let filtered = filter::in_circle(doubles, scale);
     filtered.unwrap_or_else(|| {

@@ -4,7 +4,7 @@
 //! Why it is right: products of two numbers of 64 bits fit in 128. An approximation is the quotient of two integers to
 //! at least 64 bits, rounded down, with the last bit set if anything is left. So it becomes the same double as the
 //! exact quotient: the nearest one, monotone, and off by at most 2^-53 of it.
-//! Cost: a division of 128 bits for an approximation; where the filter decides nothing, a few microseconds.
+//! Cost: a division of 128 bits for an approximation; big integers where the filter decides nothing.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;

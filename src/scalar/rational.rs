@@ -2,7 +2,7 @@
 //! Why it is right: a factor other than zero for all coordinates multiplies the determinants by its square or fourth
 //! power, and changes no sign. A common multiple of the denominators, of either sign, makes integers of all, without
 //! fractions and greatest common divisors. Decimals or thirds stay small, for machine integers ([`integer`]).
-//! Cost: six or eight conversions to doubles (20 to 300 ns each); where the filter decides nothing, a few microseconds.
+//! Cost: six or eight conversions to doubles; big integers where the filter decides nothing.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;

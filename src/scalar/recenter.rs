@@ -15,9 +15,7 @@ use core::num::FpCategory;
 
 use super::doubles::{self, exponent, power};
 use super::{Scalar, Scale};
-
-/// How many points are looked at before an axis is moved.
-const SAMPLE: usize = 256;
+use crate::tuning::SAMPLE_OF_AXIS;
 
 /// The coordinates along one axis: for each point a double times a power of two.
 type Axis = Vec<(f64, i64)>;
@@ -66,7 +64,7 @@ fn moved<S: Scalar>(points: &[[S; 2]], approx: &[[f64; 2]], i: usize) -> Option<
 /// Whether two different coordinates of axis `i`, of a sample, have the same double.
 fn is_blurred<S: Scalar>(points: &[[S; 2]], approx: &[[f64; 2]], i: usize) -> bool {
     let double = |v: usize| approx[v][i].clamp(f64::MIN, f64::MAX);
-    let step = points.len().div_ceil(SAMPLE).max(1);
+    let step = points.len().div_ceil(SAMPLE_OF_AXIS).max(1);
     let mut order: Vec<usize> = (0..points.len())
         .step_by(step)
         .filter(|&v| points[v][i].is_finite())

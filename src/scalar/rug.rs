@@ -1,4 +1,4 @@
-//! `rug::Rational` (feature `rug`): the rationals of GMP; as doubles where the numbers are doubles. `to_f64` rounds
+//! `rug::Integer` and `rug::Rational` (feature `rug`): the numbers of GMP; rationals go as doubles where they are. `to_f64` rounds
 //! towards zero: monotone, and off by less than one unit in the last place, as [`approx`](Scalar::approx) must be.
 
 use alloc::vec::Vec;
@@ -9,9 +9,38 @@ use num_rational::BigRational;
 use rug::integer::Order;
 use rug::{Integer, Rational};
 
-use super::determinants::{Arithmetic, determinant, minus, turn};
+use super::determinants::{self, Arithmetic};
 use super::forward::forward;
 use super::{Scalar, Stage, all_doubles};
+
+impl Scalar for Integer {
+    fn approx(&self) -> f64 {
+        self.to_f64()
+    }
+
+    fn as_doubles(points: &[[Self; 2]]) -> Option<Vec<[f64; 2]>> {
+        all_doubles(points, |x| (x.significant_bits() <= 53).then(|| x.approx()))
+    }
+
+    fn difference(&self, other: &Self) -> Option<(f64, i64)> {
+        let (x, power) = Integer::from(self - other).to_f64_exp();
+        Some((x, i64::from(power)))
+    }
+
+    fn compare(&self, other: &Self) -> Ordering {
+        self.cmp(other)
+    }
+
+    fn orient2d(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> Ordering {
+        determinants::orient2d([a, b, c])
+    }
+
+    fn in_circle(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Ordering {
+        determinants::in_circle([a, b, c, d])
+    }
+
+    forward!(sizes: BigInt, big);
+}
 
 impl Scalar for Rational {
     fn approx(&self) -> f64 {
@@ -48,7 +77,7 @@ impl Scalar for Rational {
         if let Some([a, b, c]) = doubles([a, b, c]) {
             return f64::orient2d_by_stage(&a, &b, &c);
         }
-        (turn(&minus(a, c), &minus(b, c)), Stage::Own)
+        (determinants::orient2d([a, b, c]), Stage::Own)
     }
 
     fn in_circle_by_stage(
@@ -60,10 +89,7 @@ impl Scalar for Rational {
         if let Some([a, b, c, d]) = doubles([a, b, c, d]) {
             return f64::in_circle_by_stage(&a, &b, &c, &d);
         }
-        (
-            determinant(&[a, b, c].map(|p| minus(p, d))).cmp0(),
-            Stage::Own,
-        )
+        (determinants::in_circle([a, b, c, d]), Stage::Own)
     }
 
     forward!(sizes: BigRational, pure);
@@ -84,7 +110,7 @@ fn pure(number: &Rational) -> BigRational {
     BigRational::new_raw(big(number.numer()), big(number.denom()))
 }
 
-pub(super) fn big(integer: &Integer) -> BigInt {
+fn big(integer: &Integer) -> BigInt {
     let sign = match integer.cmp0() {
         Ordering::Less => Sign::Minus,
         _ => Sign::Plus,
@@ -106,6 +132,10 @@ macro_rules! arithmetic {
 
             fn times(self, other: &Self) -> Self {
                 self * other
+            }
+
+            fn sign(&self) -> Ordering {
+                self.cmp0()
             }
         }
     )+ };

@@ -19,8 +19,6 @@
 //! Scaling and becoming infinite keep the order: a larger coordinate never has a smaller double.
 //! Cost: one pass over the doubles; a few where some are out of range.
 
-use core::cmp::Ordering;
-
 use super::doubles::{self, U, exponent, power};
 use super::lattice::Lattice;
 
@@ -137,14 +135,9 @@ impl Scale {
         self.underflow_bound == UNDERFLOW
     }
 
+    #[inline(always)]
     pub(super) fn lattice(self) -> Lattice {
         self.lattice
-    }
-
-    /// The side of the circle through the first three points on which the last lies, if a known lattice holds them.
-    #[inline(always)]
-    pub(crate) fn in_circle_by_integers(self, points: [[f64; 2]; 4]) -> Option<Ordering> {
-        self.lattice.in_circle(points)
     }
 
     /// The most that underflow adds to a determinant; infinite for inexact doubles, so that the filter decides nothing.

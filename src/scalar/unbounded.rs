@@ -9,7 +9,7 @@ use core::ops::{Mul, Sub};
 use num_bigint::{BigInt, BigUint, Sign};
 use num_traits::{ToPrimitive, Zero};
 
-use super::determinants::{Arithmetic, determinant, minus, turn};
+use super::determinants::{self, Arithmetic};
 use super::doubles::power;
 use super::forward::forward;
 use super::{Scalar, Stage, all_doubles, measure};
@@ -84,7 +84,7 @@ impl<T: Unbounded> Scalar for T {
     }
 
     fn orient2d_by_stage(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2]) -> (Ordering, Stage) {
-        (turn(&minus(a, c), &minus(b, c)), T::STAGE)
+        (determinants::orient2d([a, b, c]), T::STAGE)
     }
 
     fn in_circle_by_stage(
@@ -93,8 +93,7 @@ impl<T: Unbounded> Scalar for T {
         c: &[Self; 2],
         d: &[Self; 2],
     ) -> (Ordering, Stage) {
-        let rows = [a, b, c].map(|p| minus(p, d));
-        (determinant(&rows).cmp(&T::zero()), T::STAGE)
+        (determinants::in_circle([a, b, c, d]), T::STAGE)
     }
 
     fn depth(a: &[Self; 2], b: &[Self; 2], c: &[Self; 2], d: &[Self; 2]) -> Option<f64> {
@@ -117,6 +116,10 @@ impl<T: Unbounded> Arithmetic for T {
 
     fn times(self, other: &Self) -> Self {
         self * other.clone()
+    }
+
+    fn sign(&self) -> Ordering {
+        self.cmp(&T::zero())
     }
 }
 

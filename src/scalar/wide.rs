@@ -4,7 +4,7 @@
 //! Why it is right: nothing overflows. With differences of any two points below 2^k, a cross or dot product is below
 //! 2^(2k+1), and a product of two below 2^(4k+2); two of these are compared. Where the differences to d are below 2^30,
 //! all are at most 2^31 - 2, and a cross or dot product is below 2^63. With k = 62 they fit in 128 and 256 bits.
-//! Cost: about 160 instructions for k = 62, fewer for k = 30.
+//! Cost: some dozens of multiplications for k = 62, ten for k = 30.
 
 use core::cmp::Ordering;
 

@@ -48,7 +48,7 @@ impl Artificial {
         v >= self.left
     }
 
-    /// The order by x of two vertices of which one is artificial: P-1 before and P-2 after all. `Equal` if neither is.
+    /// The order by x of two vertices, if one is artificial: P-1 before and P-2 after all. `Equal` if neither is.
     pub(super) fn compare_x(self, a: VertexId, b: VertexId) -> Ordering {
         let place = |v| i8::from(v == self.right) - i8::from(v == self.left);
         place(a).cmp(&place(b))

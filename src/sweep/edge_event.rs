@@ -1,11 +1,10 @@
-//! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted.
+//! The edge event (section 3.4.2): the edges whose upper end has just been swept are inserted, each as one *part* down to
+//! the first vertex on it. The rest waits until the hull is complete ([`super::waiting_edges`]).
 //!
-//! A vertex on an edge ends one *part* of it and starts the next. The edge event inserts the first part; the rest waits
-//! until the hull is complete ([`super::pending_edges`]). Where the part runs above the front, the *pocket* between
-//! them is filled (figures 13 and 14). Then the part lies inside the triangulation. If it is a side already, that side
-//! becomes constrained. Otherwise two pseudo-polygons replace the pierced triangles (figure 12). Overlapping edges
-//! share their parts. Fast path: if at most [`FEW`] edges end here and all are sides already (usual in maps and
-//! drawings), they are found by vertex ids, without predicates.
+//! Where the part runs above the front, the *pocket* between them is filled (figures 13 and 14). Then the part lies inside
+//! the triangulation. If it is a side already, that side becomes constrained. Otherwise two pseudo-polygons replace the
+//! pierced triangles (figure 12). Fast path: if at most [`EDGES_LOOKED_FOR`] edges end here and all are sides already,
+//! they are found by vertex ids, without predicates.
 //!
 //! ```text
 //!    upper                               A pocket (figure 13): the front runs below the edge, here at
@@ -13,51 +12,44 @@
 //!      \       ` . . edge                the pocket has the edge for a side. (Where the front comes
 //!       \ pocket     ` . .               back above the edge, as in figure 14, the edge pierces
 //!        a ----- b         ` . lower     triangles of the filled pocket.)
-//!                 `-.      .-'
-//!                    `-c-'
+//!                 `-.__c__-'
 //! ```
 //!
 //! Why it is right: a pocket lies above the front, so it is empty. It ends at nodes on or above the edge, so once it is
-//! filled, the edge lies inside the triangulation. A new edge blocks views and opens none: sides not pierced stay
-//! locally Delaunay.
+//! filled, the edge lies inside the triangulation. A new edge blocks views and opens none: other sides stay legal.
 //!
-//! Cost: at most [`FEW`] turns around the upper end by vertex ids, and one turn by tests for all edges there. One test
-//! for each node passed and each triangle pierced, or two where a pocket is filled.
-//!
-//! Differs from the paper: pockets are filled before triangles are removed. (The paper collects both in one lower
-//! pseudo-polygon.) The rest of an edge behind a vertex waits. Several edges at one vertex are inserted in an order
-//! that lets one turn around the vertex find them all. (The paper takes any order.)
+//! Cost: one turn around the upper end by tests for all edges there; one test for each node passed and each triangle
+//! pierced, or two where a pocket is filled. Differs from the paper: pockets are filled before triangles are removed,
+//! where it collects both in one pseudo-polygon, and edges at one vertex come in an order that one turn can follow.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::Equal;
 use core::mem::take;
 
 use super::Sweep;
-use super::pending_edges::PendingEdge;
-use super::traversal::{CrossedSide, Part};
+use super::traversal::{CrossedSide, Part, Traversal};
+use super::waiting_edges::WaitingEdge;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::trace::{EdgePosition, Event, Why};
-
-/// The most edges that the fast path looks for, one by one: no slower than making the triangles around the upper end.
-const FEW: usize = 4;
+use crate::tuning::EDGES_LOOKED_FOR;
 
 impl<P: Probe> Sweep<'_, P> {
     /// Inserts the edges whose upper end is `upper`, the vertex swept last.
     pub(super) fn edge_event(&mut self, upper: VertexId) -> Result<(), Error> {
         let leftmost = self.leftmost(upper);
         if !self.find_sides(upper, leftmost) {
-            let mut list = take(self.list);
+            let mut list = take(&mut self.lists.inserted);
             list.clear();
-            list.extend_from_slice(self.edges.at(upper));
+            list.extend_from_slice(self.lists.edges.at(upper));
             let inserted = self.insert_edges(upper, &mut list, leftmost);
-            *self.list = list;
+            self.lists.inserted = list;
             return inserted;
         }
         for k in 0..self.traversed.present.len() {
-            let (lower, edge) = self.edges.at(upper)[k];
+            let (lower, edge) = self.lists.edges.at(upper)[k];
             self.constrain_edge(upper, lower, edge, self.traversed.present[k]);
         }
         Ok(())
@@ -68,8 +60,8 @@ impl<P: Probe> Sweep<'_, P> {
     #[inline(always)]
     fn find_sides(&mut self, upper: VertexId, leftmost: HalfEdge) -> bool {
         self.traversed.present.clear();
-        let edges = self.edges.at(upper);
-        if edges.len() > FEW {
+        let edges = self.lists.edges.at(upper);
+        if edges.len() > EDGES_LOOKED_FOR {
             return false;
         }
         for &(lower, _) in edges {
@@ -164,11 +156,13 @@ impl<P: Probe> Sweep<'_, P> {
                 Some(of) if self.chains.are_equal(edge, of) => self.chains.share(edge, of),
                 _ => {
                     before = Some(edge);
-                    if end == upper {
-                        self.deferred.push(PendingEdge::new(upper, lower, edge));
-                    } else if end != lower {
-                        self.note_passed(edge, end)?;
-                        self.pending.push(PendingEdge::new(end, lower, edge));
+                    let from = end.unwrap_or(upper);
+                    let waiting = WaitingEdge { from, edge, lower };
+                    if end.is_none() {
+                        self.waiting.defer(waiting);
+                    } else if from != lower {
+                        self.note_passed(edge, from)?;
+                        self.waiting.push_rest(waiting);
                     }
                 }
             }
@@ -182,7 +176,7 @@ impl<P: Probe> Sweep<'_, P> {
         self.chains.pass(edge, vertex)
     }
 
-    /// Inserts an edge down to the first vertex on it; returns it, or `upper` if the edge has to be deferred. `around`,
+    /// Inserts an edge down to the first vertex on it, which is returned; `None` if the edge has to be deferred. `around`,
     /// opposite `upper`, moves beside the edge.
     #[inline(always)]
     pub(super) fn insert_edge(
@@ -190,10 +184,10 @@ impl<P: Probe> Sweep<'_, P> {
         upper: VertexId,
         lower: VertexId,
         around: &mut HalfEdge,
-    ) -> Result<VertexId, CrossedSide> {
+    ) -> Result<Option<VertexId>, CrossedSide> {
         self.traversed.pockets.clear();
-        let mut part = self.traverse(upper, lower, around)?;
-        if part.end != upper {
+        let mut found = self.traverse(upper, lower, around)?;
+        if let Traversal::Part(part) = found {
             self.report_part(upper, part);
         }
         // The pockets of an edge that is deferred are filled, too: then no other edge passes their nodes again.
@@ -202,15 +196,16 @@ impl<P: Probe> Sweep<'_, P> {
             if self.delaunay.mesh.opposite(*around) != upper {
                 *around = self.leftmost(upper);
             }
-            if part.end != upper {
-                part = self.traverse(upper, lower, around)?;
+            if let Traversal::Part(_) = found {
+                found = self.traverse(upper, lower, around)?;
             }
         }
-        self.deferred.spend(self.traversed.pierced.len());
-        if part.end != upper {
-            *around = self.insert_part(upper, part);
-        }
-        Ok(part.end)
+        self.waiting.spend(self.traversed.pierced.len());
+        let Traversal::Part(part) = found else {
+            return Ok(None);
+        };
+        *around = self.insert_part(upper, part);
+        Ok(Some(part.end))
     }
 
     fn fill_pockets(&mut self) -> bool {
@@ -246,7 +241,8 @@ impl<P: Probe> Sweep<'_, P> {
             let start = self
                 .delaunay
                 .replace_pierced(from, part.end, &self.traversed);
-            self.vertex_triangles
+            self.lists
+                .vertex_triangles
                 .renew(&self.delaunay.mesh, &self.traversed.pierced);
             start
         }
@@ -256,7 +252,7 @@ impl<P: Probe> Sweep<'_, P> {
     pub(super) fn crossing(&mut self, edge: u32, [r, s]: CrossedSide) -> Error {
         let mut crossed = u32::MAX;
         let (low, high) = (r.min(s), r.max(s));
-        for (upper, lower, other) in self.edges.iter() {
+        for (upper, lower, other) in self.lists.edges.iter() {
             if other < crossed
                 && lower <= low
                 && high <= upper

@@ -7,6 +7,7 @@
 use super::vertices::Vertices;
 use crate::error::Error;
 use crate::ids::{VertexId, narrow};
+use crate::triangulation::edge_chains::marked;
 use alloc::vec::Vec;
 
 #[derive(Debug, Default)]
@@ -18,7 +19,7 @@ pub(super) struct Edges {
 }
 
 impl Edges {
-    /// Lists the edges of an input of `points` points. Sets `ends` to the input indices of their ends, upper first.
+    /// Lists the edges of an input of `points` points. Sets `ends` to the [`marked`] input indices of their ends.
     pub(super) fn set(
         &mut self,
         vertices: &Vertices,
@@ -53,12 +54,14 @@ impl Edges {
         if vertices.duplicates.is_empty() {
             // Each vertex stands for the input point itself.
             for (ends, given) in ends.iter_mut().zip(edges) {
-                let upper = usize::from(ends[1] > ends[0]);
-                *ends = [given[upper], given[1 - upper]].map(narrow);
+                let runs_up = ends[1] > ends[0];
+                let upper = usize::from(runs_up);
+                *ends = marked([given[upper], given[1 - upper]].map(narrow), runs_up);
             }
         } else {
             for ends in ends {
-                *ends = upper_first(ends).map(|v| vertices.input_index(v));
+                let downwards = upper_first(ends).map(|v| vertices.input_index(v));
+                *ends = marked(downwards, ends[1] > ends[0]);
             }
         }
         Ok(())

@@ -25,16 +25,14 @@ use alloc::vec::Vec;
 use core::mem::take;
 
 use super::Sweep;
-use super::flip_limit::inexact_scalar;
+use super::contradiction::inexact_scalar;
 use crate::ids::{BorderId, TriangleId, narrow};
 use crate::mesh::{HalfEdge, Triangle};
 use crate::observe::probe::Probe;
 use crate::observe::recorder::Phase;
 use crate::trace::{Event, Why};
 use crate::triangulation::Triangulation;
-
-/// The most artificial triangles that are sorted by comparison.
-const FEW: usize = 100;
+use crate::tuning::FEW_ARTIFICIAL;
 
 impl<P: Probe> Sweep<'_, P> {
     /// Fills the front up to the upper hull.
@@ -55,7 +53,8 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay
             .probe
             .record(|r| r.stats.memory = r.stats.memory.max(bytes));
-        let (mut hull, mut artificial) = (take(self.hull), take(self.artificial));
+        let (mut hull, mut artificial) =
+            (take(&mut self.lists.hull), take(&mut self.lists.artificial));
         hull.clear();
         artificial.clear();
         artificial.extend_from_slice(self.delaunay.mesh.unused());
@@ -80,7 +79,7 @@ impl<P: Probe> Sweep<'_, P> {
             chains: take(&mut self.chains).finish(),
         };
         self.delaunay.probe.begin(Phase::Finished);
-        *self.artificial = artificial;
+        self.lists.artificial = artificial;
         result
     }
 
@@ -113,7 +112,7 @@ impl<P: Probe> Sweep<'_, P> {
             };
         }
         debug_assert!(pivot == right && side == HalfEdge::border(BorderId::segment(last)));
-        // The upper hull: what is left of the front, from right to left.
+        // The front is the upper hull now. From right to left:
         let mut at = last;
         while at != first {
             at = self.front.prev(at);
@@ -157,7 +156,7 @@ impl<P: Probe> Sweep<'_, P> {
 /// Sorts distinct triangle numbers below `count`: a few by comparison, many with one bit for each number.
 fn put_in_order(list: &mut Vec<TriangleId>, count: usize) {
     const BITS: usize = u64::BITS as usize;
-    if list.len() <= FEW {
+    if list.len() <= FEW_ARTIFICIAL {
         return list.sort_unstable();
     }
     let mut marks = vec![0_u64; count.div_ceil(BITS)];

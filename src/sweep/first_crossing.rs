@@ -1,7 +1,7 @@
 //! Which crossing is named: the one that the paper's order of insertion meets first.
 //!
-//! A run that has deferred edges ([`super::deferred_edges`]) meets some crossing of many. The error names the pair that
-//! the edge events in sweep order, and then the pending edges, would have met first, so that one input has one error,
+//! A run that has deferred edges ([`super::waiting_edges`]) meets some crossing of many. The error names the pair that
+//! the edge events in sweep order, and then the rests, would have met first, so that one input has one error,
 //! too. Each part of an edge has its [`Moment`] in that order. The first crossing is the one whose later part comes
 //! first.
 //!
@@ -21,47 +21,52 @@ use core::cmp::Ordering::Equal;
 use core::cmp::Reverse;
 
 use super::Sweep;
-use super::delaunay::Random;
-use super::flip_limit::inexact_scalar;
-use super::pending_edges::PendingEdge;
+use super::contradiction::inexact_scalar;
+use super::waiting_edges::WaitingEdge;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::observe::probe::Probe;
+use crate::random::Random;
 
 /// When the paper's order inserts a part of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Moment {
     /// In the edge event of this vertex, the upper end of the edge.
     EdgeEvent(VertexId),
-    /// With the pending edges that begin at this vertex, after all edge events and from the last vertex to the first.
-    Pending(Reverse<VertexId>),
+    /// With the rests that begin at this vertex, after all edge events and from the last vertex to the first.
+    Rest(Reverse<VertexId>),
 }
 
 impl<P: Probe> Sweep<'_, P> {
-    /// The error for edges of which some cross.
+    /// Returns the crossing that the paper's order meets first.
     pub(super) fn first_crossing(&mut self) -> Error {
         // No edge begins at the first vertex, so all parts come before.
-        let mut end = Moment::Pending(Reverse(VertexId::new(0)));
+        let mut end = Moment::Rest(Reverse(VertexId::new(0)));
         loop {
             self.divide_and_conquer_points();
-            self.deferred.allow_all();
+            self.waiting.allow_all();
             match self.insert_before(end) {
-                Ok(pending) => return self.crossing_at(end, pending),
+                Ok(rests) => return self.crossing_at(end, rests),
                 Err(moment) if moment < end => end = moment,
                 Err(_) => inexact_scalar(),
             }
         }
     }
 
-    /// Inserts all parts that come before `end` in random order. Returns the pending edges that begin at the vertex of
+    /// Inserts all parts that come before `end` in random order. Returns the rests that begin at the vertex of
     /// `end`, or the moment of the later part of two that cross.
-    fn insert_before(&mut self, end: Moment) -> Result<Vec<PendingEdge>, Moment> {
+    fn insert_before(&mut self, end: Moment) -> Result<Vec<WaitingEdge>, Moment> {
         let parts = self
+            .lists
             .edges
             .iter()
             .filter(|&(upper, lower, _)| lower != upper && Moment::EdgeEvent(upper) < end);
-        let begin = |(upper, lower, edge)| PendingEdge::new(upper, lower, edge);
-        let mut edges: Vec<PendingEdge> = parts.map(begin).collect();
+        let begin = |(upper, lower, edge)| WaitingEdge {
+            from: upper,
+            edge,
+            lower,
+        };
+        let mut edges: Vec<WaitingEdge> = parts.map(begin).collect();
         // The first of equal edges stands for all.
         edges.sort_unstable_by_key(|edge| (edge.from, edge.lower, edge.edge));
         edges.dedup_by_key(|edge| (edge.from, edge.lower));
@@ -70,7 +75,7 @@ impl<P: Probe> Sweep<'_, P> {
         for edge in &mut edges {
             self.advance(edge)?;
         }
-        let Moment::Pending(Reverse(last)) = end else {
+        let Moment::Rest(Reverse(last)) = end else {
             return Ok(Vec::new());
         };
         random.shuffle(&mut edges);
@@ -85,8 +90,8 @@ impl<P: Probe> Sweep<'_, P> {
     }
 
     /// Inserts the first part of an edge, which then begins behind it.
-    fn advance(&mut self, edge: &mut PendingEdge) -> Result<(), Moment> {
-        let &mut PendingEdge { from, lower, .. } = edge;
+    fn advance(&mut self, edge: &mut WaitingEdge) -> Result<(), Moment> {
+        let &mut WaitingEdge { from, lower, .. } = edge;
         match self.insert_first_part(from, lower) {
             Ok(end) => {
                 edge.from = end;
@@ -100,23 +105,23 @@ impl<P: Probe> Sweep<'_, P> {
     }
 
     /// When the part that begins at `from` and leads towards `lower` is inserted first: by an edge that ends there, or by
-    /// one that is pending there.
+    /// a rest that begins there.
     fn moment(&mut self, from: VertexId, lower: VertexId) -> Moment {
-        for &(end, _) in self.edges.at(from) {
+        for &(end, _) in self.lists.edges.at(from) {
             if end != from && self.delaunay.orient2d([from, lower, end]) == Equal {
                 return Moment::EdgeEvent(from);
             }
         }
-        Moment::Pending(Reverse(from))
+        Moment::Rest(Reverse(from))
     }
 
     /// Inserts the parts of a moment in the paper's order, after all parts before it: one of them crosses another edge.
-    fn crossing_at(&mut self, moment: Moment, pending: Vec<PendingEdge>) -> Error {
+    fn crossing_at(&mut self, moment: Moment, rests: Vec<WaitingEdge>) -> Error {
         let (upper, mut list) = match moment {
-            Moment::EdgeEvent(upper) => (upper, self.edges.at(upper).to_vec()),
-            Moment::Pending(Reverse(from)) => {
-                let ends = |edge: PendingEdge| (edge.lower, edge.edge);
-                (from, pending.into_iter().map(ends).collect())
+            Moment::EdgeEvent(upper) => (upper, self.lists.edges.at(upper).to_vec()),
+            Moment::Rest(Reverse(from)) => {
+                let ends = |edge: WaitingEdge| (edge.lower, edge.edge);
+                (from, rests.into_iter().map(ends).collect())
             }
         };
         let around = self.side_opposite(upper);

@@ -10,25 +10,13 @@
 //! paper's heuristics; when it is gone, the caller's again. Wide corners flip least on most data. But where points
 //! crowd in clusters within clusters, they flip two to four times as much as the paper's corners and basins.
 //!
-//! The *limit* is quadratic, and no exact scalar can reach it: a flip lowers the lifted surface, so a side that was
-//! flipped away does not come back before the next edge is inserted. With n vertices and two artificial ones there are
-//! fewer than (n + 2)^2 / 2 sides. A scalar that reaches the limit contradicts itself: each of its signs may look
-//! right, but together they belong to no points. Without a limit its flips might never end.
+//! When the budget is spent or there is none, the *limit* counts, which proves the scalar wrong ([`super::contradiction`]).
 
-/// Flips that the budget grants for each vertex swept.
-const FOR_VERTEX: u64 = 8;
-/// Flips that the budget grants for each corner of a chain.
-const FOR_CORNER: u64 = 4;
-/// Flips that the budget grants for each vertex when the hull is completed: to begin anew so late costs more.
-const FOR_HULL: u64 = 2;
-/// Flips in the reserve beyond half a flip for each vertex.
-const RESERVE: u64 = if cfg!(fuzzing) { 4 } else { 1000 };
-/// Flips for each vertex that are no excess.
-const COMMON: u64 = 4;
-/// Steps along the front that cost as much as a flip.
-const STEPS: u64 = 8;
-/// The excess brings the paper's heuristics beyond the reserve divided by this: a later change helps less.
-const FOR_PAPER: u64 = 8;
+use super::contradiction::inexact_scalar;
+use crate::tuning::{
+    COMMON_FLIPS, FLIPS_FOR_CORNER, FLIPS_FOR_HULL, FLIPS_FOR_VERTEX, RESERVE_FOR_PAPER,
+    STEPS_FOR_FLIP,
+};
 
 /// The flips that are left of the budget or of the limit.
 #[derive(Clone, Copy, Debug)]
@@ -53,19 +41,17 @@ enum Stage {
 }
 
 impl FlipLimit {
-    /// The limit for `vertices` vertices, after a budget if `has_budget`.
-    pub(super) fn new(vertices: usize, has_budget: bool) -> FlipLimit {
+    /// The limit for `vertices` vertices, after a budget with this [`reserve`](crate::Tuning), if one is given.
+    pub(super) fn new(vertices: usize, reserve: Option<u64>) -> FlipLimit {
         let n = vertices as u64;
         let most = (n + 2).saturating_mul(n + 2);
-        let reserve = n / 2 + RESERVE;
-        let (left, stage) = if has_budget {
-            (reserve, Stage::Budget)
-        } else {
-            (most, Stage::Limit)
+        let (left, stage) = match reserve {
+            Some(reserve) => (n / 2 + reserve, Stage::Budget),
+            None => (most, Stage::Limit),
         };
         FlipLimit {
             left,
-            reserve,
+            reserve: left,
             most,
             stage,
             counted: left,
@@ -79,8 +65,8 @@ impl FlipLimit {
         if self.stage == Stage::Budget {
             let swept = u64::from(swept);
             let flips = self.counted - self.left;
-            self.excess = (self.excess + flips).saturating_sub(COMMON * swept);
-            let left = self.left + FOR_VERTEX * swept;
+            self.excess = (self.excess + flips).saturating_sub(COMMON_FLIPS * swept);
+            let left = self.left + FLIPS_FOR_VERTEX * swept;
             self.left = left.min(self.reserve);
             self.counted = self.left;
         }
@@ -89,15 +75,15 @@ impl FlipLimit {
     /// Whether the sweep should go on with the paper's heuristics.
     #[inline(always)]
     pub(super) fn is_excessive(&self) -> bool {
-        self.excess > self.reserve / FOR_PAPER
+        self.excess > self.reserve / RESERVE_FOR_PAPER
     }
 
     pub(super) fn grant_for_hull(&mut self, vertices: usize) {
-        self.grant(FOR_HULL * vertices as u64);
+        self.grant(FLIPS_FOR_HULL * vertices as u64);
     }
 
     pub(super) fn grant_for_chain(&mut self, corners: usize) {
-        self.grant(FOR_CORNER * corners as u64);
+        self.grant(FLIPS_FOR_CORNER * corners as u64);
     }
 
     /// Grants more flips.
@@ -126,7 +112,7 @@ impl FlipLimit {
     #[cold]
     pub(super) fn spend_steps(&mut self, steps: usize) {
         if self.stage == Stage::Budget {
-            let flips = (steps as u64 / STEPS).min(self.left);
+            let flips = (steps as u64 / STEPS_FOR_FLIP).min(self.left);
             self.left -= flips;
             self.counted -= flips;
             if self.left == 0 {
@@ -150,11 +136,4 @@ impl FlipLimit {
         }
         (self.stage, self.left) = (Stage::Spent, self.most);
     }
-}
-
-/// Panics: only signs that contradict each other can lead here.
-#[cold]
-#[inline(never)]
-pub(super) fn inexact_scalar() -> ! {
-    panic!("the scalar is not exact: its signs contradict each other");
 }

@@ -6,8 +6,8 @@ use alloc::sync::Arc;
 use core::mem::take;
 
 use super::Sweep;
-use super::scratch::{Held, Lent, Scratch};
-use super::vertices::ApproxPoints;
+use super::state::Scratch;
+use super::vertices::{ApproxPoints, SortBuffers};
 use crate::error::Error;
 use crate::front::{Front, FrontInput, FrontSearch, Search};
 use crate::ids::{BorderId, VertexId, narrow};
@@ -18,13 +18,15 @@ use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::Settings;
 use crate::trace::{Event, Why};
 use crate::triangulation::edge_chains::EdgeChainBuilder;
+use crate::tuning::Tuning;
 
 /// Sorts and merges the points, and lists the edges at their upper ends, all in `scratch`.
 pub(super) fn initialize<S: Scalar>(
     points: &[[S; 2]],
     edges: &[[usize; 2]],
+    tuning: &Tuning,
     scratch: &mut Scratch,
-) -> Result<EdgeChainBuilder, Error> {
+) -> Result<(), Error> {
     // Too many vertices or edges, or wrong ones, are refused.
     if points.len() > LIMIT {
         return Err(Error::TooManyPoints {
@@ -39,46 +41,45 @@ pub(super) fn initialize<S: Scalar>(
         });
     }
     // What earlier runs have left is there.
-    if scratch.held.vertices.approx.capacity() < points.len() {
+    if scratch.arrays.vertices.approx.capacity() < points.len() {
         expect_room(of_triangulation(points.len(), edges.len()))?;
     }
     let approx = ApproxPoints::new(points)?;
     let inputs = 0..narrow(points.len());
-    scratch
-        .held
-        .vertices
-        .set(&approx, inputs, &mut scratch.sort);
+    let vertices = &mut scratch.arrays.vertices;
+    vertices.set(&approx, inputs, &mut scratch.sort, tuning);
     drop(approx);
-    scratch.lent.edges.set(
-        &scratch.held.vertices,
-        points.len(),
-        edges,
-        &mut scratch.ends,
-    )?;
-    scratch.initialized();
-    Ok(EdgeChainBuilder::new(Arc::new(take(&mut scratch.ends))))
+    scratch
+        .lists
+        .edges
+        .set(vertices, points.len(), edges, &mut scratch.ends)?;
+    scratch.arrays.chains = EdgeChainBuilder::new(Arc::new(take(&mut scratch.ends)));
+    if !scratch.is_kept {
+        scratch.sort = SortBuffers::default();
+    }
+    Ok(())
 }
 
-/// The state with the first triangle of the vertices in `held`, with the edges in `lent`.
+/// The state with the first triangle of the vertices in `scratch`, with the edges there.
 pub(super) fn begin<'a, P: Probe>(
     points: &'a dyn ExactPoints,
-    chains: EdgeChainBuilder,
     settings: Settings,
     front: Option<&'a mut dyn FrontSearch>,
     probe: P,
-    mut held: Held,
-    lent: &'a mut Lent,
+    scratch: &'a mut Scratch,
 ) -> Sweep<'a, P> {
-    let mut search = Search::with(front, take(&mut held.table));
-    search.begin(FrontInput::new(&held.vertices.approx));
+    let arrays = &mut scratch.arrays;
+    arrays.table.tune(settings.tuning);
+    let mut search = Search::with(front, take(&mut arrays.table));
+    search.begin(FrontInput::new(&arrays.vertices.approx));
     // Each vertex has a border half-edge: the segment of the front that starts there.
-    let n = held.vertices.len();
-    held.mesh.begin(2 * n + 2, n + 2);
-    match &mut held.front {
+    let n = arrays.vertices.len();
+    arrays.mesh.begin(2 * n + 2, n + 2);
+    match &mut arrays.front {
         Some(front) => front.begin(n),
-        None => held.front = Some(Front::new(n)),
+        None => arrays.front = Some(Front::new(n)),
     }
-    let mut sweep = Sweep::new(points, chains, settings, search, probe, held, lent);
+    let mut sweep = Sweep::new(points, settings, search, probe, scratch);
     sweep.report_order(n);
     if n > 0 {
         sweep.first_triangle();

@@ -2,7 +2,8 @@
 //!
 //! The vertical projection `P_Q` of the vertex falls on a segment of the front: strictly inside (middle case, figure 7)
 //! or on the left end (left case, figure 8). The segment and the vertex make a triangle. The left case makes a second
-//! one, since of two vertices one above the other only one is on the front. Then come the [`super::heuristics`].
+//! one, since of two vertices one above the other only one is on the front. Then come the heuristics
+//! ([`super::narrow_corners`], [`super::basins`]).
 //!
 //! ```text
 //!   middle case:     p                left case:     p           In both cases: triangle p, left, right.
@@ -20,7 +21,7 @@
 use core::cmp::Ordering::{Equal, Greater};
 use core::hint::select_unpredictable;
 
-use super::heuristics::Obtuse;
+use super::narrow_corners::Obtuse;
 use super::{NewVertex, Sweep};
 use crate::front::Direction;
 use crate::ids::{BorderId, VertexId};
@@ -28,9 +29,6 @@ use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::settings::Corners;
 use crate::trace::{Event, PointCase, Why};
-
-/// Walks of more steps than this spend the budget of flips.
-const LONG_WALK: usize = if cfg!(fuzzing) { 2 } else { 32 };
 
 impl<P: Probe> Sweep<'_, P> {
     /// Adds vertex `v`, the next one in sweep order.
@@ -74,6 +72,39 @@ impl<P: Probe> Sweep<'_, P> {
             let far = self.front.prev(left);
             self.close_corner(p, Direction::Left, [left, far], Why::Point);
         }
+    }
+
+    /// Covers the node `corner` beside `p` by a triangle of `p`, `corner`, and the node after it, `far`.
+    #[inline(always)]
+    pub(super) fn close_corner(
+        &mut self,
+        p: NewVertex,
+        direction: Direction,
+        [corner, far]: [VertexId; 2],
+        why: Why,
+    ) {
+        // Segments bear the number of their left end. The outer one runs from `corner` to `far`, the spoke from `p` to
+        // `corner`; the new segment runs from `p` to `far`.
+        let below = |v| self.delaunay.mesh.border_twin(BorderId::segment(v));
+        let border = |v| HalfEdge::border(BorderId::segment(v));
+        let (vertices, twin) = match direction {
+            Direction::Right => (
+                [p.id, corner, far],
+                [below(corner), border(p.id), below(p.id)],
+            ),
+            Direction::Left => (
+                [p.id, far, corner],
+                [below(far), below(corner), border(far)],
+            ),
+        };
+        let t = self.delaunay.add_triangle(vertices, twin, why);
+        self.take_off_front(corner);
+        let rightmost = self.delaunay.legalize_fan(t, p.approx, vertices[2]);
+        let spoke = match direction {
+            Direction::Right => HalfEdge::new(t, 2),
+            Direction::Left => HalfEdge::new(rightmost, 1),
+        };
+        self.delaunay.legalize_side(spoke);
     }
 
     /// Adds the triangles of the heuristics beside `p`, the node of the front swept last.
@@ -129,7 +160,7 @@ impl<P: Probe> Sweep<'_, P> {
             c.front_steps += steps as u64;
             c.point_events += 1;
         });
-        if steps > LONG_WALK {
+        if steps > self.delaunay.tuning.long_walk {
             self.delaunay.flip_limit.spend_steps(steps);
         }
         (at, order == Equal)

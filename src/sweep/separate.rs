@@ -6,28 +6,27 @@
 //! it crosses a constrained side, it crosses all edges that this side is a part of.
 //!
 //! Why it is right: edges that were inserted whole cross each other at vertices only. All their parts are constrained
-//! sides, so what is followed from end to end meets every one that it crosses. What the edges of the rest cross among
-//! each other is met only where a part of one of them had been inserted, so it has to be looked for again.
+//! sides, so an edge that is followed from end to end meets every one that it crosses. Where no part of either is
+//! in, two edges of the rest cross unseen. So the caller searches the rest again.
 //!
-//! Cost: that of the insertion ([`super::deferred_edges`]), and one test for each triangle that an edge of the rest
+//! Cost: that of the insertion ([`super::waiting_edges`]), and one test for each triangle that an edge of the rest
 //! passes, where constrained sides are crossed as well. No proof bounds how many other sides it crosses: few in every
 //! family measured, because edges in random order leave only narrow gaps between those that are in.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater, Less};
-use core::mem::take;
 
 use super::Sweep;
-use super::delaunay::Random;
-use super::flip_limit::inexact_scalar;
+use super::contradiction::inexact_scalar;
 use super::initialization::{begin, initialize};
-use super::scratch::Scratch;
+use super::state::Scratch;
 use super::traversal::{CrossedSide, Departure};
 use crate::error::Error;
 use crate::ids::VertexId;
+use crate::random::Random;
 use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::{Algorithm, Settings};
-use crate::triangulation::edge_chains::EdgeChainBuilder;
+use crate::tuning::Tuning;
 
 /// Edges by their positions in the list of all.
 #[derive(Debug, Default)]
@@ -45,28 +44,26 @@ pub(crate) fn separate<S: Scalar>(
     most: usize,
 ) -> Result<Option<Separated>, Error> {
     let scratch = &mut Scratch::default();
-    let chains = initialize(points, edges, scratch)?;
-    Ok(separate_vertices(&points, chains, most, scratch))
+    initialize(points, edges, &Tuning::REAL, scratch)?;
+    Ok(separate_vertices(&points, most, scratch))
 }
 
 #[inline(never)]
 fn separate_vertices(
     points: &dyn ExactPoints,
-    chains: EdgeChainBuilder,
     most: usize,
     scratch: &mut Scratch,
 ) -> Option<Separated> {
-    if scratch.held.vertices.len() == 0 {
+    if scratch.arrays.vertices.len() == 0 {
         return Some(Separated::default());
     }
     let settings = Settings {
         algorithm: Algorithm::DivideAndConquer,
         ..Settings::default()
     };
-    let (held, lent) = (take(&mut scratch.held), &mut scratch.lent);
-    let mut sweep = begin(points, chains, settings, None, (), held, lent);
+    let mut sweep = begin(points, settings, None, (), scratch);
     sweep.divide_and_conquer_points();
-    sweep.deferred.allow_all();
+    sweep.waiting.allow_all();
     sweep.separate(most)
 }
 
@@ -75,7 +72,11 @@ type Side = ([VertexId; 2], u32);
 
 impl Sweep<'_, ()> {
     fn separate(&mut self, most: usize) -> Option<Separated> {
-        let distinct = self.edges.iter().filter(|(upper, lower, _)| upper != lower);
+        let distinct = self
+            .lists
+            .edges
+            .iter()
+            .filter(|(upper, lower, _)| upper != lower);
         let mut edges: Vec<Side> = distinct
             .map(|(upper, lower, edge)| ([upper, lower], edge))
             .collect();

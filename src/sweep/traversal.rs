@@ -2,8 +2,7 @@
 //!
 //! From a vertex the edge leaves into one of the triangles around it (figure 11) or, if the vertex is on the front,
 //! into the gap above the front. It passes from triangle to triangle; it may leave through a front segment, run above
-//! the front, and enter the triangles again. A *part* of the edge ends at the first vertex that it meets: its lower
-//! end, or a vertex on it. There the next part starts.
+//! the front, and enter the triangles again. A *part* of the edge ends at the first vertex on it.
 //!
 //! ```text
 //!    upper --.__                            A mixed edge event (figure 14). The dots are the edge, the
@@ -22,32 +21,36 @@
 //! outside the convex hull and are never pierced. If a constrained side is in the way, two input edges cross.
 //!
 //! Cost: the degree of the first vertex, and one test for each triangle pierced or node passed. Differs from the paper:
-//! the traversal changes nothing. The edge event fills the pockets found and traverses the edge again, in triangles
-//! alone. An edge that pierces very many triangles is deferred ([`super::deferred_edges`]), and may then be followed from
-//! its lower end.
+//! the traversal changes nothing. The edge event fills the pockets found and traverses the edge again.
+
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Greater, Less};
 
 use super::Sweep;
-use super::flip_limit::inexact_scalar;
+use super::contradiction::inexact_scalar;
 use crate::front::Direction;
 use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::trace::Event;
 
-/// The triangles of the first turn around each end of an edge. Small inputs are tested as if they were large.
-const FIRST_TURN: usize = if cfg!(any(test, fuzzing)) { 1 } else { 8 };
-
 /// A part of an edge: to the first vertex on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
-    /// The vertex where the part ends. If that is where it starts, the edge pierces more triangles than it may.
+    /// The vertex where the part ends.
     pub(super) end: VertexId,
     /// A half-edge opposite the vertex where the part starts.
     pub(super) start: HalfEdge,
     /// The side that the part is already, if any; otherwise it pierces triangles or pockets.
     pub(super) present: Option<HalfEdge>,
+}
+
+/// What a traversal has found.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Traversal {
+    Part(Part),
+    /// The edge pierces more triangles than it may.
+    TooMany,
 }
 
 /// Both vertices of a constrained side that the edge would cross.
@@ -96,6 +99,7 @@ enum Place {
     Front([VertexId; 2]),
     /// At the vertex that ends the part.
     End(VertexId),
+    TooMany,
 }
 
 impl<P: Probe> Sweep<'_, P> {
@@ -106,13 +110,13 @@ impl<P: Probe> Sweep<'_, P> {
         from: VertexId,
         to: VertexId,
         around: &mut HalfEdge,
-    ) -> Result<Part, CrossedSide> {
-        let most = self.deferred.most(self.delaunay.mesh.len());
+    ) -> Result<Traversal, CrossedSide> {
+        let most = self.waiting.most(self.delaunay.mesh.len());
         self.traversed.begin_part(most);
         let mut place = match self.departure([from, to], *around) {
             Departure::Along(part) => {
                 *around = part.start;
-                return Ok(part);
+                return Ok(Traversal::Part(part));
             }
             Departure::Into(side) => {
                 *around = side;
@@ -126,12 +130,13 @@ impl<P: Probe> Sweep<'_, P> {
                 Place::HalfEdge(side) => self.pass_triangle([from, to], side)?,
                 Place::Front(ends) => self.pass_front([from, to], ends)?,
                 Place::End(end) => {
-                    return Ok(Part {
+                    return Ok(Traversal::Part(Part {
                         end,
                         start,
                         present: None,
-                    });
+                    }));
                 }
+                Place::TooMany => return Ok(Traversal::TooMany),
             }
         }
     }
@@ -150,7 +155,7 @@ impl<P: Probe> Sweep<'_, P> {
     /// around it each time: in a plane graph the smaller degrees of the ends of all edges sum to O(n).
     pub(super) fn nearer_departure(&mut self, ends: [VertexId; 2]) -> ([VertexId; 2], HalfEdge) {
         let around = ends.map(|v| self.side_opposite(v));
-        let mut most = FIRST_TURN;
+        let mut most = self.delaunay.tuning.first_turn;
         loop {
             for ([from, to], around) in [(ends, around[0]), ([ends[1], ends[0]], around[1])] {
                 match self.depart([from, to], around, most) {
@@ -259,7 +264,7 @@ impl<P: Probe> Sweep<'_, P> {
             if self.traversed.most == self.delaunay.mesh.len() {
                 inexact_scalar();
             }
-            return Ok(Place::End(part[0]));
+            return Ok(Place::TooMany);
         }
         // The edge leaves across one of the other two sides; the third borders on a pseudo-polygon. At the end both do.
         self.traversed.pierced.push(entry.triangle());

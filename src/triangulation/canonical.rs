@@ -11,14 +11,8 @@ use alloc::vec::Vec;
 use core::mem::take;
 
 use crate::bucket::sampled;
-use crate::ids::narrow;
 use crate::threads::on_all_cores;
-
-const CHUNK: usize = 1 << 16;
-/// How many groups several chunks have. Fewer would not fit in the cache; more would scatter a chunk too widely.
-const GROUPS: usize = 256;
-/// How many triangles are in the sample that tells how high vertices are.
-const SAMPLE: usize = 1 << 10;
+use crate::tuning::{CHUNK_OF_GROUPS, GROUPS_OF_CHUNKS, SAMPLE_OF_GROUPS};
 
 /// A triangle whose first vertex is the lowest.
 type Listed = [u32; 3];
@@ -30,43 +24,40 @@ struct Chunk {
     begins: Vec<usize>,
 }
 
-/// The triangles of a [`Triangulation`](crate::Triangulation) in canonical order, group by group: for programs that
-/// write many triangles and need not hold the whole list.
-///
-/// [`Triangulation::canonical_groups`](crate::Triangulation::canonical_groups) makes them. One group after the other is
-/// the list of [`canonical_triangles`](crate::Triangulation::canonical_triangles).
-///
-/// ```
-/// let points = [[0, 0], [3, 0], [3, 2], [0, 2]];
-/// let result = sweep_cdt::triangulate(&points, &[[1, 3]])?;
-/// let groups = result.canonical_groups();
-/// let all: Vec<_> = (0..groups.sizes().len()).flat_map(|group| groups.sorted(group)).collect();
-/// assert_eq!(all, result.canonical_triangles());
-/// # Ok::<(), sweep_cdt::Error>(())
-/// ```
-#[derive(Debug)]
-pub struct CanonicalGroups {
-    chunks: Vec<Chunk>,
-    sizes: Vec<usize>,
-    /// A group has two to the power of `bits` vertices; the last group has all higher ones, too.
-    bits: u32,
-}
-
 /// `count` triangles in canonical order; `triangle` gives each by its number.
 pub(crate) fn canonical(
     count: usize,
-    triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
+    triangle: impl Fn(usize) -> Listed + Sync + Send,
 ) -> Vec<[usize; 3]> {
-    let groups = CanonicalGroups::new(count, triangle);
+    let groups = if count <= CHUNK_OF_GROUPS {
+        1
+    } else {
+        GROUPS_OF_CHUNKS
+    };
+    let listed = |t: usize| lowest_first(triangle(t));
+    let lowest = sampled(count, SAMPLE_OF_GROUPS).map(|t| listed(t)[0]);
+    let wide = lowest.max().unwrap_or(0) as usize / groups;
+    // A group has two to the power of `bits` vertices; the last group has all higher ones, too.
+    let bits = usize::BITS - wide.leading_zeros();
+    let group = |listed: &Listed| (listed[0] as usize >> bits).min(groups - 1);
+    let chunks: Vec<usize> = (0..count).step_by(CHUNK_OF_GROUPS).collect();
+    let chunks = on_all_cores(chunks, |at| {
+        let chunk: Vec<Listed> = (at..count.min(at + CHUNK_OF_GROUPS)).map(listed).collect();
+        by_group(&chunk, groups, group)
+    });
     let mut list = vec![[0; 3]; count];
     let mut rest = &mut list[..];
-    let part = |(group, &size)| {
+    let part = |group| {
+        let size = chunks.iter().map(|chunk| chunk.of_group(group).len()).sum();
         let (part, others) = take(&mut rest).split_at_mut(size);
         rest = others;
         (group, part)
     };
-    let parts = groups.sizes.iter().enumerate().map(part).collect();
-    on_all_cores(parts, |(group, part)| groups.sort(group, part));
+    let parts = (0..groups).map(part).collect();
+    on_all_cores(parts, |(group, part)| {
+        let listed = chunks.iter().flat_map(|chunk| chunk.of_group(group));
+        by_vertex(listed, group << bits, part, &mut Vec::new());
+    });
     list
 }
 
@@ -90,49 +81,6 @@ pub(crate) fn canonical_into(
     list.clear();
     list.resize(count, [0; 3]);
     by_vertex(listed.iter(), 0, list, places);
-}
-
-impl CanonicalGroups {
-    pub(crate) fn new(
-        count: usize,
-        triangle: impl Fn(usize) -> [usize; 3] + Sync + Send,
-    ) -> CanonicalGroups {
-        let groups = if count <= CHUNK { 1 } else { GROUPS };
-        let listed = |t: usize| lowest_first(triangle(t).map(narrow));
-        let lowest = sampled(count, SAMPLE).map(|t| listed(t)[0]);
-        let wide = lowest.max().unwrap_or(0) as usize / groups;
-        let bits = usize::BITS - wide.leading_zeros();
-        let group = |listed: &Listed| (listed[0] as usize >> bits).min(groups - 1);
-        let chunks = (0..count).step_by(CHUNK);
-        let chunks = on_all_cores(chunks.collect(), |at| {
-            let chunk: Vec<Listed> = (at..count.min(at + CHUNK)).map(listed).collect();
-            by_group(&chunk, groups, group)
-        });
-        let size = |group| chunks.iter().map(|chunk| chunk.of_group(group).len()).sum();
-        CanonicalGroups {
-            sizes: (0..groups).map(size).collect(),
-            chunks,
-            bits,
-        }
-    }
-
-    /// How many triangles each group has; together they are in canonical order.
-    pub fn sizes(&self) -> &[usize] {
-        &self.sizes
-    }
-
-    /// The triangles of a group in canonical order.
-    pub fn sorted(&self, group: usize) -> Vec<[usize; 3]> {
-        let mut list = vec![[0; 3]; self.sizes[group]];
-        self.sort(group, &mut list);
-        list
-    }
-
-    /// Puts the triangles of a group in canonical order into `list`, which is as long.
-    fn sort(&self, group: usize, list: &mut [[usize; 3]]) {
-        let listed = self.chunks.iter().flat_map(|chunk| chunk.of_group(group));
-        by_vertex(listed, group << self.bits, list, &mut Vec::new());
-    }
 }
 
 impl Chunk {
@@ -195,17 +143,27 @@ fn lowest_first([a, b, c]: Listed) -> Listed {
 
 #[cfg(test)]
 mod tests {
-    use super::{CHUNK, SAMPLE, canonical, narrow};
+    use super::{CHUNK_OF_GROUPS, SAMPLE_OF_GROUPS, canonical};
     use crate::bucket::sampled;
+    use crate::ids::narrow;
 
     /// Against triangles turned and sorted as a whole: none, a few, and several chunks, of vertices that are spread
     /// evenly, few, or all low but for some that are in no sample.
     #[test]
     fn as_turned_and_sorted() {
-        for count in [0, 1, 2, 5, CHUNK - 1, CHUNK, CHUNK + 1, 3 * CHUNK + 17] {
+        for count in [
+            0,
+            1,
+            2,
+            5,
+            CHUNK_OF_GROUPS - 1,
+            CHUNK_OF_GROUPS,
+            CHUNK_OF_GROUPS + 1,
+            3 * CHUNK_OF_GROUPS + 17,
+        ] {
             for vertices in [3, 1000, 1 << 20] {
                 let is_far = |t: usize| t % 50_000 == 49_999;
-                assert!(!sampled(count, SAMPLE).any(is_far) || count <= CHUNK);
+                assert!(!sampled(count, SAMPLE_OF_GROUPS).any(is_far) || count <= CHUNK_OF_GROUPS);
                 let vertex = |t: usize, corner: usize| {
                     let spread = narrow(t * 3 + corner).wrapping_mul(0x9E37_79B9) as usize >> 10;
                     let far = if is_far(t) { 1 << 22 } else { 0 };
@@ -220,7 +178,7 @@ mod tests {
                 }
                 expected.sort_unstable();
                 assert_eq!(
-                    canonical(count, triangle),
+                    canonical(count, |t| triangle(t).map(narrow)),
                     expected,
                     "{count} of {vertices}"
                 );

@@ -1,4 +1,7 @@
 //! The vertices along each input edge: noted while the edges are inserted, looked up in the result.
+//!
+//! Edges are inserted from their upper ends down, and their vertices noted in this order. Whether an edge runs up, from
+//! its first end to its second, is kept in a bit of its ends that no number of a point needs.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -6,26 +9,43 @@ use alloc::vec::Vec;
 use crate::error::Error;
 use crate::ids::narrow;
 
-/// How many vertices all edges together may pass through; the tests of this file need less memory.
-const LIMIT: usize = if cfg!(test) { 1 << 10 } else { 1 << 28 };
+/// How many vertices all edges together may pass through.
+const LIMIT: usize = 1 << 28;
+
+/// The mark of an edge that runs up, in the number of its upper end.
+const RUNS_UP: u32 = 1 << 31;
+
+/// The ends of an edge as representatives, upper end first, and whether the edge runs up.
+#[inline]
+pub(crate) fn marked([upper, lower]: [u32; 2], runs_up: bool) -> [u32; 2] {
+    [upper | if runs_up { RUNS_UP } else { 0 }, lower]
+}
+
+/// The ends of a marked edge, upper end first.
+fn unmarked([upper, lower]: [u32; 2]) -> [u32; 2] {
+    [upper & !RUNS_UP, lower]
+}
 
 /// The notes of the insertion of edges. Vertices are input indices.
 #[derive(Debug, Default)]
 pub(crate) struct EdgeChainBuilder {
-    /// The ends of each edge, upper end first.
+    /// The [`marked`] ends of each edge.
     ends: Arc<Vec<[u32; 2]>>,
     /// `(edge, vertex)` for each vertex inside an edge; for one edge from its upper to its lower end.
     passed: Vec<(u32, u32)>,
     /// `(edge, of)` for each edge equal to one that was inserted before.
     equal: Vec<(u32, u32)>,
+    /// [`LIMIT`], but less in tests; 0 without edges.
+    limit: usize,
 }
 
 /// For each input edge the vertices along it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct EdgeChains {
-    /// The ends of each edge (representatives), upper end first.
+    /// The [`marked`] ends of each edge.
     ends: Vec<[u32; 2]>,
-    /// `(edge, from, to)`, sorted: the vertices inside the edge are `inside[from..to]`. Equal edges share a range.
+    /// `(edge, from, to)`, sorted: the vertices inside the edge are `inside[from..to]`, upper ones first. Equal edges
+    /// share a range.
     split: Vec<(u32, u32, u32)>,
     inside: Vec<u32>,
 }
@@ -34,6 +54,7 @@ impl EdgeChainBuilder {
     pub(crate) fn new(ends: Arc<Vec<[u32; 2]>>) -> EdgeChainBuilder {
         EdgeChainBuilder {
             ends,
+            limit: LIMIT,
             ..EdgeChainBuilder::default()
         }
     }
@@ -49,7 +70,7 @@ impl EdgeChainBuilder {
     }
 
     pub(crate) fn are_equal(&self, a: u32, b: u32) -> bool {
-        self.ends[a as usize] == self.ends[b as usize]
+        unmarked(self.ends[a as usize]) == unmarked(self.ends[b as usize])
     }
 
     /// Notes that `edge` equals edge `of`, which has been inserted.
@@ -59,8 +80,8 @@ impl EdgeChainBuilder {
 
     /// Notes that `edge` passes through `vertex`, after the vertices noted before.
     pub(crate) fn pass(&mut self, edge: u32, vertex: u32) -> Result<(), Error> {
-        if self.passed.len() == LIMIT {
-            return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
+        if self.passed.len() == self.limit {
+            return Err(Error::TooManyVerticesOnEdges { limit: self.limit });
         }
         self.passed.push((edge, vertex));
         Ok(())
@@ -68,8 +89,8 @@ impl EdgeChainBuilder {
 
     #[cfg(feature = "parallel")]
     pub(crate) fn append(&mut self, mut other: EdgeChainBuilder) -> Result<(), Error> {
-        if self.passed.len() + other.passed.len() > LIMIT {
-            return Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
+        if self.passed.len() + other.passed.len() > self.limit {
+            return Err(Error::TooManyVerticesOnEdges { limit: self.limit });
         }
         self.passed.append(&mut other.passed);
         self.equal.append(&mut other.equal);
@@ -113,26 +134,24 @@ impl EdgeChainBuilder {
 }
 
 impl EdgeChains {
-    /// The chains of edges with these vertices along them, at least one each; `None` if they are too many.
+    /// The chains of edges with these vertices along them, at least one each; `None` if they are too many. There are no
+    /// coordinates, so each edge counts as one that runs down.
     #[cfg(feature = "serde")]
     pub(crate) fn of(lists: &[Vec<u32>]) -> Option<EdgeChains> {
-        let inside: usize = lists.iter().map(|list| list.len().saturating_sub(2)).sum();
-        if inside > LIMIT || lists.len() > LIMIT {
+        if lists.len() > LIMIT {
             return None;
         }
-        let mut chains = EdgeChains::default();
-        for (e, list) in lists.iter().enumerate() {
-            let ends = [*list.first()?, *list.last()?];
-            chains.ends.push(ends);
-            if list.len() > 2 {
-                let from = narrow(chains.inside.len());
-                chains.inside.extend_from_slice(&list[1..list.len() - 1]);
-                chains
-                    .split
-                    .push((narrow(e), from, narrow(chains.inside.len())));
+        let ends = lists
+            .iter()
+            .map(|list| Some([*list.first()?, *list.last()?]));
+        let mut notes = EdgeChainBuilder::new(Arc::new(ends.collect::<Option<_>>()?));
+        for (list, edge) in lists.iter().zip(0..) {
+            let inside = list.get(1..list.len() - 1).unwrap_or(&[]);
+            for &vertex in inside {
+                notes.pass(edge, vertex).ok()?;
             }
         }
-        Some(chains)
+        Some(notes.finish())
     }
 
     pub(crate) fn into_ends(self) -> Vec<[u32; 2]> {
@@ -143,20 +162,36 @@ impl EdgeChains {
         self.ends.len()
     }
 
-    /// The ends of edge `e`, upper end first.
+    /// The ends of edge `e`, from its first to its second.
     pub(crate) fn ends(&self, e: usize) -> [u32; 2] {
-        self.ends[e]
+        let [upper, lower] = unmarked(self.ends[e]);
+        if self.runs_up(e) {
+            [lower, upper]
+        } else {
+            [upper, lower]
+        }
     }
 
-    /// The vertices inside edge `e`, from its upper to its lower end.
-    pub(crate) fn inside(&self, e: usize) -> &[u32] {
-        match self
-            .split
-            .binary_search_by_key(&e, |&(edge, ..)| edge as usize)
-        {
+    fn runs_up(&self, e: usize) -> bool {
+        self.ends[e][0] & RUNS_UP != 0
+    }
+
+    /// The vertices along edge `e`, from its first end to its second: a single one, if the ends are equal.
+    pub(crate) fn chain(&self, e: usize) -> impl ExactSizeIterator<Item = u32> + Clone + '_ {
+        let [first, last] = self.ends(e);
+        let edge = |&(edge, ..): &(u32, u32, u32)| edge as usize;
+        let inside = match self.split.binary_search_by_key(&e, edge) {
             Ok(at) => &self.inside[self.split[at].1 as usize..self.split[at].2 as usize],
             Err(_) => &[],
-        }
+        };
+        let runs_up = self.runs_up(e);
+        let length = inside.len() + if first == last { 1 } else { 2 };
+        (0..length).map(move |at| match at {
+            0 => first,
+            at if at + 1 == length => last,
+            at if runs_up => inside[inside.len() - at],
+            at => inside[at - 1],
+        })
     }
 }
 
@@ -164,13 +199,23 @@ impl EdgeChains {
 mod tests {
     use std::sync::Arc;
 
-    use super::{EdgeChainBuilder, LIMIT, narrow};
+    use super::{EdgeChainBuilder, narrow};
     use crate::error::Error;
+
+    const LIMIT: usize = 1 << 10;
+
+    /// Notes for so many equal edges that may not pass through more vertices than [`LIMIT`].
+    fn notes_of(edges: usize) -> EdgeChainBuilder {
+        EdgeChainBuilder {
+            limit: LIMIT,
+            ..EdgeChainBuilder::new(Arc::new(vec![[0, 1]; edges]))
+        }
+    }
 
     #[test]
     fn more_vertices_than_can_be_held_are_an_error() {
         let limit = Err(Error::TooManyVerticesOnEdges { limit: LIMIT });
-        let mut notes = EdgeChainBuilder::new(Arc::new(vec![[0, 1]; 2]));
+        let mut notes = notes_of(2);
         for vertex in 0..narrow(LIMIT) {
             assert_eq!(notes.pass(vertex % 2, vertex), Ok(()));
         }
@@ -183,7 +228,7 @@ mod tests {
     #[test]
     fn those_of_all_bands_count() {
         let notes = |count| {
-            let mut notes = EdgeChainBuilder::new(Arc::new(vec![[0, 1]]));
+            let mut notes = notes_of(1);
             (0..count).for_each(|vertex| notes.pass(0, vertex).expect("few"));
             notes
         };

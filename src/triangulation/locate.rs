@@ -19,11 +19,9 @@ use core::cmp::Ordering;
 
 use crate::ids::TriangleId;
 use crate::mesh::{HalfEdge, next, prev};
-use crate::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, orient2d};
 use crate::triangulation::with_points::WithPoints;
-
-/// So few triangles are looked at one by one.
-const FEW: usize = 6;
+use crate::tuning::LOOKED_AT_ONE_BY_ONE;
 
 /// Where a point lies; the same wherever the search began.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -46,9 +44,6 @@ pub enum Location {
 
 impl<S: Scalar> WithPoints<'_, S> {
     /// Where a point lies. A point with a coordinate that is not finite is outside.
-    ///
-    /// # Panics
-    /// If there are fewer points than were triangulated.
     ///
     /// ```
     /// use sweep_cdt::Location;
@@ -91,9 +86,6 @@ impl<S: Scalar> WithPoints<'_, S> {
     /// Where a point lies, by a walk from a triangle near by, such as the triangle of the last point. A triangle that
     /// does not exist counts as the first one.
     ///
-    /// # Panics
-    /// If there are fewer points than were triangulated.
-    ///
     /// ```
     /// use sweep_cdt::Location;
     ///
@@ -115,7 +107,7 @@ impl<S: Scalar> WithPoints<'_, S> {
         if !query.iter().all(S::is_finite) {
             return Location::Outside;
         }
-        if self.result.len() <= FEW {
+        if self.result.len() <= LOOKED_AT_ONE_BY_ONE {
             return self.look(query);
         }
         let start = if triangle < self.result.len() {
@@ -164,7 +156,7 @@ impl<S: Scalar> WithPoints<'_, S> {
     /// The turn from each side of a triangle to the point: to the left where the triangle is.
     fn turns<'q>(&'q self, query: &'q [S; 2], t: usize) -> impl Fn(u32) -> Ordering + Copy + 'q {
         let corner = move |i| self.corner(t, i);
-        move |side| filtered_orient2d(corner(next(side)), corner(prev(side)), query)
+        move |side| orient2d(corner(next(side)), corner(prev(side)), query)
     }
 
     fn vertex(&self, t: usize, corner: u32) -> usize {

@@ -1,8 +1,9 @@
 //! Where many points lie: walks from each to the next along a curve, and a sweep where walks are long.
 //!
 //! Points that follow each other along Hilbert's curve (1891) are near each other, so a walk from one to the next has
-//! few steps. All walks together have as many steps as there are triangles and points, times [`STEPS`]. In slivers and
-//! clusters that may not do: once the steps are spent, a sweep finds all points that are left ([`super::strips`]).
+//! few steps. All walks together have as many steps as there are triangles and points, times [`STEPS_TO_LOCATE`]. In
+//! slivers and clusters that may not do: once the steps are spent, a sweep finds all points that are left
+//! ([`super::strips`]).
 //!
 //! Why it is right: a location is the same wherever the walk began, and by the sweep.
 //!
@@ -17,9 +18,7 @@ use crate::scalar::Scalar;
 use crate::triangulation::locate::Location;
 use crate::triangulation::strips;
 use crate::triangulation::with_points::WithPoints;
-
-/// So many steps there are for each triangle and point.
-const STEPS: usize = 4;
+use crate::tuning::STEPS_TO_LOCATE;
 
 impl<S: Scalar> WithPoints<'_, S> {
     /// Where each of these points lies: what [`locate`](Self::locate) says, in the order given, and in less time than
@@ -27,9 +26,6 @@ impl<S: Scalar> WithPoints<'_, S> {
     ///
     /// O((n + m) log(n + m)) for n triangles and m points, however thin the triangles are and in whatever order the
     /// points come.
-    ///
-    /// # Panics
-    /// If there are fewer points than were triangulated.
     ///
     /// ```
     /// use sweep_cdt::Location;
@@ -45,7 +41,7 @@ impl<S: Scalar> WithPoints<'_, S> {
     /// # Ok::<(), sweep_cdt::Error>(())
     /// ```
     pub fn locate_all(&self, queries: &[[S; 2]]) -> Vec<Location> {
-        self.locate_within(queries, STEPS).0
+        self.locate_within(queries, STEPS_TO_LOCATE).0
     }
 
     /// As [`locate_all`](Self::locate_all), with so many steps of walks for each triangle and point; and how many steps

@@ -11,22 +11,20 @@ mod strips;
 pub(crate) mod with_points;
 
 use alloc::vec::Vec;
-#[cfg(feature = "parallel")]
-use rayon::prelude::*;
 
 use crate::ids::{VertexId, narrow};
 use crate::mesh::{self, HalfEdge, Triangle};
-use crate::triangulation::canonical::{CanonicalGroups, canonical};
+use crate::triangulation::canonical::canonical;
 use crate::triangulation::edge_chains::EdgeChains;
 
 /// A constrained Delaunay triangulation: plain indices, no coordinates.
 ///
 /// Triangles are numbered `0..len()`, in the order in which the sweep left them. As a *set* they are the same for every
-/// front, scalar and heuristic setting and, up to the numbers of the points, for every order of the input. Compare
-/// results by [`canonical_triangles`](Triangulation::canonical_triangles). The vertices of a triangle run
-/// counter-clockwise; side `i` lies opposite vertex `i`. Of equal input points only the one with the lowest index,
-/// their [`representative`](Triangulation::representative), occurs in triangles, hull and chains. Methods panic if
-/// there is no triangle `t`, side `side` (0, 1 or 2) or edge `e`.
+/// front, scalar and heuristic setting and, up to the numbers of the points, for every order of the input. Results are
+/// equal (`==`) if they have the same triangles, however numbered, the same duplicates, and the same chains. The vertices
+/// of a triangle run counter-clockwise; side `i` lies opposite vertex `i`. Of equal input points only the one with the
+/// lowest index, their [`representative`](Triangulation::representative), occurs in triangles, hull and chains. Methods
+/// panic if there is no triangle `t`, side `side` (0, 1 or 2) or edge `e`.
 ///
 /// ```
 /// let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0], [2.0, 1.0]];
@@ -34,7 +32,7 @@ use crate::triangulation::edge_chains::EdgeChains;
 /// assert_eq!(result.len(), 4);
 /// assert_eq!(result.canonical_triangles()[0], [0, 1, 4]);
 /// assert_eq!(result.hull().collect::<Vec<_>>(), [3, 0, 1, 2]);
-/// assert_eq!(result.edge_chain(0).collect::<Vec<_>>(), [2, 0]);
+/// assert_eq!(result.edge_chain(0).collect::<Vec<_>>(), [0, 2]);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Debug, Default)]
@@ -63,7 +61,7 @@ impl Triangulation {
     /// The vertices of triangle `t`, counter-clockwise.
     #[inline]
     pub fn triangle(&self, t: usize) -> [usize; 3] {
-        self.corners(&self.triangles[t])
+        self.corners(&self.triangles[t]).map(|v| v as usize)
     }
 
     /// The vertices in the order of the sweep, one for each set of equal points. For windows of streams.
@@ -81,25 +79,20 @@ impl Triangulation {
 
     /// All triangles, by number.
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = [usize; 3]> + Clone + '_ {
-        self.triangles.iter().map(|triangle| self.corners(triangle))
+        let corners = |triangle| self.corners(triangle).map(|v| v as usize);
+        self.triangles.iter().map(corners)
     }
 
     /// The triangles in one order for all runs on the same input: each begins with its lowest vertex, and the list is
-    /// sorted. With the feature `parallel` long lists are made on all threads of the current rayon pool.
+    /// sorted. With the feature `parallel` long lists are sorted on all threads of the current rayon pool.
     pub fn canonical_triangles(&self) -> Vec<[usize; 3]> {
-        canonical(self.len(), |t| self.triangle(t))
+        canonical(self.len(), |t| self.corners(&self.triangles[t]))
     }
 
-    /// The triangles of [`canonical_triangles`](Self::canonical_triangles), group by group.
-    pub fn canonical_groups(&self) -> CanonicalGroups {
-        CanonicalGroups::new(self.len(), |t| self.triangle(t))
-    }
-
-    /// The triangle across side `side` (0, 1 or 2) of triangle `t`, or `None` on the hull.
+    /// The triangle across side `side` of triangle `t`, or `None` on the hull.
     #[inline]
     pub fn neighbor(&self, t: usize, side: usize) -> Option<usize> {
-        let twin = self.twin(t, side);
-        (!twin.is_border()).then(|| twin.triangle().index())
+        self.twin(t, side).map(|(across, _)| across)
     }
 
     /// The triangles across the three sides of triangle `t`.
@@ -108,24 +101,46 @@ impl Triangulation {
         [0, 1, 2].map(|side| self.neighbor(t, side))
     }
 
+    /// The triangle across side `side` of triangle `t`, and which of its sides this one is; `None` on the hull.
+    #[inline]
+    pub fn twin(&self, t: usize, side: usize) -> Option<(usize, usize)> {
+        let twin = self.half_edge_across(t, side);
+        (!twin.is_border()).then(|| (twin.triangle().index(), twin.corner() as usize))
+    }
+
+    /// The ends of side `side` of triangle `t`, which lies on the left on the way from the first to the second.
+    #[inline]
+    pub fn side(&self, t: usize, side: usize) -> [usize; 2] {
+        let corners = self.triangle(t);
+        assert!(side < 3, "a triangle has sides 0, 1 and 2");
+        [corners[(side + 1) % 3], corners[(side + 2) % 3]]
+    }
+
     /// Whether side `side` of triangle `t` is an input edge or a piece of one.
     #[inline]
     pub fn is_constrained(&self, t: usize, side: usize) -> bool {
-        self.twin(t, side).is_constrained()
+        self.half_edge_across(t, side).is_constrained()
     }
 
-    /// The sides that are input edges or pieces of them, each once: pairs of vertices, with the triangle on the left.
+    /// All sides, each once: pairs of vertices, with a triangle on the left.
+    pub fn sides(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
+        self.sides_where(|_| true)
+    }
+
+    /// The sides that are input edges or pieces of them, each once: pairs of vertices, with a triangle on the left.
     pub fn constrained_sides(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        (0..self.len()).flat_map(|t| self.constrained_sides_of(t))
+        self.sides_where(HalfEdge::is_constrained)
     }
 
-    fn constrained_sides_of(&self, t: usize) -> impl Iterator<Item = [usize; 2]> + '_ {
-        let triangle = &self.triangles[t];
-        (0..3).filter_map(move |side| {
-            let twin = triangle.twin(side);
-            let is_listed = twin.is_border() || twin.triangle().index() > t;
-            (twin.is_constrained() && is_listed).then(|| {
-                [mesh::next(side), mesh::prev(side)].map(|i| self.input_index(triangle.vertex(i)))
+    /// The sides whose half-edge across is to be listed, each once.
+    fn sides_where(&self, is_listed: fn(HalfEdge) -> bool) -> impl Iterator<Item = [usize; 2]> {
+        (0..self.len()).flat_map(move |t| {
+            let triangle = &self.triangles[t];
+            (0..3).filter_map(move |side| {
+                let twin = triangle.twin(side);
+                let is_first = twin.is_border() || twin.triangle().index() > t;
+                let ends = [mesh::next(side), mesh::prev(side)].map(|i| triangle.vertex(i));
+                (is_first && is_listed(twin)).then(|| ends.map(|v| self.input_index(v)))
             })
         })
     }
@@ -151,17 +166,10 @@ impl Triangulation {
             .map(|&(vertex, of)| [vertex as usize, of as usize])
     }
 
-    /// The vertices along input edge `e` as representatives, from its upper end (last by y, then x) to its lower end:
-    /// two, more if vertices lie on the edge, one if its ends are equal. Neighbours in the chain form sides.
+    /// The vertices along input edge `e` as representatives, from its first end to its second: two, more if vertices lie
+    /// on the edge, one if its ends are equal. Neighbours in the chain form sides.
     pub fn edge_chain(&self, e: usize) -> impl ExactSizeIterator<Item = usize> + Clone + '_ {
-        let [upper, lower] = self.chains.ends(e);
-        let inside = self.chains.inside(e);
-        let length = inside.len() + if upper == lower { 1 } else { 2 };
-        (0..length).map(move |at| match at {
-            0 => upper as usize,
-            at if at + 1 == length => lower as usize,
-            at => inside[at - 1] as usize,
-        })
+        self.chains.chain(e).map(|v| v as usize)
     }
 
     #[inline]
@@ -170,48 +178,26 @@ impl Triangulation {
     }
 
     #[inline]
-    fn corners(&self, triangle: &Triangle) -> [usize; 3] {
-        let [a, b, c] = triangle.vertices();
-        [
-            self.input_index(a),
-            self.input_index(b),
-            self.input_index(c),
-        ]
+    pub(crate) fn corners(&self, triangle: &Triangle) -> [u32; 3] {
+        triangle.vertices().map(|v| self.vertices[v.index()])
     }
 
     #[inline]
-    fn twin(&self, t: usize, side: usize) -> HalfEdge {
+    fn half_edge_across(&self, t: usize, side: usize) -> HalfEdge {
         assert!(side < 3, "a triangle has sides 0, 1 and 2");
         self.triangles[t].twin(narrow(side))
     }
 }
 
-#[cfg(feature = "parallel")]
-impl Triangulation {
-    /// All triangles, by number, on all threads of the current rayon pool.
-    ///
-    /// ```
-    /// use rayon::prelude::*;
-    ///
-    /// let points: Vec<_> = (0..1000).map(|i| [i * i % 997, i]).collect();
-    /// let result = sweep_cdt::triangulate(&points, &[])?;
-    /// let area = |[a, b, c]: [usize; 3]| {
-    ///     let [[ax, ay], [bx, by], [cx, cy]] = [points[a], points[b], points[c]];
-    ///     i64::from((bx - ax) * (cy - ay) - (by - ay) * (cx - ax))
-    /// };
-    /// let one: i64 = result.triangles().map(area).sum();
-    /// assert_eq!(result.par_triangles().map(area).sum::<i64>(), one);
-    /// # Ok::<(), sweep_cdt::Error>(())
-    /// ```
-    pub fn par_triangles(&self) -> impl IndexedParallelIterator<Item = [usize; 3]> + Clone + '_ {
-        self.triangles
-            .par_iter()
-            .map(|triangle| self.corners(triangle))
-    }
-
-    /// [`constrained_sides`](Triangulation::constrained_sides), on all threads of the current rayon pool.
-    pub fn par_constrained_sides(&self) -> impl ParallelIterator<Item = [usize; 2]> + Clone + '_ {
-        let numbers = (0..self.len()).into_par_iter();
-        numbers.flat_map_iter(|t| self.constrained_sides_of(t))
+impl PartialEq for Triangulation {
+    fn eq(&self, other: &Self) -> bool {
+        let has_chain = |e| self.chains.chain(e).eq(other.chains.chain(e));
+        self.len() == other.len()
+            && self.chains.len() == other.chains.len()
+            && self.duplicates == other.duplicates
+            && (0..self.chains.len()).all(has_chain)
+            && self.canonical_triangles() == other.canonical_triangles()
     }
 }
+
+impl Eq for Triangulation {}

@@ -17,9 +17,8 @@ use alloc::vec::Vec;
 /// let result = sweep_cdt::triangulate(&points, &[])?;
 /// let stars = result.vertex_stars();
 /// assert_eq!(stars.star(4).count(), 4);
-/// // The neighbors of vertex 1, which is on the hull, but for the last one.
-/// let next = |corner: sweep_cdt::Corner| result.triangle(corner.triangle)[(corner.index + 1) % 3];
-/// assert_eq!(stars.star(1).map(next).collect::<Vec<_>>(), [2, 4]);
+/// assert_eq!(stars.neighbors(1).collect::<Vec<_>>(), [2, 4, 0]);
+/// assert!(stars.is_on_hull(1) && !stars.is_on_hull(4));
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -31,6 +30,7 @@ pub struct VertexStars<'a> {
 
 /// A corner of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Corner {
     /// The triangle, by number.
     pub triangle: usize,
@@ -65,8 +65,7 @@ impl VertexStars<'_> {
     /// At a vertex on the hull the first triangle has its clockwise side there on the hull. A number that is no vertex
     /// of a triangle has no corners; a duplicate has those of its representative.
     pub fn star(&self, v: usize) -> impl Iterator<Item = Corner> + Clone + '_ {
-        let first = self.first.get(self.result.representative(v)).copied();
-        let first = first.filter(|&side| side != HalfEdge::NO_TRIANGLE);
+        let first = self.first(v);
         let turn = move |side: &HalfEdge| {
             let corner = next(side.corner());
             let across = self.result.triangles[side.triangle().index()].twin(corner);
@@ -79,5 +78,29 @@ impl VertexStars<'_> {
             triangle: side.triangle().index(),
             index: side.corner() as usize,
         })
+    }
+
+    /// The vertices that sides join to vertex `v`, counter-clockwise; on the hull from one of its sides to the other.
+    pub fn neighbors(&self, v: usize) -> impl Iterator<Item = usize> + Clone + '_ {
+        let corner = |Corner { triangle, index }, step: usize| {
+            self.result.triangle(triangle)[(index + step) % 3]
+        };
+        let last = self.is_on_hull(v).then(|| self.star(v).last()).flatten();
+        let each = self.star(v).map(move |at| corner(at, 1));
+        each.chain(last.map(|at| corner(at, 2)))
+    }
+
+    /// Whether vertex `v` lies on the border of the hull.
+    pub fn is_on_hull(&self, v: usize) -> bool {
+        self.first(v).is_some_and(|side| {
+            let triangle = &self.result.triangles[side.triangle().index()];
+            triangle.twin(prev(side.corner())).is_border()
+        })
+    }
+
+    /// The half-edge opposite a vertex in its first triangle.
+    fn first(&self, v: usize) -> Option<HalfEdge> {
+        let first = self.first.get(self.result.representative(v)).copied();
+        first.filter(|&side| side != HalfEdge::NO_TRIANGLE)
     }
 }

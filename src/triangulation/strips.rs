@@ -16,7 +16,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use crate::scalar::{Scalar, filtered_orient2d};
+use crate::scalar::{Scalar, orient2d};
 use crate::triangulation::Triangulation;
 use crate::triangulation::locate::Location;
 use crate::triangulation::with_points::WithPoints;
@@ -164,7 +164,7 @@ impl<'a, S: Scalar> Strips<'a, S> {
     /// The turn from a side of a triangle to a point: to the left where the triangle is.
     fn turn(&self, query: &[S; 2], t: usize, side: usize) -> Ordering {
         let [from, to] = ends(self.view.result.triangle(t), side);
-        filtered_orient2d(&self.view.points[from], &self.view.points[to], query)
+        orient2d(&self.view.points[from], &self.view.points[to], query)
     }
 }
 

@@ -35,8 +35,15 @@ impl<S> Clone for WithPoints<'_, S> {
 impl<S> Copy for WithPoints<'_, S> {}
 
 impl Triangulation {
-    /// The triangulation with `points`, which are those that were triangulated.
+    /// The triangulation with `points`: those that were triangulated, and others behind them, if there are any.
+    ///
+    /// # Panics
+    /// If there are fewer points than were triangulated.
     pub fn with_points<'a, S: Scalar>(&'a self, points: &'a [[S; 2]]) -> WithPoints<'a, S> {
+        assert!(
+            points.len() >= self.vertices.len() + self.duplicates.len(),
+            "these are not the points of the triangulation"
+        );
         WithPoints {
             result: self,
             points,

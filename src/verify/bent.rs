@@ -24,7 +24,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::sides::Sides;
-use super::soup::{Soup, Tally};
+use super::soup::Soup;
 use crate::scalar::Scalar;
 
 /// A chain of sides beside a line.
@@ -47,7 +47,7 @@ impl Bend {
         vertices: Vec<u32>,
     ) -> Option<Bend> {
         let goes_on = |turn: [u32; 3]| {
-            turn[0] == turn[1] || turn[1] == turn[2] || soup.predicates.height(turn).is_some()
+            turn[0] == turn[1] || turn[1] == turn[2] || soup.height(turn).is_some()
         };
         let goes_forward = |side: &[u32]| {
             let [v, w] = [side[0], side[1]];
@@ -58,7 +58,7 @@ impl Bend {
         }
         let mut farthest = (a, 0.0);
         for &v in &vertices[1..vertices.len() - 1] {
-            let distance = soup.predicates.height([a, v, b])?.abs();
+            let distance = soup.height([a, v, b])?.abs();
             if distance > farthest.1 {
                 farthest = (v, distance);
             }
@@ -76,14 +76,14 @@ pub(super) fn beside<S: Scalar>(
     at: u32,
     [mut right, mut left]: [u32; 2],
 ) -> Option<Bend> {
-    let turn = |vertices| soup.predicates.orient2d(vertices, &mut Tally::default());
+    let turn = |vertices| soup.turn(vertices);
     if sides.apex(soup, at, right) != Some(left) {
         return None;
     }
     // The distance of a vertex that a chain may pass.
     let distance = |v: u32| {
-        let is_added = soup.predicates.is_added(v);
-        let height = || soup.predicates.height([a, v, b]);
+        let is_added = soup.is_added(v);
+        let height = || soup.height([a, v, b]);
         let height = is_added.then(height).flatten();
         height.map_or(f64::INFINITY, f64::abs)
     };
@@ -118,11 +118,8 @@ pub(super) fn beside<S: Scalar>(
 
 /// Whether a chain is straight.
 pub(super) fn is_straight<S: Scalar>(soup: &Soup<'_, S>, chain: &[u32]) -> bool {
-    let order = |side: &[u32]| soup.predicates.order(side[0], side[1]);
-    let turn = |turn: &[u32]| {
-        soup.predicates
-            .orient2d([turn[0], turn[1], turn[2]], &mut Tally::default())
-    };
+    let order = |side: &[u32]| soup.order(side[0], side[1]);
+    let turn = |turn: &[u32]| soup.turn([turn[0], turn[1], turn[2]]);
     chain
         .windows(3)
         .all(|three| turn(three).is_eq() && order(&three[..2]) == order(&three[1..]))
@@ -138,11 +135,11 @@ pub(super) fn between<S: Scalar>(
     [c, d]: [u32; 2],
     chain: &[u32],
 ) -> Option<u32> {
-    let turn = |v| soup.predicates.orient2d([c, d, v], &mut Tally::default());
+    let turn = |v| soup.turn([c, d, v]);
     let mut own = chain.to_vec();
     own.sort_unstable();
     let is_between = |v: u32| {
-        let is_beyond = || soup.predicates.order(c, v) != soup.predicates.order(v, d);
+        let is_beyond = || soup.order(c, v) != soup.order(v, d);
         own.binary_search(&v).is_err()
             && match turn(v) {
                 Ordering::Greater => false,
@@ -179,7 +176,7 @@ pub(super) struct Pass {
 /// The edges that share an added point beside one of them with another line that they neither cross nor overlap, with the
 /// point.
 pub(super) fn pinched<S: Scalar>(soup: &Soup<'_, S>, mut passes: Vec<Pass>) -> Vec<(usize, u32)> {
-    let turn = |[a, b]: [u32; 2], v| soup.predicates.orient2d([a, b, v], &mut Tally::default());
+    let turn = |[a, b]: [u32; 2], v| soup.turn([a, b, v]);
     let cross = |one: [u32; 2], other: [u32; 2]| {
         let apart = |one, [c, d]: [u32; 2]| {
             let turns = [turn(one, c), turn(one, d)];

@@ -2,8 +2,8 @@
 //! caller [declared](super::declared), once. Points outside a declared domain need not be corners.
 //!
 //! Points added to those of the input must lie in the hull of these. Check 4 makes the boundary the hull of all
-//! corners. It is the hull of the input's points if all corners at which it turns are among them, but for [runs](super::runs)
-//! that are bent, of which the lines are asked for.
+//! corners. It is the hull of the input's points if it turns at these points only. A bent [run](super::runs) counts as the
+//! line between its ends.
 //!
 //! How rounds are counted: a side *ascends* if its end comes after its start in the order (x, y). A chain that never
 //! turns right nor back turns by less than half a turn at each vertex. The directions that ascend are half of all, so
@@ -52,13 +52,8 @@ pub(super) fn check<S: Scalar>(
 /// Checks that without triangles all vertices lie on one line.
 fn check_collinear<S: Scalar>(soup: &Soup<'_, S>, record: &mut Record) {
     // The vertices of the input come first.
-    let is_off = |&v: &u32| {
-        !soup.predicates.is_added(v)
-            && soup
-                .predicates
-                .orient2d([0, 1, v], &mut record.tally)
-                .is_ne()
-    };
+    let is_off =
+        |&v: &u32| !soup.is_added(v) && soup.orient2d([0, 1, v], &mut record.tally).is_ne();
     if let Some(v) = (2..soup.vertices()).find(is_off) {
         let vertices = soup.names([0, 1, v]);
         record.findings.add(Violation::NoTriangles { vertices });
@@ -76,7 +71,7 @@ fn check_hull<S: Scalar>(soup: &Soup<'_, S>, sides: &Sides, record: &mut Record)
     for same_start in boundary.chunk_by(|a, b| a[0] == b[0]) {
         if same_start.len() > 1 {
             pinched = true;
-            let vertex = soup.predicates.name(same_start[0][0]);
+            let vertex = soup.name(same_start[0][0]);
             record.findings.add(Violation::PinchedBoundary { vertex });
         }
     }
@@ -88,7 +83,7 @@ fn check_hull<S: Scalar>(soup: &Soup<'_, S>, sides: &Sides, record: &mut Record)
     let mut chains = chains(&boundary);
     let vertices = chains.iter().enumerate();
     let vertices = vertices.flat_map(|(i, chain)| chain.iter().map(move |&v| (i, v)));
-    let first = vertices.min_by(|&(_, v), &(_, w)| soup.predicates.order(v, w));
+    let first = vertices.min_by(|&(_, v), &(_, w)| soup.order(v, w));
     let (outer, _) = first.expect("triangles that turn left have a boundary");
     let outer = chains.swap_remove(outer);
     for chain in &chains {
@@ -132,9 +127,8 @@ fn check_convex<S: Scalar>(
     let (mut times, mut wrong) = (0, Vec::new());
     for i in 0..frame.len() {
         let vertices @ [a, b, c] = [at(i), at(i + 1), at(i + 2)];
-        let ascends =
-            [soup.predicates.order(a, b), soup.predicates.order(b, c)].map(Ordering::is_lt);
-        let turn = soup.predicates.orient2d(vertices, &mut record.tally);
+        let ascends = [soup.order(a, b), soup.order(b, c)].map(Ordering::is_lt);
+        let turn = soup.orient2d(vertices, &mut record.tally);
         let goes_on = match turn {
             Ordering::Greater => true,
             // Straight on, or back.
@@ -143,8 +137,8 @@ fn check_convex<S: Scalar>(
         };
         if !goes_on {
             wrong.push(vertices);
-        } else if turn.is_gt() && soup.predicates.is_added(b) {
-            let vertex = soup.predicates.name(b);
+        } else if turn.is_gt() && soup.is_added(b) {
+            let vertex = soup.name(b);
             record.findings.add(Violation::AddedOutside { vertex });
         }
         times += usize::from(ascends == [false, true]);
@@ -166,7 +160,7 @@ fn report_turns<S: Scalar>(
     record: &mut Record,
 ) {
     let measure = |turn: [u32; 3], record: &Record| {
-        let height = || soup.predicates.height(turn).map(|height| -height);
+        let height = || soup.height(turn).map(|height| -height);
         record.findings.measure(Level::Tiling, height)
     };
     let few = wrong.len() <= record.findings.measured;
@@ -175,7 +169,7 @@ fn report_turns<S: Scalar>(
     let is_simple = || {
         let ends = chain.iter().zip(chain.iter().cycle().skip(1));
         let sides: Vec<[u32; 2]> = ends.map(|(&a, &b)| [a, b]).collect();
-        scanline::inside(&soup.predicates, &sides, core::iter::empty()).is_ok()
+        scanline::inside(soup, &sides, core::iter::empty()).is_ok()
     };
     let is_straight = wrong.is_empty() && !runs.iter().any(Run::is_bent);
     let is_simple = is_straight || !depths.contains(&None) && is_simple();
@@ -201,7 +195,7 @@ pub(super) fn check_points<S: Scalar>(
     bent: Option<&[u32]>,
     record: &mut Record,
 ) {
-    let unused = || (used..soup.vertices()).filter(|&point| !soup.predicates.is_added(point));
+    let unused = || (used..soup.vertices()).filter(|&point| !soup.is_added(point));
     let needed = match domain {
         Some(domain) => {
             let as_it_is = |bent: &[u32]| bent.iter().map(|&side| soup.side(side)).collect();
@@ -209,7 +203,7 @@ pub(super) fn check_points<S: Scalar>(
             let boundaries = [Some(&domain.sides), bent.as_ref()].into_iter().flatten();
             let mut needed = Vec::new();
             for sides in boundaries {
-                match scanline::inside(&soup.predicates, sides, unused()) {
+                match scanline::inside(soup, sides, unused()) {
                     Ok(inside) => needed.extend(inside),
                     Err(side) => {
                         // Where something is wrong already, the domain is not known.
@@ -229,12 +223,12 @@ pub(super) fn check_points<S: Scalar>(
         None => unused().collect(),
     };
     for v in needed {
-        let vertex = soup.predicates.name(v);
+        let vertex = soup.name(v);
         record.findings.add(Violation::UnusedPoint { vertex });
     }
 }
 
-/// Checks Euler's count of triangles, if they fill the hull and nothing is wrong but for rounding: a second opinion, by counting.
+/// Checks Euler's count of triangles, if they fill the hull and rounding explains all that is wrong: a second opinion.
 pub(super) fn check_count(used: u32, domain: Option<&DeclaredBoundary>, record: &mut Record) {
     let report = &record.report;
     if domain.is_some() || report.triangles == 0 || !record.findings.is_sound() {

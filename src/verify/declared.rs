@@ -11,7 +11,7 @@
 use super::report::Record;
 use super::runs::Run;
 use super::sides::Sides;
-use super::soup::{Soup, Tally};
+use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::Scalar;
 use alloc::vec;
@@ -36,7 +36,7 @@ impl DeclaredBoundary {
         }
     }
 
-    /// Checks that the boundary of the triangles is the declared one, but for runs that are bent. Returns its runs.
+    /// Checks that the boundary of the triangles is the declared one, or runs beside it (a bent run). Returns its runs.
     pub(super) fn check_boundary<S: Scalar>(
         &self,
         soup: &Soup<'_, S>,
@@ -100,16 +100,13 @@ fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<Merged> {
     // The side that goes on, or straight on where two declared sides pass through an added point, on one line. Where more
     // leave it, only two are looked at: nobody has declared these.
     let on = |[a, b]: [u32; 2]| {
-        let forward = |side: [u32; 2]| soup.predicates.order(side[0], side[1]);
+        let forward = |side: [u32; 2]| soup.order(side[0], side[1]);
         let first = found.partition_point(|&([start, _], _)| start < b);
         let leaves = |at: &usize| found.get(*at).is_some_and(|(side, _)| side[0] == b);
         let is_only = !leaves(&(first + 1));
         (first..first + 2).filter(leaves).find(|&at| {
             let side = found[at].0;
-            let turn = || {
-                soup.predicates
-                    .orient2d([a, b, side[1]], &mut Tally::default())
-            };
+            let turn = || soup.turn([a, b, side[1]]);
             is_only || forward(side) == forward([a, b]) && turn().is_eq()
         })
     };
@@ -117,12 +114,12 @@ fn merged<S: Scalar>(soup: &Soup<'_, S>, boundary: &[u32]) -> Vec<Merged> {
     let mut is_walked = vec![false; found.len()];
     let mut whole = Vec::new();
     for (first, &(ends, side)) in found.iter().enumerate() {
-        if soup.predicates.is_added(ends[0]) {
+        if soup.is_added(ends[0]) {
             continue;
         }
         is_walked[first] = true;
         let (mut last, mut chain) = (ends, ends.to_vec());
-        while soup.predicates.is_added(last[1])
+        while soup.is_added(last[1])
             && let Some(next) = on(last).filter(|&next| !is_walked[next])
         {
             is_walked[next] = true;

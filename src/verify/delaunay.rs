@@ -67,17 +67,13 @@ impl Part {
     fn check_side<S: Scalar>(&mut self, soup: &Soup<'_, S>, side: usize, twin: usize) {
         let [[a, b, c], [_, _, d]] = [side, twin].map(|side| corners(soup, side));
         self.free += 1;
-        match soup.predicates.in_circle([a, b, c, d], &mut self.tally) {
+        match soup.in_circle([a, b, c, d], &mut self.tally) {
             Ordering::Less => {}
             Ordering::Equal => {
                 self.cocircular += 1;
                 // Canonical: the leftmost of the four is an end of the side.
                 let leftmost = |v, w| {
-                    if soup.predicates.is_left_or_above(v, w) {
-                        v
-                    } else {
-                        w
-                    }
+                    if soup.is_left_or_above(v, w) { v } else { w }
                 };
                 let of_side = leftmost(a, b);
                 if leftmost(leftmost(c, d), of_side) != of_side {
@@ -101,7 +97,7 @@ impl Part {
         for sides in &self.wrong {
             let [[a, b, c], [_, _, d]] = sides.map(|side| corners(soup, side));
             let depths = || {
-                let [one, other] = [[a, b, c, d], [b, a, d, c]].map(|v| soup.predicates.depth(v));
+                let [one, other] = [[a, b, c, d], [b, a, d, c]].map(|v| soup.depth(v));
                 Some(one?.max(other?))
             };
             let depth = self.findings.measure(Level::Delaunay, depths);

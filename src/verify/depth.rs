@@ -4,7 +4,7 @@
 //! Why it is right: the faults are found by exact signs. The scalar computes the sizes exactly and rounds at the end.
 //! The decade is that of the double's shortest decimal, so no logarithm rounds it. Turns are measured only if all wrong
 //! ones go on by less than a right angle and the boundary is simple, so that what it bounds is covered once.
-//! Cost: some microseconds a fault, so by default at most [`MEASURED`] in each 16384 triangles, and as many turns.
+//! Cost: big integers for each fault, so by default at most [`MEASURED`] in each 16384 triangles, and as many turns.
 
 use alloc::collections::BTreeMap;
 use alloc::format;
@@ -14,7 +14,7 @@ use core::hash::{Hash, Hasher};
 /// How many depths are measured at a time, unless all are asked for.
 pub(super) const MEASURED: usize = 1000;
 
-/// The depth of a fault, in units of what it is a fault of: a positive number.
+/// How deep a fault is, relative to the size of the triangles or edges around it: a positive number.
 ///
 /// For a side that is not Delaunay: the power of the corner that lies deepest in the circle of the other triangle, in
 /// units of the squared radius; 1 at the centre. For a concave turn of the boundary: its height over the line between

@@ -27,7 +27,7 @@ use super::depth::Depth;
 use super::report::Record;
 use super::runs::Run;
 use super::sides::{Sides, range};
-use super::soup::{Soup, Tally};
+use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::Scalar;
 
@@ -61,10 +61,10 @@ pub(super) fn check<S: Scalar>(
     }
 
     // The edges that reach farthest in their direction come first, as the trees ask.
-    let forward = |[a, b]: [u32; 2]| soup.predicates.order(a, b);
+    let forward = |[a, b]: [u32; 2]| soup.order(a, b);
     split.sort_unstable_by(|&(_, one), &(_, other)| {
         let direction = forward(one);
-        let farther = soup.predicates.order(other[1], one[1]);
+        let farther = soup.order(other[1], one[1]);
         direction.cmp(&forward(other)).then(if direction.is_lt() {
             farther
         } else {
@@ -78,7 +78,7 @@ pub(super) fn check<S: Scalar>(
         let walk = chains.follow(soup, sides, ends);
         for (side, is_beside) in walk.sides {
             fix(sides, side[0], side[1]);
-            if soup.predicates.is_added(side[1]) {
+            if soup.is_added(side[1]) {
                 passes.push(Pass {
                     vertex: side[1],
                     line: ends,
@@ -88,15 +88,15 @@ pub(super) fn check<S: Scalar>(
             }
         }
         if walk.reached != ends[1] {
-            missing.push((edge, soup.predicates.name(walk.reached)));
+            missing.push((edge, soup.name(walk.reached)));
             continue;
         }
         record.report.split_edges += usize::from(walk.passes_added);
         let farthest = walk.farthest;
-        bent.extend(farthest.map(|(v, distance)| (edge, soup.predicates.name(v), distance)));
+        bent.extend(farthest.map(|(v, distance)| (edge, soup.name(v), distance)));
     }
     let pinched = bent::pinched(soup, passes).into_iter();
-    missing.extend(pinched.map(|(edge, v)| (edge, soup.predicates.name(v))));
+    missing.extend(pinched.map(|(edge, v)| (edge, soup.name(v))));
     missing.sort_unstable();
     missing.dedup_by_key(|(edge, _)| *edge);
     for (edge, after) in missing {
@@ -184,8 +184,8 @@ impl<'a> EdgeChains<'a> {
     /// Follows an edge from one end to the other.
     fn follow<S: Scalar>(&mut self, soup: &Soup<'_, S>, sides: &Sides, edge: [u32; 2]) -> Walk {
         let [a, b] = edge;
-        let forward = soup.predicates.order(a, b);
-        let is_past = |v| soup.predicates.order(b, v) == forward;
+        let forward = soup.order(a, b);
+        let is_past = |v| soup.order(b, v) == forward;
         let first_new = self.steps.len();
         let mut walk = Walk::default();
         let mut known = None;
@@ -233,7 +233,7 @@ impl<'a> EdgeChains<'a> {
                 }
             };
             at = chain[chain.len() - 1];
-            let added = chain[1..].iter().filter(|&&v| soup.predicates.is_added(v));
+            let added = chain[1..].iter().filter(|&&v| soup.is_added(v));
             self.steps.push(Step {
                 end: at,
                 next: 0,
@@ -272,8 +272,7 @@ impl<'a> EdgeChains<'a> {
         let steps = self.beside.get(&[at, left]).map_or(&[][..], Vec::as_slice);
         let turn = |step: u32| {
             let end = self.steps[step as usize].end;
-            soup.predicates
-                .orient2d([at, end, to], &mut Tally::default())
+            soup.turn([at, end, to])
         };
         let place = steps.partition_point(|&step| turn(step).is_lt());
         let step = steps.get(place).filter(|&&step| turn(step).is_eq());
@@ -290,8 +289,8 @@ impl<'a> EdgeChains<'a> {
         let runs = self.runs.get(&at)?.iter();
         let mut chains = runs.flat_map(|run| run.both_ways(at));
         let leads_on = |end| {
-            let turn = soup.predicates.orient2d([a, b, end], &mut Tally::default());
-            turn.is_eq() && soup.predicates.order(at, end) == soup.predicates.order(a, b)
+            let turn = soup.turn([a, b, end]);
+            turn.is_eq() && soup.order(at, end) == soup.order(a, b)
         };
         chains.find(|chain| leads_on(chain[chain.len() - 1]))
     }
@@ -304,18 +303,15 @@ impl<'a> EdgeChains<'a> {
         at: u32,
         to: u32,
     ) -> Result<usize, [u32; 2]> {
-        let predicates = &soup.predicates;
         let around = range(&self.starts, at);
         let neighbors = &mut self.neighbors[around.clone()];
-        // Not counted: how many signs a sort or a search takes is up to the standard library.
-        let turn = |v, w| predicates.orient2d([at, v, w], &mut Tally::default());
-        let half = |v| predicates.order(at, v);
-        let compare = |v, w| half(v).cmp(&half(w)).then_with(|| turn(w, v));
+        let half = |v| soup.order(at, v);
+        let compare = |v, w| half(v).cmp(&half(w)).then_with(|| soup.turn([at, w, v]));
         if !core::mem::replace(&mut self.sorted[at as usize], true) {
             neighbors.sort_unstable_by(|&v, &w| {
                 let nearer = || match half(v) {
-                    Ordering::Less => predicates.order(v, w),
-                    _ => predicates.order(w, v),
+                    Ordering::Less => soup.order(v, w),
+                    _ => soup.order(w, v),
                 };
                 compare(v, w).then_with(nearer)
             });

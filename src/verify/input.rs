@@ -12,7 +12,7 @@ use core::cmp::Ordering;
 use super::declared::DeclaredBoundary;
 use super::report::Record;
 use super::sides::grouped;
-use super::soup::{LIMIT, REJECTED, Soup, SoupPredicates};
+use super::soup::{LIMIT, REJECTED, Soup};
 use super::violation::Violation;
 use crate::scalar::{NearTies, Scalar, recenter};
 
@@ -50,24 +50,21 @@ pub(super) fn read<'a, S: Scalar>(
     let (mut ranks, places) = Ranks::new(points, added_from, record);
     let numbers = from_below(triangles, &places);
     drop(places);
-    let triangles = ranks.read_triangles(triangles, &numbers, record);
-    let used = ranks.given_out();
+    ranks.soup.triangles = ranks.read_triangles(triangles, &numbers, record);
+    ranks.soup.numbers = numbers;
+    let used = ranks.soup.vertices();
     // Then the points that are in no triangle.
     for v in 0..points.len() {
         ranks.of([v]);
     }
     let edges = ranks.read_edges(edges, record);
     let domain = chains.map(|chains| ranks.read_chains(chains, record));
-    let predicates = &ranks.predicates;
-    let added = |up_to: u32| (0..up_to).filter(|&v| predicates.is_added(v)).count();
+    let soup = ranks.soup;
+    let added = |up_to: u32| (0..up_to).filter(|&v| soup.is_added(v)).count();
     record.report.added_points = added(used);
-    record.report.distinct_points = predicates.vertex.len() - added(ranks.given_out());
+    record.report.distinct_points = soup.vertex.len() - added(soup.vertices());
     Some(Ranked {
-        soup: Soup {
-            predicates: ranks.predicates,
-            triangles,
-            numbers,
-        },
+        soup,
         edges,
         domain,
         used,
@@ -76,7 +73,7 @@ pub(super) fn read<'a, S: Scalar>(
 
 /// Ranks as they are given out.
 struct Ranks<'a, S> {
-    predicates: SoupPredicates<'a, S>,
+    soup: Soup<'a, S>,
     /// For each point its rank, [`NEW`] or [`NOT_FINITE`].
     rank: Vec<u32>,
     /// For each point the lowest index of a point equal to it, unless all differ.
@@ -113,16 +110,18 @@ impl<'a, S: Scalar> Ranks<'a, S> {
         let is_finite = |v: u32| rank[v as usize] == NEW;
         let scale = recenter(points, &mut approximations);
         let (places, representative) = sort(points, &approximations, is_finite);
-        let predicates = SoupPredicates {
+        let soup = Soup {
             points,
             added_from,
             scale,
             vertex: Vec::with_capacity(points.len()),
             approx: Vec::with_capacity(points.len()),
             near_ties: NearTies::default(),
+            triangles: Vec::new(),
+            numbers: Vec::new(),
         };
         let ranks = Ranks {
-            predicates,
+            soup,
             rank,
             representative,
             approximations,
@@ -196,10 +195,6 @@ impl<'a, S: Scalar> Ranks<'a, S> {
         vertices.iter().copied().find(|&v| v >= self.rank.len())
     }
 
-    fn given_out(&self) -> u32 {
-        u32::try_from(self.predicates.vertex.len()).expect("the size was checked")
-    }
-
     /// The ranks of vertices, given out now if need be; `None` if one is out of range or not finite.
     #[inline]
     fn of<const N: usize>(&mut self, vertices: [usize; N]) -> Option<[u32; N]> {
@@ -216,9 +211,9 @@ impl<'a, S: Scalar> Ranks<'a, S> {
             }
             let v = *to as usize;
             if self.rank[v] == NEW {
-                self.rank[v] = self.given_out();
-                self.predicates.vertex.push(*to);
-                self.predicates.approx.push(self.approximations[v]);
+                self.rank[v] = self.soup.vertices();
+                self.soup.vertex.push(*to);
+                self.soup.approx.push(self.approximations[v]);
             }
             *to = self.rank[v];
         }
@@ -282,8 +277,7 @@ fn sort<S: Scalar>(
     (places, found)
 }
 
-/// The numbers of the triangles by the lowest of their corners, which have these places; those with a corner out of range
-/// first.
+/// The numbers of the triangles, sorted by the lowest place of their corners; a corner out of range counts as the lowest.
 fn from_below(triangles: &[[usize; 3]], places: &[u32]) -> Vec<u32> {
     let lowest = |corners: &[usize; 3]| {
         let places = corners.map(|v| places.get(v).copied().unwrap_or(0));

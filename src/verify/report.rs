@@ -179,12 +179,7 @@ impl Level {
 
     /// The level before this one, if there is one.
     pub(super) fn below(self) -> Option<Level> {
-        match self {
-            Level::Tiling => None,
-            Level::Constrained => Some(Level::Tiling),
-            Level::Delaunay => Some(Level::Constrained),
-            Level::Canonical => Some(Level::Delaunay),
-        }
+        Level::ALL.into_iter().rfind(|&level| level < self)
     }
 }
 
@@ -236,7 +231,7 @@ impl Record {
             return Ok(report);
         }
         Err(Violations {
-            asked: self.findings.asked(),
+            asked: self.findings.asked,
             list: self.findings.list,
             found: self.findings.found,
             depths: self.findings.depths,
@@ -295,13 +290,9 @@ impl Findings {
         self.found == 0
     }
 
-    /// Whether the triangles may be a constrained triangulation but for rounding.
+    /// Whether rounding may explain all that keeps the triangles from being a constrained triangulation.
     pub(super) fn is_sound(&self) -> bool {
         self.is_sound
-    }
-
-    fn asked(&self) -> Level {
-        self.asked
     }
 
     /// The highest level reached.

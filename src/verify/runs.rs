@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 use super::bent::{self, Bend, Pass};
 use super::depth::Depth;
 use super::sides::Sides;
-use super::soup::{Soup, Tally};
+use super::soup::Soup;
 use super::violation::Violation;
 use crate::scalar::Scalar;
 
@@ -60,7 +60,7 @@ impl Run {
     /// Its vertices that are on its line, the ends among them.
     pub(super) fn on_line<S: Scalar>(&self, soup: &Soup<'_, S>) -> impl Iterator<Item = u32> {
         let [a, b] = self.ends();
-        let turn = move |v: u32| soup.predicates.orient2d([a, b, v], &mut Tally::default());
+        let turn = move |v: u32| soup.turn([a, b, v]);
         self.chain.iter().copied().filter(move |&v| turn(v).is_eq())
     }
 
@@ -92,7 +92,7 @@ impl Run {
         let (vertex, distance) = self.bend?;
         Some(Violation::BentBoundary {
             side: soup.names(self.ends()),
-            vertex: soup.predicates.name(vertex),
+            vertex: soup.name(vertex),
             depth: distance.filter(|_| is_simple).and_then(Depth::new),
         })
     }
@@ -104,7 +104,7 @@ pub(super) fn of_chain<S: Scalar>(
     sides: &Sides,
     chain: &[u32],
 ) -> (Vec<Run>, Vec<u32>) {
-    let is_own = |&v: &u32| !soup.predicates.is_added(v);
+    let is_own = |&v: &u32| !soup.is_added(v);
     let (mut runs, mut frame) = (Vec::new(), Vec::new());
     let Some(first) = chain.iter().position(is_own) else {
         return (runs, chain.to_vec());

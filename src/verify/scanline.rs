@@ -26,7 +26,7 @@ use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use super::soup::{SoupPredicates, Tally};
+use super::soup::Soup;
 use crate::scalar::Scalar;
 
 /// A declared side.
@@ -61,13 +61,13 @@ enum Place {
 /// A place as a key, ordered from below.
 #[derive(Debug)]
 struct Key<'a, S> {
-    predicates: &'a SoupPredicates<'a, S>,
+    soup: &'a Soup<'a, S>,
     place: Place,
 }
 
 /// The vertical line.
 struct Line<'a, S> {
-    predicates: &'a SoupPredicates<'a, S>,
+    soup: &'a Soup<'a, S>,
     /// The sides that the line crosses, each with how often the chains go round what is above it.
     sides: BTreeMap<Key<'a, S>, (Side, i32)>,
 }
@@ -79,13 +79,13 @@ struct Line<'a, S> {
     reason = "the order of places does not depend on how many near-ties were counted"
 )]
 pub(super) fn inside<'a, S: Scalar>(
-    predicates: &'a SoupPredicates<'a, S>,
+    soup: &'a Soup<'a, S>,
     sides: &[[u32; 2]],
     points: impl Iterator<Item = u32>,
 ) -> Result<Vec<u32>, [u32; 2]> {
     let mut events: Vec<(u32, Event)> = points.map(|v| (v, Event::Query)).collect();
     for &[a, b] in sides {
-        let runs_right = predicates.order(a, b).is_lt();
+        let runs_right = soup.order(a, b).is_lt();
         let (from, to) = if runs_right { (a, b) } else { (b, a) };
         let side = Side {
             from,
@@ -99,12 +99,12 @@ pub(super) fn inside<'a, S: Scalar>(
         }
     }
     let order = |(v, one): &(u32, Event), (w, other): &(u32, Event)| {
-        predicates.order(*v, *w).then(one.turn().cmp(&other.turn()))
+        soup.order(*v, *w).then(one.turn().cmp(&other.turn()))
     };
     events.sort_by(order);
 
     let sides = BTreeMap::new();
-    let mut line = Line { predicates, sides };
+    let mut line = Line { soup, sides };
     let mut inside = Vec::new();
     for at_vertex in events.chunk_by(|a, b| a.0 == b.0) {
         let is_inside = line.pass(at_vertex)?;
@@ -170,24 +170,24 @@ impl<'a, S: Scalar> Line<'a, S> {
 
     fn key(&self, place: Place) -> Key<'a, S> {
         Key {
-            predicates: self.predicates,
+            soup: self.soup,
             place,
         }
     }
 
     /// Whether two sides cross, of which `low` is below.
     fn cross(&self, low: Side, high: Side) -> bool {
-        if self.predicates.order(low.to, high.to).is_gt() {
-            turn(self.predicates, low, high.to).is_lt()
+        if self.soup.order(low.to, high.to).is_gt() {
+            turn(self.soup, low, high.to).is_lt()
         } else {
-            turn(self.predicates, high, low.to).is_gt()
+            turn(self.soup, high, low.to).is_gt()
         }
     }
 }
 
-/// Whether a vertex is above a side (`Greater`). Not counted: the standard library decides how many a search takes.
-fn turn<S: Scalar>(predicates: &SoupPredicates<'_, S>, side: Side, v: u32) -> Ordering {
-    predicates.orient2d([side.from, side.to, v], &mut Tally::default())
+/// Whether a vertex is above a side (`Greater`).
+fn turn<S: Scalar>(soup: &Soup<'_, S>, side: Side, v: u32) -> Ordering {
+    soup.turn([side.from, side.to, v])
 }
 
 impl Side {
@@ -214,11 +214,11 @@ impl Event {
 impl<S: Scalar> Key<'_, S> {
     /// Compares two sides at the later left end, or where they go on; if they overlap, by which has the domain below.
     fn compare_sides(&self, one: Side, other: Side) -> Ordering {
-        if self.predicates.order(one.from, other.from).is_gt() {
+        if self.soup.order(one.from, other.from).is_gt() {
             return self.compare_sides(other, one).reverse();
         }
-        turn(self.predicates, one, other.from)
-            .then_with(|| turn(self.predicates, one, other.to))
+        turn(self.soup, one, other.from)
+            .then_with(|| turn(self.soup, one, other.to))
             .reverse()
             .then_with(|| one.runs_right.cmp(&other.runs_right))
     }
@@ -229,8 +229,8 @@ impl<S: Scalar> Ord for Key<'_, S> {
         use Place::{Above, Below, On};
         match (self.place, other.place) {
             (On(one), On(other)) => self.compare_sides(one, other),
-            (Below(v), On(side)) => turn(self.predicates, side, v).then(Ordering::Less),
-            (Above(v), On(side)) => turn(self.predicates, side, v).then(Ordering::Greater),
+            (Below(v), On(side)) => turn(self.soup, side, v).then(Ordering::Less),
+            (Above(v), On(side)) => turn(self.soup, side, v).then(Ordering::Greater),
             (On(_), _) => other.cmp(self).reverse(),
             // Two places at one vertex.
             (Below(_), Above(_)) => Ordering::Less,

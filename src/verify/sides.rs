@@ -87,12 +87,8 @@ impl Sides {
 
     /// Constrains the side between two vertices. Returns whether that is new; `None` if there is no such side.
     pub(super) fn fix(&mut self, a: u32, b: u32) -> Option<bool> {
-        let (low, high) = (a.min(b), a.max(b));
-        let bucket = &self.entries[range(&self.starts, low)];
-        let first = bucket.partition_point(|&entry| other_end(entry) < high);
-        let is_it = |entry: &&u64| other_end(**entry) == high;
         let mut is_new = None;
-        for &entry in bucket[first..].iter().take_while(is_it) {
+        for &entry in between(&self.starts, &self.entries, [a, b]) {
             let twin = &mut self.twin[side(entry) as usize];
             // All triangles with this side were marked at once, however many there are.
             if *twin == FIXED {
@@ -106,13 +102,8 @@ impl Sides {
 
     /// The corner opposite to the side from one vertex to another in the triangle on its left, if there is one.
     pub(super) fn apex<S: Scalar>(&self, soup: &Soup<'_, S>, from: u32, to: u32) -> Option<u32> {
-        let (low, high) = (from.min(to), from.max(to));
-        let bucket = &self.entries[range(&self.starts, low)];
-        let first = bucket.partition_point(|&entry| other_end(entry) < high);
         let downward = if to < from { DOWNWARD } else { 0 };
-        let mut same = bucket[first..]
-            .iter()
-            .take_while(|&&entry| other_end(entry) == high);
+        let mut same = between(&self.starts, &self.entries, [from, to]).iter();
         let side = side(*same.find(|&&entry| entry & DOWNWARD == downward)?) as usize;
         Some(soup.triangles[side / 3][(side + 2 - side / 3 * 3) % 3])
     }
@@ -133,6 +124,13 @@ impl Sides {
 /// The range of a vertex's values.
 pub(super) fn range(starts: &[u32], v: u32) -> Range<usize> {
     starts[v as usize] as usize..starts[v as usize + 1] as usize
+}
+
+/// The entries of the side between two vertices, of both directions.
+fn between<'a>(starts: &[u32], entries: &'a [u64], [a, b]: [u32; 2]) -> &'a [u64] {
+    let bucket = &entries[range(starts, a.min(b))];
+    let rest = &bucket[bucket.partition_point(|&entry| other_end(entry) < a.max(b))..];
+    &rest[..rest.partition_point(|&entry| other_end(entry) == a.max(b))]
 }
 
 fn side(entry: u64) -> u32 {
@@ -190,7 +188,7 @@ where
     (starts, values)
 }
 
-/// Of sides with equal ends those that have more than one triangle on their left, or on their right, with the triangles.
+/// Pairs of triangles on one side of a side, with the side; `same` are all sides with one pair of ends.
 #[cold]
 fn repeated<S: Scalar>(soup: &Soup<'_, S>, same: &[u64]) -> Vec<([usize; 2], [usize; 2])> {
     let mut repeated = Vec::new();

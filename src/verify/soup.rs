@@ -19,7 +19,15 @@ pub(super) const REJECTED: [u32; 3] = [u32::MAX; 3];
 /// Points and triangles by rank.
 #[derive(Debug)]
 pub(super) struct Soup<'a, S> {
-    pub(super) predicates: SoupPredicates<'a, S>,
+    pub(super) points: &'a [[S; 2]],
+    /// The index of the first added point. Added points that equal one of the input stand for it.
+    pub(super) added_from: usize,
+    /// For each rank an index into `points`.
+    pub(super) vertex: Vec<u32>,
+    /// For each rank the approximated coordinates, scaled.
+    pub(super) approx: Vec<[f64; 2]>,
+    pub(super) scale: Scale,
+    pub(super) near_ties: NearTies,
     /// From below; [`REJECTED`] ones stay in their places.
     pub(super) triangles: Vec<[u32; 3]>,
     /// For each of them its number in the caller's list.
@@ -28,7 +36,7 @@ pub(super) struct Soup<'a, S> {
 
 impl<S: Scalar> Soup<'_, S> {
     pub(super) fn vertices(&self) -> u32 {
-        u32::try_from(self.predicates.vertex.len()).expect("the size was checked")
+        u32::try_from(self.vertex.len()).expect("the size was checked")
     }
 
     /// The triangles that no check has rejected, with their numbers.
@@ -50,22 +58,8 @@ impl<S: Scalar> Soup<'_, S> {
 
     /// The caller's indices of vertices.
     pub(super) fn names<const N: usize>(&self, vertices: [u32; N]) -> [usize; N] {
-        vertices.map(|v| self.predicates.name(v))
+        vertices.map(|v| self.name(v))
     }
-}
-
-/// Points by rank, and their exact signs.
-#[derive(Debug)]
-pub(super) struct SoupPredicates<'a, S> {
-    pub(super) points: &'a [[S; 2]],
-    /// The index of the first added point. Added points that equal one of the input stand for it.
-    pub(super) added_from: usize,
-    /// For each rank an index into `points`.
-    pub(super) vertex: Vec<u32>,
-    /// For each rank the approximated coordinates, scaled.
-    pub(super) approx: Vec<[f64; 2]>,
-    pub(super) scale: Scale,
-    pub(super) near_ties: NearTies,
 }
 
 /// How many signs doubles decided, and how many exact arithmetic did.
@@ -92,7 +86,7 @@ impl Tally {
     }
 }
 
-impl<S: Scalar> SoupPredicates<'_, S> {
+impl<S: Scalar> Soup<'_, S> {
     /// The caller's index of a vertex.
     pub(super) fn name(&self, v: u32) -> usize {
         self.vertex[v as usize] as usize
@@ -125,6 +119,11 @@ impl<S: Scalar> SoupPredicates<'_, S> {
         sign
     }
 
+    /// [`orient2d`](Soup::orient2d), not counted: the standard library decides how many signs a sort or a search takes.
+    pub(super) fn turn(&self, vertices: [u32; 3]) -> Ordering {
+        self.orient2d(vertices, &mut Tally::default())
+    }
+
     #[inline]
     pub(super) fn in_circle(&self, vertices: [u32; 4], tally: &mut Tally) -> Ordering {
         let (sign, stage) = self.predicates().in_circle(vertices);
@@ -143,9 +142,7 @@ impl<S: Scalar> SoupPredicates<'_, S> {
         let (p, q) = (self.point(a), self.point(b));
         p[0].compare(&q[0]).then_with(|| q[1].compare(&p[1])) == Ordering::Less
     }
-}
 
-impl<S: Scalar> SoupPredicates<'_, S> {
     /// How deep the last vertex lies in the circle of the others, if the scalar tells.
     pub(super) fn depth(&self, vertices: [u32; 4]) -> Option<f64> {
         let [a, b, c, d] = vertices.map(|v| self.point(v));

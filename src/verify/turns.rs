@@ -10,7 +10,7 @@ use super::violation::Violation;
 use crate::scalar::Scalar;
 
 /// Rejects the triangles that do not turn left. If `clockwise` ones are accepted and more turn right than left, all are
-/// reversed; of as many, if the first one in the caller's list that is not flat turns right.
+/// reversed; if as many turn right as left, the first one in the caller's list that is not flat decides.
 pub(super) fn check<S: Scalar, C: Schedule<S>>(
     soup: &mut Soup<'_, S>,
     clockwise: bool,
@@ -26,7 +26,7 @@ pub(super) fn check<S: Scalar, C: Schedule<S>>(
             if corners == REJECTED {
                 continue;
             }
-            let turn = soup.predicates.orient2d(corners, &mut tally);
+            let turn = soup.orient2d(corners, &mut tally);
             if turn != Ordering::Greater {
                 wrong.push((t, turn));
             }

@@ -73,8 +73,8 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Whether the triangles may be clockwise, all of them. Of triangles of both directions those are wrong of which there
-    /// are fewer; of as many those that run unlike the first one.
+    /// Whether all triangles may be clockwise. If the triangles run both ways, the smaller group is wrong; of two groups of
+    /// one size, the group without the first triangle.
     #[must_use]
     pub fn accept_clockwise(self, clockwise: bool) -> Self {
         Verifier { clockwise, ..self }
@@ -120,7 +120,7 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Verifies the attributes of triangles, each of which must be that of the region that the triangle lies in. This
+    /// Verifies the attributes of triangles: each triangle must have the attribute of the region that it lies in. This
     /// check is part of [`Level::Constrained`], and is made where the triangles reach it otherwise.
     ///
     /// ```
@@ -154,8 +154,8 @@ impl<'a> Verifier<'a> {
         Verifier { limit, ..self }
     }
 
-    /// Whether every [depth](super::Depth) is measured, however many violations there are. By default only those of the
-    /// first 1000 wrong sides in each 16384 triangles are, and those of wrong turns if there are at most 1000 of them.
+    /// Whether every [depth](super::Depth) is measured, however many violations there are. By default the
+    /// verifier measures the first 1000 wrong sides in each 16384 triangles, and wrong turns if there are at most 1000.
     #[must_use]
     pub fn all_depths(self, all: bool) -> Self {
         let measured = if all { usize::MAX } else { MEASURED };

@@ -2,314 +2,221 @@
 
 use alloc::vec::Vec;
 use core::fmt;
-use core::slice::from_mut;
 
 use super::depth::Depth;
 
-/// One fault. All numbers are indices into the caller's arrays; of equal points the lowest is named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize),
-    serde(rename_all = "kebab-case")
-)]
-#[non_exhaustive]
-pub enum Violation {
-    /// More points or corners of triangles than the verifier can number.
-    TooLarge {
-        /// The number of points or corners given.
-        given: usize,
-        /// The greatest number that fits.
-        limit: usize,
-    },
-    /// A coordinate of this point is NaN or infinite.
-    NonFiniteCoordinate {
-        /// The point.
-        vertex: usize,
-    },
-    /// An end of this input edge is not the index of a point.
-    EdgeOutOfRange {
-        /// The edge.
-        edge: usize,
-        /// The end (the first one of two).
-        vertex: usize,
-    },
-    /// A corner of this triangle is not the index of a point.
-    TriangleOutOfRange {
-        /// The triangle.
-        triangle: usize,
-        /// The corner (the first one of several).
-        vertex: usize,
-    },
-    /// The corners of this triangle lie on one line.
-    FlatTriangle {
-        /// The triangle.
-        triangle: usize,
-    },
-    /// The corners of this triangle run clockwise (or against all others, where a clockwise file was accepted).
-    ReversedTriangle {
-        /// The triangle.
-        triangle: usize,
-    },
-    /// Two triangles lie on the same side of one side.
-    RepeatedSide {
-        /// The side, in the direction that both have.
-        side: [usize; 2],
-        /// The two triangles.
-        triangles: [usize; 2],
-    },
-    /// There are no triangles although three points are not on one line.
-    NoTriangles {
-        /// Three points that are not on one line.
-        vertices: [usize; 3],
-    },
-    /// The boundary meets itself in a vertex.
-    PinchedBoundary {
-        /// The vertex.
-        vertex: usize,
-    },
-    /// The boundary has one more closed chain than the hull: a hole, or a second piece.
-    ExtraBoundary {
-        /// A side of the chain, with a triangle on its left.
-        side: [usize; 2],
-        /// How many sides the chain has.
-        sides: usize,
-    },
-    /// The boundary turns right, or back.
-    ConcaveBoundary {
-        /// Three vertices that follow each other on the boundary; it turns in the middle.
-        vertices: [usize; 3],
-        /// The depth of the turn, where that was measured.
-        depth: Option<Depth>,
-    },
-    /// The boundary turns left all the time, but goes round more than once.
-    WindingBoundary {
-        /// How often the boundary goes round.
-        times: usize,
-    },
-    /// A side of the boundary is not in the chains that the caller gave.
-    UndeclaredBoundary {
-        /// The side, with a triangle on its left.
-        side: [usize; 2],
-        /// The triangle.
-        triangle: usize,
-    },
-    /// Two vertices that follow each other in a chain of the caller are no side of the boundary.
-    MissingBoundary {
-        /// The two vertices.
-        side: [usize; 2],
-    },
-    /// The caller's chains bound no domain: two sides cross, or they go round a place more than once or the wrong way.
-    TangledBoundary {
-        /// A side of the chains where that is seen.
-        side: [usize; 2],
-    },
-    /// No triangle has this point, or one that equals it, for a corner.
-    UnusedPoint {
-        /// The point.
-        vertex: usize,
-    },
-    /// A corner that is an added point lies outside the hull of the input's points.
-    AddedOutside {
-        /// The point.
-        vertex: usize,
-    },
-    /// The number of triangles is not what Euler's formula asks for.
-    WrongCount {
-        /// The number of triangles.
-        triangles: usize,
-        /// The number that Euler's formula asks for.
-        expected: usize,
-    },
-    /// An input edge is not a chain of sides.
-    MissingEdge {
-        /// The edge.
-        edge: usize,
-        /// The vertex on it from which no side leads on along it.
-        after: usize,
-    },
-    /// An input edge is a chain of sides with added points beside it.
-    BentEdge {
-        /// The edge.
-        edge: usize,
-        /// The vertex of the chain that is farthest from the edge.
-        vertex: usize,
-        /// Its distance from the edge, in units of the length of the edge.
-        depth: Option<Depth>,
-    },
-    /// The boundary passes added points beside a side of the hull, or of a chain that the caller gave.
-    BentBoundary {
-        /// The ends of the side.
-        side: [usize; 2],
-        /// The vertex on the boundary that is farthest from the side; without a depth one that the boundary goes round.
-        vertex: usize,
-        /// Its distance from the side, in units of the length of the side.
-        depth: Option<Depth>,
-    },
-    /// A triangle has not the attribute of the region that it lies in, or has one and lies in none.
-    WrongRegion {
-        /// The triangle.
-        triangle: usize,
-    },
-    /// A side that is no input edge is not locally Delaunay.
-    NotDelaunay {
-        /// The side, in the direction that the first triangle has.
-        side: [usize; 2],
-        /// The two triangles at the side.
-        triangles: [usize; 2],
-        /// The corners opposite to the side; each lies inside the other triangle's circumcircle.
-        opposite: [usize; 2],
-        /// The depth of the corner that lies deeper, where that was measured.
-        depth: Option<Depth>,
-    },
-    /// Cocircular sides that are not canonical, which only [`Level::Canonical`](super::Level::Canonical) asks for.
-    NotCanonical {
-        /// The number of these sides.
-        sides: usize,
-    },
+/// Writes the violations, each with its name, its fields and what these are numbers of, and its sentence.
+macro_rules! violations {
+    ($(#[$about:meta])* pub enum Violation {
+        $($(#[$what:meta])* $variant:ident = $name:literal {
+            $($(#[$doc:meta])* $field:ident: $type:ty = $kind:ident,)+
+        } => $sentence:literal $(, $argument:expr)*;)+
+    }) => {
+        $(#[$about])*
+        pub enum Violation {
+            $($(#[$what])* $variant { $($(#[$doc])* $field: $type,)+ },)+
+        }
+
+        impl fmt::Display for Violation {
+            #[expect(unused_variables, reason = "a sentence leaves out the depth")]
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match self {
+                    $(Violation::$variant { $($field),+ } => write!(f, $sentence $(, $argument)*),)+
+                }
+            }
+        }
+
+        impl Violation {
+            /// The name of the class of violation: the variant in lower case with hyphens.
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(Violation::$variant { .. } => $name,)+
+                }
+            }
+
+            /// Visits the indices in the violation; counts are not indices.
+            fn each_index(&mut self, mut visit: impl FnMut(Kind, &mut usize)) {
+                match self {
+                    $(Violation::$variant { $($field),+ } => {
+                        $(violations!(@visit $kind, $field, visit);)+
+                    })+
+                }
+            }
+        }
+    };
+    (@visit Vertex, $field:ident, $visit:ident) => { $visit(Kind::Vertex, $field) };
+    (@visit Vertices, $field:ident, $visit:ident) => { $field.iter_mut().for_each(|v| $visit(Kind::Vertex, v)) };
+    (@visit Edge, $field:ident, $visit:ident) => { $visit(Kind::Edge, $field) };
+    (@visit Triangle, $field:ident, $visit:ident) => { $visit(Kind::Triangle, $field) };
+    (@visit Triangles, $field:ident, $visit:ident) => { $field.iter_mut().for_each(|t| $visit(Kind::Triangle, t)) };
+    (@visit $other:ident, $field:ident, $visit:ident) => { let _ = $field; };
 }
 
-impl fmt::Display for Violation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Violation::TooLarge { given, limit } => write!(
-                f,
-                "{given} points or corners are more than the {limit} that fit"
-            ),
-            Violation::NonFiniteCoordinate { vertex } => {
-                write!(f, "vertex {vertex} has a coordinate that is not finite")
-            }
-            Violation::EdgeOutOfRange { edge, vertex } => write!(
-                f,
-                "edge {edge} ends at vertex {vertex}, which does not exist"
-            ),
-            Violation::TriangleOutOfRange { triangle, vertex } => write!(
-                f,
-                "triangle {triangle} has vertex {vertex}, which does not exist"
-            ),
-            Violation::FlatTriangle { triangle } => {
-                write!(f, "triangle {triangle} has its corners on one line")
-            }
-            Violation::ReversedTriangle { triangle } => {
-                write!(f, "triangle {triangle} runs the wrong way round")
-            }
-            Violation::RepeatedSide { side, triangles } => write!(
-                f,
-                "triangles {} and {} both lie to the left of side {}-{}",
-                triangles[0], triangles[1], side[0], side[1]
-            ),
-            Violation::NoTriangles { vertices } => write!(
-                f,
-                "there are no triangles, but vertices {}, {}, {} are not on a line",
-                vertices[0], vertices[1], vertices[2]
-            ),
-            Violation::PinchedBoundary { vertex } => {
-                write!(f, "the boundary meets itself at vertex {vertex}")
-            }
-            Violation::ExtraBoundary { side, sides } => write!(
-                f,
-                "side {}-{} is on a boundary of {sides} sides that is not the hull",
-                side[0], side[1]
-            ),
-            Violation::ConcaveBoundary { vertices, .. } => write!(
-                f,
-                "the boundary does not turn left at vertex {}, between {} and {}",
-                vertices[1], vertices[0], vertices[2]
-            ),
-            Violation::WindingBoundary { times } => {
-                write!(f, "the boundary goes round {times} times")
-            }
-            Violation::UndeclaredBoundary { side, triangle } => write!(
-                f,
-                "side {}-{} of triangle {triangle} is on no given boundary",
-                side[0], side[1]
-            ),
-            Violation::MissingBoundary { side } => write!(
-                f,
-                "side {}-{} of a given boundary bounds no triangle",
-                side[0], side[1]
-            ),
-            Violation::TangledBoundary { side } => write!(
-                f,
-                "the given boundary crosses or covers itself at side {}-{}",
-                side[0], side[1]
-            ),
-            Violation::UnusedPoint { vertex } => write!(f, "vertex {vertex} is in no triangle"),
-            Violation::AddedOutside { vertex } => {
-                write!(f, "vertex {vertex} was added outside of the hull")
-            }
-            Violation::WrongCount {
-                triangles,
-                expected,
-            } => write!(f, "there are {triangles} triangles, not {expected}"),
-            Violation::MissingEdge { edge, after } => write!(
-                f,
-                "edge {edge} is no chain of sides: none follows it from vertex {after}"
-            ),
-            Violation::BentEdge { edge, vertex, .. } => write!(
-                f,
-                "edge {edge} is a chain of sides that is not straight: vertex {vertex} is beside it"
-            ),
-            Violation::BentBoundary { side, vertex, .. } => write!(
-                f,
-                "the boundary from vertex {} to {} is not straight: vertex {vertex} is beside it",
-                side[0], side[1]
-            ),
-            Violation::WrongRegion { triangle } => write!(
-                f,
-                "triangle {triangle} has another attribute than the region that it lies in"
-            ),
-            Violation::NotDelaunay {
-                side,
-                triangles,
-                opposite,
-                ..
-            } => write!(
-                f,
-                "side {}-{} of triangles {} and {} is not Delaunay: the circle of one holds vertex {} or {} of the other",
-                side[0], side[1], triangles[0], triangles[1], opposite[0], opposite[1]
-            ),
-            Violation::NotCanonical { sides } => write!(
-                f,
-                "diagonals between vertices on one circle that do not end at the leftmost one: {sides}"
-            ),
-        }
+violations! {
+    /// One fault. All numbers are indices into the caller's arrays; of equal points the lowest is named.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+    #[non_exhaustive]
+    pub enum Violation {
+        /// More points or corners of triangles than the verifier can number.
+        TooLarge = "too-large" {
+            /// The number of points or corners given.
+            given: usize = Number,
+            /// The greatest number that fits.
+            limit: usize = Number,
+        } => "{given} points or corners are more than the {limit} that fit";
+        /// A coordinate of this point is NaN or infinite.
+        NonFiniteCoordinate = "non-finite-coordinate" {
+            /// The point.
+            vertex: usize = Vertex,
+        } => "vertex {vertex} has a coordinate that is not finite";
+        /// An end of this input edge is not the index of a point.
+        EdgeOutOfRange = "edge-out-of-range" {
+            /// The edge.
+            edge: usize = Edge,
+            /// The end (the first one of two).
+            vertex: usize = Vertex,
+        } => "edge {edge} ends at vertex {vertex}, which does not exist";
+        /// A corner of this triangle is not the index of a point.
+        TriangleOutOfRange = "triangle-out-of-range" {
+            /// The triangle.
+            triangle: usize = Triangle,
+            /// The corner (the first one of several).
+            vertex: usize = Vertex,
+        } => "triangle {triangle} has vertex {vertex}, which does not exist";
+        /// The corners of this triangle lie on one line.
+        FlatTriangle = "flat-triangle" {
+            /// The triangle.
+            triangle: usize = Triangle,
+        } => "triangle {triangle} has its corners on one line";
+        /// The corners of this triangle run clockwise (or against all others, where a clockwise file was accepted).
+        ReversedTriangle = "reversed-triangle" {
+            /// The triangle.
+            triangle: usize = Triangle,
+        } => "triangle {triangle} runs the wrong way round";
+        /// Two triangles lie on the same side of one side.
+        RepeatedSide = "repeated-side" {
+            /// The side, in the direction that both have.
+            side: [usize; 2] = Vertices,
+            /// The two triangles.
+            triangles: [usize; 2] = Triangles,
+        } => "triangles {} and {} both lie to the left of side {}-{}", triangles[0], triangles[1], side[0], side[1];
+        /// There are no triangles although three points are not on one line.
+        NoTriangles = "no-triangles" {
+            /// Three points that are not on one line.
+            vertices: [usize; 3] = Vertices,
+        } => "there are no triangles, but vertices {}, {}, {} are not on a line", vertices[0], vertices[1], vertices[2];
+        /// The boundary meets itself in a vertex.
+        PinchedBoundary = "pinched-boundary" {
+            /// The vertex.
+            vertex: usize = Vertex,
+        } => "the boundary meets itself at vertex {vertex}";
+        /// The boundary has one more closed chain than the hull: a hole, or a second piece.
+        ExtraBoundary = "extra-boundary" {
+            /// A side of the chain, with a triangle on its left.
+            side: [usize; 2] = Vertices,
+            /// How many sides the chain has.
+            sides: usize = Number,
+        } => "side {}-{} is on a boundary of {sides} sides that is not the hull", side[0], side[1];
+        /// The boundary turns right, or back.
+        ConcaveBoundary = "concave-boundary" {
+            /// Three vertices that follow each other on the boundary; it turns in the middle.
+            vertices: [usize; 3] = Vertices,
+            /// The depth of the turn, where that was measured.
+            depth: Option<Depth> = Depth,
+        } => "the boundary does not turn left at vertex {}, between {} and {}", vertices[1], vertices[0], vertices[2];
+        /// The boundary turns left all the time, but goes round more than once.
+        WindingBoundary = "winding-boundary" {
+            /// How often the boundary goes round.
+            times: usize = Number,
+        } => "the boundary goes round {times} times";
+        /// A side of the boundary is not in the chains that the caller gave.
+        UndeclaredBoundary = "undeclared-boundary" {
+            /// The side, with a triangle on its left.
+            side: [usize; 2] = Vertices,
+            /// The triangle.
+            triangle: usize = Triangle,
+        } => "side {}-{} of triangle {triangle} is on no given boundary", side[0], side[1];
+        /// Two vertices that follow each other in a chain of the caller are no side of the boundary.
+        MissingBoundary = "missing-boundary" {
+            /// The two vertices.
+            side: [usize; 2] = Vertices,
+        } => "side {}-{} of a given boundary bounds no triangle", side[0], side[1];
+        /// The caller's chains bound no domain: two sides cross, or they go round a place more than once or the wrong way.
+        TangledBoundary = "tangled-boundary" {
+            /// A side of the chains where that is seen.
+            side: [usize; 2] = Vertices,
+        } => "the given boundary crosses or covers itself at side {}-{}", side[0], side[1];
+        /// No triangle has this point, or one that equals it, for a corner.
+        UnusedPoint = "unused-point" {
+            /// The point.
+            vertex: usize = Vertex,
+        } => "vertex {vertex} is in no triangle";
+        /// A corner that is an added point lies outside the hull of the input's points.
+        AddedOutside = "added-outside" {
+            /// The point.
+            vertex: usize = Vertex,
+        } => "vertex {vertex} was added outside of the hull";
+        /// The number of triangles is not what Euler's formula asks for.
+        WrongCount = "wrong-count" {
+            /// The number of triangles.
+            triangles: usize = Number,
+            /// The number that Euler's formula asks for.
+            expected: usize = Number,
+        } => "there are {triangles} triangles, not {expected}";
+        /// An input edge is not a chain of sides.
+        MissingEdge = "missing-edge" {
+            /// The edge.
+            edge: usize = Edge,
+            /// The vertex on it from which no side leads on along it.
+            after: usize = Vertex,
+        } => "edge {edge} is missing: no side leads along it from vertex {after}";
+        /// An input edge is a chain of sides with added points beside it.
+        BentEdge = "bent-edge" {
+            /// The edge.
+            edge: usize = Edge,
+            /// The vertex of the chain that is farthest from the edge.
+            vertex: usize = Vertex,
+            /// Its distance from the edge, in units of the length of the edge.
+            depth: Option<Depth> = Depth,
+        } => "edge {edge} is a chain of sides that is not straight: vertex {vertex} is beside it";
+        /// The boundary passes added points beside a side of the hull, or of a chain that the caller gave.
+        BentBoundary = "bent-boundary" {
+            /// The ends of the side.
+            side: [usize; 2] = Vertices,
+            /// The vertex on the boundary that is farthest from the side; without a depth one that the boundary goes round.
+            vertex: usize = Vertex,
+            /// Its distance from the side, in units of the length of the side.
+            depth: Option<Depth> = Depth,
+        } => "the boundary from vertex {} to {} is not straight: vertex {vertex} is beside it", side[0], side[1];
+        /// A triangle has not the attribute of the region that it lies in, or has one and lies in none.
+        WrongRegion = "wrong-region" {
+            /// The triangle.
+            triangle: usize = Triangle,
+        } => "triangle {triangle} has another attribute than the region that it lies in";
+        /// A side that is no input edge is not locally Delaunay.
+        NotDelaunay = "not-delaunay" {
+            /// The side, in the direction that the first triangle has.
+            side: [usize; 2] = Vertices,
+            /// The two triangles at the side.
+            triangles: [usize; 2] = Triangles,
+            /// The corners opposite to the side; each lies inside the other triangle's circumcircle.
+            opposite: [usize; 2] = Vertices,
+            /// The depth of the corner that lies deeper, where that was measured.
+            depth: Option<Depth> = Depth,
+        } => "side {}-{} of triangles {} and {} is not Delaunay: the circle of one holds vertex {} or {} of the other",
+            side[0], side[1], triangles[0], triangles[1], opposite[0], opposite[1];
+        /// Cocircular sides that are not canonical, which only [`Level::Canonical`](super::Level::Canonical) asks for.
+        NotCanonical = "not-canonical" {
+            /// The number of these sides.
+            sides: usize = Number,
+        } => "diagonals between vertices on one circle that do not end at the leftmost one: {sides}";
     }
 }
 
 impl core::error::Error for Violation {}
 
 impl Violation {
-    /// The name of the class of violation: the variant in lower case with hyphens.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Violation::TooLarge { .. } => "too-large",
-            Violation::NonFiniteCoordinate { .. } => "non-finite-coordinate",
-            Violation::EdgeOutOfRange { .. } => "edge-out-of-range",
-            Violation::TriangleOutOfRange { .. } => "triangle-out-of-range",
-            Violation::FlatTriangle { .. } => "flat-triangle",
-            Violation::ReversedTriangle { .. } => "reversed-triangle",
-            Violation::RepeatedSide { .. } => "repeated-side",
-            Violation::NoTriangles { .. } => "no-triangles",
-            Violation::PinchedBoundary { .. } => "pinched-boundary",
-            Violation::ExtraBoundary { .. } => "extra-boundary",
-            Violation::ConcaveBoundary { .. } => "concave-boundary",
-            Violation::WindingBoundary { .. } => "winding-boundary",
-            Violation::UndeclaredBoundary { .. } => "undeclared-boundary",
-            Violation::MissingBoundary { .. } => "missing-boundary",
-            Violation::TangledBoundary { .. } => "tangled-boundary",
-            Violation::UnusedPoint { .. } => "unused-point",
-            Violation::AddedOutside { .. } => "added-outside",
-            Violation::WrongCount { .. } => "wrong-count",
-            Violation::MissingEdge { .. } => "missing-edge",
-            Violation::BentEdge { .. } => "bent-edge",
-            Violation::BentBoundary { .. } => "bent-boundary",
-            Violation::WrongRegion { .. } => "wrong-region",
-            Violation::NotDelaunay { .. } => "not-delaunay",
-            Violation::NotCanonical { .. } => "not-canonical",
-        }
-    }
-
     /// The depth of the fault; `None` if it has none, or none that was measured.
     ///
     /// ```
@@ -401,56 +308,5 @@ impl Violation {
             };
         });
         self
-    }
-
-    /// Visits the indices in the violation; counts are not indices.
-    fn each_index(&mut self, mut visit: impl FnMut(Kind, &mut usize)) {
-        use Violation as V;
-        let (vertices, edges, triangles): (&mut [usize], &mut [usize], &mut [usize]) = match self {
-            V::TooLarge { .. }
-            | V::WindingBoundary { .. }
-            | V::WrongCount { .. }
-            | V::NotCanonical { .. } => return,
-            V::NonFiniteCoordinate { vertex }
-            | V::PinchedBoundary { vertex }
-            | V::UnusedPoint { vertex }
-            | V::AddedOutside { vertex } => (from_mut(vertex), &mut [], &mut []),
-            V::FlatTriangle { triangle }
-            | V::ReversedTriangle { triangle }
-            | V::WrongRegion { triangle } => (&mut [], &mut [], from_mut(triangle)),
-            V::EdgeOutOfRange { edge, vertex }
-            | V::BentEdge { edge, vertex, .. }
-            | V::MissingEdge {
-                edge,
-                after: vertex,
-            } => (from_mut(vertex), from_mut(edge), &mut []),
-            V::TriangleOutOfRange { triangle, vertex } => {
-                (from_mut(vertex), &mut [], from_mut(triangle))
-            }
-            V::NoTriangles { vertices } | V::ConcaveBoundary { vertices, .. } => {
-                (vertices, &mut [], &mut [])
-            }
-            V::ExtraBoundary { side, .. }
-            | V::MissingBoundary { side }
-            | V::TangledBoundary { side } => (side, &mut [], &mut []),
-            V::BentBoundary { side, vertex, .. } => {
-                side.iter_mut().for_each(|v| visit(Kind::Vertex, v));
-                (from_mut(vertex), &mut [], &mut [])
-            }
-            V::UndeclaredBoundary { side, triangle } => (side, &mut [], from_mut(triangle)),
-            V::RepeatedSide { side, triangles } => (side, &mut [], triangles),
-            V::NotDelaunay {
-                side,
-                triangles,
-                opposite,
-                ..
-            } => {
-                side.iter_mut().for_each(|v| visit(Kind::Vertex, v));
-                (opposite, &mut [], triangles)
-            }
-        };
-        vertices.iter_mut().for_each(|v| visit(Kind::Vertex, v));
-        edges.iter_mut().for_each(|e| visit(Kind::Edge, e));
-        triangles.iter_mut().for_each(|t| visit(Kind::Triangle, t));
     }
 }

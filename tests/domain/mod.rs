@@ -30,7 +30,7 @@ fn a_hole_is_a_ring_that_runs_the_other_way() {
     for (inner, depth, count) in [(INNER, 2, 10), (reversed, 0, 8)] {
         let edges = [OUTER, inner].concat();
         let result = triangulate(&SQUARES, &edges).unwrap();
-        let domain = result.interior(FillRule::NonZero(&edges)).unwrap();
+        let domain = result.interior(FillRule::NonZero).unwrap();
         assert_eq!(domain.inside().len(), count);
         let in_hole = |t: &usize| result.triangle(*t).iter().all(|v| *v >= 4);
         let holes: Vec<usize> = (0..result.len()).filter(in_hole).collect();
@@ -79,26 +79,12 @@ fn what_does_not_close_is_named() {
     let open = Some(InteriorError::OpenAtVertex { vertex: 0 });
     let result = triangulate(&SQUARES, &OUTER[1..]).unwrap();
     assert_eq!(result.interior(FillRule::EvenOdd).err(), open);
-    assert_eq!(result.interior(FillRule::NonZero(&OUTER[1..])).err(), open);
+    assert_eq!(result.interior(FillRule::NonZero).err(), open);
     // Closed, but two of its edges run against the others.
     let turned = [[0, 1], [1, 2], [3, 2], [0, 3]];
     let result = triangulate(&SQUARES, &turned).unwrap();
-    assert_eq!(result.interior(FillRule::NonZero(&turned)).err(), open);
+    assert_eq!(result.interior(FillRule::NonZero).err(), open);
     assert!(result.interior(FillRule::EvenOdd).is_ok());
-}
-
-#[test]
-fn other_edges_are_named() {
-    let result = triangulate(&SQUARES, &OUTER).unwrap();
-    let refused = |edges: &[[usize; 2]]| result.interior(FillRule::NonZero(edges)).unwrap_err();
-    let other = |edge| InteriorError::OtherEdge { edge };
-    assert_eq!(refused(&INNER), other(0));
-    assert_eq!(refused(&OUTER[..3]), other(3));
-    assert_eq!(refused(&[OUTER, INNER].concat()), other(4));
-    assert_eq!(
-        refused(&[[0, 1], [1, 2], [2, usize::MAX], [3, 0]]),
-        other(2)
-    );
 }
 
 #[test]
@@ -108,7 +94,7 @@ fn without_triangles_nothing_is_inside() {
     for points in [&line[..], &[]] {
         let edges = if points.is_empty() { &[] } else { &edges[..] };
         let result = triangulate(points, edges).unwrap();
-        for rule in [FillRule::Hull, FillRule::EvenOdd, FillRule::NonZero(edges)] {
+        for rule in [FillRule::Hull, FillRule::EvenOdd, FillRule::NonZero] {
             let domain = result.interior(rule).unwrap();
             assert_eq!((domain.inside().len(), domain.boundary().len()), (0, 0));
         }

@@ -52,7 +52,7 @@ fn map(random: &mut Random) -> Map {
 }
 
 /// The polygons that cover a triangle, in ascending order.
-fn covering(map: &Map, triangle: [usize; 3]) -> Vec<u32> {
+fn covering(map: &Map, triangle: [usize; 3]) -> Vec<usize> {
     let is_around = |ring: usize| {
         let of_ring = map.edges.iter().zip(&map.ring_of);
         let edges: Vec<[usize; 2]> = of_ring
@@ -61,7 +61,7 @@ fn covering(map: &Map, triangle: [usize; 3]) -> Vec<u32> {
             .collect();
         windings(&map.points, &edges, triangle).0 % 2 == 1
     };
-    let has = |polygon: u32, is_hole: bool| {
+    let has = |polygon: usize, is_hole: bool| {
         let rings = map.rings.iter().enumerate();
         let mut rings = rings.filter(|(_, ring)| **ring == Ring { polygon, is_hole });
         rings.any(|(at, _)| is_around(at))
@@ -89,7 +89,7 @@ fn every_triangle_knows_the_polygons_that_cover_it() {
             );
             let depth = usize::try_from(interior.depth(t));
             assert_eq!(depth, Ok(expected.len()), "seed {seed}, {t}");
-            let lowest = expected.first().map(|&polygon| polygon as usize);
+            let lowest = expected.first().copied();
             assert_eq!(interior.region(t), lowest, "seed {seed}, {t}");
             covered += usize::from(!expected.is_empty());
             twice += usize::from(expected.len() > 1);
@@ -134,10 +134,10 @@ fn rings_that_are_not_closed_are_refused() {
             let interior = result.interior_of_polygons(&map.rings, ring_of);
             interior.err()
         };
-        let (all, other) = (map.edges.len(), InteriorError::OtherEdge { edge });
-        let too_few = InteriorError::OtherEdge { edge: all - 1 };
+        let (all, other) = (map.edges.len(), InteriorError::UnknownRing { edge });
+        let too_few = InteriorError::UnknownRing { edge: all - 1 };
         assert_eq!(refused(&map.ring_of[..all - 1]), Some(too_few));
-        let too_many = InteriorError::OtherEdge { edge: all };
+        let too_many = InteriorError::UnknownRing { edge: all };
         let more = [&map.ring_of[..], &[None]].concat();
         assert_eq!(refused(&more), Some(too_many));
         let mut unknown = map.ring_of.clone();
@@ -160,7 +160,7 @@ fn equal_rings_are_crossed_together() {
         edges.extend(outline);
         ring_of.extend([Some(usize::from(ring)); 4]);
     }
-    let polygons = (0..copies).map(u32::from);
+    let polygons = (0..copies).map(usize::from);
     let rings: Vec<Ring> = polygons
         .map(|polygon| Ring {
             polygon,

@@ -52,12 +52,12 @@ fn every_triangle_is_where_rays_say() {
             .interior(FillRule::EvenOdd)
             .expect("the rings are closed");
         let nonzero = result
-            .interior(FillRule::NonZero(&edges))
+            .interior(FillRule::NonZero)
             .expect("the rings are closed");
         let of_winding = |rule| result.interior(rule).expect("the rings are closed");
-        let positive = of_winding(FillRule::Positive(&edges));
-        let negative = of_winding(FillRule::Negative(&edges));
-        let twice = of_winding(FillRule::AtLeast(&edges, 2));
+        let positive = of_winding(FillRule::Positive);
+        let negative = of_winding(FillRule::Negative);
+        let twice = of_winding(FillRule::AtLeast(2));
         let triangles: Vec<[usize; 3]> = result.triangles().collect();
         let expected = layers(&points, &edges, &triangles);
         for (t, &triangle) in triangles.iter().enumerate() {
@@ -102,7 +102,7 @@ fn edges_that_do_not_close_are_refused() {
             "seed {seed}"
         );
         assert_eq!(
-            result.interior(FillRule::NonZero(&edges)).is_ok(),
+            result.interior(FillRule::NonZero).is_ok(),
             is_closed,
             "seed {seed}"
         );
@@ -139,7 +139,7 @@ fn the_verifier_knows_each_domain() {
         let rule = if is_even_odd {
             FillRule::EvenOdd
         } else {
-            FillRule::NonZero(&edges)
+            FillRule::NonZero
         };
         let domain: Interior<'_> = result.interior(rule).expect("the rings are closed");
         let mut chains = domain.boundary();

@@ -197,11 +197,15 @@ fn what_is_wrong_with_a_seed_is_said() {
     ] {
         assert_eq!(message(&[hole], &[region]), expected);
     }
-    let few = result
-        .with_points(&points[..3])
-        .interior_of_seeds(&[], &[])
-        .unwrap_err();
-    assert_eq!(few, InteriorError::MissingPoint { vertex: 3 });
+}
+
+#[test]
+#[should_panic(expected = "these are not the points of the triangulation")]
+fn points_of_another_triangulation_are_refused() {
+    let points = [[0, 0], [4, 0], [4, 4], [0, 4], [4, 4]];
+    let result = triangulate(&points, &[]).unwrap();
+    assert!(result.with_points(&points).verify(&[]).is_ok());
+    result.with_points(&points[..4]);
 }
 
 #[test]

@@ -62,10 +62,9 @@ fn public_types_are_send_and_sync() {
     assert_copied::<sweep_cdt::Error>();
     assert_copied::<sweep_cdt::Location>();
     assert_copied::<sweep_cdt::trace::Event>();
-    assert_copied::<sweep_cdt::interior::FillRule<'_>>();
+    assert_copied::<sweep_cdt::interior::FillRule>();
     assert_both::<sweep_cdt::Session>();
     assert_both::<sweep_cdt::Triangulation>();
-    assert_both::<sweep_cdt::CanonicalGroups>();
     assert_both::<sweep_cdt::Pslg<f64>>();
     assert_both::<sweep_cdt::Region<f64>>();
     assert_both::<sweep_cdt::VertexStars<'_>>();

@@ -2,8 +2,8 @@
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use sweep_cdt::scalar::{Scalar, filtered_orient2d};
-use sweep_cdt::{Location, Triangulation, triangulate};
+use sweep_cdt::scalar::{Scalar, orient2d};
+use sweep_cdt::{Algorithm, Location, Triangulation, Triangulator, triangulate};
 use sweep_cdt_testing::families::{self, Family};
 use sweep_cdt_testing::{Input, Random};
 
@@ -159,7 +159,7 @@ fn many_points_are_found_among_many() {
             panic!("random points lie inside of triangles: {query:?}");
         };
         let [a, b, c] = result.triangle(t).map(|v| points[v]);
-        let turns = [[a, b], [b, c], [c, a]].map(|[a, b]| filtered_orient2d(&a, &b, &query));
+        let turns = [[a, b], [b, c], [c, a]].map(|[a, b]| orient2d(&a, &b, &query));
         assert!(turns.iter().all(|turn| turn.is_gt()), "{query:?}");
     }
 }
@@ -197,7 +197,19 @@ fn stars_have_all_triangles_in_order() {
             let (Some(&(t, i)), Some(&(u, j))) = (around.first(), around.last()) else {
                 continue;
             };
+            let mut neighbors: Vec<usize> = result
+                .sides()
+                .flat_map(|[a, b]| [[a, b], [b, a]])
+                .filter(|side| side[0] == vertex)
+                .map(|side| side[1])
+                .collect();
+            neighbors.sort_unstable();
+            let mut found: Vec<usize> = stars.neighbors(v).collect();
+            assert_eq!(found[0], result.triangle(t)[(i + 1) % 3]);
+            found.sort_unstable();
+            assert_eq!(found, neighbors);
             let is_on_hull = result.hull().any(|w| w == vertex);
+            assert_eq!(stars.is_on_hull(v), is_on_hull);
             let [clockwise, other] = [(t, (i + 2) % 3), (u, (j + 1) % 3)];
             let across = [clockwise, other].map(|(t, side)| result.neighbor(t, side));
             assert_eq!(
@@ -212,19 +224,41 @@ fn stars_have_all_triangles_in_order() {
     }
 }
 
-#[cfg(feature = "parallel")]
 #[test]
-fn all_threads_list_the_same() {
-    use rayon::iter::{IndexedParallelIterator, ParallelIterator};
-
-    let (points, edges) = input(&mut Random::new(5), 200, 50);
+fn sides_are_listed_once_and_have_twins() {
+    let (points, edges) = input(&mut Random::new(5), 60, 30);
     let result = triangulate(&points, &edges).expect("edges that do not cross");
-    assert_eq!(result.par_triangles().len(), result.len());
-    let triangles: Vec<_> = result.par_triangles().collect();
-    assert_eq!(triangles, result.triangles().collect::<Vec<_>>());
-    let sides: Vec<_> = result.par_constrained_sides().collect();
-    assert!(sides.len() > 5, "{}", sides.len());
-    assert_eq!(sides, result.constrained_sides().collect::<Vec<_>>());
+    let mut expected = Vec::new();
+    for (t, side) in (0..result.len()).flat_map(|t| [0, 1, 2].map(|side| (t, side))) {
+        let [a, b] = result.side(t, side);
+        assert!(!result.side(t, side).contains(&result.triangle(t)[side]));
+        match result.twin(t, side) {
+            Some((across, other)) => {
+                assert_eq!(result.twin(across, other), Some((t, side)));
+                assert_eq!(result.side(across, other), [b, a]);
+                assert_eq!(result.neighbor(t, side), Some(across));
+            }
+            None => assert_eq!(result.neighbor(t, side), None),
+        }
+        expected.push([a.min(b), a.max(b)]);
+    }
+    expected.sort_unstable();
+    expected.dedup();
+    let mut sides: Vec<[usize; 2]> = result.sides().map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    sides.sort_unstable();
+    assert_eq!(sides, expected);
+}
+
+#[test]
+fn results_are_equal_however_they_came_about() {
+    let (points, edges) = input(&mut Random::new(6), 60, 30);
+    let result = triangulate(&points, &edges).expect("edges that do not cross");
+    let other = Triangulator::new().algorithm(Algorithm::DivideAndConquer);
+    assert_eq!(other.triangulate(&points, &edges), Ok(result.clone()));
+    let turned: Vec<[usize; 2]> = edges.iter().map(|&[a, b]| [b, a]).collect();
+    assert_ne!(triangulate(&points, &turned), Ok(result.clone()));
+    assert_ne!(triangulate(&points, &edges[1..]), Ok(result.clone()));
+    assert_ne!(triangulate(&points[..points.len() - 1], &[]), Ok(result));
 }
 
 /// Points within the box of a family's member, and others halfway between two of its vertices.

@@ -7,6 +7,7 @@
 //! * `conformance`: the suite of conformance in `tests/conformance`, against the answers that it names.
 //! * `trace`: the steps of the paper's figures, which are snapshots; the
 //!   steps are the same for every scalar and front, and a replay returns the result.
+//! * `slant`, `waiting`: edges that pierce many triangles, in any order.
 //! * `work`: how much work larger inputs take, as a snapshot; no family of inputs takes more than its share of
 //!   work, and none that is abandoned by the sweep has another result.
 //! * `crossings`: edges that cross, and how the search for them grows.
@@ -46,6 +47,7 @@ mod statistics;
 mod trace;
 #[path = "../verify/mod.rs"]
 mod verify;
+mod waiting;
 mod work;
 
 use std::collections::BTreeSet;

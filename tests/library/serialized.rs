@@ -73,7 +73,7 @@ fn square() -> Value {
 fn the_form_is_as_documented() {
     assert_eq!(square()["hull"], json!([3, 0, 1, 2]));
     assert_eq!(square()["duplicates"], json!([[5, 1]]));
-    assert_eq!(square()["edges"], json!([[2, 4, 0], [1]]));
+    assert_eq!(square()["edges"], json!([[0, 4, 2], [1]]));
     assert_eq!(square()["triangles"].as_array().map(Vec::len), Some(4));
 }
 

@@ -1,4 +1,4 @@
-"""Writes docs/programs.md from what `run.py` found."""
+"""Writes the page from what `run.py` found."""
 
 import collections
 import textwrap
@@ -15,7 +15,7 @@ programs before, and tests of theirs. (`SWEEP_CDT_HARD` may name a folder of mor
 them with holes: the rings among these inputs, and made ones. Only valid rings are asked as polygons; among the other
 inputs are equal points, points on edges and edges that overlap.
 
-Each program is judged by what it promises: a *level* and a *domain* of [verifying](verifying.md). Its answer
+Each program is judged by what it promises: a *level* and a *domain* of `sweep-cdt verify`. Its answer
 
 - *keeps* the promise, by exact arithmetic;
 - is *near*, if no violation is deeper than {max_depth}: rounding;

@@ -4,11 +4,11 @@
     python3 tests/programs/run.py [--here] [PROGRAM...]
 
 asks the programs of `programs.py` (or those named) the questions of `questions.py`, judges each answer with
-`sweep-cdt verify`, and writes docs/programs.md, with all programs asked so far. With further inputs, in a folder that
-SWEEP_CDT_HARD names, the page goes to target/programs/further. It builds the command and the crates of benches/peers,
-and installs packages in target/programs/venv; with --here it does not, and asks those that this Python has. Answers
-that are wrong, and right ones of at most JUDGED triangles, are judged a second time, by `exact.py`. Where the two do
-not agree, the run says so and ends with status 1.
+`sweep-cdt verify`, and writes target/programs/own/programs.md, with all programs asked so far. With further inputs,
+in a folder that SWEEP_CDT_HARD names, the page goes to target/programs/further. It builds the command and the crates
+of benches/peers, and installs packages in target/programs/venv; with --here it does not, and asks those that this
+Python has. Answers that are wrong, and right ones of at most JUDGED triangles, are judged a second time, by
+`exact.py`. Where the two do not agree, the run says so and ends with status 1.
 
 Programs are asked in processes of their own, which get PATIENCE seconds for each question: some crash, or never end.
 """
@@ -24,10 +24,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 VENV = ROOT / "target/programs/venv"
-# The page of the repository is that of its own inputs.
-IS_FURTHER = "SWEEP_CDT_HARD" in os.environ
-FOLDER = ROOT / "target/programs" / ("further" if IS_FURTHER else "own")
-DOCUMENT = FOLDER / "programs.md" if IS_FURTHER else ROOT / "docs/programs.md"
+FOLDER = ROOT / "target/programs" / ("further" if "SWEEP_CDT_HARD" in os.environ else "own")
+DOCUMENT = FOLDER / "programs.md"
 COMMAND = pathlib.Path(os.environ.get("SWEEP_CDT", ROOT / "target/release/sweep-cdt"))
 PACKAGES = "numpy scipy matplotlib shapely vtk gmsh libigl startinpy PythonCDT triangle cgal meshpy manifold3d mapbox_earcut"
 PATIENCE = 10

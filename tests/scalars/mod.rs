@@ -8,6 +8,7 @@ mod approximation;
 mod conforming;
 mod crude;
 mod frames;
+mod lattices;
 mod predicates;
 mod rounded;
 
@@ -16,7 +17,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{ToPrimitive, Zero};
-use sweep_cdt::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, in_circle, orient2d};
 use sweep_cdt_testing::Random;
 
 /// A random number from -1 up to, but not, 1.
@@ -81,9 +82,9 @@ fn check<S: Scalar>(points: &[[S; 2]; 4], expected: [Ordering; 3], what: &str) {
         S::in_circle(b, a, c, d),
     );
     let filtered = (
-        filtered_orient2d(a, b, c),
-        filtered_in_circle(a, b, c, d),
-        filtered_in_circle(b, a, c, d),
+        orient2d(a, b, c),
+        in_circle(a, b, c, d),
+        in_circle(b, a, c, d),
     );
     for (turn, circle, swapped) in [exact, filtered] {
         assert_eq!(turn, expected[0], "orient2d {scalar} {what} {near:?}");

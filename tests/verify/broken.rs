@@ -4,10 +4,10 @@
 //! A square frame with a hole, whose corners are moved a little, is filled with triangles that may have vertices of
 //! their own. These are broken, or what they are verified against is.
 
-use sweep_cdt::interior::{FillRule, locate_seeds};
+use sweep_cdt::interior::FillRule;
 use sweep_cdt::verify::{Regions, Report, Verifier};
 use sweep_cdt::{Pslg, triangulate};
-use sweep_cdt_formats::{Coordinate, GraphFile, Matching, added_points};
+use sweep_cdt_formats::{Coordinate, GraphFile, Matching, added_points, locate_seeds};
 use sweep_cdt_testing::oracle::arrangement::fractions;
 use sweep_cdt_testing::oracle::refined::Wanted;
 

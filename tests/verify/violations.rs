@@ -137,7 +137,7 @@ const VIOLATIONS: [Row; 20] = [
     (
         Violation::MissingEdge { edge: 1, after: 2 },
         "missing-edge",
-        "edge 1 is no chain of sides: none follows it from vertex 2",
+        "edge 1 is missing: no side leads along it from vertex 2",
         [&[2], &[1], &[]],
     ),
     (

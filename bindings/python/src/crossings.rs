@@ -72,7 +72,7 @@ fn found<S: Kind>(py: Python<'_>, graph: &Graph<'_, S>) -> PyResult<Crossings> {
         let list = sweep_cdt::crossings::crossings(graph.points, graph.edges)?;
         let named = |crossing: Crossing<S>| Found {
             edges: crossing.edges,
-            near: crossing.near(),
+            near: crossing.point_f64(),
             ends: S::ends(crossing),
         };
         Ok(Crossings {

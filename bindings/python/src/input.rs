@@ -135,7 +135,7 @@ pub(crate) struct Input<'py> {
     points: Points<'py>,
     edges: PyReadonlyArray2<'py, usize>,
     /// The polygon of each ring, and whether the ring is a hole in it.
-    rings: Vec<(u32, bool)>,
+    rings: Vec<(usize, bool)>,
     /// For each edge its ring, -1 where it has none; nothing, if there are no rings.
     ring_of: Option<PyReadonlyArray1<'py, i64>>,
     holes: Points<'py>,

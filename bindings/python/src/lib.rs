@@ -45,7 +45,7 @@ mod _native {
     #[pymodule_export]
     use crate::trace::{Steps, trace};
     #[pymodule_export]
-    use crate::triangulation::{Core, triangulate};
+    use crate::triangulation::{Core, triangulate, triangulate_inside};
     #[pymodule_export]
     use crate::verify::verify;
 }

@@ -47,30 +47,36 @@ impl Rule {
         })
     }
 
+    /// The rule, if edges are all that it asks for.
+    pub(crate) fn of_edges(self) -> Option<FillRule> {
+        match self {
+            Rule::Hull => Some(FillRule::Hull),
+            Rule::EvenOdd => Some(FillRule::EvenOdd),
+            Rule::NonZero => Some(FillRule::NonZero),
+            Rule::Positive => Some(FillRule::Positive),
+            Rule::Negative => Some(FillRule::Negative),
+            Rule::AtLeast(times) => Some(FillRule::AtLeast(times)),
+            Rule::Polygons | Rule::Holes | Rule::HullWithoutHoles => None,
+        }
+    }
+
     /// The interior of a triangulation of a graph.
     pub(crate) fn interior<'a, S: Scalar>(
         self,
         graph: &'a Graph<'_, S>,
         result: &'a Triangulation,
     ) -> Result<Interior<'a>, InteriorError> {
-        let edges = graph.edges;
-        let rule = match self {
-            Rule::Hull => FillRule::Hull,
-            Rule::EvenOdd => FillRule::EvenOdd,
-            Rule::NonZero => FillRule::NonZero(edges),
-            Rule::Positive => FillRule::Positive(edges),
-            Rule::Negative => FillRule::Negative(edges),
-            Rule::AtLeast(times) => FillRule::AtLeast(edges, times),
-            Rule::Polygons => return result.interior_of_polygons(&graph.rings, &graph.ring_of),
-            Rule::Holes => {
-                let result = result.with_points(graph.points);
-                return result.interior_of_seeds(graph.holes, graph.regions);
-            }
-            Rule::HullWithoutHoles => {
-                let result = result.with_points(graph.points);
-                return result.hull_without_holes(graph.holes, graph.regions);
-            }
-        };
-        result.interior(rule)
+        if let Some(rule) = self.of_edges() {
+            return result.interior(rule);
+        }
+        if self == Rule::Polygons {
+            return result.interior_of_polygons(&graph.rings, &graph.ring_of);
+        }
+        let result = result.with_points(graph.points);
+        if self == Rule::Holes {
+            result.interior_of_seeds(graph.holes, graph.regions)
+        } else {
+            result.hull_without_holes(graph.holes, graph.regions)
+        }
     }
 }

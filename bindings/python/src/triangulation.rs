@@ -1,16 +1,14 @@
 //! The triangulation, and its parts as arrays, which NumPy takes over without a copy.
 
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
-use pyo3::exceptions::PyIndexError;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use sweep_cdt::crossings::joined;
 use sweep_cdt::interior::Interior;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::{Bands, Location, Triangulation, Triangulator};
 
 use crate::calls::{Watch, call};
 use crate::errors::{Fault, refused};
-use crate::input::{Input, Points, View, rows, with_graph};
+use crate::input::{Input, Points, View, with_graph};
 use crate::measure::{self, Settings};
 use crate::rule::Rule;
 
@@ -93,6 +91,29 @@ pub(crate) fn triangulate(
             })
         })
     })
+}
+
+/// The triangles inside, where nothing else is asked for, in canonical order.
+#[pyfunction]
+pub(crate) fn triangulate_inside<'py>(
+    py: Python<'py>,
+    input: Input<'_>,
+    rule: &str,
+) -> PyResult<Bound<'py, PyArray2<i32>>> {
+    let Some(rule) = Rule::named(rule)?.of_edges() else {
+        return Err(refused(format!(
+            "the rule {rule:?} asks for more than edges"
+        )));
+    };
+    let graph = input.graph()?;
+    let list = with_graph!(&graph, |graph| {
+        let size = graph.points.len() + graph.edges.len();
+        call(py, size, 1, |_| {
+            let list = sweep_cdt::triangulate_inside(graph.points, graph.edges, rule)?;
+            Ok(list.into_iter().map(|t| t.map(small)).collect())
+        })?
+    });
+    table(py, list)
 }
 
 fn plain<S: Scalar + Sync>(
@@ -187,26 +208,12 @@ impl Core {
         table(py, list.collect())
     }
 
-    /// The vertices along edge `edge`, which Python knows to be there.
-    fn chain<'py>(&self, py: Python<'py>, edge: usize) -> Bound<'py, PyArray1<i32>> {
-        let chain: Vec<i32> = self.result.edge_chain(edge).map(small).collect();
+    /// The vertices along the edges `first..last`, which Python knows to be there: each begins where the last one ends.
+    fn chain<'py>(&self, py: Python<'py>, first: usize, last: usize) -> Bound<'py, PyArray1<i32>> {
+        let chains = (first..last).flat_map(|edge| self.result.edge_chain(edge));
+        let mut chain: Vec<i32> = chains.map(small).collect();
+        chain.dedup();
         chain.into_pyarray(py)
-    }
-
-    /// The vertices along the pieces `first..last` of an edge; `edges` are all pieces.
-    fn joined<'py>(
-        &self,
-        py: Python<'py>,
-        first: usize,
-        last: usize,
-        edges: PyReadonlyArray2<'_, usize>,
-    ) -> PyResult<Bound<'py, PyArray1<i32>>> {
-        let edges = rows(&edges)?;
-        if first >= last || last > edges.len() {
-            return Err(PyIndexError::new_err("there are no such pieces"));
-        }
-        let chain = joined(first..last, edges, &self.result).into_iter();
-        Ok(chain.map(small).collect::<Vec<i32>>().into_pyarray(py))
     }
 
     /// Whether each triangle is inside.

@@ -8,9 +8,9 @@ use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use sweep_cdt::Triangulator;
-use sweep_cdt::interior::locate_seeds;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Depths, Level, Regions, Report, Verifier, Violation, Violations};
+use sweep_cdt_formats::locate_seeds;
 
 use crate::calls::{Watch, call};
 use crate::errors::{Fault, refused};

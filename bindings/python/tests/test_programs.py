@@ -1,4 +1,4 @@
-"""Results of other libraries on the inputs of docs/programs.md: the first try gives the verdict of the command.
+"""Results of other libraries on the inputs of tests/programs: the first try gives the verdict of the command.
 
 Each library is asked for its own object, which `verify` takes as it is; the command gets the same triangles in a file.
 The inputs, and how libraries are asked, are those of tests/programs.

@@ -57,7 +57,7 @@ def judge(points, edges):
         assert reached == "delaunay"
     for edge, (a, b) in enumerate(edges):
         chain = [at[v] for v in result.edge_chain(edge)]
-        assert {chain[0], chain[-1]} == {at[a], at[b]}
+        assert [chain[0], chain[-1]] == [at[a], at[b]]
     assert all(at[v] == at[first] and first < v for v, first in result.duplicates)
     assert sweep_cdt.verify(result).is_canonical
 

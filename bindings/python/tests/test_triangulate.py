@@ -36,7 +36,8 @@ def test_edges_are_chains_of_sides():
         sweep_cdt.triangulate(points, [*edges, [1, 3], [5, 4], [3, 1], [1, 6], [0, 6], [6, 5], [2, 5]])
     result = sweep_cdt.triangulate(points, [[0, 2]])
     assert is_delaunay(result, [[0, 2]])
-    assert result.edge_chain(0).tolist() == [2, 4, 0]
+    assert result.edge_chain(0).tolist() == [0, 4, 2]
+    assert sweep_cdt.triangulate(points, [[2, 0]]).edge_chain(0).tolist() == [2, 4, 0]
     assert {frozenset(s) for s in result.constrained_sides.tolist()} == {frozenset((0, 4)), frozenset((4, 2))}
 
 
@@ -72,12 +73,12 @@ def test_exact_numbers_decide_where_doubles_cannot():
     # (1/3, 1/3) lies on the diagonal; the double nearest to a third does not, in both coordinates at once.
     points = [[0, 0], [1, 0], [1, 1], [0, 1], [third, third]]
     result = sweep_cdt.triangulate(points, [[0, 2]])
-    assert result.edge_chain(0).tolist() == [2, 4, 0]
+    assert result.edge_chain(0).tolist() == [0, 4, 2]
     assert result.points[4, 0] == third
     assert result.area == 1 and isinstance(result.area, Fraction)
     tiny = Fraction(1, 10**40)
     moved = sweep_cdt.triangulate([*points[:4], [third + tiny, third]], [[0, 2]])
-    assert moved.edge_chain(0).tolist() == [2, 0]
+    assert moved.edge_chain(0).tolist() == [0, 2]
 
 
 def test_large_whole_numbers_are_not_rounded():
@@ -213,6 +214,22 @@ def test_rules_for_what_is_inside():
         area(inside="odd")
     with pytest.raises(sweep_cdt.Error, match="no polygons"):
         area(inside="polygons")
+
+
+@pytest.mark.parametrize("rule", ["even-odd", "nonzero", "positive", "negative", "at-least-2", "hull"])
+def test_the_inside_alone_is_that_of_the_whole(rule):
+    hole = [[1, 1], [2, 1], [2, 2], [1, 2]]
+    touching = [[0, 0], [2, 0], [1, 1]]
+    for polygon in [SQUARE], [SQUARE, hole], [SQUARE, hole[::-1]], [SQUARE, touching]:
+        whole = sweep_cdt.triangulate([], polygons=[polygon], inside=rule)
+        alone = sweep_cdt.triangulate_inside([], polygons=[polygon], inside=rule)
+        assert alone.tolist() == whole.canonical().tolist()
+    with pytest.raises(sweep_cdt.OpenRingError):
+        sweep_cdt.triangulate_inside(SQUARE, [[0, 1]])
+    with pytest.raises(sweep_cdt.CrossingEdgesError):
+        sweep_cdt.triangulate_inside(SQUARE, [[0, 2], [2, 1], [1, 3], [3, 0]])
+    with pytest.raises(sweep_cdt.Error, match="asks for more than edges"):
+        sweep_cdt.triangulate_inside(SQUARE, [[0, 1], [1, 2], [2, 0]], inside="holes")
 
 
 def test_split_crossings():

@@ -137,7 +137,7 @@ fn print<S: Exact>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let [edge, other] = file.numbering.edges(crossing.edges);
-    let [x, y] = crossing.near().map(|x| x.text());
+    let [x, y] = crossing.point_f64().map(|x| x.text());
     write!(out, "edges {edge} and {other} cross near ({x}, {y})")?;
     if with_fractions {
         let [x, y] = crossing.point().each_ref().map(BigRational::text);

@@ -75,7 +75,7 @@ impl<'a, S: Exact> CrossingsPicture<'a, S> {
         } = *self;
         // The points of the graph, then the crossings that are drawn, all on one scale.
         let near = graph.points.iter().map(|p| p.each_ref().map(S::approx));
-        let drawn = crossings.iter().take(MOST_DOTS).map(Crossing::near);
+        let drawn = crossings.iter().take(MOST_DOTS).map(Crossing::point_f64);
         let all: Vec<[f64; 2]> = near.chain(drawn).collect();
         let background = Background::of_edges(places(&all), &graph.edges);
         let first = graph.points.len();
@@ -100,7 +100,7 @@ impl<'a, S: Exact> CrossingsPicture<'a, S> {
         for (position, crossing) in (1..=close_ups).zip(crossings) {
             let [edge, other] = self.numbering.edges(crossing.edges);
             let title = format!("{position}: edges {edge} and {other} cross");
-            let [x, y] = crossing.near().map(|x| x.text());
+            let [x, y] = crossing.point_f64().map(|x| x.text());
             let text = format!("near {x}, {y}");
             panels.write(out, position, square, "close-up", [&title, &text], |out| {
                 let at = first + position - 1;

@@ -41,6 +41,7 @@ mod graph_file;
 mod polygons;
 mod read;
 mod remark;
+mod seeds;
 mod split;
 mod system;
 mod threads;
@@ -59,6 +60,7 @@ pub use read::{
     ResultError, ResultFormat, Source, Triangles, WayOut, added_points, quoted, read, read_result,
 };
 pub use remark::Remark;
+pub use seeds::locate_seeds;
 pub use split::Splitting;
 pub use system::CoordinateSystem;
 pub use write::{

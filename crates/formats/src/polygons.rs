@@ -60,7 +60,6 @@ impl Polygons {
     /// Adds a ring of the last polygon. Returns its position.
     pub(crate) fn add_ring(&mut self, is_hole: bool) -> usize {
         let polygon = self.features.len().saturating_sub(1);
-        let polygon = u32::try_from(polygon).unwrap_or(u32::MAX);
         self.rings.push(Ring { polygon, is_hole });
         self.rings.len() - 1
     }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
-use sweep_cdt::scalar::filtered_orient2d;
+use sweep_cdt::scalar::orient2d;
 use sweep_cdt_generate::Random;
 
 use crate::Input;
@@ -129,7 +129,7 @@ impl Grid {
 
 /// Whether two segments meet; true of some that only lie on one line.
 fn meet([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
-    let turn = filtered_orient2d;
+    let turn = orient2d;
     let is_between = |one: Ordering, other: Ordering| one != other || one == Ordering::Equal;
     is_between(turn(&a, &b, &c), turn(&a, &b, &d)) && is_between(turn(&c, &d, &a), turn(&c, &d, &b))
 }

@@ -10,6 +10,7 @@ use sweep_cdt::{Algorithm, Error, Heuristics, Triangulation, Triangulator, Watch
 use sweep_cdt_trace::Trace;
 
 use crate::any_front::AnyFront;
+use crate::tuned::tuning;
 
 /// The choices of a run, beside the scalar.
 #[derive(Clone, Debug)]
@@ -49,7 +50,7 @@ impl Choice {
     }
 }
 
-/// Triangulates as chosen.
+/// Triangulates as chosen, with the [thresholds](crate::tuned) for the input.
 ///
 /// # Errors
 /// As [`Triangulator::triangulate`].
@@ -58,7 +59,7 @@ pub fn triangulate<S: Scalar + Sync>(
     edges: &[[usize; 2]],
     choice: &Choice,
 ) -> Result<Triangulation, Error> {
-    let triangulator = choice.triangulator();
+    let triangulator = choice.triangulator().tuning(tuning(points, edges));
     #[cfg(feature = "parallel")]
     if choice.bands > 1 {
         let mut fronts = vec![choice.front.clone(); choice.bands];

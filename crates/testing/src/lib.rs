@@ -13,6 +13,7 @@
 //!   one right answer.
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
+//! * [`tuned`] triangulates small inputs as if they were large, every second one by a hash.
 //! * [`streams`] pushes an input vertex by vertex, and puts together what comes out.
 //! * [`boundary`] finds the closed chains around a set of triangles.
 //! * [`page`] reads a page of steps as its script does.
@@ -42,6 +43,7 @@ pub mod runs;
 mod samples;
 pub mod streams;
 pub mod suite;
+pub mod tuned;
 
 pub use any_front::AnyFront;
 pub use arbitrary;

@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use num_bigint::BigInt;
 #[cfg(feature = "runs")]
 use num_rational::{BigRational, Ratio};
-use sweep_cdt::{Algorithm, Error, Heuristics, Session, Triangulator};
+use sweep_cdt::{Algorithm, Error, Heuristics, Session, Triangulator, Tuning};
 
 use crate::Input;
 use crate::any_front::AnyFront;
@@ -19,6 +19,7 @@ use crate::oracle::{Answer, Verdict, found};
 pub use crate::samples::{Archetype, Sample, convert};
 #[cfg(feature = "runs")]
 use crate::streams::{Streaming, streamed};
+use crate::tuned::is_small;
 
 /// The outcome of a run.
 pub type Outcome = Result<Answer, Error>;
@@ -185,14 +186,17 @@ fn call<S: Sample>(input: &Input, choice: &Choice) -> Option<Outcome> {
 }
 
 thread_local! {
-    /// The memory that runs of this thread keep, whatever their scalar.
-    static SESSION: RefCell<Session> = RefCell::new(Triangulator::new().session());
+    /// The memory that runs of this thread keep, whatever their scalar, for each set of thresholds.
+    static SESSIONS: RefCell<[Session; 2]> = RefCell::new(
+        [&Tuning::REAL, &Tuning::SMALL].map(|tuning| Triangulator::new().tuning(tuning).session())
+    );
 }
 
 fn call_in_kept_memory<S: Sample>(input: &Input, _: &Choice) -> Option<Outcome> {
     let points = convert::<S>(&input.points)?;
-    Some(SESSION.with_borrow_mut(|session| {
-        let result = session.triangulate(&points, &input.edges)?;
+    let set = usize::from(is_small(&points, &input.edges));
+    Some(SESSIONS.with_borrow_mut(|sessions| {
+        let result = sessions[set].triangulate(&points, &input.edges)?;
         Ok(found(result, points.len(), input.edges.len()))
     }))
 }

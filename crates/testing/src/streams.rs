@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use sweep_cdt::verify::{Level, Verifier};
-use sweep_cdt::{Error, Triangulation, Triangulator};
+use sweep_cdt::{Error, Triangulation};
 use sweep_cdt_generate::Random;
 use sweep_cdt_stream::{Final, Stream, StreamError, StreamVerifier, StreamViolation};
 
@@ -12,6 +12,7 @@ use crate::Input;
 use crate::any_front::AnyFront;
 use crate::oracle::Answer;
 use crate::samples::{Sample, convert};
+use crate::tuned::triangulator;
 
 /// How an input is streamed.
 #[derive(Clone, Debug)]
@@ -55,7 +56,7 @@ fn collected<S: Sample + Clone>(
     };
     let mut hull = Vec::new();
     let small = |number: u64| usize::try_from(number).expect("a position");
-    let stream = Stream::new(Triangulator::new(), |found| match found {
+    let stream = Stream::new(triangulator(points, edges), |found| match found {
         Final::Triangle {
             corners,
             constrained,
@@ -188,6 +189,9 @@ fn chain<S: Sample>(points: &[[S; 2]], of: &[usize], [u, v]: [usize; 2]) -> Vec<
         .filter(|&w| of[w] == w && is_on(w))
         .collect();
     chain.sort_by(|&a, &b| sweep_order(&points[b], &points[a]));
+    if chain.first() != Some(&u) {
+        chain.reverse();
+    }
     chain
 }
 

@@ -254,10 +254,9 @@ impl Answer {
                         domain,
                         ..question.clone()
                     };
-                    if let (true, Ok(interior)) = (
-                        has_domain(question, domain),
-                        asked.interior(&edges, &result),
-                    ) {
+                    if let (true, Ok(interior)) =
+                        (has_domain(question, domain), asked.interior(&result))
+                    {
                         let inside = interior.canonical_triangles();
                         let places = (0..triangles.len())
                             .filter(|&t| inside.binary_search(&triangles[t]).is_ok());

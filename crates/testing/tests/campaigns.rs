@@ -25,7 +25,7 @@ fn after(question: &Question, steps: usize) -> Vec<[usize; 3]> {
 fn inside(question: &Question) -> Reply {
     let edges = question.all_edges();
     let result = triangulate(&question.points, &edges).map_err(|error| error.to_string())?;
-    let interior = question.interior(&edges, &result);
+    let interior = question.interior(&result);
     let interior = interior.map_err(|error| error.to_string())?;
     Ok(interior.triangles().collect())
 }

@@ -1,6 +1,6 @@
 //! Plants the faults, builds the targets, and reports how many executions each target needs for each fault.
 //!
-//! In `fuzz`, `cargo run --release -p sweep-cdt-planted-faults > ../docs/planted-faults.md` writes the page
+//! In `fuzz`, `cargo run --release -p sweep-cdt-planted-faults > planted-faults.md` writes the page
 //! of all faults. With words as arguments, the command prints the faults whose names contain one of them.
 //!
 //! Each target gets [`FEW`] executions for each fault. If none has found it by then, one target after the
@@ -112,8 +112,6 @@ fn build() -> PathBuf {
         ])
         .arg("--target-dir")
         .arg(&target)
-        // As cargo-fuzz does: small inputs take the ways of large ones.
-        .env("RUSTFLAGS", "--cfg fuzzing")
         .current_dir(folder.join("fuzz"))
         .status();
     assert!(
@@ -152,9 +150,9 @@ const HEAD: &str = "\
 
 Written by
 
-    cd fuzz && cargo run --release -p sweep-cdt-planted-faults > ../docs/planted-faults.md
+    cd fuzz && cargo run --release -p sweep-cdt-planted-faults > planted-faults.md
 
-[docs/testing.md](testing.md#planted-faults) explains how the faults are planted and how to read the numbers.
+docs/testing.md explains how the faults are planted and how to read the numbers.
 
 ## What finds what
 

@@ -1,7 +1,8 @@
 //! Raw doubles and unchecked indices: a typed error that names the offender, or a right result.
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::{Error, triangulate};
+use sweep_cdt::Error;
+use sweep_cdt_testing::tuned::triangulate;
 
 use crate::{reached, valid};
 use sweep_cdt_testing::Input;

@@ -6,9 +6,10 @@
 use num_rational::BigRational;
 use sweep_cdt::crossings::{Crossing, Effort, Split, crossings, crossings_with, split};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::{Error, Triangulation, triangulate};
+use sweep_cdt::{Error, Triangulation};
 use sweep_cdt_testing::oracle::arrangement::{self, Exact, fractions, is_nearest};
 use sweep_cdt_testing::oracle::{Graph, check_answer, found};
+use sweep_cdt_testing::tuned::triangulate;
 use sweep_cdt_testing::{Input, with_integers};
 
 /// So many edges are listed: each may cross all others.
@@ -62,14 +63,14 @@ pub fn judge(input: &Input) -> Rounded {
         in_doubles_listed, crossing,
         "crossings listed (left) and tried"
     );
-    let listed = |found: &Crossing<BigRational>| (found.edges, found.nearest());
+    let listed = |found: &Crossing<BigRational>| (found.edges, found.point_rounded());
     let in_fractions: Vec<_> = in_fractions.iter().map(listed).collect();
     assert_eq!(
         in_fractions, crossing,
         "crossings in fractions (left) and tried"
     );
     for found in &in_doubles {
-        let (near, nearest) = (found.near(), found.nearest());
+        let (near, nearest) = (found.point_f64(), found.point_rounded());
         assert_eq!(near, nearest, "the nearest doubles");
         for (near, exact) in near.into_iter().zip(&found.point()) {
             assert!(is_nearest(near, exact), "{near} is not nearest to {exact}");

@@ -24,12 +24,12 @@ use std::thread;
 use std::time::Duration;
 
 use crate::{reached, share};
-use sweep_cdt::triangulate;
 use sweep_cdt_testing::judge::{
     Asked, Claims, Fault, Numbers, Outcome, Question, Right, Wrong, ask, least,
 };
 use sweep_cdt_testing::oracle::lowest_first;
 use sweep_cdt_testing::peers::{PROGRAMS, Program};
+use sweep_cdt_testing::tuned::triangulate;
 use sweep_cdt_testing::{Input, generators};
 
 /// For one in so many inputs the oracle judges all answers.

@@ -11,9 +11,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
 use sweep_cdt::trace::{EdgePosition, Event, PointCase, Why};
-use sweep_cdt::{Counters, Error, Heuristics, Triangulation, Triangulator};
+use sweep_cdt::{Counters, Error, Heuristics, Triangulation};
 use sweep_cdt_testing::asked;
 use sweep_cdt_testing::judge::Question;
+use sweep_cdt_testing::tuned::triangulator;
 use sweep_cdt_testing::{Input, Steps};
 
 /// Of so many inputs one is looked at.
@@ -80,7 +81,7 @@ const REACHABLE: [Reachable; 16] = [
 impl Run {
     fn of(Input { points, edges }: &Input) -> Run {
         let Steps { trace, result, .. } = Steps::of(points, edges, Heuristics::PAPER);
-        let run = sweep_cdt_testing::counted(&Triangulator::new(), points, edges);
+        let run = sweep_cdt_testing::counted(&triangulator(points, edges), points, edges);
         Run {
             edges: edges.len(),
             events: trace.events,

@@ -2,10 +2,10 @@
 //! says of each list of triangles what the verifier in memory says, in any order and at each level.
 
 use num_rational::BigRational;
-use sweep_cdt::triangulate;
 use sweep_cdt::verify::Level;
 use sweep_cdt_testing::oracle::{crosses, found};
 use sweep_cdt_testing::streams::{Altered, Feeding, Streaming, streamed};
+use sweep_cdt_testing::tuned::triangulate;
 use sweep_cdt_testing::{AnyFront, Input, Random, generators};
 
 use crate::{reached, share};

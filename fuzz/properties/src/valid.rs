@@ -6,7 +6,8 @@
 //! sides one by one in integers; and for small inputs [`verdict`], which builds the answer from its
 //! definition.
 
-use sweep_cdt::{Error, triangulate};
+use sweep_cdt::Error;
+use sweep_cdt_testing::tuned::triangulate;
 
 use crate::{crossings, reached, share};
 use sweep_cdt_testing::oracle::{check, crosses, verdict};

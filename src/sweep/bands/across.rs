@@ -3,20 +3,18 @@
 //! An edge begins at its upper end, so a triangle must be found there. Most of these edges are short and begin near the
 //! bottom of a band. A band's triangles were made in the order of its vertices, and flips leave them in their places.
 //! So triangles of its first vertices are among its first triangles, and only these are searched. If a vertex is not
-//! found there, the vertex triangles table of all vertices is made ([`super::super::pending_edges`]).
+//! found there, the vertex triangles table of all vertices is made ([`super::super::vertex_triangles`]).
 //!
 //! Why it is right: a table is made after the last flip, and renewed where triangles are replaced. Cost, besides the
 //! insertions: O(m log m) to sort m edges; for each band O(k) where the highest upper end is its k-th vertex, and
-//! [`MORE`]; or once O(n) for all n vertices.
+//! [`MADE_LATE`]; or once O(n) for all n vertices.
 
 use super::super::Sweep;
 use super::partition::Edge;
 use crate::error::Error;
 use crate::observe::probe::Probe;
+use crate::tuning::MADE_LATE;
 use alloc::vec::Vec;
-
-/// Triangles searched beyond two for each vertex: some triangles of the first vertices are made late.
-const MORE: usize = 1 << 16;
 
 impl<P: Probe> Sweep<'_, P> {
     /// Inserts edges whose ends are numbered in the whole, each down to the first vertex on it. `starts` has the first
@@ -34,11 +32,12 @@ impl<P: Probe> Sweep<'_, P> {
             let below = edges.partition_point(|(_, [upper, _])| upper.index() < vertex);
             let (others, here) = edges.split_at(below);
             if let Some((_, [highest, _])) = here.last()
-                && self.vertex_triangles.len() < vertices
+                && self.lists.vertex_triangles.len() < vertices
             {
                 let listed = vertex..highest.index() + 1;
-                let end = end.min(triangle + 2 * listed.len() + MORE);
-                self.vertex_triangles
+                let end = end.min(triangle + 2 * listed.len() + MADE_LATE);
+                self.lists
+                    .vertex_triangles
                     .make(&self.delaunay.mesh, listed, triangle..end);
             }
             for edges in here.chunk_by(|(_, [a, _]), (_, [b, _])| a == b) {

@@ -2,11 +2,10 @@
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
-use core::mem::take;
 
 use super::super::divide_and_conquer::SubTriangulation;
 use super::super::initialization::begin;
-use super::super::scratch::{Held, Lent};
+use super::super::state::{Arrays, Scratch};
 use super::super::vertices::Vertices;
 use super::partition::Edge;
 use crate::error::Error;
@@ -73,40 +72,35 @@ impl Shared<'_> {
             front,
         } = band;
         let n = vertices.len();
-        let mut held = Held {
+        let arrays = Arrays {
             vertices,
-            ..Held::default()
+            chains: EdgeChainBuilder::new(Arc::clone(&self.inputs)),
+            ..Arrays::default()
+        };
+        let mut scratch = Scratch {
+            arrays,
+            ..Scratch::default()
         };
         if first == 0 {
             // Room for the triangles of the other bands, too.
-            held.mesh.reserve(2 * self.outside.index());
+            scratch.arrays.mesh.reserve(2 * self.outside.index());
         }
-        let mut lent = Lent::default();
-        lent.edges.list(n, edges.iter().flatten().copied());
+        scratch.lists.edges.list(n, edges.iter().flatten().copied());
         drop(edges);
-        let chains = EdgeChainBuilder::new(Arc::clone(&self.inputs));
         let (points, settings) = (self.points, self.settings);
-        let mut sweep = begin(
-            points,
-            chains,
-            settings,
-            front.map(|front| front as _),
-            probe,
-            held,
-            &mut lent,
-        );
+        let front = front.map(|front| front as _);
+        let mut sweep = begin(points, settings, front, probe, &mut scratch);
         sweep.triangulate(settings, None)?;
         let bytes = sweep.heap_bytes();
         sweep.delaunay.probe.record(|r| r.stats.memory = bytes);
         let part = sweep.enclose(n, VertexId::at(self.outside.index() - first));
-        let chains = take(&mut sweep.chains);
-        let (mut held, probe) = sweep.give_back();
-        held.vertices.approx.truncate(n);
+        let (mut arrays, probe) = sweep.give_back();
+        arrays.vertices.approx.truncate(n);
         let swept = Swept {
-            vertices: held.vertices,
-            mesh: held.mesh,
+            vertices: arrays.vertices,
+            mesh: arrays.mesh,
             part,
-            chains,
+            chains: arrays.chains,
             counts: None,
         };
         Ok((swept, probe))

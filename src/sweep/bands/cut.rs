@@ -12,19 +12,14 @@ use super::super::vertices::ApproxPoints;
 use crate::ids::narrow;
 use crate::scalar::Scalar;
 use crate::threads::on_all_cores;
-
-/// How many points are sampled to find bands of equal size.
-const SAMPLE: usize = 1 << 14;
-/// The step between sampled points: a prime, so that the sample finds no pattern in the order of the points.
-const STRIDE: usize = 1_000_000_007;
-/// How many points, or edges, a thread puts into bands at a time.
-pub(super) const CHUNK: usize = 1 << 15;
+use crate::tuning::STRIDE_OF_SAMPLE;
+use crate::tuning::{CHUNK_OF_BANDS, SAMPLE_OF_BANDS};
 
 /// The input indices of the points in each band, from the lowest band to the highest; some may be empty.
 pub(super) fn cut<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize) -> Vec<Vec<u32>> {
     let pivots = pivots(located, bands);
     let cutter = Cutter { located, pivots };
-    let chunks = located.points.len().div_ceil(CHUNK);
+    let chunks = located.points.len().div_ceil(CHUNK_OF_BANDS);
     let count = |chunk| cutter.count(chunk, bands);
     let counts = on_all_cores((0..chunks).collect(), count);
 
@@ -70,8 +65,8 @@ impl<S: Scalar> Cutter<'_, S> {
 
     /// The input indices of the points of a chunk, each with its band.
     fn points(&self, chunk: usize) -> impl Iterator<Item = (u32, usize)> {
-        let end = self.located.points.len().min((chunk + 1) * CHUNK);
-        (chunk * CHUNK..end).map(|input| {
+        let end = self.located.points.len().min((chunk + 1) * CHUNK_OF_BANDS);
+        (chunk * CHUNK_OF_BANDS..end).map(|input| {
             let input = narrow(input);
             let y = self.located.approx(input)[1];
             (input, self.pivots.partition_point(|&pivot| pivot <= y))
@@ -82,9 +77,9 @@ impl<S: Scalar> Cutter<'_, S> {
 /// The heights between the bands.
 fn pivots<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize) -> Vec<f64> {
     let points = located.points.len();
-    let place = |i: usize| narrow(i.wrapping_mul(STRIDE) % points);
+    let place = |i: usize| narrow(i.wrapping_mul(STRIDE_OF_SAMPLE) % points);
     let y = |i: usize| located.approx(place(i))[1];
-    quantiles((0..SAMPLE.min(points)).map(y).collect(), bands)
+    quantiles((0..SAMPLE_OF_BANDS.min(points)).map(y).collect(), bands)
 }
 
 /// The numbers that cut a sample into parts of equal size.

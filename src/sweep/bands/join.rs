@@ -8,7 +8,7 @@
 use super::super::Sweep;
 use super::super::divide_and_conquer::MergeMode;
 use super::super::flip_limit::FlipLimit;
-use super::super::scratch::{Held, Lent};
+use super::super::state::{Arrays, Scratch};
 use super::band::Swept;
 use super::partition::Edge;
 use crate::front::{Front, HashTable, Search};
@@ -27,7 +27,7 @@ pub(super) fn join<'a, P: Probe>(
     crossing: Vec<Edge>,
     settings: Settings,
     mut probe: P,
-    lent: &'a mut Lent,
+    scratch: &'a mut Scratch,
 ) -> Option<Sweep<'a, P>> {
     let mut bands = bands.into_iter();
     let lowest = bands.next().expect("there are two bands");
@@ -60,18 +60,19 @@ pub(super) fn join<'a, P: Probe>(
             Front::new(n)
         },
     );
-    let held = Held {
+    scratch.arrays = Arrays {
         vertices,
         mesh,
         front: Some(front),
-        ..Held::default()
+        chains,
+        ..Arrays::default()
     };
     // The front is at its end: nothing is searched any more.
     let search = Search::with(None, HashTable::default());
-    let mut sweep = Sweep::new(points, chains, settings, search, probe, held, lent);
+    let mut sweep = Sweep::new(points, settings, search, probe, scratch);
     let delaunay = &mut sweep.delaunay;
     // Whatever the algorithm, joining is given up where it flips too much.
-    delaunay.flip_limit = FlipLimit::new(n, true);
+    delaunay.flip_limit = FlipLimit::new(n, Some(settings.tuning.reserve));
     let mode = if sweep.chains.is_empty() {
         MergeMode::Delete
     } else {
@@ -85,11 +86,10 @@ pub(super) fn join<'a, P: Probe>(
     if delaunay.flip_limit.is_spent() {
         return None;
     }
-    delaunay.flip_limit = FlipLimit::new(n, false);
+    delaunay.flip_limit = FlipLimit::new(n, None);
     sweep.hand_over(part.first);
     sweep.insert_across(crossing, &starts).ok()?;
-    sweep.insert_pending().ok()?;
-    sweep.insert_deferred().ok()?;
+    sweep.insert_waiting().ok()?;
     Some(sweep)
 }
 

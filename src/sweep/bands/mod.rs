@@ -20,7 +20,7 @@ use alloc::vec::Vec;
 use rayon::prelude::*;
 
 use super::initialization::LIMIT;
-use super::scratch::Lent;
+use super::state::Scratch;
 use super::vertices::ApproxPoints;
 use crate::front::FrontSearch;
 use crate::ids::VertexId;
@@ -31,13 +31,9 @@ use crate::scalar::{ExactPoints, Scalar};
 use crate::settings::Settings;
 use crate::threads::in_pool;
 use crate::triangulation::Triangulation;
+use crate::tuning::{MANY_ACROSS, MOST_BANDS};
 use band::{Band, Shared, Swept};
 use partition::Partition;
-
-/// The greatest number of bands of any use: each band takes some memory for each chunk of points.
-const MOST: usize = 256;
-/// How many edges from band to band, beyond one for every eight points, make bands no gain: one thread inserts them.
-const MANY_ACROSS: usize = 10_000;
 
 /// The search structures that the caller gives, one for each band, or none.
 type Fronts<'f, 'a> = &'f mut [&'a mut (dyn FrontSearch + Send)];
@@ -66,7 +62,7 @@ pub(crate) fn run<S: Scalar + Sync>(
             observer.recorder.clock(Phase::Initialization);
         }
         let partition = ApproxPoints::new_parallel(points)
-            .map(|located| Partition::new(&located, bands.min(MOST)));
+            .map(|located| Partition::new(&located, bands.min(MOST_BANDS), settings.tuning));
         if let Ok(partition) = partition {
             let given = Given {
                 points: &points,
@@ -152,8 +148,8 @@ fn sweep_bands<P: Probe>(
         .ok()?;
     drop(shared);
     probe.begin(Phase::Finalization);
-    let mut lent = Lent::default();
-    let mut sweep = join::join(points, swept, edges.crossing, settings, probe, &mut lent)?;
+    let mut scratch = Scratch::default();
+    let mut sweep = join::join(points, swept, edges.crossing, settings, probe, &mut scratch)?;
     let triangulation = sweep.finalize();
     Some((triangulation, sweep.give_back().1))
 }

@@ -3,16 +3,17 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
-use core::cmp::Reverse;
 use core::sync::atomic::{AtomicU32, Ordering};
 
 use rayon::prelude::*;
 
 use super::super::vertices::{ApproxPoints, SortBuffers, Vertices};
-use super::cut::{CHUNK, cut};
+use super::cut::cut;
 use crate::ids::{VertexId, narrow};
 use crate::scalar::Scalar;
 use crate::threads::on_all_cores;
+use crate::triangulation::edge_chains::marked;
+use crate::tuning::{CHUNK_OF_BANDS, Tuning};
 
 /// The vertices of each band, from the lowest to the highest.
 #[derive(Debug)]
@@ -38,7 +39,11 @@ pub(super) struct SplitEdges {
 
 impl Partition {
     /// Cuts the points into bands and sorts each. A band has two vertices or more, unless it is the only one.
-    pub(super) fn new<S: Scalar + Sync>(located: &ApproxPoints<'_, S>, bands: usize) -> Partition {
+    pub(super) fn new<S: Scalar + Sync>(
+        located: &ApproxPoints<'_, S>,
+        bands: usize,
+        tuning: &Tuning,
+    ) -> Partition {
         let inputs = cut(located, bands).into_iter().enumerate().collect();
         let sorted = on_all_cores(inputs, |(band, inputs): (usize, Vec<u32>)| {
             let mut vertices = Vertices::default();
@@ -47,7 +52,7 @@ impl Partition {
                 vertices.reserve(located.points.len());
             }
             let inputs = inputs.iter().copied();
-            vertices.set(located, inputs, &mut SortBuffers::default());
+            vertices.set(located, inputs, &mut SortBuffers::default(), tuning);
             vertices
         });
         let mut bands: Vec<Vertices> = Vec::new();
@@ -78,10 +83,10 @@ impl Partition {
             return None;
         }
         let ranks = self.ranks(points);
-        let inputs = sorted.inputs.par_chunks_mut(CHUNK);
-        let chunks = edges.par_chunks(CHUNK).zip(inputs).enumerate();
+        let inputs = sorted.inputs.par_chunks_mut(CHUNK_OF_BANDS);
+        let chunks = edges.par_chunks(CHUNK_OF_BANDS).zip(inputs).enumerate();
         let lists = chunks.map(|(chunk, (edges, inputs))| {
-            let edges = (narrow(chunk * CHUNK)..).zip(edges);
+            let edges = (narrow(chunk * CHUNK_OF_BANDS)..).zip(edges);
             self.lists(&ranks, edges, inputs)
         });
         for (local, crossing) in lists.collect::<Vec<_>>() {
@@ -104,13 +109,17 @@ impl Partition {
         let (mut local, mut crossing) = (vec![Vec::new(); self.bands.len()], Vec::new());
         for ((edge, &ends), inputs) in edges.zip(inputs) {
             let mut ends = ends.map(|input| (ranks[input].load(Ordering::Relaxed), input));
-            ends.sort_unstable_by_key(|&(rank, _)| Reverse(rank));
+            let runs_up = ends[1].0 > ends[0].0;
+            if runs_up {
+                ends.reverse();
+            }
             let [upper, lower] = ends.map(|(rank, _)| VertexId::new(rank));
-            *inputs = if has_duplicates {
+            let downwards = if has_duplicates {
                 [upper, lower].map(|v| self.input(v))
             } else {
                 ends.map(|(_, input)| narrow(input))
             };
+            *inputs = marked(downwards, runs_up);
             let band = self.band(upper);
             let first = self.first[band];
             if lower.index() < first {

@@ -21,9 +21,8 @@
 //! divide and conquer begins anew: where many points are nearly on a line, such as along the sides of a hexagon, or
 //! where doubles are infinite.
 //!
-//! Cost: O(n log n) for n points that are evenly spread; for others the walks along the beach line, and the flips where
-//! floating point chooses wrong, may be O(n^2). Differs from Fortune: triangles in place of the Voronoi diagram; exact
-//! predicates.
+//! Cost: O(n log n) for n points spread evenly; for others the walks along the beach line, and the flips where floating
+//! point chooses wrong, may be O(n^2). Differs from Fortune: triangles in place of the Voronoi diagram; exact predicates.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;

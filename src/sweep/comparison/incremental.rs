@@ -21,21 +21,20 @@
 //! found is the ghost, and the triangle without area lies on the inner side. A ghost is flipped where its hull side has
 //! the vertex strictly outside, by the rule for a side with an artificial end.
 //!
-//! Cost: expected O(n^(4/3)) for n points that are evenly spread: O(n^(1/3)) draws and steps for each, and a constant
-//! number of flips for any points. Where points crowd, the walks are longer: O(n) each at worst. Differs from Mücke,
-//! Saias and Zhu: triangles are drawn in place of vertices, as in Shewchuk's Triangle, which the paper compares with.
+//! Cost: expected O(n^(4/3)) for n points spread evenly: O(n^(1/3)) draws and steps for each, and a constant number of
+//! flips for any points; at worst O(n) steps each. Differs from the three: triangles are drawn in place of vertices.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering::{Equal, Less};
 
 use super::super::Sweep;
+use super::super::contradiction::inexact_scalar;
 use super::super::delaunay::Delaunay;
-use super::super::delaunay::Random;
-use super::super::flip_limit::inexact_scalar;
 use crate::error::Error;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
+use crate::random::Random;
 use crate::trace::Why;
 
 impl<P: Probe> Sweep<'_, P> {

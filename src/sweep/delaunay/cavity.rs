@@ -39,8 +39,8 @@ pub(in crate::sweep) struct Polygons {
 #[derive(Debug, Default)]
 pub(super) struct PseudoPolygonChain {
     pub(super) corners: Vec<ChainVertex>,
-    /// For each corner but the last a vertex on the other side of the edge: a pierced triangle had both, and where the
-    /// corner is no end of the edge, the side between them was pierced.
+    /// For each corner but the last, a vertex across the edge that shared a pierced triangle with it. Unless the corner is
+    /// an end of the edge, the edge pierced the side between the two.
     pub(super) beyond: Vec<VertexId>,
 }
 

@@ -1,5 +1,5 @@
 //! The fan of a vertex `u` that a pseudo-polygon got, and whose triangle `u w v` was turned over
-//! ([`super::pseudo_polygon`]): how the triangles become Delaunay with few flips.
+//! ([`super::random_order`]): how the triangles become Delaunay with few flips.
 //!
 //! ```text
 //!    r-----q                 r-----q          First the fan grows, until no triangle of it is turned over, and no
@@ -9,23 +9,11 @@
 //!        spoke u-q             ear p q r      the one whose circle is farthest from `u`, measured by the power of `u`.
 //! ```
 //!
-//! Growing. The fan takes the triangles that must go, one flip each: those that the triangle `u w v` crosses, and those
-//! whose circle holds `u`. No other must go: on a straight line from `u` through triangles that are Delaunay, the power
-//! of `u` to their circles does not fall, so behind an outer side that is legal no circle holds `u`. So of the `n`
-//! triangles of the fan at the end, all are new, or give way to new ones in the same place, and `n - 1` flips have been
-//! made.
+//! Why it is right: in the end the sides of all ears are legalized, so the result never depends on the order, nor on
+//! powers that are rounded. docs/proofs/pseudo-polygon.md proves that no more flips are needed than the cost says.
 //!
-//! Shrinking. Lift the vertices to the paraboloid, but `u` far below it: there the fan is right, as `u` sees all of it.
-//! Let `u` rise to its place. The fan is right until `u` reaches the plane of an ear, and right again when the spoke of
-//! that ear is flipped. An ear stays right, as `u` only rises farther above its plane. So each spoke is flipped at most
-//! once: at most `n - 1` flips. The ear whose plane is met first is the one of greatest power, at the place of `u`.
-//!
-//! The powers are rounded. Where rounding changes their order, and where they are equal, an ear may have to be undone.
-//! So the sides of all ears are legalized in the end: the result never depends on the order, and the bound on the flips
-//! holds where the order is right. Illegal spokes are rare: one in 160,000 fans of the tests that insert edges has any.
-//!
-//! Cost: fewer than `2 n` flips if the order is right, O(n log n) steps for the heap, but O(n) where no spoke is
-//! illegal. Differs from Shewchuk and Brown: they fill the fan again.
+//! Cost: fewer than `2 n` flips for n triangles of the grown fan if the order is right, O(n log n) steps for the heap,
+//! but O(n) where no spoke is illegal, as nearly always. Differs from Shewchuk and Brown: they fill the fan again.
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
@@ -36,7 +24,7 @@ use super::Delaunay;
 use crate::ids::{TriangleId, narrow};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
-use crate::sweep::flip_limit::inexact_scalar;
+use crate::sweep::contradiction::inexact_scalar;
 
 /// The fan of a vertex, counter-clockwise around it, and the ears that may leave it.
 #[derive(Debug, Default)]
@@ -146,5 +134,88 @@ impl<P: Probe> Delaunay<'_, P> {
         let square = |i: usize| from_u[i][0] * from_u[i][0] + from_u[i][1] * from_u[i][1];
         let [pr, rq, qp] = [cross(0, 1), cross(1, 2), cross(2, 0)];
         -(square(0) * rq + square(1) * qp + square(2) * pr) / (pr + rq + qp)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::initialization::initialize;
+    use super::super::super::predicates::SweepPredicates;
+    use super::super::super::state::Scratch;
+    use super::Delaunay;
+    use crate::ids::{TriangleId, VertexId};
+    use crate::mesh::HalfEdge;
+    use crate::random::Random;
+    use crate::settings::Settings;
+    use alloc::vec;
+    use alloc::vec::Vec;
+    use core::cmp::Ordering::Greater;
+
+    /// A vertex at the origin and others around it, above it, from right to left.
+    fn around_origin(random: &mut Random, corners: usize) -> Vec<[f64; 2]> {
+        let mut points = vec![[0.0, 0.0]];
+        for _ in 0..corners {
+            points.push([
+                random.below(1000) as f64 - 500.0,
+                1.0 + random.below(1000) as f64,
+            ]);
+        }
+        let turn = |a: &[f64; 2], b: &[f64; 2]| a[0] * b[1] - a[1] * b[0];
+        points[1..].sort_unstable_by(|a, b| turn(b, a).total_cmp(&0.0));
+        points.dedup_by(|b, a| turn(a, b) == 0.0 && *a != [0.0, 0.0]);
+        points
+    }
+
+    /// Legalizes a fan whose triangles all run counter-clockwise. Returns how many leave it.
+    fn leave_fan(points: &[[f64; 2]]) -> usize {
+        let (settings, mut scratch) = (Settings::default(), Scratch::default());
+        initialize(points, &[], settings.tuning, &mut scratch).expect("points");
+        let Scratch {
+            arrays,
+            mut buffers,
+            ..
+        } = scratch;
+        let vertices = arrays.vertices;
+        let mut number = vec![VertexId::at(0); points.len()];
+        for (rank, &input) in vertices.input.iter().enumerate() {
+            number[input as usize] = VertexId::at(rank);
+        }
+        let predicates = SweepPredicates::new(&points, vertices);
+        let mut delaunay = Delaunay::new(arrays.mesh, predicates, settings, (), &mut buffers);
+        delaunay.mesh.begin(points.len(), 0);
+        let mut first = None;
+        let mut spoke = HalfEdge::border(delaunay.mesh.add_border());
+        for k in 1..points.len() - 1 {
+            let [outer, next] = [(); 2].map(|()| delaunay.mesh.add_border());
+            let corners = [number[0], number[k], number[k + 1]];
+            let twins = [HalfEdge::border(outer), HalfEdge::border(next), spoke];
+            let t = delaunay.mesh.add(corners, twins);
+            first.get_or_insert(t);
+            spoke = delaunay.mesh.border_twin(next);
+        }
+        delaunay.legalize_turned_over(first.expect("a triangle"));
+
+        let all = (0..points.len() - 2).map(TriangleId::at);
+        for t in all.clone() {
+            let corners = delaunay.mesh.get(t).vertices();
+            assert_eq!(delaunay.orient2d(corners), Greater, "{points:?}");
+            for side in 0..3 {
+                assert!(!delaunay.is_illegal(HalfEdge::new(t, side)), "{points:?}");
+            }
+        }
+        all.filter(|&t| !delaunay.mesh.get(t).vertices().contains(&number[0]))
+            .count()
+    }
+
+    /// Triangles of positive area without an illegal side are the only right ones of the polygon.
+    #[test]
+    fn all_ears_leave_a_fan_that_are_right_without_it() {
+        let mut random = Random::new();
+        let mut left = 0;
+        for round in 0..2000 {
+            let points = around_origin(&mut random, 3 + round % 60);
+            left += leave_fan(&points);
+        }
+        assert!(left > 10_000, "{left}");
     }
 }

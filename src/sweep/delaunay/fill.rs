@@ -1,8 +1,8 @@
 //! Filling a chain up to its hull: pockets, basins, upper hull (figure 15a), pseudo-polygons (figures 12 and 13).
 //!
 //! A chain is a polyline of border half-edges with the empty region to its left. Where it turns left, a triangle can
-//! close the corner. Graham's scan closes corners until no left turn remains. What is left of a piece of the front is
-//! its upper hull; what is left of a pseudo-polygon is the constrained edge.
+//! close the corner. Graham's scan closes corners until no left turn remains. A piece of the front becomes its upper
+//! hull, a pseudo-polygon the constrained edge.
 //!
 //! ```text
 //!    0 . . .       empty region             6    The chain runs from 0 to 6. At 1 to 4 it turns left,
@@ -10,29 +10,18 @@
 //!      \           chord . . . . .    _-'        a convex polygon: a *convex run*, which is closed as a
 //!       1                        . 5-'           whole. At 5 the chain turns right, so the run ends
 //!        `-_                    _-'              there. Now the chain runs 0-5-6 and turns left at 5,
-//!           2-_              _-4                 so that corner is closed next.
-//!              `--_      _--'
-//!                  `-3--'
+//!           2-_              _-4                 so that corner is closed next. In a long run, corners
+//!              `--_      _--'                    come in random order ([`super::random_order`]): one
+//!                  `-3--'                        after the other, each could flip all triangles before.
 //! ```
 //!
-//! Why it is right: chains of the front are x-monotone, and a pseudo-polygon is weakly visible from its constrained
-//! edge. In both, every corner that turns strictly left is an ear, and stays one when other corners are cut off
-//! (Toussaint and Avis 1982). At the free end of a hanging edge the chain turns back by 180 degrees, which is no left
-//! turn: triangles come to both sides of the edge. A vertex that the chain visits twice is two corners.
+//! Why it is right: chains of the front are x-monotone, and a pseudo-polygon is weakly visible from its edge. So every
+//! corner that turns strictly left is an ear, and stays one when others are cut off (Toussaint and Avis 1982). At the
+//! free end of a hanging edge the chain turns back by 180 degrees: no left turn. A vertex visited twice is two corners.
 //!
-//! Corners of a long convex run must not be closed one after the other: along a parabola each new corner would flip the
-//! whole fan of those before it, O(k^2) flips. So a maximal convex run is closed as a whole: its vertices are inserted
-//! in random order, each into the polygon of those before it (Chew 1990). Chains of a few corners, like most pockets
-//! and pseudo-polygons, cannot flip much, and drawing an order costs more: their corners are closed one by one.
-//!
-//! Each inserted corner makes a triangle with its two neighbours of that moment ([`super::run`]).
-//!
-//! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside the convex runs. Corners that are closed one
-//! by one can flip O(k^2) sides. So the long chains of pseudo-polygons are not filled here
-//! ([`super::pseudo_polygon`]), and a sweep that flips too much is abandoned.
-//!
-//! Differs from the paper: the paper closes the corners of the upper hull one by one from left to right. In a
-//! pseudo-polygon it picks the apex over the edge by the empty circle, recursively (after Anglada 1997), in O(k^2).
+//! Cost: O(k) orientation tests for k sides, and expected O(k) flips inside convex runs. The paper closes corners of
+//! the upper hull one by one, and picks the apex over an edge by the empty circle, recursively, in O(k^2).
+
 use alloc::vec::Vec;
 use core::cmp::Ordering::Greater;
 
@@ -41,6 +30,7 @@ use crate::ids::{BorderId, TriangleId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;
 use crate::trace::Why;
+use crate::tuning::{CLOSED_ONE_BY_ONE, LONG_FLIP_STACK};
 
 /// A vertex of a chain and the border half-edge from it to the next one (meaningless for the last one). If that border
 /// half-edge has a triangle outside, closing the corner joins it to the new triangle, and their common side goes on the
@@ -50,12 +40,6 @@ pub(in crate::sweep) struct ChainVertex {
     pub(in crate::sweep) vertex: VertexId,
     pub(in crate::sweep) border: BorderId,
 }
-
-/// Chains of at most this many vertices are closed one corner at a time.
-const CLOSED_ONE_BY_ONE: usize = 6;
-
-/// A flip stack of more than this many sides does not wait for the end of the chain.
-const MANY: usize = 4096;
 
 impl<P: Probe> Delaunay<'_, P> {
     /// Fills the region left of `chain`, and leaves its hull. Sides between new and old triangles go on the flip stack.
@@ -121,7 +105,7 @@ impl<P: Probe> Delaunay<'_, P> {
                 self.flip_stack.push(HalfEdge::new(t, corner));
             }
         }
-        if self.flip_stack.len() > MANY {
+        if self.flip_stack.len() > LONG_FLIP_STACK {
             self.legalize();
         }
         chord

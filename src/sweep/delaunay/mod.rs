@@ -4,8 +4,7 @@ mod cavity;
 mod fan;
 mod fill;
 mod legalization;
-mod pseudo_polygon;
-mod run;
+mod random_order;
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -15,12 +14,12 @@ use super::predicates::SweepPredicates;
 use crate::ids::{TriangleId, VertexId};
 use crate::mesh::{HalfEdge, Mesh};
 use crate::observe::probe::Probe;
-use crate::settings::Algorithm;
+use crate::settings::{Algorithm, Settings};
 use crate::trace::{Event, Vertex, Why};
+use crate::tuning::Tuning;
 use cavity::Polygons;
 pub(super) use fill::ChainVertex;
-pub(super) use run::Random;
-use run::Run;
+use random_order::Run;
 
 /// The memory of legalization and filling.
 #[derive(Debug, Default)]
@@ -31,7 +30,7 @@ pub(super) struct Buffers {
 }
 
 /// Triangles, predicates, and the sides that legalization still has to test. The whole sweep uses
-/// the first five fields; the others are this folder's own.
+/// the first six fields; the others are this folder's own.
 #[derive(Debug)]
 pub(super) struct Delaunay<'a, P> {
     pub(super) mesh: Mesh,
@@ -40,6 +39,7 @@ pub(super) struct Delaunay<'a, P> {
     pub(super) probe: P,
     /// Whether edges are inserted as in the paper.
     pub(super) is_paper: bool,
+    pub(super) tuning: &'static Tuning,
     flip_stack: &'a mut Vec<HalfEdge>,
     /// Of [`Delaunay::insert_run`].
     run: &'a mut Run,
@@ -52,12 +52,15 @@ impl<'a, P: Probe> Delaunay<'a, P> {
     pub(super) fn new(
         mesh: Mesh,
         predicates: SweepPredicates<'a>,
-        algorithm: Algorithm,
+        settings: Settings,
         probe: P,
         buffers: &'a mut Buffers,
     ) -> Self {
-        let has_budget = algorithm == Algorithm::Auto;
-        let flip_limit = FlipLimit::new(predicates.vertices.len(), has_budget);
+        let Settings {
+            algorithm, tuning, ..
+        } = settings;
+        let reserve = (algorithm == Algorithm::Auto).then_some(tuning.reserve);
+        let flip_limit = FlipLimit::new(predicates.vertices.len(), reserve);
         let Buffers {
             flip_stack,
             run,
@@ -71,6 +74,7 @@ impl<'a, P: Probe> Delaunay<'a, P> {
             flip_limit,
             probe,
             is_paper: algorithm == Algorithm::Paper,
+            tuning,
             flip_stack,
             run,
             polygons,

@@ -10,7 +10,7 @@
 //! ```
 
 use super::super::Sweep;
-use super::super::flip_limit::inexact_scalar;
+use super::super::contradiction::inexact_scalar;
 #[cfg(feature = "parallel")]
 use super::SubTriangulation;
 use crate::ids::BorderId;

@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering::Greater;
 
 use super::super::Sweep;
-use super::super::flip_limit::inexact_scalar;
+use super::super::contradiction::inexact_scalar;
 use crate::ids::{BorderId, VertexId};
 use crate::mesh::HalfEdge;
 use crate::observe::probe::Probe;

@@ -1,7 +1,6 @@
 //! The merge of two sub-triangulations (Guibas and Stolfi 1985, section 5).
 //!
-//! All vertices of the upper sub-triangulation come after those of the lower one in sweep order, so a line separates
-//! the two. The figure turns it upright: the lower one is on the left, the upper one on the right.
+//! A line separates the two. The figure turns it upright: the lower one, L, is on the left, the upper one, R, on the right.
 //!
 //! ```text
 //!      l2 . . . . . r2      The *base* l-r starts as the side of the common hull below both. It climbs:
@@ -14,25 +13,20 @@
 //! ```
 //!
 //! Why it is right: both tests ask whether a side of a quadrilateral must be flipped
-//! ([`SweepPredicates::must_flip`](super::super::predicates::SweepPredicates::must_flip)): l-l2 between r and the
-//! vertex behind it, and r-l2 between l and r2. So the canonical rule decides ties as in the sweep: by the sign for
-//! points lifted and lowered by symbolic amounts. No four of these lie on one circle, so the proof of 1985 holds.
+//! ([`SweepPredicates::must_flip`](super::super::predicates::SweepPredicates::must_flip)), so the canonical rule decides
+//! ties. By that rule no four points lie on one circle, so the proof of 1985 holds. In triangles: to remove a hull side is
+//! to flip it, between its triangle and its ghost. To make a triangle is to replace the third vertex of a ghost.
 //!
-//! In triangles: to remove a hull side is to flip it, between its triangle and its ghost, which makes two ghosts. To
-//! make a triangle is to replace the third vertex of a ghost by the other end of the base. So a merge adds two
-//! triangles to the mesh, the ghosts of the first and the last base.
-//!
-//! Where sides may be constrained, none is removed, and the gap is *stitched*: one of the two triangles above the base
-//! is made, as before. Both hulls are convex and a line separates them. So if r2 lies in the triangle l, r, l2, it lies
-//! in its circle, and the other triangle is made; likewise l2. Hence the triangles fill the gap without overlap. All
+//! Where sides may be constrained, none is removed, and the gap is *stitched*. If r2 lies in the triangle l, r, l2, it
+//! lies in its circle, and the other triangle is made; likewise l2. So the triangles fill the gap without overlap. All
 //! their sides go on the flip stack, and legalization does the rest ([`Delaunay::legalize`]).
 //!
 //! Cost: O(k) for k vertices in both: each step removes a triangle or moves the base, which only climbs.
 
 use core::cmp::Ordering::{Greater, Less};
 
+use super::super::contradiction::inexact_scalar;
 use super::super::delaunay::Delaunay;
-use super::super::flip_limit::inexact_scalar;
 use super::{MergeMode, SubTriangulation};
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;

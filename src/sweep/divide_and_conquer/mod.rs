@@ -7,7 +7,7 @@
 //! the hull of a sub-triangulation lie *ghosts* ([`ghosts`]). In the end the artificial triangles and the front take
 //! their place ([`hand_over`]): then the state is that of a sweep whose hull is complete. The code of the edge event
 //! inserts the edges in sweep order, so that of several crossings the same one is found. Cost of the edges: see
-//! [`super::edge_event`] and [`super::pending_edges`].
+//! [`super::edge_event`] and [`super::waiting_edges`].
 //!
 //! Differs from Guibas and Stolfi: triangles with ghosts in place of a quad-edge structure (after Shewchuk 1996); a
 //! loop with a stack in place of the recursion; ties follow the canonical rule; halves are divided by y.
@@ -19,9 +19,9 @@ mod hand_over;
 mod merge;
 
 use super::Sweep;
-use super::deferred_edges::DeferredEdges;
 use super::delaunay::Delaunay;
 use super::flip_limit::FlipLimit;
+use super::waiting_edges::WaitingEdges;
 use crate::error::Error;
 use crate::ids::VertexId;
 use crate::mesh::HalfEdge;
@@ -71,11 +71,10 @@ impl<P: Probe> Sweep<'_, P> {
         self.delaunay.probe.begin(Phase::Sweeping);
         let n = self.delaunay.predicates.vertices.len();
         self.delaunay.probe.record(|r| r.stats.is_divided = true);
-        self.delaunay.flip_limit = FlipLimit::new(n, false);
+        self.delaunay.flip_limit = FlipLimit::new(n, None);
         self.chains.clear();
-        self.pending.clear();
-        self.deferred = DeferredEdges::new(&self.delaunay);
-        self.vertex_triangles.clear();
+        self.waiting = WaitingEdges::new(&self.delaunay);
+        self.lists.vertex_triangles.clear();
         self.front.begin(n);
         self.delaunay.mesh.clear();
         self.delaunay.mesh.reset_borders(n + 2);
@@ -89,15 +88,15 @@ impl<P: Probe> Sweep<'_, P> {
 
     /// Inserts all edges in sweep order, each down to the first vertex on it; the hull is complete.
     pub(in crate::sweep) fn insert_all(&mut self) -> Result<(), Error> {
-        if self.edges.is_empty() {
+        if self.lists.edges.is_empty() {
             return Ok(());
         }
         let n = self.delaunay.predicates.vertices.len();
         let mut list = Vec::new();
         for v in (0..n).map(VertexId::at) {
-            if !self.edges.at(v).is_empty() {
+            if !self.lists.edges.at(v).is_empty() {
                 list.clear();
-                list.extend_from_slice(self.edges.at(v));
+                list.extend_from_slice(self.lists.edges.at(v));
                 let around = self.side_opposite(v);
                 self.insert_edges(v, &mut list, around)?;
             }
@@ -107,7 +106,7 @@ impl<P: Probe> Sweep<'_, P> {
 }
 
 impl<P: Probe> Delaunay<'_, P> {
-    /// Triangulates all vertices, of which there are at least two.
+    /// Triangulates all vertices, at least two.
     fn triangulate(&mut self) -> SubTriangulation {
         let n = self.predicates.vertices.len();
         let mut parts: Vec<(u32, SubTriangulation)> = Vec::new();

@@ -15,19 +15,8 @@
 //! Then corners of the chain beside `v` are closed while they turn left, and the fan of these triangles around `v` is
 //! legalized, as after a point event.
 //!
-//! Why it is right:
-//! - *No edges cross or touch.* Each vertex lies strictly between the edges on the left and on the right of it. Below
-//!   the lowest point where two edges meet, two neighbours of the status meet there (Shamos and Hoey 1976). Beyond it
-//!   they are in the wrong order, so the first vertex after it that ends one of them, or lies between them, fails. Then
-//!   the sweep of all points begins anew, and says which edges cross, or takes the vertices on edges for what they are.
-//! - *Triangles are inside.* The chain turns left nowhere, so what `v` sees of it hangs together and begins beside `v`.
-//!   The vertex of an interval that was swept last sees all of the interval up to the next vertex.
-//! - *They are those of the whole triangulation.* No edge is flipped, so a triangulation of the inside whose sides are
-//!   all locally Delaunay is the only one (the canonical rule), with the triangles that the whole one has there. Only
-//!   outer sides of a fan can be illegal. A spoke is legal: where the chain does not turn left, the two triangles of the
-//!   spoke have 180 degrees or more together. A side of the chain is tested when a fan covers it.
-//! - *The rule holds.* By parity every second interval is inside. By winding number they are too if the two edges of each
-//!   interval inside run in opposite directions. Only a cut needs to be tested: rings run on.
+//! Why it is right: no edges cross or touch where each vertex lies strictly between the edges on its left and right; the
+//! triangles are inside, and are those of the whole triangulation ([proof](../../../docs/proofs/polygon.md)).
 //!
 //! Cost: O(n) after the sort, but for the flips and for the walks along the status, which are few on ordinary polygons.
 //! Each has a budget that is linear in n; when it is spent, the sweep of all points begins anew.
@@ -45,12 +34,13 @@ use core::mem::take;
 use super::delaunay::Delaunay;
 use super::initialization::LIMIT;
 use super::predicates::SweepPredicates;
-use super::scratch::Scratch;
+use super::state::Scratch;
 use super::vertices::ApproxPoints;
 use crate::ids::{TriangleId, VertexId, narrow};
 use crate::scalar::{ExactPoints, Scalar};
-use crate::settings::Algorithm;
+use crate::settings::Settings;
 use crate::triangulation::canonical::{CanonicalBuffers, canonical_into};
+use crate::tuning::Tuning;
 use chains::Chains;
 use rings::Rings;
 use status::{Crossed, END, Status};
@@ -86,11 +76,11 @@ pub(crate) fn triangulate_rings<S: Scalar>(
     };
     let inputs = 0..narrow(points.len());
     scratch
-        .held
+        .arrays
         .vertices
-        .set(&approx, inputs, &mut scratch.sort);
+        .set(&approx, inputs, &mut scratch.sort, &Tuning::REAL);
     drop(approx);
-    scratch.held.vertices.duplicates.is_empty() && sweep(&points, directed, scratch, polygon)
+    scratch.arrays.vertices.duplicates.is_empty() && sweep(&points, directed, scratch, polygon)
 }
 
 /// Sweeps the vertices in `scratch`, of which none are duplicates. Compiled once, whatever the scalar.
@@ -98,10 +88,12 @@ pub(crate) fn triangulate_rings<S: Scalar>(
 fn sweep(
     points: &dyn ExactPoints,
     directed: bool,
-    Scratch { held, lent, .. }: &mut Scratch,
+    Scratch {
+        arrays, buffers, ..
+    }: &mut Scratch,
     polygon: &mut PolygonScratch,
 ) -> bool {
-    let (vertices, mut mesh) = (take(&mut held.vertices), take(&mut held.mesh));
+    let (vertices, mut mesh) = (take(&mut arrays.vertices), take(&mut arrays.mesh));
     let n = vertices.len();
     polygon.rings.rank(&vertices);
     polygon.status.begin(n);
@@ -109,7 +101,7 @@ fn sweep(
     mesh.begin(n, 0);
     let predicates = SweepPredicates::new(points, vertices);
     let mut sweep = PolygonSweep {
-        delaunay: Delaunay::new(mesh, predicates, Algorithm::Auto, (), &mut lent.delaunay),
+        delaunay: Delaunay::new(mesh, predicates, Settings::default(), (), buffers),
         rings: &polygon.rings,
         status: &mut polygon.status,
         chains: &mut polygon.chains,
@@ -124,7 +116,7 @@ fn sweep(
         let (list, buffers) = (&mut polygon.triangles, &mut polygon.canonical);
         canonical_into(list, delaunay.mesh.len(), inputs, buffers);
     }
-    (held.vertices, held.mesh) = (delaunay.predicates.vertices, delaunay.mesh);
+    (arrays.vertices, arrays.mesh) = (delaunay.predicates.vertices, delaunay.mesh);
     is_done
 }
 

@@ -1,4 +1,4 @@
-//! The rings of a polygon: edges of which two end at each point.
+//! The rings of a polygon: exactly two edges end at each point.
 //!
 //! Why it is right: from a point with two edges a walk along the edges comes back to it. So such edges are closed rings,
 //! whose points may still be equal, and whose edges may still touch or cross: the sweep finds that. Cost: O(n).

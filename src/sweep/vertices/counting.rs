@@ -7,9 +7,6 @@ use crate::bucket::bucket;
 use crate::ids::narrow;
 use alloc::vec::Vec;
 
-/// At most so many points are sorted by comparison, which is fast.
-pub(super) const FEW: usize = if cfg!(fuzzing) { 8 } else { 20 };
-
 /// A point: its approximation and its input index.
 pub(super) type Key = ([f64; 2], u32);
 
@@ -27,12 +24,18 @@ pub(super) struct CountingSort {
 }
 
 impl CountingSort {
-    /// Takes these sites and sorts them by a key of one coordinate: two to four keys for each site.
-    pub(super) fn set(&mut self, sites: impl ExactSizeIterator<Item = Key> + Clone, axis: usize) {
+    /// Takes these sites and sorts them by a key of one coordinate: two to four keys for each site. At most `few` sites
+    /// have one key.
+    pub(super) fn set(
+        &mut self,
+        sites: impl ExactSizeIterator<Item = Key> + Clone,
+        axis: usize,
+        few: usize,
+    ) {
         let n = sites.len();
         self.axis = axis;
         self.ends.clear();
-        if n <= FEW {
+        if n <= few {
             (self.low, self.factor) = (0.0, 0.0);
             self.ends.push(narrow(n));
             self.sites.clear();

@@ -15,6 +15,7 @@ use crate::ids::VertexId;
 use crate::scalar::{Scalar, Scale, is_in_range, recenter};
 #[cfg(feature = "parallel")]
 use crate::threads::on_all_cores;
+use crate::tuning::{TESTED_AT_ONCE, Tuning};
 use alloc::vec::Vec;
 pub(super) use sort::SortBuffers;
 
@@ -27,9 +28,6 @@ pub(super) struct ApproxPoints<'a, S> {
     pub(super) scale: Scale,
 }
 
-/// How many points are tested together.
-const FEW: usize = 64;
-
 impl<'a, S: Scalar> ApproxPoints<'a, S> {
     pub(super) fn new(points: &'a [[S; 2]]) -> Result<ApproxPoints<'a, S>, Error> {
         ApproxPoints::find(points, || are_plain(points))
@@ -41,7 +39,7 @@ impl<'a, S: Scalar> ApproxPoints<'a, S> {
     where
         S: Sync,
     {
-        let chunks = || points.chunks(64 * FEW).collect();
+        let chunks = || points.chunks(64 * TESTED_AT_ONCE).collect();
         ApproxPoints::find(points, || {
             let are_plain = on_all_cores(chunks(), are_plain);
             are_plain.into_iter().all(|are_plain| are_plain)
@@ -91,7 +89,7 @@ impl<'a, S: Scalar> ApproxPoints<'a, S> {
 /// Whether the doubles of these points need no factor; then they are finite, too.
 fn are_plain<S: Scalar>(points: &[[S; 2]]) -> bool {
     // A few points at once, without branches between them.
-    points.chunks(FEW).all(|few| {
+    points.chunks(TESTED_AT_ONCE).all(|few| {
         let are_plain = few.iter().map(|point| is_in_range(doubles(point)));
         are_plain.fold(true, |all, is_plain| all & is_plain)
     })
@@ -122,6 +120,7 @@ impl Vertices {
         approx: &ApproxPoints<'_, S>,
         inputs: impl ExactSizeIterator<Item = u32> + Clone,
         buffers: &mut SortBuffers,
+        tuning: &Tuning,
     ) {
         let points = approx.points;
         self.scale = approx.scale;
@@ -133,8 +132,16 @@ impl Vertices {
                 |i| doubles(&points[i as usize]),
                 self,
                 buffers,
+                tuning,
             ),
-            stored => sort::sort(points, inputs, |i| stored[i as usize], self, buffers),
+            stored => sort::sort(
+                points,
+                inputs,
+                |i| stored[i as usize],
+                self,
+                buffers,
+                tuning,
+            ),
         }
     }
 

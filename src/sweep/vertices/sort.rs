@@ -18,20 +18,11 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::Vertices;
-use super::counting::{CountingSort, FEW, Key, begin};
+use super::counting::{CountingSort, Key, begin};
 use crate::bucket::{bucket, sampled};
 use crate::ids::narrow;
 use crate::scalar::{Scalar, Scale};
-
-/// The mean number of points in a bucket, and the largest number of buckets.
-const BUCKET: usize = if cfg!(fuzzing) { 8 } else { 256 };
-const BUCKETS: usize = 1024;
-/// At most so many points in no row are sorted by comparison although there is a way without branches.
-const VERY_FEW: usize = 5;
-/// One of how many points is sampled to find the range of y, and how many at most.
-const SAMPLE: (usize, usize) = (16, 1024);
-/// Samples beyond the middle half of them by more than this many times its height are far outside.
-const REACH: f64 = 8.0;
+use crate::tuning::{FAR_OUTSIDE, MOST_BUCKETS, SAMPLE_OF_Y, SHORT_RUN, Tuning, VERY_SHORT_RUN};
 
 #[derive(Debug, Default)]
 pub(in crate::sweep) struct SortBuffers {
@@ -51,13 +42,15 @@ pub(super) fn sort<S: Scalar>(
     approx: impl Fn(u32) -> [f64; 2],
     vertices: &mut Vertices,
     buffers: &mut SortBuffers,
+    tuning: &Tuning,
 ) {
-    spread(inputs, approx, vertices, &mut buffers.ends);
+    let bucket = tuning.points_in_bucket;
+    spread(inputs, approx, bucket, vertices, &mut buffers.ends);
     let exact = |axis: usize, [a, b]: [u32; 2]| {
         let [a, b] = [a, b].map(|input| &points[input as usize][axis]);
         a.compare(b)
     };
-    sort_buckets(&exact, vertices, buffers);
+    sort_buckets(&exact, vertices, buffers, tuning.short_run);
 }
 
 /// The exact order of two points along an axis, by their input indices.
@@ -65,7 +58,12 @@ type ExactOrder<'a> = &'a dyn Fn(usize, [u32; 2]) -> Ordering;
 
 /// Sorts and merges the points within each bucket. Compiled once, whatever the scalar.
 #[inline(never)]
-fn sort_buckets(exact: ExactOrder<'_>, vertices: &mut Vertices, buffers: &mut SortBuffers) {
+fn sort_buckets(
+    exact: ExactOrder<'_>,
+    vertices: &mut Vertices,
+    buffers: &mut SortBuffers,
+    short: usize,
+) {
     let scale = vertices.scale;
     vertices.duplicates.clear();
     let compare = |a: &Key, b: &Key| compare(exact, scale, a, b);
@@ -79,10 +77,10 @@ fn sort_buckets(exact: ExactOrder<'_>, vertices: &mut Vertices, buffers: &mut So
     let is_row = |sites: &[Key]| scale.is_injective() && is_row(sites);
     let is_sorted = |sites: &[Key]| sites.is_sorted_by(|a, b| by_index(a, b).is_lt());
     let mut sort_row = |sites: &mut [Key]| {
-        if sites.len() <= FEW {
+        if sites.len() <= short {
             sort_few::<0>(sites);
         } else if !is_sorted(sites) {
-            row.set(sites.iter().copied(), 0);
+            row.set(sites.iter().copied(), 0, short);
             row.sort_runs(|sites| sites.sort_unstable_by(by_index));
             sites.copy_from_slice(&row.sites);
         }
@@ -94,13 +92,13 @@ fn sort_buckets(exact: ExactOrder<'_>, vertices: &mut Vertices, buffers: &mut So
         let sites = vertices.approx[from..to]
             .iter()
             .zip(&vertices.input[from..to]);
-        bucket.set(sites.map(|(&approx, &input)| (approx, input)), 1);
+        bucket.set(sites.map(|(&approx, &input)| (approx, input)), 1, short);
         bucket.sort_runs(|sites| {
             if is_row(sites) {
                 sort_row(sites);
-            } else if sites.len() <= VERY_FEW || !scale.is_injective() {
+            } else if sites.len() <= VERY_SHORT_RUN || !scale.is_injective() {
                 sites.sort_unstable_by(by_index);
-            } else if sites.len() <= FEW {
+            } else if sites.len() <= short {
                 sort_few::<1>(sites);
                 for row in sites.chunk_by_mut(|a, b| a.0[1] >= b.0[1]) {
                     if row.len() > 1 {
@@ -108,7 +106,7 @@ fn sort_buckets(exact: ExactOrder<'_>, vertices: &mut Vertices, buffers: &mut So
                     }
                 }
             } else if !is_sorted(sites) {
-                run.set(sites.iter().copied(), 1);
+                run.set(sites.iter().copied(), 1, short);
                 run.sort_runs(|sites| {
                     if is_row(sites) {
                         sort_row(sites);
@@ -146,11 +144,11 @@ fn is_row(sites: &[Key]) -> bool {
     sites.iter().all(|site| Some(site.0[1]) == first)
 }
 
-/// Sorts up to [`FEW`] sites by one coordinate, without a branch: each goes where as many come before it. Stable.
+/// Sorts up to [`SHORT_RUN`] sites by one coordinate, without a branch: each goes where as many come before it. Stable.
 fn sort_few<const AXIS: usize>(sites: &mut [Key]) {
     let n = sites.len();
-    let mut xs = [0.0; FEW];
-    let mut sorted = [([0.0; 2], 0); FEW];
+    let mut xs = [0.0; SHORT_RUN];
+    let mut sorted = [([0.0; 2], 0); SHORT_RUN];
     for (x, site) in xs.iter_mut().zip(&*sites) {
         *x = site.0[AXIS];
     }
@@ -177,11 +175,12 @@ fn compare(exact: ExactOrder<'_>, scale: Scale, a: &Key, b: &Key) -> Ordering {
 fn spread(
     inputs: impl ExactSizeIterator<Item = u32> + Clone,
     approx: impl Fn(u32) -> [f64; 2],
+    points_in_bucket: usize,
     vertices: &mut Vertices,
     ends: &mut Vec<u32>,
 ) {
     let n = inputs.len();
-    let buckets = (n / BUCKET).clamp(1, BUCKETS);
+    let buckets = (n / points_in_bucket).clamp(1, MOST_BUCKETS);
     if buckets == 1 {
         ends.clear();
         ends.push(narrow(n));
@@ -223,13 +222,13 @@ fn resize<T: Clone + Default>(array: &mut Vec<T>, length: usize, more: usize) {
     array.resize(length, T::default());
 }
 
-/// The range over which buckets are spread: that of a sample, without what is far outside its middle half. A few points
+/// The range over which buckets are spread: the range of a sample, without points far outside its middle half. A few points
 /// far away, such as "no data" points, would otherwise leave all others in one bucket. Others share an outer bucket.
 fn range(
     inputs: &(impl ExactSizeIterator<Item = u32> + Clone),
     y: impl Fn(u32) -> f64,
 ) -> (f64, f64) {
-    let (of_each, most) = SAMPLE;
+    let (of_each, most) = SAMPLE_OF_Y;
     let places = sampled(inputs.len(), most.min(inputs.len() / of_each));
     let mut sample: Vec<f64> = places
         .filter_map(|place| inputs.clone().nth(place).map(&y))
@@ -239,7 +238,7 @@ fn range(
         return (0.0, 0.0);
     };
     let [first, last] = [1, 3].map(|quarter| sample[quarter * sample.len() / 4]);
-    let margin = REACH * (last - first);
+    let margin = FAR_OUTSIDE * (last - first);
     if margin > 0.0 {
         (low.max(first - margin), high.min(last + margin))
     } else {
@@ -249,7 +248,7 @@ fn range(
 
 #[cfg(test)]
 mod tests {
-    use super::{Scale, SortBuffers, Vertices, sort};
+    use super::{Scale, SortBuffers, Tuning, Vertices, sort};
 
     /// Sorts these points and compares the outcome with that of a sort by comparison.
     fn sorted(points: &[[f64; 2]]) -> SortBuffers {
@@ -260,7 +259,14 @@ mod tests {
             ..Vertices::default()
         };
         let mut buffers = SortBuffers::default();
-        sort(points, 0..count, approx, &mut found, &mut buffers);
+        sort(
+            points,
+            0..count,
+            approx,
+            &mut found,
+            &mut buffers,
+            &Tuning::REAL,
+        );
 
         let mut expected: Vec<u32> = (0..count).collect();
         expected.sort_by(|&i, &j| {

@@ -24,7 +24,7 @@ from ._measure import fronts, measure
 from ._native import __version__
 from ._report import Report
 from ._trace import Trace, trace
-from ._triangulation import Triangulation, triangulate
+from ._triangulation import Triangulation, triangulate, triangulate_inside
 from ._verify import assert_valid, verify
 
 __all__ = [
@@ -53,5 +53,6 @@ __all__ = [
     "split",
     "trace",
     "triangulate",
+    "triangulate_inside",
     "verify",
 ]

@@ -1,4 +1,4 @@
-"""`triangulate`, and its result."""
+"""`triangulate` and its result, and `triangulate_inside`."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def triangulate(
     >>> result.canonical().tolist()
     [[0, 1, 4], [0, 4, 3], [1, 2, 4], [2, 3, 4]]
     >>> result.edge_chain(0).tolist()
-    [2, 4, 0]
+    [0, 4, 2]
 
     Edges that cross are an error, which names them:
 
@@ -105,6 +105,38 @@ def triangulate(
     """
     given = as_input(points, edges, polygons, holes)
     return made(given, inside, split_crossings, threads, None)
+
+
+def triangulate_inside(
+    points: Any, edges: Any = None, *, polygons: Any = None, inside: str = "even-odd"
+) -> np.ndarray:
+    """The triangles inside of polygons, where nothing else is asked for.
+
+    They are those of `triangulate`. Of rings that neither touch nor cross only the inside is triangulated, by the rules
+    ``even-odd`` and ``nonzero`` (where rings in one another run in opposite directions): that takes less time. All other
+    input is triangulated as a whole.
+
+    Parameters
+    ----------
+    points, edges, polygons
+        As of `triangulate`. What each ring is counts for nothing: the rule says what is inside.
+    inside : str
+        ``even-odd``, ``nonzero``, ``positive``, ``negative``, ``at-least-2`` and so on, or ``hull``.
+
+    Returns
+    -------
+    ndarray of int32 of shape (u, 3)
+        The corners of each triangle, counter-clockwise, the lowest first; sorted, as of `Triangulation.canonical`.
+
+    Examples
+    --------
+    >>> import sweep_cdt
+    >>> outline, hole = [[0, 0], [9, 0], [9, 9], [0, 9]], [[3, 3], [6, 3], [6, 6], [3, 6]]
+    >>> sweep_cdt.triangulate_inside([], polygons=[[outline, hole]])[:2].tolist()
+    [[0, 1, 5], [0, 4, 3]]
+    """
+    given = as_input(points, edges, polygons, None)
+    return called(_native.triangulate_inside, given, inside)
 
 
 def made(
@@ -305,17 +337,14 @@ class Triangulation:
         Returns
         -------
         ndarray of int32
-            From the upper end (of two of one height the right one) to the lower; of split edges from the first end to the
-            second. A single vertex, if the ends are equal.
+            From the first end to the second. A single vertex, if the ends are equal.
         """
         count = len(self.edges) if self.split is None else self.split.count
         if not -count <= edge < count:
             raise IndexError(f"there is no edge {edge}: there are {count}")
         edge %= count
-        if self.split is None:
-            return self._core.chain(edge)
-        first, last = self.split.range(edge)
-        return self._core.joined(first, last, self._input.edges)
+        first, last = (edge, edge + 1) if self.split is None else self.split.range(edge)
+        return self._core.chain(first, last)
 
     def boundary(self) -> list[np.ndarray]:
         """The closed chains of vertices around what is inside: outlines counter-clockwise, holes clockwise.

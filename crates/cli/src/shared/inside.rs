@@ -5,11 +5,11 @@
 
 use std::fmt;
 
-use sweep_cdt::interior::{FillRule, Interior, InteriorError, locate_seeds};
+use sweep_cdt::interior::{FillRule, Interior, InteriorError};
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::verify::{Regions, Verifier, Violation};
 use sweep_cdt::{Triangulation, triangulate};
-use sweep_cdt_formats::{Coordinate, GraphFile, Triangles};
+use sweep_cdt_formats::{Coordinate, GraphFile, Triangles, locate_seeds};
 
 use super::arithmetic::Given;
 use super::failure::Failure;
@@ -111,10 +111,10 @@ impl Inside {
             Inside::Hull => result.interior(FillRule::Hull),
             Inside::Polygons => file.polygons.interior(result),
             Inside::EvenOdd => result.interior(FillRule::EvenOdd),
-            Inside::Nonzero => result.interior(FillRule::NonZero(&graph.edges)),
-            Inside::Positive => result.interior(FillRule::Positive(&graph.edges)),
-            Inside::Negative => result.interior(FillRule::Negative(&graph.edges)),
-            Inside::AtLeast(times) => result.interior(FillRule::AtLeast(&graph.edges, times)),
+            Inside::Nonzero => result.interior(FillRule::NonZero),
+            Inside::Positive => result.interior(FillRule::Positive),
+            Inside::Negative => result.interior(FillRule::Negative),
+            Inside::AtLeast(times) => result.interior(FillRule::AtLeast(times)),
             Inside::Holes | Inside::HullWithoutHoles => {
                 let seeds = graph.regions.iter().map(|region| region.seed.clone());
                 let regions: Vec<[S; 2]> = seeds.collect();

@@ -71,5 +71,5 @@ fn crossing<S: Coordinate>(file: &GraphFile<S>, edges: [usize; 2]) -> Option<[f6
         }
     }
     let found = crossings(&ends, &[[0, 1], [2, 3]]).ok()?;
-    found.first().map(|crossing| crossing.near())
+    found.first().map(|crossing| crossing.point_f64())
 }

@@ -329,7 +329,7 @@ fn every_figure_is_explained() {
     let report = verify(&folder, "a.json b.json --explain");
     let plain = verify(&folder, "a.json b.json");
     let (report, plain) = (refuted(&report), refuted(&plain));
-    let manual = include_str!("../../../../docs/verifying.md");
+    let manual = include_str!("../../../../docs/command.md");
     let mut lines = report.lines();
     let mut figures = 0;
     for expected in plain.lines() {

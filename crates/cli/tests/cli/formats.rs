@@ -122,7 +122,7 @@ fn json_output_describes_the_result_and_can_be_read_again() {
 "duplicates": [
 [5,1]],
 "chains": [
-[3,2,1,0]]
+[0,1,2,3]]
 }
 "#;
     assert_eq!(printed_despite_losses(&thirds), expected);

@@ -95,7 +95,7 @@ fn what_is_wrong_in_the_interior_has_the_numbers_of_the_file() {
     }
     std::fs::write(folder.path().join("a.ele"), ele).expect("a file");
     let report = verify(&folder, "a.poly a.ele --domain holes");
-    let missing = "missing-edge: edge 10 is no chain of sides: none follows it from vertex 1\n";
+    let missing = "missing-edge: edge 10 is missing: no side leads along it from vertex 1\n";
     assert!(refuted(&report).contains(missing), "{}", refuted(&report));
 }
 

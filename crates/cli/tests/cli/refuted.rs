@@ -45,7 +45,7 @@ pub(crate) const WRONG: &[(&str, &str, &str)] = &[
         r#"{"triangles": [18446744073709551615,0,1, 1,2,4, 2,3,4, 3,0,4]}"#,
         "triangle-out-of-range: triangle 0 has vertex 18446744073709551615, which does not exist\n  \
          1 (0, 0), 2 (4, 0)\n\n\
-         missing-edge: edge 1 is no chain of sides: none follows it from vertex 1\n  \
+         missing-edge: edge 1 is missing: no side leads along it from vertex 1\n  \
          1 (0, 0), 2 (4, 0)\n",
     ),
     (
@@ -64,7 +64,7 @@ pub(crate) const WRONG: &[(&str, &str, &str)] = &[
          the deepest                     2.5e-1\n\n\
          concave-boundary: the boundary does not turn left at vertex 5, between 1 and 2\n  \
          1 (0, 0), 5 (2, 1), 2 (4, 0)\n  by 2.5e-1 of the distance of the vertices beside it\n\n\
-         missing-edge: edge 1 is no chain of sides: none follows it from vertex 1\n  \
+         missing-edge: edge 1 is missing: no side leads along it from vertex 1\n  \
          1 (0, 0), 2 (4, 0)\n",
     ),
 ];

@@ -184,7 +184,7 @@ impl<'a, W: Write> Lines<'a, W> {
 
 /// The rings of each polygon, by their positions.
 fn write_polygons(rings: &[Ring], out: &mut impl Write) -> io::Result<()> {
-    let mut polygons: BTreeMap<u32, [Vec<usize>; 2]> = BTreeMap::new();
+    let mut polygons: BTreeMap<usize, [Vec<usize>; 2]> = BTreeMap::new();
     for (number, ring) in rings.iter().enumerate() {
         polygons.entry(ring.polygon).or_default()[usize::from(ring.is_hole)].push(number);
     }

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use sweep_cdt::interior::Ring;
-use sweep_cdt::scalar::filtered_orient2d;
+use sweep_cdt::scalar::orient2d;
 
 use crate::Coordinate;
 use crate::order::{order, sorted};
@@ -35,7 +35,7 @@ struct Around {
 impl Around {
     /// Outside of all rings.
     fn new(rings: &[Ring]) -> Self {
-        let mut places: HashMap<u32, usize> = HashMap::new();
+        let mut places: HashMap<usize, usize> = HashMap::new();
         let roles = rings.iter().map(|ring| {
             let next = places.len();
             (*places.entry(ring.polygon).or_insert(next), ring.is_hole)
@@ -109,7 +109,7 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
         drop(listed);
         let place = |v: u32| &points[point[v as usize] as usize];
         for [a, b, c] in &mut corners {
-            if filtered_orient2d(place(*a), place(*b), place(*c)).is_lt() {
+            if orient2d(place(*a), place(*b), place(*c)).is_lt() {
                 std::mem::swap(b, c);
             }
         }
@@ -225,7 +225,7 @@ impl<'a, S: Coordinate> Tiling<'a, S> {
     fn next_on_the_way(&mut self, at: u32, to: u32) -> Option<u32> {
         let (points, point) = (self.points, &self.point);
         let place = |v: u32| &points[point[v as usize] as usize];
-        let turn = |v: u32, w: u32| filtered_orient2d(place(at), place(v), place(w));
+        let turn = |v: u32, w: u32| orient2d(place(at), place(v), place(w));
         let beside = &self.sides[self.beside(at)];
         let fan = self.fans.entry(at).or_insert_with(|| {
             let mut fan: Vec<u32> = beside.iter().map(|side| side[1]).collect();

@@ -88,7 +88,7 @@ pub fn write_crossings<S: Exact>(
             crossings.iter().try_for_each(|crossing| {
                 let [edge, other] = numbering.edges(crossing.edges);
                 let [x, y] = crossing.point().each_ref().map(BigRational::text);
-                let [near_x, near_y] = crossing.near().map(|x| x.text());
+                let [near_x, near_y] = crossing.point_f64().map(|x| x.text());
                 writeln!(out, "{edge},{other},{x},{y},{near_x},{near_y}")
             })
         }
@@ -100,7 +100,7 @@ pub fn write_crossings<S: Exact>(
                     edges: numbering.edges(crossing.edges),
                     point: crossing.point().each_ref().map(json_coordinate),
                     near: crossing
-                        .near()
+                        .point_f64()
                         .map(|x| x.is_finite().then(|| json_coordinate(&x))),
                 };
                 serde_json::to_writer(&mut *out, &element)?;
@@ -112,7 +112,7 @@ pub fn write_crossings<S: Exact>(
                 let [edge, other] = numbering.edges(crossing.edges);
                 let [x, y] = crossing.point().each_ref().map(BigRational::text);
                 let properties = Properties { edge, other, x, y };
-                (properties, Shape::Points(vec![crossing.near()]))
+                (properties, Shape::Points(vec![crossing.point_f64()]))
             });
             write_features(features, out)
         }

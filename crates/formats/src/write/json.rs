@@ -12,7 +12,7 @@
 //! | `constrained` | side that is an edge or a piece of one | its two vertices, lower first; sorted |
 //! | `hull` | vertex on the border | the vertex; counter-clockwise from the leftmost one |
 //! | `duplicates` | vertex equal to an earlier one | the vertex and the first one equal to it |
-//! | `chains` | input edge | the vertices along it, upper end first |
+//! | `chains` | input edge | the vertices along it, from its first end to its second |
 //! | `split` | edge before edges were split at their crossings, if they were | the vertices along it, from its first to its second |
 //!
 //! Of a graph that is not triangulated there are only those up to `crs`, with `holes` and `regions`, their seeds. Of a domain only the triangles inside are listed, with their constrained sides, and beyond the domain is `null`.
@@ -36,7 +36,6 @@ use serde_json::value::RawValue;
 use super::labels::{Labels, places};
 use crate::{Coordinate, GraphFile, sorted_pairs};
 use sweep_cdt::Triangulation;
-use sweep_cdt::crossings::joined;
 use sweep_cdt::interior::Interior;
 
 /// Writes the object of the whole hull, one element a line.
@@ -132,7 +131,9 @@ fn write_members<S: Coordinate>(
     let split = split.map(|pieces| {
         let range = first..first + pieces.len();
         first = range.end;
-        joined(range, &file.graph.edges, result)
+        let mut chain: Vec<usize> = range.flat_map(|e| result.edge_chain(e)).collect();
+        chain.dedup();
+        chain
     });
     member(out, "split", split)
 }

@@ -120,7 +120,7 @@ pub fn write<S: Coordinate>(
     match format {
         // These two need no domain, which takes a look at all triangles.
         OutputFormat::Ele => {
-            rows::write_triangles(file.numbering.vertex, &result.canonical_groups(), out)
+            rows::write_triangles(file.numbering.vertex, &result.canonical_triangles(), out)
         }
         OutputFormat::Node => write_node(file, out),
         OutputFormat::Json => json::write(file, result, out),
@@ -220,10 +220,9 @@ fn write_certified<S: Coordinate>(
 
 /// Refuses to write so many triangles where there is no memory for their lists.
 fn expect_room(format: OutputFormat, triangles: usize) -> io::Result<()> {
-    // Groups; with them the sorted list; with both the places in it, and the neighbours.
+    // The sorted list, made of groups; with both the places in it, and the neighbours.
     let each = match format {
         OutputFormat::Node => 0,
-        OutputFormat::Ele => 12,
         OutputFormat::Json => 108,
         OutputFormat::Cert => 140,
         _ => 36,

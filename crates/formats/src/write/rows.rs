@@ -6,8 +6,8 @@ use std::io::{self, Write};
 use super::labels::Labels;
 use crate::threads::in_turn;
 use crate::{Column, Coordinate, GraphFile};
+use sweep_cdt::Region;
 use sweep_cdt::interior::Interior;
-use sweep_cdt::{CanonicalGroups, Region};
 
 /// Writes the triangles inside with the vertices' numbers of the input, and, if the domain has regions or polygons, with
 /// the attributes or features of these.
@@ -17,10 +17,10 @@ pub(super) fn write_ele<S>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let first = file.numbering.vertex;
-    if !interior.has_regions() {
-        return write_triangles(first, &interior.canonical_groups(), out);
-    }
     let triangles = interior.canonical_triangles();
+    if !interior.has_regions() {
+        return write_triangles(first, &triangles, out);
+    }
     let labels = Labels::of(file, interior, &triangles);
     let attributes = labels.map_or(vec![0.0; triangles.len()], |labels| labels.values);
     writeln!(out, "{} 3 1", triangles.len())?;
@@ -32,29 +32,17 @@ pub(super) fn write_ele<S>(
     })
 }
 
-/// Writes triangles without attributes; they and the vertices are numbered from `first`. Those of a group are put in
-/// order and written at once.
+/// Writes triangles without attributes; they and the vertices are numbered from `first`.
 pub(super) fn write_triangles(
     first: usize,
-    groups: &CanonicalGroups,
+    triangles: &[[usize; 3]],
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let mut count = 0;
-    let begin = |(group, &size)| {
-        count += size;
-        (group, count - size)
-    };
-    let begins: Vec<(usize, usize)> = groups.sizes().iter().enumerate().map(begin).collect();
-    writeln!(out, "{count} 3 0")?;
-    let text = |(group, begin)| {
-        let mut text = Vec::new();
-        for (t, corners) in (begin..).zip(groups.sorted(group)) {
-            triangle(first, t, corners, &mut text);
-            text.push(b'\n');
-        }
-        text
-    };
-    in_turn(begins, text, |text| out.write_all(&text))
+    writeln!(out, "{} 3 0", triangles.len())?;
+    write_rows(out, triangles.len(), |t, text| {
+        triangle(first, t, triangles[t], text);
+        text.push(b'\n');
+    })
 }
 
 /// Appends the number of a triangle and its corners.

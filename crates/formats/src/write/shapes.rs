@@ -277,9 +277,7 @@ impl Shapes {
             let chain: Vec<[usize; 2]> = edges.iter().map(|&edge| graph.edges[edge]).collect();
             let is_chain = chain.windows(2).all(|pair| pair[0][1] == pair[1][0])
                 && chain.first().map(|edge| edge[0]) == chain.last().map(|edge| edge[1]);
-            let rings = list
-                .get_mut(ring.polygon as usize)
-                .map(|polygon| &mut polygon.rings);
+            let rings = list.get_mut(ring.polygon).map(|polygon| &mut polygon.rings);
             match rings.filter(|rings| is_chain && ring.is_hole != rings.is_empty()) {
                 Some(rings) => {
                     let first = chain.first().map(|edge| edge[0]);

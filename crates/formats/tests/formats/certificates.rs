@@ -26,9 +26,8 @@ fn bytes_a_triangle(rectangles: impl Iterator<Item = Rectangle>) -> f64 {
             edges.push([corners[k], corners[(k + 1) % 4]]);
             polygons.ring_of.push(Some(ring));
         }
-        let polygon = u32::try_from(ring).expect("few rings");
         polygons.rings.push(Ring {
-            polygon,
+            polygon: ring,
             is_hole: false,
         });
         polygons.features.push(ring + 1);

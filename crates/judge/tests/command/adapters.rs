@@ -232,3 +232,18 @@ fn the_suite_judges_an_adapter() {
         "{said}"
     );
 }
+
+/// Of each finding in `docs/findings`, the judge says of the answer what the page says, and that the right one is right.
+#[test]
+fn findings_stand_as_they_are_recorded() {
+    let Some(python) = python() else { return };
+    let mut again = Command::new(python);
+    again.arg(path("docs/findings/again.py"));
+    again.args([
+        "--recorded",
+        "--judge",
+        env!("CARGO_BIN_EXE_sweep-cdt-judge"),
+    ]);
+    let output = again.output().expect("python3 can be run");
+    assert!(output.status.success(), "{}", text(&output.stdout));
+}

@@ -134,7 +134,7 @@ impl Picture {
             shown,
             crossings: crossings
                 .iter()
-                .map(|found| (found.edges, found.near()))
+                .map(|found| (found.edges, found.point_f64()))
                 .collect(),
         }
     }

@@ -74,7 +74,7 @@ impl Settings {
         };
         match rule {
             Inside::EvenOdd => Some(result.interior(FillRule::EvenOdd)),
-            Inside::Nonzero => Some(result.interior(FillRule::NonZero(&graph.edges))),
+            Inside::Nonzero => Some(result.interior(FillRule::NonZero)),
             Inside::Holes => {
                 let seeds = graph.regions.iter().map(|region| region.seed.clone());
                 let regions: Vec<[S; 2]> = seeds.collect();

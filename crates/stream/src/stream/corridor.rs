@@ -24,7 +24,7 @@
 
 use super::swept::{Stars, Swept};
 use super::window::{Pending, Window, sweep_order};
-use sweep_cdt::scalar::{Scalar, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, orient2d};
 
 /// So many steps the edges of a window may take, for each triangle of the window.
 const STEPS: usize = 8;
@@ -104,7 +104,7 @@ impl<S: Scalar + Clone> Walk<'_, S> {
     fn step(&mut self, at: usize) -> Next {
         let points = &self.window.points;
         let from = &points[at];
-        let turn = |v: usize| filtered_orient2d(from, self.end, &points[v]);
+        let turn = |v: usize| orient2d(from, self.end, &points[v]);
         let mut along = None;
         for corner in self.stars.star(at) {
             if !self.can_step() {
@@ -141,7 +141,7 @@ impl<S: Scalar + Clone> Walk<'_, S> {
             // The side seen from beyond begins at its left end.
             let of_right = beyond.iter().position(|&v| v == right).unwrap_or(0);
             let apex = (of_right + 1) % 3;
-            match filtered_orient2d(&points[at], self.end, &points[beyond[apex]]) {
+            match orient2d(&points[at], self.end, &points[beyond[apex]]) {
                 std::cmp::Ordering::Equal => {
                     self.held.push(next);
                     return Next::Vertex(beyond[apex]);

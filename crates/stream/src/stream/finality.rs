@@ -24,7 +24,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use sweep_cdt::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, in_circle, orient2d};
 
 /// Whether a point is in the range of x.
 pub(super) fn is_between<S: Scalar>(point: &[S; 2], between: Option<&[S; 2]>) -> bool {
@@ -114,14 +114,14 @@ impl<S: Scalar + Clone> Line<S> {
             return false;
         };
         [a, b, c].iter().all(|p| p[1].compare(&self.y).is_lt())
-            && filtered_in_circle(a, b, c, border).is_lt()
+            && in_circle(a, b, c, border).is_lt()
     }
 
     /// Whether no point of the rest lies beyond the side from `u` to `v` of the hull, which is on the left.
     pub(super) fn is_behind_side(&self, u: &[S; 2], v: &[S; 2]) -> bool {
         let Some(ends) = &self.ends else { return false };
         // High above lies beyond, if the side runs to the left.
-        u[0].compare(&v[0]).is_le() && ends.iter().all(|end| filtered_orient2d(u, v, end).is_ge())
+        u[0].compare(&v[0]).is_le() && ends.iter().all(|end| orient2d(u, v, end).is_ge())
     }
 }
 

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use super::records::{Map, Open, Vertex};
 use super::violation::StreamViolation;
-use sweep_cdt::scalar::{Scalar, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, orient2d};
 
 /// By y, then by x.
 pub(super) fn upward<S: Scalar>(a: &[S; 2], b: &[S; 2]) -> Ordering {
@@ -54,7 +54,7 @@ pub(super) fn convex<S: Scalar>(
         let numbers = [0, 1, 2].map(|k| chain[(i + k) % count]);
         let [a, b, c] = numbers.map(|v| &vertices[&v].point);
         let (first, second) = (upward(a, b), upward(b, c));
-        let turn = filtered_orient2d(a, b, c);
+        let turn = orient2d(a, b, c);
         let is_back = turn.is_eq() && first != second;
         if turn.is_lt() || is_back {
             return Err(StreamViolation::NotConvex { vertex: numbers[1] });
@@ -78,8 +78,7 @@ pub(super) fn all_on_one_line<S: Scalar>(
     else {
         return Ok(());
     };
-    let beside =
-        |vertex: &Vertex<S>| filtered_orient2d(&low.point, &high.point, &vertex.point).is_ne();
+    let beside = |vertex: &Vertex<S>| orient2d(&low.point, &high.point, &vertex.point).is_ne();
     let beside = vertices.iter().filter(|(_, vertex)| beside(vertex));
     match beside.map(|(&number, _)| number).min() {
         Some(vertex) => Err(StreamViolation::NoTriangle { vertex }),

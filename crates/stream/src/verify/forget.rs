@@ -19,7 +19,7 @@
 
 use super::StreamVerifier;
 use super::records::{Place, Towards, Vertex};
-use sweep_cdt::scalar::{Scalar, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, orient2d};
 
 impl<S: Scalar + Clone> StreamVerifier<S> {
     /// Forgets those of the vertices that may be closed now which are.
@@ -52,7 +52,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         let mut ups = vertex.up.into_values().peekable();
         for (down, low) in vertex.down {
             // Both go round counter-clockwise. What is right of the line from below is behind.
-            let turn = |high: &[S; 2]| filtered_orient2d(&down.to, point, high);
+            let turn = |high: &[S; 2]| orient2d(&down.to, point, high);
             while ups.next_if(|up| turn(&up.point).is_lt()).is_some() {}
             let Some(up) = ups.next_if(|up| turn(&up.point).is_eq()) else {
                 continue;

@@ -37,7 +37,7 @@ pub use violation::StreamViolation;
 
 use self::border::upward;
 use self::records::{Map, Open, Place, Vertex};
-use sweep_cdt::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, in_circle, orient2d};
 use sweep_cdt::verify::Level;
 
 /// What a stream has shown.
@@ -204,7 +204,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         let found = [self.known(a)?, self.known(b)?, self.known(c)?];
         let points = found.map(|(_, vertex)| vertex.point.clone());
         let [p, q, r] = &points;
-        if filtered_orient2d(p, q, r).is_le() {
+        if orient2d(p, q, r).is_le() {
             return Err(StreamViolation::NotLeft { corners });
         }
         let corners = found.map(|(number, _)| number);
@@ -303,7 +303,7 @@ impl<S: Scalar + Clone> StreamVerifier<S> {
         if self.level < Level::Delaunay {
             return None;
         }
-        match filtered_in_circle(p, q, apex, other) {
+        match in_circle(p, q, apex, other) {
             Ordering::Greater => Some(StreamViolation::NotDelaunay { side }),
             Ordering::Equal if self.level >= Level::Canonical => {
                 let all = [p, q, apex, other];

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use super::violation::StreamViolation;
-use sweep_cdt::scalar::{Scalar, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, orient2d};
 
 /// A map by number, which no choice of numbers makes slow.
 pub(super) type Map<K, V> = std::collections::HashMap<K, V>;
@@ -58,7 +58,7 @@ impl<S: Scalar> Ord for Place<S> {
 
 impl<S: Scalar> Ord for Towards<S> {
     fn cmp(&self, other: &Self) -> Ordering {
-        filtered_orient2d(&self.from, &self.to, &other.to).reverse()
+        orient2d(&self.from, &self.to, &other.to).reverse()
     }
 }
 

@@ -8,7 +8,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
-use sweep_cdt::scalar::{Scalar, filtered_in_circle, filtered_orient2d};
+use sweep_cdt::scalar::{Scalar, in_circle, orient2d};
 
 use super::nonconformity::Nonconformity;
 use super::samples::Sample;
@@ -113,8 +113,8 @@ impl<'a, S: Scalar> Questions<'a, S> {
         let expected = sign(&area(corners));
         let exact = || S::orient2d(p, q, r);
         self.equal(|| call("orient2d"), exact, expected)?;
-        let filtered = || filtered_orient2d(p, q, r);
-        self.equal(|| call("filtered_orient2d"), filtered, expected)?;
+        let filtered = || orient2d(p, q, r);
+        self.equal(|| call("scalar::orient2d"), filtered, expected)?;
         let found = self.answer(|| call("height"), || S::height(p, q, r))?;
         let Some(found) = found else { return Ok(()) };
         match truth::height(corners) {
@@ -136,8 +136,8 @@ impl<'a, S: Scalar> Questions<'a, S> {
         let expected = sign(&determinant(corners));
         let exact = || S::in_circle(p, q, r, s);
         self.equal(|| call("in_circle"), exact, expected)?;
-        let filtered = || filtered_in_circle(p, q, r, s);
-        self.equal(|| call("filtered_in_circle"), filtered, expected)?;
+        let filtered = || in_circle(p, q, r, s);
+        self.equal(|| call("scalar::in_circle"), filtered, expected)?;
         if turn.is_lt() {
             return Ok(());
         }

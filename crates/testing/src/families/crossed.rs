@@ -59,6 +59,28 @@ impl Crossed {
     }
 }
 
+/// About each of these centres, which are whole numbers, this many edges that pass it, and lead to mirrored ends.
+fn through(centres: impl Iterator<Item = [f64; 2]>, edges: usize) -> Input {
+    let mut input = Input {
+        points: Vec::new(),
+        edges: Vec::new(),
+    };
+    for [x, y] in centres {
+        for i in 0..edges {
+            let (sin, cos) = (TAU / 2.0 * i as f64 / edges as f64).sin_cos();
+            // Sums and differences with a centre are exact.
+            const POWER: f64 = (1_u64 << 30) as f64;
+            let [dx, dy] = [cos, sin].map(|part| (part * POWER).round() / POWER);
+            input
+                .edges
+                .push([input.points.len(), input.points.len() + 1]);
+            input.points.extend([[x - dx, y - dy], [x + dx, y + dy]]);
+        }
+        input.points.push([x, y]);
+    }
+    input
+}
+
 /// Edges whose boxes lie in each other's way.
 const BOXES: &[Family] = &[
     Family {
@@ -155,6 +177,29 @@ const BOXES: &[Family] = &[
                 let (sin, cos) = (TAU * i / m).sin_cos();
                 [[cos, sin], [cos * m, sin * m]]
             })
+        },
+    },
+    Family {
+        name: "asterisk through a vertex",
+        member: |n| through([[0.0; 2]].into_iter(), n),
+    },
+    Family {
+        name: "asterisks of sixty-four through vertices",
+        member: |n| through((0..n / 64).map(|i| [3.0 * i as f64, 0.0]), 64),
+    },
+    Family {
+        name: "level edges through the vertices of four rails",
+        member: |n| {
+            let mut input = hatch(2 * n, |i, _| [[-1.0, i], [4.0, i]]);
+            for rail in 0..4 {
+                let [x, m] = [f64::from(rail), n as f64];
+                input
+                    .edges
+                    .push([input.points.len(), input.points.len() + 1]);
+                input.points.extend([[x, -1.0], [x, m]]);
+                input.points.extend((0..n).map(|i| [x, i as f64]));
+            }
+            input
         },
     },
     Family {

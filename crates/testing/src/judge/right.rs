@@ -62,9 +62,7 @@ impl Right {
             Err(error) => panic!("{error}, for a question that is sound"),
         };
         let answer = check(points, &edges, &result);
-        let interior = question
-            .interior(&edges, &result)
-            .map_err(|_| Hopeless::Open)?;
+        let interior = question.interior(&result).map_err(|_| Hopeless::Open)?;
         let is_inside: BTreeSet<[usize; 3]> = interior.canonical_triangles().into_iter().collect();
         let holds = |t: [usize; 3]| with_rays(question, &edges, t);
         let all = canonical(&result, &answer.triangles);
@@ -162,7 +160,7 @@ impl Right {
                 let sides = |t: &[usize; 3]| [0, 1, 2].map(|i| sorted([t[i], t[(i + 1) % 3]]));
                 let is_in: BTreeSet<[usize; 2]> = self.inside.iter().flat_map(sides).collect();
                 let result = triangulate(points, edges).expect("there is a right answer");
-                let interior = question.interior(edges, &result).expect("as above");
+                let interior = question.interior(&result).expect("as above");
                 let mut parts = Vec::new();
                 for number in 0..edges.len() {
                     let chain: Vec<usize> = result.edge_chain(number).collect();
@@ -254,15 +252,11 @@ impl Question {
     ///
     /// # Errors
     /// [`InteriorError`], if the edges are no closed rings, of which the domain asks.
-    pub fn interior<'a>(
-        &self,
-        edges: &[[usize; 2]],
-        result: &'a Triangulation,
-    ) -> Result<Interior<'a>, InteriorError> {
+    pub fn interior<'a>(&self, result: &'a Triangulation) -> Result<Interior<'a>, InteriorError> {
         match self.domain {
             Domain::Hull => result.interior(FillRule::Hull),
             Domain::EvenOdd => result.interior(FillRule::EvenOdd),
-            Domain::NonZero => result.interior(FillRule::NonZero(edges)),
+            Domain::NonZero => result.interior(FillRule::NonZero),
             Domain::Polygons => {
                 let numbered = self.polygons.iter().zip(0..);
                 let rings = numbered.flat_map(|(rings, polygon)| {

@@ -147,34 +147,26 @@ fn convex_hull<N: Number>(points: &[Point<N>], vertices: &[usize]) -> Vec<usize>
     hull
 }
 
-/// Whether each edge's chain leads along it from its upper to its lower end.
+/// Whether each edge's chain leads along it from its first to its second end.
 fn check_chains<N: Number>(points: &[Point<N>], edges: &[[usize; 2]], answer: &Answer) {
     for (e, &edge) in edges.iter().enumerate() {
         let [a, b] = edge.map(|v| answer.representatives[v]);
-        let (upper, lower) = if sweep(&points[a], &points[b]) == Greater {
-            (a, b)
-        } else {
-            (b, a)
-        };
         let chain = &answer.chains[e];
         assert_eq!(
             (chain.first(), chain.last()),
-            (Some(&upper), Some(&lower)),
+            (Some(&a), Some(&b)),
             "ends of edge {e}"
         );
-        assert_eq!(
-            upper == lower,
-            chain.len() == 1,
-            "edge {e} has a length or none"
-        );
+        assert_eq!(a == b, chain.len() == 1, "edge {e} has a length or none");
+        let way = sweep(&points[a], &points[b]);
         for pair in chain.windows(2) {
             assert_eq!(
-                turn(points, upper, lower, pair[1]),
+                turn(points, a, b, pair[1]),
                 Equal,
                 "chain of edge {e} bends"
             );
-            let down = sweep(&points[pair[0]], &points[pair[1]]);
-            assert_eq!(down, Greater, "chain of edge {e} does not lead down");
+            let step = sweep(&points[pair[0]], &points[pair[1]]);
+            assert_eq!(step, way, "chain of edge {e} turns back");
         }
     }
 }

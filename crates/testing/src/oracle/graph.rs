@@ -16,7 +16,7 @@ pub struct Graph<'a, N> {
     pub representatives: Vec<usize>,
     /// The points that are their own representatives.
     pub vertices: Vec<usize>,
-    /// For each edge the vertices along it, upper end first.
+    /// For each edge the vertices along it, from its first end to its second.
     pub chains: Vec<Vec<usize>>,
     /// All pairs of neighbours in chains, lower index first, each once.
     pub pieces: Vec<[usize; 2]>,
@@ -83,7 +83,7 @@ impl<'a, N: Number> Graph<'a, N> {
         self.orient(a, b, v) == Ordering::Equal && between(0) && between(1)
     }
 
-    /// The vertices on an edge, upper end first.
+    /// The vertices on an edge, from its first end to its second.
     fn chain(&self, edge: [usize; 2]) -> Vec<usize> {
         let mut chain: Vec<usize> = self
             .vertices
@@ -92,6 +92,9 @@ impl<'a, N: Number> Graph<'a, N> {
             .filter(|&v| self.on(v, edge))
             .collect();
         chain.sort_by(|&v, &w| sweep(&self.points[w], &self.points[v]));
+        if chain.first() != Some(&edge[0]) {
+            chain.reverse();
+        }
         chain
     }
 

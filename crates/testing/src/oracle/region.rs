@@ -12,7 +12,7 @@ use super::naive::{Triangle, are_delaunay, is_on, is_within, separates, sides};
 use super::numbers::{Number, Point, cross, orient, vector};
 use crate::names::{name_of, value_of};
 
-/// What triangles must fill, as `docs/verifying.md` has it.
+/// What triangles must fill, as `docs/command.md` has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Domain {
     /// The convex hull of the points.

@@ -3,9 +3,10 @@
 
 use std::collections::BTreeSet;
 
-use sweep_cdt::interior::locate_seeds;
+use sweep_cdt::Error;
 use sweep_cdt::verify::{Regions, Report, Verifier, Violation, Violations};
-use sweep_cdt::{Error, triangulate};
+use sweep_cdt_formats::locate_seeds;
+use sweep_cdt_testing::tuned::triangulate;
 
 use sweep_cdt_testing::boundary;
 use sweep_cdt_testing::oracle::refined::Wanted;

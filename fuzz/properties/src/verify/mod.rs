@@ -18,8 +18,8 @@ mod rules;
 mod shown;
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::triangulate;
 use sweep_cdt::verify::{Report, Verifier, Violation, Violations, verify};
+use sweep_cdt_testing::tuned::triangulate;
 
 use self::case::{
     Case, is_certainly_right, judge_hole, judge_part, judge_regions, judge_unused, judge_wound,

@@ -4,9 +4,10 @@
 use std::fmt::Write;
 
 use arbitrary::{Result, Unstructured};
-use sweep_cdt::{Pslg, triangulate};
+use sweep_cdt::Pslg;
 use sweep_cdt_formats::{Coordinate, GraphFile, Matched, ResultFormat, Source, read_result};
 use sweep_cdt_testing::generators;
+use sweep_cdt_testing::tuned::triangulate;
 
 use crate::file::{File, json};
 
