@@ -42,7 +42,7 @@ pub use settings::Ties;
 pub use settings::{Algorithm, Corners, Heuristics};
 pub use triangulation::Triangulation;
 pub use triangulation::locate::Location;
-pub use triangulation::stars::{Corner, VertexStars};
+pub use triangulation::stars::VertexStars;
 pub use triangulation::with_points::WithPoints;
 pub use triangulator::Triangulator;
 #[doc(hidden)]

@@ -1,9 +1,5 @@
 //! The input as one value: the planar straight-line graph (figure 1a), with seeds of holes and regions.
 
-use crate::error::Error;
-use crate::scalar::Scalar;
-use crate::triangulation::Triangulation;
-use crate::triangulator::Triangulator;
 use alloc::vec::Vec;
 
 /// A planar straight-line graph: the input to triangulate, and what of the result counts as inside.
@@ -16,7 +12,7 @@ use alloc::vec::Vec;
 ///     edges: vec![[1, 3]],
 ///     ..Pslg::default()
 /// };
-/// assert_eq!(graph.triangulate()?.len(), 2);
+/// assert_eq!(sweep_cdt::triangulate(&graph.points, &graph.edges)?.len(), 2);
 /// # Ok::<(), sweep_cdt::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -30,17 +26,6 @@ pub struct Pslg<S> {
     pub holes: Vec<[S; 2]>,
     /// Points that stand for the regions they lie in.
     pub regions: Vec<Region<S>>,
-}
-
-impl<S: Scalar> Pslg<S> {
-    /// The triangulation of points and edges, as [`crate::triangulate`]. Seeds are for
-    /// [`WithPoints::interior_of_seeds`](crate::WithPoints::interior_of_seeds).
-    ///
-    /// # Errors
-    /// See [`Error`].
-    pub fn triangulate(&self) -> Result<Triangulation, Error> {
-        Triangulator::new().triangulate(&self.points, &self.edges)
-    }
 }
 
 impl<S> Default for Pslg<S> {

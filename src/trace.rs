@@ -38,7 +38,7 @@ pub enum Vertex {
     Right,
     /// A point of the input, by its index; of equal points the lowest.
     #[cfg_attr(feature = "serde", serde(untagged))]
-    Input(u32),
+    Input(usize),
 }
 
 impl fmt::Display for Vertex {
@@ -131,7 +131,7 @@ pub enum Event {
     /// An edge event (section 3.4.2) begins.
     Edge {
         /// The index of the input edge.
-        edge: u32,
+        edge: usize,
         /// The upper end of the edge, or the vertex on it where its rest begins.
         upper: Vertex,
         /// The lower end of the edge.
@@ -181,7 +181,7 @@ pub enum Event {
     /// The run ends.
     Finished {
         /// How many triangles there are.
-        triangles: u32,
+        triangles: usize,
     },
 }
 

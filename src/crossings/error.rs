@@ -46,7 +46,14 @@ impl fmt::Display for SplitError {
     }
 }
 
-impl core::error::Error for SplitError {}
+impl core::error::Error for SplitError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            SplitError::Input(error) => Some(error),
+            SplitError::TooManyCrossings { .. } | SplitError::TooManyRounds { .. } => None,
+        }
+    }
+}
 
 impl From<Error> for SplitError {
     fn from(error: Error) -> SplitError {

@@ -26,9 +26,9 @@ use crate::tuning::{
 };
 
 /// Intervals of x that remember their last insertion: O(1) expected. The default.
-/// [`HashTable::counting`] makes a `HashTable<Work>`, which counts its work.
+/// [`HashTable::counting`] makes a `HashTable<true>`, which counts its work.
 #[derive(Clone, Debug)]
-pub struct HashTable<T = ()> {
+pub struct HashTable<const COUNTS: bool = false> {
     intervals: Intervals,
     /// The node inserted last in each interval; if there is none, the left end of the front, which is never inserted.
     table: Vec<FrontNode>,
@@ -37,19 +37,19 @@ pub struct HashTable<T = ()> {
     look: usize,
     searched: (f64, usize),
     tuning: &'static Tuning,
-    tally: T,
+    tally: Tally<COUNTS>,
 }
 
 impl Default for HashTable {
     fn default() -> HashTable {
-        HashTable::with(())
+        HashTable::new()
     }
 }
 
 impl HashTable {
     /// A hash table that counts its work.
-    pub fn counting() -> HashTable<Work> {
-        HashTable::with(Work::default())
+    pub fn counting() -> HashTable<true> {
+        HashTable::new()
     }
 
     /// Uses these thresholds from the next run on.
@@ -58,15 +58,15 @@ impl HashTable {
     }
 }
 
-impl HashTable<Work> {
+impl HashTable<true> {
     /// The work since the run began.
     pub fn work(&self) -> Work {
-        self.tally
+        self.tally.0
     }
 }
 
-impl<T: Tally> HashTable<T> {
-    fn with(tally: T) -> HashTable<T> {
+impl<const COUNTS: bool> HashTable<COUNTS> {
+    fn new() -> HashTable<COUNTS> {
         HashTable {
             intervals: Intervals::default(),
             table: Vec::new(),
@@ -74,7 +74,7 @@ impl<T: Tally> HashTable<T> {
             look: 0,
             searched: (f64::NAN, 0),
             tuning: &Tuning::REAL,
-            tally,
+            tally: Tally::default(),
         }
     }
 
@@ -105,7 +105,7 @@ impl<T: Tally> HashTable<T> {
     }
 }
 
-impl<T: Tally> FrontSearch for HashTable<T> {
+impl<const COUNTS: bool> FrontSearch for HashTable<COUNTS> {
     fn begin(&mut self, input: FrontInput<'_>) {
         let n = input.len();
         let count = if n < ONE_INTERVAL { 1 } else { n.isqrt() + 1 };
@@ -118,7 +118,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         let sample = sampled(n, most).collect();
         let (intervals, count) = Intervals::new(sample, |v| input.x(v), count, self.tuning);
         self.intervals = intervals;
-        self.tally = T::default();
+        self.tally = Tally::default();
         self.table.clear();
         let none = FrontNode::from_rank(n);
         self.table.resize(count, none);
@@ -136,7 +136,7 @@ impl<T: Tally> FrontSearch for HashTable<T> {
         let tally = &mut self.tally;
         let at = self.intervals.number(x, self.table.len(), tally);
         self.searched = (x, at);
-        let live = |node: FrontNode, tally: &mut T| {
+        let live = |node: FrontNode, tally: &mut Tally<COUNTS>| {
             tally.count(|work| work.visited += 1);
             (node != front.left_end() && front.contains(node)).then_some(node)
         };

@@ -92,7 +92,7 @@ impl Intervals {
     /// Crowding: the mean number of points that share a point's interval, as a multiple of the uniform case. Averaged
     /// over all samples; each is sorted without duplicates.
     fn crowding(&self, samples: &[impl AsRef<[f64]>], count: usize) -> usize {
-        let number = |x| self.number(x, count, &mut ());
+        let number = |x| self.number(x, count, &mut Tally::<false>::default());
         let pairs = |sample: &[f64]| -> usize {
             let runs = sample.chunk_by(|&a, &b| number(a) == number(b));
             runs.map(|run| run.len() * (run.len() - 1)).sum()
@@ -106,7 +106,12 @@ impl Intervals {
 
     /// The number of the interval of `x` among `count`; tallies the comparisons.
     #[inline(always)]
-    pub(super) fn number(&self, x: f64, count: usize, tally: &mut impl Tally) -> usize {
+    pub(super) fn number<const COUNTS: bool>(
+        &self,
+        x: f64,
+        count: usize,
+        tally: &mut Tally<COUNTS>,
+    ) -> usize {
         match self {
             Intervals::Equal { low, factor } => bucket((x - low) * factor, count),
             Intervals::Quantiles(ends) => ends.partition_point(|&end| {
@@ -126,9 +131,8 @@ impl Intervals {
 
 #[cfg(test)]
 mod tests {
-    use super::{Intervals, Tuning};
+    use super::{Intervals, Tally, Tuning};
     use crate::bucket::sampled;
-    use crate::front::Work;
 
     /// Twenty clusters side by side, one above the other, crowd each slab, though all together spread evenly.
     #[test]
@@ -147,9 +151,9 @@ mod tests {
     fn comparisons_of_quantiles_are_counted() {
         let x = |i: usize| (i / 128) as f64 + (i % 128) as f64 * 1e-9;
         let (mut intervals, count) = Intervals::new((0..256).collect(), x, 17, &Tuning::REAL);
-        let mut work = Work::default();
-        assert_eq!(intervals.number(0.0, count, &mut work), 0);
-        assert!((4..=5).contains(&work.comparisons), "{work:?}");
+        let mut tally = Tally::<true>::default();
+        assert_eq!(intervals.number(0.0, count, &mut tally), 0);
+        assert!((4..=5).contains(&tally.0.comparisons), "{tally:?}");
         assert_eq!((count, intervals.bytes()), (17, 8 * 16));
         assert!(!intervals.divide(4), "they cannot be cut");
     }
@@ -161,7 +165,8 @@ mod tests {
         let mut cut = whole.clone();
         assert!(cut.divide(4));
         for i in -5..105 {
-            let of = |intervals: &Intervals, count| intervals.number(f64::from(i), count, &mut ());
+            let none = &mut Tally::<false>::default();
+            let mut of = |intervals: &Intervals, count| intervals.number(f64::from(i), count, none);
             assert_eq!(of(&cut, 4 * count) / 4, of(&whole, count), "{i}");
         }
     }

@@ -34,4 +34,4 @@ pub(crate) use list::Direction;
 pub use list::{Front, FrontNode};
 pub use search::{FrontInput, FrontSearch};
 pub use skip_list::SkipList;
-pub use work::{Tally, Work};
+pub use work::Work;

@@ -39,7 +39,7 @@ impl<'a> FrontInput<'a> {
 ///
 /// From left to right on the front, the x that a structure gets never falls. It may repeat: where a new vertex comes
 /// straight above another, and where two coordinates have one approximation. So a structure keyed by x needs the node
-/// in its key too. Of nodes of equal x the one of the lesser exact coordinate stands left, whatever their ranks; of two
+/// in its key too. No x is NaN, so `partial_cmp` answers; `total_cmp` sets -0.0 before 0.0, which are one number here. Of nodes of equal x the one of the lesser exact coordinate stands left, whatever their ranks; of two
 /// one above the other the lower one does, and leaves the front before the next search.
 ///
 /// To measure a structure take [`Algorithm::Sweep`](crate::Algorithm::Sweep): `Auto` abandons a sweep whose walks add up,

@@ -12,11 +12,11 @@ use alloc::vec::Vec;
 
 /// A skip list by x: O(log n) expected on any front. [`SkipList::counting`] makes one that counts its work.
 #[derive(Clone, Debug)]
-pub struct SkipList<T = ()> {
+pub struct SkipList<const COUNTS: bool = false> {
     /// Tower 0 is the head; the towers in `free` are not in use.
     towers: Vec<Tower>,
     free: Vec<u32>,
-    tally: T,
+    tally: Tally<COUNTS>,
 }
 
 /// Enough for 4^12 nodes on the front.
@@ -42,30 +42,30 @@ impl Tower {
 
 impl Default for SkipList {
     fn default() -> SkipList {
-        SkipList::with(())
+        SkipList::new()
     }
 }
 
 impl SkipList {
-    /// A `SkipList<Work>`, which counts its work.
-    pub fn counting() -> SkipList<Work> {
-        SkipList::with(Work::default())
+    /// A `SkipList<true>`, which counts its work.
+    pub fn counting() -> SkipList<true> {
+        SkipList::new()
     }
 }
 
-impl SkipList<Work> {
+impl SkipList<true> {
     /// The work since the run began.
     pub fn work(&self) -> Work {
-        self.tally
+        self.tally.0
     }
 }
 
-impl<T: Tally> FrontSearch for SkipList<T> {
+impl<const COUNTS: bool> FrontSearch for SkipList<COUNTS> {
     fn begin(&mut self, _: FrontInput<'_>) {
         self.towers.clear();
         self.towers.push(Tower::HEAD);
         self.free.clear();
-        self.tally = T::default();
+        self.tally = Tally::default();
     }
 
     fn locate(&mut self, x: f64, front: &Front) -> FrontNode {
@@ -107,12 +107,12 @@ impl<T: Tally> FrontSearch for SkipList<T> {
     }
 }
 
-impl<T: Tally> SkipList<T> {
-    fn with(tally: T) -> SkipList<T> {
+impl<const COUNTS: bool> SkipList<COUNTS> {
+    fn new() -> SkipList<COUNTS> {
         SkipList {
             towers: vec![Tower::HEAD],
             free: Vec::new(),
-            tally,
+            tally: Tally::default(),
         }
     }
 

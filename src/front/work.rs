@@ -1,8 +1,6 @@
 //! The work inside a search structure, which the sweep does not see: it sees the steps along the front that follow a
 //! search. Structures to compare count their work in a [`Work`]. Cost: an addition for each count, or nothing:
-//! structures generic over [`Tally`], like those of the crate, are compiled without counts unless asked for.
-
-use core::fmt;
+//! the structures of the crate are compiled without counts unless asked for.
 
 /// The work of a search structure in a run, without the steps along the front that the sweep takes afterwards.
 ///
@@ -40,19 +38,15 @@ impl Work {
     }
 }
 
-/// Where a search structure counts: [`Work`] keeps the counts, `()` keeps none and compiles to nothing.
-pub trait Tally: Copy + Default + fmt::Debug + 'static {
-    /// Adds to the counts.
-    fn count(&mut self, add: impl FnOnce(&mut Work));
-}
+/// Where a search structure of the crate counts, if `COUNTS`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Tally<const COUNTS: bool>(pub(super) Work);
 
-impl Tally for () {
+impl<const COUNTS: bool> Tally<COUNTS> {
     #[inline(always)]
-    fn count(&mut self, _: impl FnOnce(&mut Work)) {}
-}
-
-impl Tally for Work {
-    fn count(&mut self, add: impl FnOnce(&mut Work)) {
-        add(self);
+    pub(super) fn count(&mut self, add: impl FnOnce(&mut Work)) {
+        if COUNTS {
+            add(&mut self.0);
+        }
     }
 }

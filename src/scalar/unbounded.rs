@@ -35,6 +35,7 @@ pub trait Unbounded:
     Clone + Ord + Zero + Sub<Output = Self> + Mul<Output = Self> + ToPrimitive
 {
     /// The stage as which [`Counters`](crate::Counters) count the number's arithmetic.
+    #[doc(hidden)]
     const STAGE: Stage = Stage::Own;
 
     /// The number, rounded: `(x, power)` for x * 2^power; `None` if there is no telling. Rounding must be monotone,

@@ -97,7 +97,7 @@ impl<P: Probe> Sweep<'_, P> {
     #[inline(always)]
     fn constrain_edge(&mut self, upper: VertexId, lower: VertexId, edge: u32, side: HalfEdge) {
         self.delaunay.report(|name| Event::Edge {
-            edge,
+            edge: edge as usize,
             upper: name(upper),
             lower: name(lower),
         });
@@ -144,7 +144,7 @@ impl<P: Probe> Sweep<'_, P> {
         let mut before = None;
         for &(lower, edge) in &*list {
             self.delaunay.report(|name| Event::Edge {
-                edge,
+                edge: edge as usize,
                 upper: name(upper),
                 lower: name(lower),
             });

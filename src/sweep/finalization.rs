@@ -26,7 +26,7 @@ use core::mem::take;
 
 use super::Sweep;
 use super::contradiction::inexact_scalar;
-use crate::ids::{BorderId, TriangleId, narrow};
+use crate::ids::{BorderId, TriangleId};
 use crate::mesh::{HalfEdge, Triangle};
 use crate::observe::probe::Probe;
 use crate::observe::recorder::Phase;
@@ -66,7 +66,7 @@ impl<P: Probe> Sweep<'_, P> {
             .record(|r| r.survived(triangles.len(), &artificial));
         self.remove_artificial(&mut triangles, &artificial);
         self.delaunay.report(|_| Event::Finished {
-            triangles: narrow(triangles.len()),
+            triangles: triangles.len(),
         });
         if triangles.is_empty() {
             hull.clear();

@@ -28,16 +28,6 @@ pub struct VertexStars<'a> {
     first: Vec<HalfEdge>,
 }
 
-/// A corner of a triangle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Corner {
-    /// The triangle, by number.
-    pub triangle: usize,
-    /// The position of the vertex in the triangle: 0, 1 or 2.
-    pub index: usize,
-}
-
 impl Triangulation {
     /// Finds the triangles around each vertex.
     pub fn vertex_stars(&self) -> VertexStars<'_> {
@@ -60,11 +50,11 @@ impl Triangulation {
 }
 
 impl VertexStars<'_> {
-    /// The corners of triangles at vertex `v`, counter-clockwise.
+    /// The triangles at vertex `v`, counter-clockwise, each with the position of the vertex in it: 0, 1 or 2.
     ///
     /// At a vertex on the hull the first triangle has its clockwise side there on the hull. A number that is no vertex
-    /// of a triangle has no corners; a duplicate has those of its representative.
-    pub fn star(&self, v: usize) -> impl Iterator<Item = Corner> + Clone + '_ {
+    /// of a triangle has no triangles; a duplicate has those of its representative.
+    pub fn star(&self, v: usize) -> impl Iterator<Item = (usize, usize)> + Clone + '_ {
         let first = self.first(v);
         let turn = move |side: &HalfEdge| {
             let corner = next(side.corner());
@@ -74,17 +64,12 @@ impl VertexStars<'_> {
             after.filter(|&side| Some(side) != first)
         };
         let sides = core::iter::successors(first, turn);
-        sides.map(|side| Corner {
-            triangle: side.triangle().index(),
-            index: side.corner() as usize,
-        })
+        sides.map(|side| (side.triangle().index(), side.corner() as usize))
     }
 
     /// The vertices that sides join to vertex `v`, counter-clockwise; on the hull from one of its sides to the other.
     pub fn neighbors(&self, v: usize) -> impl Iterator<Item = usize> + Clone + '_ {
-        let corner = |Corner { triangle, index }, step: usize| {
-            self.result.triangle(triangle)[(index + step) % 3]
-        };
+        let corner = |(t, corner), step: usize| self.result.triangle(t)[(corner + step) % 3];
         let last = self.is_on_hull(v).then(|| self.star(v).last()).flatten();
         let each = self.star(v).map(move |at| corner(at, 1));
         each.chain(last.map(|at| corner(at, 2)))

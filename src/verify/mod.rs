@@ -39,7 +39,6 @@ mod verifier;
 mod violation;
 
 pub use depth::{Depth, Depths};
-pub use regions::Regions;
 pub use report::{Level, Report, Violations};
 pub use verifier::Verifier;
 pub use violation::{Offenders, Violation};
@@ -49,8 +48,9 @@ use crate::scalar::Scalar;
 /// Verifies that `triangles` is a constrained Delaunay triangulation of `points` with `edges`.
 ///
 /// Triangles are counter-clockwise triples of indices; clockwise ones need [`Verifier::accept_clockwise`]. If a program says
-/// nothing of the direction, turn each triangle to the left before, by [`orient2d`](crate::scalar::orient2d). Equal points
-/// count as one, and triangles and edges may name any of them. Points on one line have no triangles, and their edges are not checked. The level asked for is
+/// nothing of the direction, turn each triangle to the left before, by [`orient2d`](crate::scalar::orient2d). Indices of
+/// 32 bits are widened before: `triangle.map(|v| v as usize)`. Equal points count as one, and triangles and edges may
+/// name any of them. Points on one line have no triangles, and their edges are not checked. The level asked for is
 /// [`Level::Delaunay`], so of four points on a circle either diagonal is right. [`Verifier`] has options, and can use all
 /// cores.
 ///

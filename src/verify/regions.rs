@@ -13,19 +13,13 @@ use crate::scalar::Scalar;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Attributes of triangles, and what they must be; for [`Verifier::regions`](super::Verifier::regions).
-#[derive(Clone, Copy, Debug)]
-pub struct Regions<'a> {
-    /// The attribute of each triangle.
-    pub attributes: &'a [f64],
-    /// For each region the triangle of its seed, and its attribute. Of several in a face the last counts (as Triangle).
-    pub seeds: &'a [(usize, f64)],
-}
+/// Attributes of triangles, and for each region the triangle of its seed and its attribute.
+pub(super) type Regions<'a> = (&'a [f64], &'a [(usize, f64)]);
 
 pub(super) fn check<S: Scalar>(
     soup: &Soup<'_, S>,
     sides: &Sides,
-    regions: Regions<'_>,
+    (attributes, seeds): Regions<'_>,
     record: &mut Record,
 ) {
     if !record.findings.is_sound() {
@@ -37,13 +31,13 @@ pub(super) fn check<S: Scalar>(
         face_of[soup.number(t)] = face;
     }
     let mut wanted = vec![0.0; count];
-    for &(triangle, attribute) in regions.seeds {
+    for &(triangle, attribute) in seeds {
         if let Some(&face) = face_of.get(triangle) {
             wanted[face] = attribute;
         }
     }
     for (triangle, &face) in face_of.iter().enumerate() {
-        if regions.attributes.get(triangle) != Some(&wanted[face]) {
+        if attributes.get(triangle) != Some(&wanted[face]) {
             record.findings.add(Violation::WrongRegion { triangle });
         }
     }

@@ -120,24 +120,25 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// Verifies the attributes of triangles: each triangle must have the attribute of the region that it lies in. This
-    /// check is part of [`Level::Constrained`], and is made where the triangles reach it otherwise.
+    /// Verifies the attributes of triangles: each triangle must have the attribute of the region that it lies in.
+    /// `attributes` has one for each triangle, `seeds` for each region the triangle in which its seed lies and its
+    /// attribute; of several in a face the last counts, as for Triangle. This check is part of [`Level::Constrained`], and is made where the triangles reach it otherwise.
     ///
     /// ```
-    /// use sweep_cdt::verify::{Regions, Verifier};
+    /// use sweep_cdt::verify::Verifier;
     ///
     /// // A square is cut in two. The triangle at the right has the attribute 7, the other none.
     /// let points = [[0, 0], [2, 0], [2, 2], [0, 2]];
     /// let triangles = [[0, 1, 2], [0, 2, 3]];
-    /// let regions = Regions { attributes: &[7.0, 0.0], seeds: &[(0, 7.0)] };
-    /// assert!(Verifier::new().regions(regions).verify(&points, &[[0, 2]], &triangles).is_ok());
+    /// let verifier = Verifier::new().regions(&[7.0, 0.0], &[(0, 7.0)]);
+    /// assert!(verifier.verify(&points, &[[0, 2]], &triangles).is_ok());
     /// // Without the edge both lie in one face.
-    /// assert!(Verifier::new().regions(regions).verify(&points, &[], &triangles).is_err());
+    /// assert!(verifier.verify(&points, &[], &triangles).is_err());
     /// ```
     #[must_use]
-    pub fn regions(self, regions: Regions<'a>) -> Self {
+    pub fn regions(self, attributes: &'a [f64], seeds: &'a [(usize, f64)]) -> Self {
         Verifier {
-            regions: Some(regions),
+            regions: Some((attributes, seeds)),
             ..self
         }
     }

@@ -55,7 +55,6 @@ fn public_types_are_send_and_sync() {
     assert_copied::<sweep_cdt::Algorithm>();
     assert_copied::<sweep_cdt::Heuristics>();
     assert_copied::<sweep_cdt::Corners>();
-    assert_copied::<sweep_cdt::Corner>();
     assert_copied::<sweep_cdt::Counters>();
     assert_copied::<sweep_cdt::ByCause>();
     assert_copied::<sweep_cdt::Stats>();
@@ -84,7 +83,6 @@ fn public_types_are_send_and_sync() {
     assert_both::<sweep_cdt::front::Linear>();
     assert_both::<sweep_cdt::front::Work>();
     assert_both::<sweep_cdt::verify::Verifier<'_>>();
-    assert_both::<sweep_cdt::verify::Regions<'_>>();
     assert_both::<sweep_cdt::verify::Report>();
     assert_both::<sweep_cdt::verify::Violations>();
     assert_both::<sweep_cdt::verify::Violation>();

@@ -173,10 +173,7 @@ fn stars_have_all_triangles_in_order() {
         let result = triangulate(&points, &edges).expect("edges that do not cross");
         let stars = result.vertex_stars();
         for v in 0..count + 2 {
-            let around: Vec<_> = stars
-                .star(v)
-                .map(|corner| (corner.triangle, corner.index))
-                .collect();
+            let around: Vec<_> = stars.star(v).collect();
             let vertex = result.representative(v);
             let corner = |t: usize| result.triangle(t).iter().position(|&w| w == vertex);
             let has = |t| corner(t).map(|corner| (t, corner));

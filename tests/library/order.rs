@@ -15,7 +15,7 @@ fn swept<S: Scalar>(points: &[[S; 2]]) -> (Vec<usize>, Vec<[usize; 2]>) {
             vertex: Vertex::Input(index),
         } = event
         {
-            order.push(index as usize);
+            order.push(index);
         }
     };
     let triangulator = Triangulator::new()

@@ -5,7 +5,7 @@
 //! their own. These are broken, or what they are verified against is.
 
 use sweep_cdt::interior::FillRule;
-use sweep_cdt::verify::{Regions, Report, Verifier};
+use sweep_cdt::verify::{Report, Verifier};
 use sweep_cdt::{Pslg, triangulate};
 use sweep_cdt_formats::{Coordinate, GraphFile, Matching, added_points, locate_seeds};
 use sweep_cdt_testing::oracle::arrangement::fractions;
@@ -205,10 +205,7 @@ fn judged(made: &Made, random: &mut Random) -> Option<Result<Report, Violations>
         .zip(attributes)
         .filter_map(|(t, attribute)| Some((t?, attribute)))
         .collect();
-    let verifier = verifier.regions(Regions {
-        attributes: &made.attributes,
-        seeds: &seeds,
-    });
+    let verifier = verifier.regions(&made.attributes, &seeds);
     Some(verifier.verify(&graph.points, &graph.edges, &read.list))
 }
 

@@ -307,7 +307,7 @@ impl Core {
                     Location::Vertex(v) => {
                         let stars = stars.get_or_insert_with(|| result.vertex_stars());
                         let first = stars.star(v).next();
-                        first.map_or(-1, |corner| small(corner.triangle))
+                        first.map_or(-1, |(triangle, _)| small(triangle))
                     }
                     Location::Outside => -1,
                 });

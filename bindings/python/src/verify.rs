@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use sweep_cdt::Triangulator;
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Depths, Level, Regions, Report, Verifier, Violation, Violations};
+use sweep_cdt::verify::{Depths, Level, Report, Verifier, Violation, Violations};
 use sweep_cdt_formats::locate_seeds;
 
 use crate::calls::{Watch, call};
@@ -150,11 +150,7 @@ fn inside<S: Scalar + Sync + Clone>(
             let seeds: Vec<(usize, f64)> = seeds
                 .filter_map(|(place, &attribute)| Some((place?, attribute)))
                 .collect();
-            let regions = Regions {
-                attributes: of_triangles,
-                seeds: &seeds,
-            };
-            let verifier = verifier.regions(regions);
+            let verifier = verifier.regions(of_triangles, &seeds);
             run(verifier, graph.points, &edges, triangles, question)
         }
         _ => run(verifier, graph.points, &edges, triangles, question),

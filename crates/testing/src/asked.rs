@@ -320,14 +320,7 @@ impl Places {
         let stars = result.vertex_stars();
         let vertices: BTreeSet<usize> = result.triangles().flatten().collect();
         for v in vertices {
-            self.look_around(
-                facts,
-                result,
-                &stars
-                    .star(v)
-                    .map(|c| (c.triangle, c.index))
-                    .collect::<Vec<_>>(),
-            );
+            self.look_around(facts, result, &stars.star(v).collect::<Vec<_>>());
         }
     }
 

@@ -127,7 +127,7 @@ impl<'a, P: Probe> Delaunay<'a, P> {
     fn pass_on(&mut self, event: impl FnOnce(&dyn Fn(VertexId) -> Vertex) -> Event) {
         let predicates = &self.predicates;
         let event = event(&|v| match predicates.vertices.input.get(v.index()) {
-            Some(&input) => Vertex::Input(input),
+            Some(&input) => Vertex::Input(input as usize),
             None if v == predicates.artificial.left => Vertex::Left,
             None => Vertex::Right,
         });

@@ -8,8 +8,8 @@ use sweep_cdt::trace::{Event, Vertex, Why};
 /// The place that `--around` names.
 #[derive(Clone, Copy)]
 pub(crate) enum Around {
-    Vertex(u32),
-    Edge(u32),
+    Vertex(usize),
+    Edge(usize),
     Step(usize),
 }
 

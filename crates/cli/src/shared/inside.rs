@@ -7,7 +7,7 @@ use std::fmt;
 
 use sweep_cdt::interior::{FillRule, Interior, InteriorError};
 use sweep_cdt::scalar::Scalar;
-use sweep_cdt::verify::{Regions, Verifier, Violation};
+use sweep_cdt::verify::{Verifier, Violation};
 use sweep_cdt::{Triangulation, triangulate};
 use sweep_cdt_formats::{Coordinate, GraphFile, Triangles, locate_seeds};
 
@@ -352,11 +352,7 @@ impl Wanted {
         let seeds: Vec<(usize, f64)> = seeds
             .filter_map(|(place, region)| Some((place?, region.attribute)))
             .collect();
-        let regions = Regions {
-            attributes,
-            seeds: &seeds,
-        };
-        self.verify(given, verifier.regions(regions), list)
+        self.verify(given, verifier.regions(attributes, &seeds), list)
     }
 
     fn verify<S, T: Scalar + Sync>(

@@ -51,7 +51,7 @@ pub(super) enum Change {
     /// A constraint is there, and the pseudo-polygons are gone.
     Fix([Vertex; 2]),
     /// Look at this edge of the input.
-    About(u32),
+    About(usize),
     /// Look at this vertex.
     Vertex(Vertex),
     /// Look at this line.
@@ -79,7 +79,7 @@ impl Change {
             Change::Border(PseudoPolygon::Upper, v) => ("upper", codes(&[*v])),
             Change::Border(PseudoPolygon::Lower, v) => ("lower", codes(&[*v])),
             Change::Fix(ends) => ("fix", codes(ends)),
-            Change::About(edge) => ("about", vec![i64::from(*edge)]),
+            Change::About(edge) => ("about", vec![*edge as i64]),
             Change::Vertex(v) => ("vertex", codes(&[*v])),
             Change::Line(ends) => ("line", codes(ends)),
             Change::Gone(ends) => ("gone", codes(ends)),
@@ -110,7 +110,7 @@ impl Change {
 
 fn number(vertex: Vertex) -> i64 {
     match vertex {
-        Vertex::Input(index) => index.into(),
+        Vertex::Input(index) => index as i64,
         Vertex::Left => -1,
         Vertex::Right => -2,
     }

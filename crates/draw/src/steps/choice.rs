@@ -107,7 +107,7 @@ pub(super) fn sorted(event: &Event) -> Option<usize> {
     match event {
         Event::Sorted {
             vertex: Vertex::Input(v),
-        } => Some(*v as usize),
+        } => Some(*v),
         _ => None,
     }
 }

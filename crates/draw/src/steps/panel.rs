@@ -216,7 +216,7 @@ impl<'a> Panel<'a> {
     /// Where a vertex is; `None` if it is artificial.
     fn point(&self, vertex: Vertex) -> Option<[f64; 2]> {
         match vertex {
-            Vertex::Input(index) => self.points.get(index as usize).copied(),
+            Vertex::Input(index) => self.points.get(index).copied(),
             Vertex::Left | Vertex::Right => None,
         }
     }

@@ -24,13 +24,13 @@ pub trait Structure: FrontSearch + Clone + 'static {
 impl Structure for HashTable {}
 impl Structure for SkipList {}
 
-impl Structure for HashTable<Work> {
+impl Structure for HashTable<true> {
     fn work(&self) -> Option<Work> {
         Some(HashTable::work(self))
     }
 }
 
-impl Structure for SkipList<Work> {
+impl Structure for SkipList<true> {
     fn work(&self) -> Option<Work> {
         Some(SkipList::work(self))
     }

@@ -106,18 +106,18 @@ impl<S: Scalar + Clone> Walk<'_, S> {
         let from = &points[at];
         let turn = |v: usize| orient2d(from, self.end, &points[v]);
         let mut along = None;
-        for corner in self.stars.star(at) {
+        for (triangle, corner) in self.stars.star(at) {
             if !self.can_step() {
                 return Next::End;
             }
-            let corners = self.swept.triangle(corner.triangle);
-            let [p, q] = [1, 2].map(|i| corners[(corner.index + i) % 3]);
+            let corners = self.swept.triangle(triangle);
+            let [p, q] = [1, 2].map(|i| corners[(corner + i) % 3]);
             let is_ahead = |v: usize| turn(v).is_eq() && sweep_order(from, &points[v]).is_lt();
             if let Some(v) = [p, q].into_iter().find(|&v| is_ahead(v)) {
-                self.held.push(corner.triangle);
+                self.held.push(triangle);
                 along = Some(v);
             } else if turn(p).is_lt() && turn(q).is_gt() {
-                return self.pierce(at, corner.triangle, corner.index);
+                return self.pierce(at, triangle, corner);
             }
         }
         along.map_or(Next::End, Next::Vertex)

@@ -23,7 +23,7 @@ use super::window::{Window, narrow};
 use sweep_cdt::front::FrontSearch;
 use sweep_cdt::scalar::Scalar;
 use sweep_cdt::trace::Event;
-use sweep_cdt::{Corner, Error, Session, Ties, Triangulation, VertexStars, Watch};
+use sweep_cdt::{Error, Session, Ties, Triangulation, VertexStars, Watch};
 
 /// What observes the steps of each window; it gets the caller's numbers of the window's vertices.
 pub(super) type Steps<'p> = dyn FnMut(Event, &[u64]) + 'p;
@@ -150,13 +150,10 @@ pub(super) struct Stars<'a> {
 }
 
 impl Stars<'_> {
-    /// The corners of triangles at a vertex.
-    pub(super) fn star(&self, v: usize) -> impl Iterator<Item = Corner> + '_ {
+    /// The triangles at a vertex, each with the position of the vertex in it.
+    pub(super) fn star(&self, v: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
         let swept = self.swept;
         let star = self.stars.star(swept.result.sweep_order()[v] as usize);
-        star.map(|corner| Corner {
-            index: swept.mirrored(corner.index),
-            ..corner
-        })
+        star.map(|(triangle, corner)| (triangle, swept.mirrored(corner)))
     }
 }

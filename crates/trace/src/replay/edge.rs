@@ -8,7 +8,7 @@ use sweep_cdt::trace::{EdgePosition, PseudoPolygon, Vertex};
 
 #[derive(Debug)]
 pub(super) struct Edge {
-    pub(super) number: u32,
+    pub(super) number: usize,
     pub(super) upper: Vertex,
     pub(super) lower: Vertex,
     /// The switches so far: whether to the front, and whether at a vertex.
@@ -33,7 +33,7 @@ struct Hole {
 }
 
 impl Edge {
-    pub(super) fn new(number: u32, upper: Vertex, lower: Vertex) -> Edge {
+    pub(super) fn new(number: usize, upper: Vertex, lower: Vertex) -> Edge {
         Edge {
             number,
             upper,

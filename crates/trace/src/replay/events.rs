@@ -215,7 +215,7 @@ impl Replay {
         self.mesh.add([q, b, p])
     }
 
-    fn begin_edge(&mut self, edge: u32, upper: Vertex, lower: Vertex) -> Result<(), String> {
+    fn begin_edge(&mut self, edge: usize, upper: Vertex, lower: Vertex) -> Result<(), String> {
         self.complete()?;
         if self.phase == Phase::Finalizing {
             ensure(self.rests.remove(&(upper, lower, edge)), || {
@@ -228,7 +228,12 @@ impl Replay {
         Ok(())
     }
 
-    fn begin_whole_edge(&mut self, edge: u32, upper: Vertex, lower: Vertex) -> Result<(), String> {
+    fn begin_whole_edge(
+        &mut self,
+        edge: usize,
+        upper: Vertex,
+        lower: Vertex,
+    ) -> Result<(), String> {
         let is_sweeping = self.phase == Phase::Sweeping;
         ensure(is_sweeping && self.current() == Some(upper), || {
             format!("vertex {upper} is not the one swept last")
@@ -290,7 +295,7 @@ impl Replay {
         self.mesh.remove(vertices)
     }
 
-    fn finish(&mut self, expected: u32) -> Result<(), String> {
+    fn finish(&mut self, expected: usize) -> Result<(), String> {
         ensure(self.phase >= Phase::Finalizing, || {
             "the finalization is missing".to_owned()
         })?;
@@ -300,7 +305,7 @@ impl Replay {
             !triangles.iter().flatten().any(|&v| is_artificial(v)),
             || "an artificial triangle is left".to_owned(),
         )?;
-        ensure(u32::try_from(triangles.len()) == Ok(expected), || {
+        ensure(triangles.len() == expected, || {
             format!("there are {} triangles", triangles.len())
         })?;
         self.mesh.check_disc(&self.order)

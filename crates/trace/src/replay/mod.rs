@@ -36,11 +36,11 @@ struct Replay {
     /// The left end of the segment of a left case, whose second triangle is still to come.
     below: Option<Vertex>,
     edge: Option<Edge>,
-    edges: BTreeSet<u32>,
+    edges: BTreeSet<usize>,
     /// For the ends of each edge that was begun, upper end first, the end of its first part.
     first_parts: BTreeMap<[Vertex; 2], Vertex>,
     /// Pending edges: the vertex on the edge where each goes on, its lower end, its number.
-    rests: BTreeSet<(Vertex, Vertex, u32)>,
+    rests: BTreeSet<(Vertex, Vertex, usize)>,
 }
 
 pub(super) fn replay(events: &[Event]) -> Result<Vec<[usize; 3]>, BadTrace> {
@@ -55,7 +55,7 @@ pub(super) fn replay(events: &[Event]) -> Result<Vec<[usize; 3]>, BadTrace> {
         return Err(BadTrace { line, message });
     }
     let index = |v| match v {
-        Vertex::Input(v) => v as usize,
+        Vertex::Input(v) => v,
         Vertex::Left | Vertex::Right => unreachable!("artificial triangles are gone"),
     };
     let triangles = replay.mesh.triangles().into_iter();

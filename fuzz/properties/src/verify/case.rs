@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use sweep_cdt::Error;
-use sweep_cdt::verify::{Regions, Report, Verifier, Violation, Violations};
+use sweep_cdt::verify::{Report, Verifier, Violation, Violations};
 use sweep_cdt_formats::locate_seeds;
 use sweep_cdt_testing::tuned::triangulate;
 
@@ -294,11 +294,7 @@ pub(super) fn judge_regions(case: &Case) {
     let seeds = [(0, 1.0), (triangles.len() - 1, 2.0)];
     let mut attributes = with_integers!(points, |exact| attributes(&exact, case, &seeds));
     let verify = |attributes: &[f64]| {
-        let regions = Regions {
-            attributes,
-            seeds: &seeds,
-        };
-        let verifier = Verifier::new().regions(regions);
+        let verifier = Verifier::new().regions(attributes, &seeds);
         let verdict = verifier.verify(points, edges, triangles);
         verdict.map_or_else(|violations| violations.list, |_| Vec::new())
     };
