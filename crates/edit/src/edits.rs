@@ -60,10 +60,11 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     /// [`EditError::NonFiniteCoordinate`], [`EditError::Refused`].
     pub fn insert(&mut self, point: [S; 2]) -> Result<usize, EditError> {
         let points = vec![point];
-        let change = self.apply(Edits {
+        let edits = Edits {
             points,
             ..Edits::default()
-        })?;
+        };
+        let change = self.edit(edits, false)?;
         Ok(change.points.start)
     }
 
@@ -74,10 +75,11 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     /// edges crossed at the point.
     pub fn remove(&mut self, point: usize) -> Result<(), EditError> {
         let remove_points = vec![point];
-        self.apply(Edits {
+        let edits = Edits {
             remove_points,
             ..Edits::default()
-        })?;
+        };
+        self.edit(edits, false)?;
         Ok(())
     }
 
@@ -87,10 +89,11 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     /// [`EditError::NoPoint`]; [`EditError::CrossingEdges`], if it crosses another edge at a point that is no vertex.
     pub fn insert_edge(&mut self, ends: [usize; 2]) -> Result<usize, EditError> {
         let edges = vec![ends];
-        let change = self.apply(Edits {
+        let edits = Edits {
             edges,
             ..Edits::default()
-        })?;
+        };
+        let change = self.edit(edits, false)?;
         Ok(change.edges.start)
     }
 
@@ -100,10 +103,11 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     /// [`EditError::NoEdge`].
     pub fn remove_edge(&mut self, edge: usize) -> Result<(), EditError> {
         let remove_edges = vec![edge];
-        self.apply(Edits {
+        let edits = Edits {
             remove_edges,
             ..Edits::default()
-        })?;
+        };
+        self.edit(edits, false)?;
         Ok(())
     }
 
@@ -111,7 +115,12 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
     ///
     /// # Errors
     /// See [`EditError`]. Then nothing has changed.
-    pub fn apply(&mut self, mut edits: Edits<S>) -> Result<Change, EditError> {
+    pub fn apply(&mut self, edits: Edits<S>) -> Result<Change, EditError> {
+        self.edit(edits, true)
+    }
+
+    /// Makes all edits, or none. Whoever does not ask is not told of triangles.
+    fn edit(&mut self, mut edits: Edits<S>, is_told: bool) -> Result<Change, EditError> {
         for list in [&mut edits.remove_points, &mut edits.remove_edges] {
             list.sort_unstable();
             list.dedup();
@@ -132,7 +141,7 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
             }
             return Err(error);
         }
-        Ok(self.commit(edits, &taken, &vertices))
+        Ok(self.commit(edits, &taken, &vertices, is_told))
     }
 
     /// Refuses what names points and edges that are not there.
@@ -287,7 +296,11 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
                 }
             }
         }
-        self.sweep_region(gone, &[], &[])
+        self.sweep_region(gone, &[], &[])?;
+        for &v in gone {
+            self.mesh.set_at(v, NONE);
+        }
+        Ok(())
     }
 
     /// Where there are no triangles to keep, all points and edges are swept.
@@ -409,8 +422,13 @@ impl<S: Scalar + Clone> DynamicTriangulation<S> {
         edits: Edits<S>,
         taken: &[(usize, [u32; 2])],
         vertices: &Vertices,
+        is_told: bool,
     ) -> Change {
-        let [gone, new] = self.mesh.read();
+        let [gone, new] = if is_told {
+            self.mesh.read()
+        } else {
+            self.mesh.forget()
+        };
         let named = |points: &Points<S>, list: Vec<[u32; 3]>| {
             let named = list.into_iter().map(|t| turned(t.map(|v| points.name(v))));
             let mut named: Vec<[usize; 3]> = named.collect();

@@ -220,24 +220,28 @@ impl Mesh {
         }
     }
 
+    /// Ends the journal.
+    pub(crate) fn forget(&mut self) -> [Vec<[u32; 3]>; 2] {
+        self.journal.clear();
+        [Vec::new(), Vec::new()]
+    }
+
     /// Ends the journal: the triangles that are gone since it was read last, and those that are new. One that came and
     /// went is neither.
     pub(crate) fn read(&mut self) -> [Vec<[u32; 3]>; 2] {
-        let mut first = std::collections::BTreeMap::new();
-        for before in self.journal.drain(..) {
-            match before {
-                Before::Born(t) => {
-                    first.entry(t).or_insert(None);
-                }
-                Before::Died(t, triangle) => {
-                    first.entry(t).or_insert(Some(triangle.vertices));
-                }
-                _ => {}
-            }
-        }
-        let mut gone: Vec<_> = first.values().flatten().copied().map(turned).collect();
-        let new = first.keys().filter_map(|&t| self.triangle(t)).map(turned);
-        let mut new: Vec<_> = new.collect();
+        let changed = self.journal.drain(..).filter_map(|before| match before {
+            Before::Born(t) => Some((t, None)),
+            Before::Died(t, triangle) => Some((t, Some(triangle.vertices))),
+            _ => None,
+        });
+        let mut first: Vec<_> = changed.collect();
+        // The first change of each triangle, since this order is stable.
+        first.sort_by_key(|&(t, _)| t);
+        first.dedup_by_key(|&mut (t, _)| t);
+        let before = first.iter().filter_map(|&(_, vertices)| vertices);
+        let mut gone: Vec<_> = before.map(turned).collect();
+        let new = first.iter().filter_map(|&(t, _)| self.triangle(t));
+        let mut new: Vec<_> = new.map(turned).collect();
         // Some of a region come back as they were.
         for list in [&mut gone, &mut new] {
             list.sort_unstable();

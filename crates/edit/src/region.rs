@@ -313,15 +313,6 @@ impl<'a> Placed<'a> {
         pieces: &[Piece],
     ) -> Vec<u32> {
         let swept = self.swept;
-        for v in region
-            .triangles
-            .iter()
-            .filter_map(|&t| mesh.triangle(t))
-            .flatten()
-            .collect::<Vec<_>>()
-        {
-            mesh.set_at(v, NONE);
-        }
         for &t in &region.triangles {
             mesh.kill(t);
         }
@@ -338,12 +329,22 @@ impl<'a> Placed<'a> {
                 }
             }
         }
-        // A vertex whose triangles are all outside of the region, next to its border.
-        for side in border.iter().filter(|side| side.across != NONE) {
-            let [a, b] = side.ends;
-            mesh.set_at(a, prev(side.across));
-            mesh.set_at(b, next(side.across));
-            mesh.set_twin(side.across, NONE);
+        // A corner at each vertex; beyond the border, if all of its triangles are there.
+        let mut at = vec![NONE; vertices.len()];
+        for (side, &[a, b]) in border.iter().zip(&self.border) {
+            if side.across != NONE {
+                at[a] = prev(side.across);
+                at[b] = next(side.across);
+                mesh.set_twin(side.across, NONE);
+            }
+        }
+        for t in (0..swept.len()).filter(|&t| self.is_kept[t]) {
+            for (k, v) in swept.triangle(t).into_iter().enumerate() {
+                at[v] = side_of(slot[t], k);
+            }
+        }
+        for (&v, corner) in vertices.iter().zip(at) {
+            mesh.set_at(v, corner);
         }
         for (side, &ends) in border.iter().zip(&self.border) {
             let Some([t, k]) = self.side(ends) else {
@@ -366,11 +367,6 @@ impl<'a> Placed<'a> {
                     let side = side_of(slot[t], k);
                     mesh.set_covers(side, mesh.covers(side) + piece.covers);
                 }
-            }
-        }
-        for &t in &found {
-            for corner in 3 * t..3 * t + 3 {
-                mesh.set_at(mesh.apex(corner), corner);
             }
         }
         found
