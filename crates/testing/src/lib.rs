@@ -14,6 +14,7 @@
 //! * [`runs`] lists every scalar with every front and setting of the heuristics; [`Steps`] records one run
 //!   step by step; [`fronts`] lets both choose a front when the program runs.
 //! * [`tuned`] triangulates small inputs as if they were large, every second one by a hash.
+//! * `edits` (with the feature of this name) compares histories of edits with fresh runs.
 //! * [`streams`] pushes an input vertex by vertex, and puts together what comes out.
 //! * [`boundary`] finds the closed chains around a set of triangles.
 //! * [`page`] reads a page of steps as its script does.
@@ -29,6 +30,8 @@ pub mod clouds;
 pub mod conformance;
 pub mod counted;
 pub mod data;
+#[cfg(feature = "edits")]
+pub mod edits;
 pub mod families;
 pub mod fronts;
 pub mod generators;
