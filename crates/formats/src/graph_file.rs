@@ -358,14 +358,12 @@ impl<S> GraphFile<S> {
     /// ```
     /// use sweep_cdt_formats::{Input, InputFormat, Source, read};
     ///
-    /// # #[cfg(feature = "mesh-formats")] {
     /// let text = "POINT (5 5) POLYGON ((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 2, 1 1)) LINESTRING (0 0, 9 9)";
     /// let Input::Doubles(file) = read(InputFormat::Wkt, &Source::new("a.wkt", text), None)? else {
     ///     unreachable!("no fraction in the file")
     /// };
     /// let parts = [0, 3, 6].map(|edge| file.part_of(edge).unwrap());
     /// assert_eq!(parts, ["the outline of feature 2", "hole 1 of feature 2", "a line of feature 3"]);
-    /// # }
     /// # Ok::<(), sweep_cdt_formats::ReadError>(())
     /// ```
     pub fn part_of(&self, edge: usize) -> Option<String> {

@@ -8,11 +8,6 @@
 //! | `ele` | triangles, and the `node` beside it | triangles (Triangle's format) |
 //! | `obj`, `off` | vertices, lines and triangles | the same (Wavefront, Geomview) |
 //! | `csv`, `xyz`, `txt` | points and columns, a row for each point | the same; as `csv` also edges that cross, and `json` holds them too |
-//!
-//! With the feature `mesh-formats` there are more, most of them of other programs for meshes and maps:
-//!
-//! | name | read | written |
-//! |---|---|---|
 //! | `ply`, `vtk`, `vtu`, `vtp`, `msh` | vertices, lines and triangles | the same (Stanford, VTK, Gmsh) |
 //! | `stl` | triangles by their coordinates | the same |
 //! | `geojson`, `wkt`, `dxf` | points, lines, rings of polygons; or triangles | the same (maps, CAD) |
@@ -35,8 +30,6 @@ mod named;
 mod order;
 
 mod coordinate;
-#[cfg(feature = "geo-types")]
-mod geo;
 mod graph_file;
 mod polygons;
 mod read;
@@ -48,12 +41,9 @@ mod threads;
 mod write;
 
 pub use coordinate::{Coordinate, CoordinateError, MAX_DIGITS, MAX_EXPONENT, quotient};
-#[cfg(feature = "geo-types")]
-pub use geo::{geo_graph, geo_triangles};
 pub use graph_file::{Column, Faces, GraphFile, Numbering, sorted_pairs};
 pub use named::Named;
 pub use polygons::Polygons;
-#[cfg(feature = "mesh-formats")]
 pub use read::ply_parts as ply;
 pub use read::{
     Input, InputFormat, Listed, Matched, Matching, Nearest, Precision, ReadError, ReadErrorKind,

@@ -5,15 +5,11 @@ use num_rational::BigRational;
 use crate::order::is_finite;
 use crate::read::content::{Edges, Vertices};
 use crate::read::matching::find;
-#[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
 use crate::read::remarks::Remarks;
-#[cfg(feature = "mesh-formats")]
 use crate::read::shapes::Part;
 use crate::read::source::{ReadError, Source};
-#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
-#[cfg(feature = "mesh-formats")]
 use crate::read::{dxf, geojson, msh, ply, vtk, wkt};
 use crate::read::{json, obj, off, points, triangle};
 use crate::{Column, Coordinate, CoordinateError, GraphFile, Numbering};
@@ -21,8 +17,6 @@ use sweep_cdt::{Pslg, Region};
 
 named! {
     /// A format that [`read()`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `geojson`, `wkt`, `npy`, `npz`
-    /// and `dxf`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum InputFormat {
@@ -43,34 +37,24 @@ named! {
         /// Points as in `.csv`.
         Txt = "txt",
         /// Stanford's vertices and edges, as text or binary.
-        #[cfg(feature = "mesh-formats")]
         Ply = "ply",
         /// VTK's points and lines, as text or binary.
-        #[cfg(feature = "mesh-formats")]
         Vtk = "vtk",
         /// VTK's points and lines, as XML.
-        #[cfg(feature = "mesh-formats")]
         Vtu = "vtu",
         /// VTK's points and lines of polygons, as XML.
-        #[cfg(feature = "mesh-formats")]
         Vtp = "vtp",
         /// Gmsh's nodes and lines, as text or binary.
-        #[cfg(feature = "mesh-formats")]
         Msh = "msh",
         /// Points, lines and polygons of maps, as JSON.
-        #[cfg(feature = "mesh-formats")]
         Geojson = "geojson",
         /// Points, lines and polygons as text.
-        #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
         /// Points as an array of NumPy.
-        #[cfg(feature = "mesh-formats")]
         Npy = "npy",
         /// Points and edges as arrays of NumPy.
-        #[cfg(feature = "mesh-formats")]
         Npz = "npz",
         /// Points and straight lines of CAD, as text.
-        #[cfg(feature = "mesh-formats")]
         Dxf = "dxf",
     }
 }
@@ -78,24 +62,16 @@ named! {
 impl InputFormat {
     /// Whether every vertex has a height in it.
     fn is_spatial(self) -> bool {
-        #[cfg(feature = "mesh-formats")]
-        use InputFormat::{Dxf, Msh, Ply, Vtk, Vtp, Vtu};
-        use InputFormat::{Obj, Off};
-        #[cfg(feature = "mesh-formats")]
-        return matches!(self, Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Dxf);
-        #[cfg(not(feature = "mesh-formats"))]
-        matches!(self, Obj | Off)
+        use InputFormat::{Dxf, Msh, Obj, Off, Ply, Vtk, Vtp, Vtu};
+        matches!(self, Obj | Off | Ply | Vtk | Vtu | Vtp | Msh | Dxf)
     }
 
     /// Whether it has no list of vertices, but coordinates wherever a vertex is meant.
     fn is_without_vertices(self) -> bool {
-        #[cfg(feature = "mesh-formats")]
-        return matches!(
+        matches!(
             self,
             InputFormat::Geojson | InputFormat::Wkt | InputFormat::Dxf
-        );
-        #[cfg(not(feature = "mesh-formats"))]
-        false
+        )
     }
 }
 
@@ -154,33 +130,23 @@ pub fn read(
         }
         InputFormat::Poly => triangle::read_poly(source, node)?,
         InputFormat::Json => match json::read(source) {
-            #[cfg(feature = "mesh-formats")]
             Err(_) if geojson::is_in(source) => return read(InputFormat::Geojson, source, node),
             content => content?,
         },
         InputFormat::Obj => obj::read(source)?.into_graph()?,
         InputFormat::Off => off::read(source)?.into_graph()?,
         InputFormat::Csv | InputFormat::Xyz | InputFormat::Txt => points::read(source)?,
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => ply::read(source)?.into_graph()?,
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtk => vtk::read(source)?.into_graph()?,
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtu | InputFormat::Vtp => {
             let unpacked = Unpacked::of(source)?;
             return input(format, unpacked.mesh()?.into_graph()?);
         }
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Msh => msh::read(source)?.into_graph()?,
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Geojson => geojson::read(source)?.into_graph(),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => wkt::read(source)?.into_graph(),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Dxf => dxf::read(source, Part::Points)?.into_graph(),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Npy => return input(format, Arrays::of_points(source)?.graph()?),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Npz => return input(format, Arrays::of_archive(source)?.graph()?),
     };
     input(format, content)
@@ -246,7 +212,7 @@ fn file<S: Coordinate>(
 
 /// A file with one vertex for equal points: the first of them. In each column it has the first number that any of these
 /// points has. Graphs with points that are not finite stay as they are; nothing is made of them.
-pub(crate) fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
+fn merged<S: Coordinate>(file: GraphFile<S>) -> GraphFile<S> {
     if !file.graph.points.iter().all(is_finite) {
         return file;
     }

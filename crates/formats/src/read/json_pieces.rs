@@ -54,7 +54,6 @@ pub(super) fn fault(source: &Source, piece: &RawValue, message: impl Into<String
 
 /// The JSON texts of a file: one, or several one after the other, each of them after a record separator (RFC 8142) or on
 /// lines of its own.
-#[cfg(feature = "mesh-formats")]
 pub(super) fn texts(source: &Source) -> Result<Vec<&RawValue>, ReadError> {
     const SEPARATOR: u8 = 0x1e;
     let mut texts = Vec::new();

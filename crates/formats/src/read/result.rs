@@ -5,15 +5,11 @@ use std::collections::HashSet;
 use crate::read::content::{Corners, Labels, Vertices};
 use crate::read::matched::Matched;
 use crate::read::matching::{self, Matching};
-#[cfg(feature = "mesh-formats")]
 use crate::read::numpy::Arrays;
 use crate::read::refusal::ResultError;
-#[cfg(feature = "mesh-formats")]
 use crate::read::shapes::Part;
 use crate::read::source::{ReadError, Source};
-#[cfg(feature = "mesh-formats")]
 use crate::read::vtu::Unpacked;
-#[cfg(feature = "mesh-formats")]
 use crate::read::{dxf, geojson, msh, ply, stl, vtk, wkt};
 use crate::read::{json, obj, off, triangle};
 use crate::{Coordinate, CoordinateError, GraphFile};
@@ -22,8 +18,6 @@ use sweep_cdt::verify::{Offenders, Violation};
 
 named! {
     /// A format that [`read_result`] understands, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `stl`, `geojson`, `wkt`,
-    /// `npy`, `npz` and `dxf`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum ResultFormat {
@@ -36,37 +30,26 @@ named! {
         /// Geomview's vertices and faces.
         Off = "off",
         /// Stanford's vertices and faces, as text or binary.
-        #[cfg(feature = "mesh-formats")]
         Ply = "ply",
         /// VTK's points, and polygons or cells, as text or binary.
-        #[cfg(feature = "mesh-formats")]
         Vtk = "vtk",
         /// VTK's points and cells, as XML.
-        #[cfg(feature = "mesh-formats")]
         Vtu = "vtu",
         /// VTK's points and polygons, as XML.
-        #[cfg(feature = "mesh-formats")]
         Vtp = "vtp",
         /// Gmsh's nodes and triangles, as text or binary.
-        #[cfg(feature = "mesh-formats")]
         Msh = "msh",
         /// Triangles alone, as text or binary.
-        #[cfg(feature = "mesh-formats")]
         Stl = "stl",
         /// Polygons of maps, as JSON.
-        #[cfg(feature = "mesh-formats")]
         Geojson = "geojson",
         /// Polygons as text.
-        #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
         /// Triangles as an array of NumPy.
-        #[cfg(feature = "mesh-formats")]
         Npy = "npy",
         /// Triangles, and maybe points, as arrays of NumPy.
-        #[cfg(feature = "mesh-formats")]
         Npz = "npz",
         /// Faces of CAD, as text.
-        #[cfg(feature = "mesh-formats")]
         Dxf = "dxf",
     }
 }
@@ -82,34 +65,23 @@ impl ResultFormat {
         let corners = match self {
             ResultFormat::Ele => triangle::read_ele(source, node)?,
             ResultFormat::Json => match json::read_triangles(source) {
-                #[cfg(feature = "mesh-formats")]
                 Err(_) if geojson::is_in(source) => geojson::read(source)?.into_triangles()?,
                 corners => corners?,
             },
             ResultFormat::Obj => obj::read(source)?.into_triangles()?,
             ResultFormat::Off => off::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Ply => ply::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Vtk => vtk::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Vtu | ResultFormat::Vtp => {
                 let unpacked = Unpacked::of(source)?;
                 return make(unpacked.mesh()?.into_triangles()?);
             }
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Msh => msh::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Stl => stl::read(source)?,
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Geojson => geojson::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Wkt => wkt::read(source)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Dxf => dxf::read(source, Part::Ring)?.into_triangles()?,
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Npy => return make(Arrays::of_triangles(source)?.triangles()?),
-            #[cfg(feature = "mesh-formats")]
             ResultFormat::Npz => return make(Arrays::of_archive(source)?.triangles()?),
         };
         make(corners)

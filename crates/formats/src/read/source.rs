@@ -23,10 +23,8 @@ pub struct Source {
 }
 
 /// The bytes that every file may unpack to.
-#[cfg(feature = "mesh-formats")]
 const UNPACKED: u64 = 16 << 20;
 /// How often its size a file may unpack to, if that is more. Arrays of meshes unpack to 2 to 10 times their size.
-#[cfg(feature = "mesh-formats")]
 const TIMES: u64 = 32;
 
 impl Source {
@@ -63,7 +61,6 @@ impl Source {
     }
 
     /// How many bytes the file may unpack to.
-    #[cfg(feature = "mesh-formats")]
     pub(super) fn most_unpacked(&self) -> u64 {
         let by_size = (self.bytes.len() as u64).saturating_mul(TIMES);
         self.unpacked_limit.unwrap_or(by_size.max(UNPACKED))

@@ -6,9 +6,7 @@
 
 use std::io::{self, Write};
 
-#[cfg(feature = "mesh-formats")]
 use super::shapes::{write_srid, write_system};
-#[cfg(feature = "mesh-formats")]
 use crate::Coordinate;
 use crate::{Column, CoordinateSystem, GraphFile, InputFormat, write_graph};
 use sweep_cdt::Pslg;
@@ -36,9 +34,7 @@ pub fn write_lines(
     out: &mut impl Write,
 ) -> io::Result<()> {
     match format {
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Geojson => write_geojson(lines, system, out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => write_wkt(lines, system, out),
         _ => {
             let mut file = graph(lines);
@@ -69,7 +65,6 @@ fn graph(lines: &[(f64, Vec<[f64; 2]>)]) -> GraphFile<f64> {
 }
 
 /// Writes a feature for each line.
-#[cfg(feature = "mesh-formats")]
 fn write_geojson(
     lines: &[(f64, Vec<[f64; 2]>)],
     system: Option<&CoordinateSystem>,
@@ -95,7 +90,6 @@ fn write_geojson(
 }
 
 /// Writes a collection of lines.
-#[cfg(feature = "mesh-formats")]
 fn write_wkt(
     lines: &[(f64, Vec<[f64; 2]>)],
     system: Option<&CoordinateSystem>,

@@ -74,7 +74,6 @@ struct Room {
 enum System {
     No,
     /// By a number of the EPSG.
-    #[cfg(feature = "mesh-formats")]
     Number,
     Any,
 }
@@ -84,7 +83,6 @@ impl System {
     fn holds(&self, system: &CoordinateSystem) -> bool {
         match self {
             System::No => false,
-            #[cfg(feature = "mesh-formats")]
             System::Number => system.srid().is_some(),
             System::Any => !system.json().is_empty(),
         }
@@ -115,8 +113,12 @@ impl Room {
                 regions: true,
                 system: System::Any,
             },
-            OutputFormat::Cert | OutputFormat::Obj | OutputFormat::Off => nothing,
-            #[cfg(feature = "mesh-formats")]
+            OutputFormat::Cert
+            | OutputFormat::Obj
+            | OutputFormat::Off
+            | OutputFormat::Stl
+            | OutputFormat::Npy
+            | OutputFormat::Dxf => nothing,
             OutputFormat::Ply | OutputFormat::Vtk | OutputFormat::Vtu | OutputFormat::Vtp => Room {
                 columns: true,
                 vertex_markers: true,
@@ -124,28 +126,22 @@ impl Room {
                 regions: true,
                 ..nothing
             },
-            #[cfg(feature = "mesh-formats")]
             OutputFormat::Msh => Room {
                 vertex_markers: true,
                 edge_markers: true,
                 regions: true,
                 ..nothing
             },
-            #[cfg(feature = "mesh-formats")]
             OutputFormat::Geojson => Room {
                 regions: true,
                 system: System::Any,
                 ..nothing
             },
-            #[cfg(feature = "mesh-formats")]
             OutputFormat::Wkt => Room {
                 system: System::Number,
                 ..nothing
             },
-            #[cfg(feature = "mesh-formats")]
-            OutputFormat::Stl | OutputFormat::Npy | OutputFormat::Dxf => nothing,
             // Columns have no names in it, but are there.
-            #[cfg(feature = "mesh-formats")]
             OutputFormat::Npz => Room {
                 columns: true,
                 vertex_markers: true,

@@ -4,7 +4,6 @@ mod certificate;
 mod certificate_numbers;
 mod certificate_tiling;
 mod crossings;
-#[cfg(feature = "mesh-formats")]
 mod dxf;
 mod features;
 mod json;
@@ -12,16 +11,12 @@ mod labels;
 mod lines;
 mod losses;
 mod mesh;
-#[cfg(feature = "mesh-formats")]
 mod mesh_formats;
-#[cfg(feature = "mesh-formats")]
 mod numpy;
 mod points;
 mod rows;
-#[cfg(feature = "mesh-formats")]
 mod shapes;
 mod violations;
-#[cfg(feature = "mesh-formats")]
 mod vtu;
 
 use std::io::{self, Write};
@@ -41,8 +36,6 @@ use sweep_cdt::memory::has_room;
 
 named! {
     /// A format that [`write()`] makes, named by the extension of its files.
-    /// The feature `mesh-formats` adds `ply`, `vtk`, `vtu`, `vtp`, `msh`, `stl`, `geojson`, `wkt`, `npy`, `npz`
-    /// and `dxf`.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     #[non_exhaustive]
     pub enum OutputFormat {
@@ -59,37 +52,26 @@ named! {
         /// Geomview's vertices and faces.
         Off = "off",
         /// Stanford's vertices and faces, as text.
-        #[cfg(feature = "mesh-formats")]
         Ply = "ply",
         /// VTK's points and cells, as text.
-        #[cfg(feature = "mesh-formats")]
         Vtk = "vtk",
         /// VTK's points and cells, as XML.
-        #[cfg(feature = "mesh-formats")]
         Vtu = "vtu",
         /// VTK's points and polygons, as XML.
-        #[cfg(feature = "mesh-formats")]
         Vtp = "vtp",
         /// Gmsh's nodes and triangles, as text of version 2.2.
-        #[cfg(feature = "mesh-formats")]
         Msh = "msh",
         /// Triangles alone, as text.
-        #[cfg(feature = "mesh-formats")]
         Stl = "stl",
         /// Polygons of maps, as JSON.
-        #[cfg(feature = "mesh-formats")]
         Geojson = "geojson",
         /// Polygons as text.
-        #[cfg(feature = "mesh-formats")]
         Wkt = "wkt",
         /// Triangles as an array of NumPy.
-        #[cfg(feature = "mesh-formats")]
         Npy = "npy",
         /// Points, edges and triangles as arrays of NumPy.
-        #[cfg(feature = "mesh-formats")]
         Npz = "npz",
         /// Faces of CAD, as text.
-        #[cfg(feature = "mesh-formats")]
         Dxf = "dxf",
     }
 }
@@ -163,37 +145,26 @@ pub fn write_interior<S: Coordinate>(
         OutputFormat::Cert => write_certified(file, interior, out),
         OutputFormat::Obj => Mesh::of(file, interior).with_sides(interior).write_obj(out),
         OutputFormat::Off => Mesh::of(file, interior).write_off(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Ply => Mesh::of(file, interior)
             .with_labels(interior)
             .write_ply(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Vtk => Mesh::of(file, interior)
             .with_labels(interior)
             .write_vtk(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Vtu => Mesh::of(file, interior)
             .with_labels(interior)
             .write_vtu(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Vtp => Mesh::of(file, interior)
             .with_labels(interior)
             .write_vtp(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Msh => Mesh::of(file, interior)
             .with_labels(interior)
             .write_msh(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Stl => Mesh::of(file, interior).write_stl(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Geojson => shapes::write_geojson(file, interior, out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Wkt => shapes::write_wkt(file, interior, out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Dxf => Mesh::of(file, interior).with_sides(interior).write_dxf(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Npy => Mesh::of(file, interior).write_triangles(out),
-        #[cfg(feature = "mesh-formats")]
         OutputFormat::Npz => Mesh::of(file, interior).write_npz(true, out),
     }
 }
@@ -266,25 +237,15 @@ pub fn write_graph<S: Coordinate>(
         InputFormat::Off => Mesh::of_graph(file).write_off(out),
         InputFormat::Csv => points::write(file, b',', out),
         InputFormat::Xyz | InputFormat::Txt => points::write(file, b' ', out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Ply => Mesh::of_graph(file).write_ply(out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtk => Mesh::of_graph(file).write_vtk(out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtu => Mesh::of_graph(file).write_vtu(out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Vtp => Mesh::of_graph(file).write_vtp(out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Msh => Mesh::of_graph(file).write_msh(out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Geojson => shapes::write_geojson_graph(file, out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Wkt => shapes::write_wkt_graph(file, out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Dxf => Mesh::of_graph(file).write_dxf(out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Npy => Mesh::of_graph(file).write_points(out),
-        #[cfg(feature = "mesh-formats")]
         InputFormat::Npz => Mesh::of_graph(file).write_npz(false, out),
     }
 }

@@ -50,20 +50,17 @@ impl Holds {
                 ..mesh
             },
             InputFormat::Obj | InputFormat::Off => mesh,
-            #[cfg(feature = "mesh-formats")]
             InputFormat::Ply | InputFormat::Vtk | InputFormat::Vtu | InputFormat::Vtp => Holds {
                 columns: true,
                 vertex_markers: true,
                 edge_markers: true,
                 ..mesh
             },
-            #[cfg(feature = "mesh-formats")]
             InputFormat::Msh => Holds {
                 vertex_markers: true,
                 edge_markers: true,
                 ..mesh
             },
-            #[cfg(feature = "mesh-formats")]
             InputFormat::Geojson | InputFormat::Wkt => Holds {
                 system: true,
                 ..mesh

@@ -54,7 +54,6 @@ fn lines_of_obj_go_on_after_a_backslash() {
 
 /// firedrakeproject/firedrake#982, inducer/meshpy#15.
 #[test]
-#[cfg(feature = "mesh-formats")]
 fn lines_of_second_order_go_through_the_node_between() {
     let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 2 0 0\n3 1 0 0\n$EndNodes\n\
                 $Elements\n2\n1 8 2 1 1 1 2 3\n2 15 2 1 1 1\n$EndElements\n";
@@ -64,7 +63,6 @@ fn lines_of_second_order_go_through_the_node_between() {
 
 /// mapbox/geojson.io#643; RFC 7946, 3.1: a geometry without coordinates is as one that is `null`.
 #[test]
-#[cfg(feature = "mesh-formats")]
 fn empty_coordinates_are_no_geometry() {
     for kind in [
         "Point",
@@ -84,7 +82,6 @@ fn empty_coordinates_are_no_geometry() {
 
 /// systemed/tilemaker#651; RFC 8142.
 #[test]
-#[cfg(feature = "mesh-formats")]
 fn sequences_of_features_are_read() {
     let feature = |x: u32| {
         let geometry = format!("{{\"type\": \"Point\", \"coordinates\": [{x}, 0]}}");
@@ -112,7 +109,6 @@ fn sequences_of_features_are_read() {
 
 /// By habit: a name that ends in `.json`.
 #[test]
-#[cfg(feature = "mesh-formats")]
 fn geojson_is_known_by_its_type() {
     let ring = "[[0, 0], [3, 0], [0, 3], [0, 0]]";
     let polygon = format!("{{\"type\": \"Polygon\", \"coordinates\": [{ring}]}}");
@@ -133,7 +129,6 @@ fn geojson_is_known_by_its_type() {
 
 /// `PostGIS` writes curves; Gmsh wrote version 1.
 #[test]
-#[cfg(feature = "mesh-formats")]
 fn what_is_not_read_is_named() {
     let curve = "CURVEPOLYGON(CIRCULARSTRING(0 0,4 0,4 4,0 4,0 0))";
     assert_eq!(

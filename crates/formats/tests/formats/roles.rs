@@ -137,7 +137,6 @@ fn lists(
     format!("{begin}{}{end}", rings.join(","))
 }
 
-#[cfg(feature = "mesh-formats")]
 #[test]
 fn polygons_cover_what_their_rings_say() {
     let (mut empty, mut full) = (0, 0);
@@ -202,7 +201,6 @@ fn polygons_cover_what_their_rings_say() {
 }
 
 /// The polygons of a file that is written and read again are the same.
-#[cfg(feature = "mesh-formats")]
 #[test]
 fn polygons_that_are_written_cover_the_same() {
     for seed in 0..200 {
